@@ -1,0 +1,166 @@
+// The half-step lattice: vertices, links, incidences and the directions of a plane.
+//
+// Every coordinate is an integer in half-steps: voxel (i, j, k) lies at (2i, 2j, 2k) and a cell
+// spans two steps. Vertices of the surface are the points with an odd coordinate sum (edge
+// midpoints and cell centroids). Two neighbouring vertices are joined by a link, one of 18 vectors.
+// A facet's normal, reduced to signs, is its incidence: one of 26 vectors that point from on to
+// off.
+//
+// Montani, Scateni, Scopigno, "Discretized Marching Cubes", IEEE Visualization 1994, section 2.
+// Chains: H. Freeman, "On the encoding of arbitrary geometric configurations", 1961.
+#ifndef DISCMC_LATTICE_HPP
+#define DISCMC_LATTICE_HPP
+
+#include <stdint.h>
+
+namespace discmc {
+
+/// A point or a vector of the lattice. Units: half-steps.
+struct Vertex {
+  int32_t x, y, z;
+};
+
+constexpr bool operator==(const Vertex& a, const Vertex& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+constexpr bool operator!=(const Vertex& a, const Vertex& b) {
+  return !(a == b);
+}
+constexpr Vertex operator+(const Vertex& a, const Vertex& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vertex operator-(const Vertex& a, const Vertex& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vertex operator-(const Vertex& a) {
+  return {-a.x, -a.y, -a.z};
+}
+constexpr int32_t dot(const Vertex& a, const Vertex& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Vertex cross(const Vertex& a, const Vertex& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// A signed normal as a number: 13 + x + 3 y + 9 z for components in {-1, 0, 1}.
+/// Limit: 0 to 26; 13, the zero vector, is no incidence.
+using Incidence = uint8_t;
+
+constexpr Incidence no_incidence = 13;
+constexpr int incidence_codes = 27;
+
+constexpr Vertex normal(Incidence incidence) {
+  return {incidence % 3 - 1, incidence / 3 % 3 - 1, incidence / 9 - 1};
+}
+constexpr Incidence incidence_of(const Vertex& normal) {
+  return static_cast<Incidence>(13 + normal.x + 3 * normal.y + 9 * normal.z);
+}
+constexpr Incidence opposite(Incidence incidence) {
+  return static_cast<Incidence>(26 - incidence);
+}
+
+/// One of the 18 link vectors as a number; the opposite link is 17 - link.
+using Link = uint8_t;
+
+constexpr int link_codes = 18;
+
+constexpr Link opposite_link(Link link) {
+  return static_cast<Link>(17 - link);
+}
+
+/// A link's direction within the plane of an incidence: 0 to direction_count - 1,
+/// counter-clockwise seen from the tip of the normal.
+using Direction = uint8_t;
+
+constexpr int max_directions = 8;
+constexpr Direction no_direction = 0xFF;
+
+/// The 18 links, and which of them lie in the planes of each incidence.
+struct LinkTable {
+  Vertex vector[link_codes];
+  uint8_t direction_count[incidence_codes];          ///< 8 axis, 4 diagonal, 6 corner
+  Link link[incidence_codes][max_directions];        ///< by incidence and direction
+  Direction direction[incidence_codes][link_codes];  ///< by incidence and link, or none
+};
+
+namespace derive {
+
+constexpr Link link_of(const LinkTable& table, const Vertex& vector) {
+  for (Link link = 0; link < link_codes; ++link)
+    if (table.vector[link] == vector) return link;
+  return link_codes;
+}
+
+// The next link of the plane counter-clockwise from `from`: no other lies between them.
+constexpr Link next_link(const LinkTable& table, const Vertex& normal, Link from) {
+  Link best = link_codes;
+  for (Link link = 0; link < link_codes; ++link) {
+    const Vertex& candidate = table.vector[link];
+    if (dot(candidate, normal) != 0) continue;
+    if (dot(cross(table.vector[from], candidate), normal) <= 0) continue;
+    if (best == link_codes || dot(cross(candidate, table.vector[best]), normal) > 0) best = link;
+  }
+  return best;
+}
+
+constexpr void add_plane(LinkTable& table, Incidence incidence) {
+  const Vertex n = normal(incidence);
+  Link link = 0;
+  while (dot(table.vector[link], n) != 0) ++link;
+  const Link first = link;
+  uint8_t count = 0;
+  do {
+    table.link[incidence][count] = link;
+    table.direction[incidence][link] = count++;
+    link = next_link(table, n, link);
+  } while (link != first);
+  table.direction_count[incidence] = count;
+}
+
+constexpr LinkTable link_table() {
+  LinkTable table{};
+  int count = 0;
+  for (int z = -2; z <= 2; ++z)
+    for (int y = -2; y <= 2; ++y)
+      for (int x = -2; x <= 2; ++x) {
+        const int length_squared = x * x + y * y + z * z;
+        const bool diagonal = length_squared == 2;
+        const bool axis = length_squared == 4 && x % 2 == 0 && y % 2 == 0 && z % 2 == 0;
+        if (diagonal || axis) table.vector[count++] = Vertex{x, y, z};
+      }
+  for (auto& row : table.direction)
+    for (Direction& direction : row) direction = no_direction;
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    if (incidence != no_incidence) add_plane(table, incidence);
+  return table;
+}
+
+}  // namespace derive
+
+inline constexpr LinkTable links = derive::link_table();
+
+/// The vector of a direction in the planes of an incidence. Units: half-steps.
+constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
+  return links.vector[links.link[incidence][direction]];
+}
+
+/// The turn from one direction to the next as a count of directions, from -n/2 (a half turn counts
+/// as negative) to n/2 - 1, where n is the incidence's direction_count. Counter-clockwise is
+/// positive.
+constexpr int turn(Incidence incidence, Direction from, Direction to) {
+  const int count = links.direction_count[incidence];
+  int difference = to - from;
+  if (difference < -count / 2) difference += count;
+  if (difference >= count / 2) difference -= count;
+  return difference;
+}
+
+static_assert(links.direction_count[incidence_of({0, 0, 1})] == 8, "axis planes have 8 directions");
+static_assert(links.direction_count[incidence_of({1, 1, 0})] == 4, "diagonal planes have 4");
+static_assert(links.direction_count[incidence_of({1, 1, 1})] == 6, "corner planes have 6");
+static_assert(links.vector[opposite_link(3)] == -links.vector[3],
+              "links are numbered by point symmetry");
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,166 @@
+#include <discmc/patch_table.hpp>
+
+namespace discmc {
+
+namespace {
+
+constexpr bool operator==(const Patch& a, const Patch& b) {
+  if (a.incidence != b.incidence || a.count != b.count || a.start != b.start) return false;
+  for (int i = 0; i < a.count; ++i)
+    if (a.link[i] != b.link[i]) return false;
+  return true;
+}
+
+// A ring of points that becomes a patch.
+struct PointRing {
+  uint8_t count;
+  Point point[Patch::max_links];
+};
+
+constexpr int sign(int value) {
+  return (value > 0) - (value < 0);
+}
+
+constexpr Incidence plane_of(Point a, Point b, Point c) {
+  const Vertex n = cross(position(b) - position(a), position(c) - position(a));
+  return incidence_of(Vertex{sign(n.x), sign(n.y), sign(n.z)});
+}
+
+constexpr bool is_flat(const Loop& loop) {
+  const Vertex n = normal(plane_of(loop.point[0], loop.point[1], loop.point[2]));
+  for (int i = 3; i < loop.count; ++i)
+    if (dot(n, position(loop.point[i]) - position(loop.point[0])) != 0) return false;
+  return true;
+}
+
+constexpr uint8_t coded_link(Incidence incidence, Point from, Point to) {
+  const Link link = derive::link_of(links, position(to) - position(from));
+  const int face = face_of(from, to);
+  const int place = face == faces ? spoke : 2 * face + place_in_face(from, to);
+  return static_cast<uint8_t>(place << 3 | links.direction[incidence][link]);
+}
+
+// Starts the ring at a link ahead where there is one, so that the merge begins with an open edge.
+constexpr Patch patch_of(Incidence incidence, const PointRing& ring) {
+  int start = 0;
+  for (int i = 0; i < ring.count; ++i) {
+    const uint8_t link = coded_link(incidence, ring.point[i], ring.point[(i + 1) % ring.count]);
+    if (!is_ahead(link >> 3)) continue;
+    start = i;
+    break;
+  }
+  Patch patch{incidence, ring.count, ring.point[start], {}};
+  for (int i = 0; i < ring.count; ++i) {
+    const Point from = ring.point[(start + i) % ring.count];
+    const Point to = ring.point[(start + i + 1) % ring.count];
+    patch.link[i] = coded_link(incidence, from, to);
+  }
+  return patch;
+}
+
+struct Derived {
+  PatchTable table;
+  CellBounds bounds;
+  int total;
+  int distinct;
+  bool one_patch_an_incidence;
+};
+
+constexpr void add_patch(Derived& derived, const Patch& patch) {
+  int index = 0;
+  while (index < derived.distinct && !(derived.table.patch[index] == patch)) ++index;
+  if (index == derived.distinct) derived.table.patch[derived.distinct++] = patch;
+  derived.table.index[derived.total++] = static_cast<uint8_t>(index);
+}
+
+// The fan's sectors of one incidence, from sector `first` on: their outer links and two spokes.
+constexpr PointRing sector_ring(const Loop& loop, int first, int sectors) {
+  PointRing ring{};
+  for (int i = 0; i <= sectors; ++i)
+    ring.point[ring.count++] = loop.point[(first + i) % loop.count];
+  ring.point[ring.count++] = centroid;
+  return ring;
+}
+
+constexpr void add_fan(Derived& derived, const Loop& loop) {
+  Incidence incidence[Loop::max_points] = {};
+  for (int i = 0; i < loop.count; ++i)
+    incidence[i] = plane_of(centroid, loop.point[i], loop.point[(i + 1) % loop.count]);
+  for (int first = 0; first < loop.count; ++first) {
+    if (incidence[first] == incidence[(first + loop.count - 1) % loop.count]) continue;
+    int sectors = 1;
+    while (incidence[(first + sectors) % loop.count] == incidence[first]) ++sectors;
+    add_patch(derived, patch_of(incidence[first], sector_ring(loop, first, sectors)));
+  }
+}
+
+constexpr void add_loop(Derived& derived, const Loop& loop) {
+  if (!is_flat(loop)) return add_fan(derived, loop);
+  PointRing ring{};
+  for (int i = 0; i < loop.count; ++i) ring.point[ring.count++] = loop.point[i];
+  add_patch(derived, patch_of(plane_of(loop.point[0], loop.point[1], loop.point[2]), ring));
+}
+
+constexpr int larger(int a, int b) {
+  return a > b ? a : b;
+}
+
+constexpr void measure_cell(Derived& derived, int first) {
+  int links = 0, behind = 0, ahead = 0;
+  uint32_t incidences = 0;
+  for (int i = first; i < derived.total; ++i) {
+    const Patch& patch = derived.table.patch[derived.table.index[i]];
+    if (incidences >> patch.incidence & 1) derived.one_patch_an_incidence = false;
+    incidences |= uint32_t{1} << patch.incidence;
+    links += patch.count;
+    for (int l = 0; l < patch.count; ++l) {
+      behind += is_behind(patch.place(l));
+      ahead += is_ahead(patch.place(l));
+    }
+  }
+  CellBounds& bounds = derived.bounds;
+  bounds = {larger(bounds.patches, derived.total - first), larger(bounds.links, links),
+            larger(bounds.behind_links, behind), larger(bounds.ahead_links, ahead)};
+}
+
+constexpr uint8_t below_links(const Derived& derived, int lower) {
+  int found = 0;
+  for (int i = derived.table.first[lower]; i < derived.table.first[lower + 1]; ++i) {
+    const Patch& patch = derived.table.patch[derived.table.index[i]];
+    for (int l = 0; l < patch.count; ++l)
+      if (patch.place(l) / 2 == face_below) found |= 1 << patch.place(l) % 2;
+  }
+  return static_cast<uint8_t>(found);
+}
+
+constexpr Derived derive_all() {
+  Derived derived{};
+  derived.one_patch_an_incidence = true;
+  for (int c = 0; c < configurations; ++c) {
+    const int first = derived.total;
+    derived.table.first[c] = static_cast<uint16_t>(first);
+    const Loops loops = derive::loops(static_cast<Configuration>(c));
+    for (int l = 0; l < loops.count; ++l) add_loop(derived, loops.loop[l]);
+    measure_cell(derived, first);
+  }
+  derived.table.first[configurations] = static_cast<uint16_t>(derived.total);
+  for (int lower = 0; lower < 16; ++lower) derived.table.below[lower] = below_links(derived, lower);
+  return derived;
+}
+
+constexpr Derived derived = derive_all();
+
+static_assert(derived.total == PatchTable::total, "patches of all configurations");
+static_assert(derived.distinct == PatchTable::distinct, "222 different patches");
+static_assert(derived.one_patch_an_incidence, "a cell has at most one patch an incidence");
+static_assert(derived.bounds.patches == cell_bounds.patches, "at most five patches a cell");
+static_assert(derived.bounds.links == cell_bounds.links, "links of a cell");
+static_assert(derived.bounds.behind_links == cell_bounds.behind_links,
+              "links towards visited cells");
+static_assert(derived.bounds.ahead_links == cell_bounds.ahead_links, "links towards cells to come");
+
+}  // namespace
+
+const PatchTable patch_table = derived.table;
+
+}  // namespace discmc

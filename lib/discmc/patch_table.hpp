@@ -1,0 +1,82 @@
+// The sweep's view of the lookup table: what a cell adds to each plane, as rings of links.
+//
+// Neighbouring facets of one cell on one plane never need to be apart. A cell's surface falls into
+// patches: at most one an incidence, at most five a cell. A patch is a ring of links, each on a
+// face of the cell (where the cell on the other side may continue the plane) or, as a spoke to or
+// from the centroid, inside the cell (where it never does). All 256 configurations use 222
+// different patches.
+#ifndef DISCMC_PATCH_TABLE_HPP
+#define DISCMC_PATCH_TABLE_HPP
+
+#include <discmc/cell.hpp>
+
+namespace discmc {
+
+/// Where a link of a patch lies: 2 * face + 0 or 1, or `spoke`. Both cells that share a face tell
+/// its at most two links apart in the same way.
+using Place = uint8_t;
+
+constexpr Place behind_places = 6;  ///< places 0 to 5 are on faces towards cells already visited
+constexpr Place spoke = 12;
+
+constexpr bool is_behind(Place place) {
+  return place < behind_places;
+}
+constexpr bool is_ahead(Place place) {
+  return place >= behind_places && place < spoke;
+}
+
+/// The place of a face's link, in {0, 1} within the face: links that cut off one corner are told
+/// apart by that corner's second coordinate, a link between opposite edges is alone.
+constexpr int place_in_face(Point from, Point to) {
+  const int face = face_of(from, to);
+  const Vertex a = position(from);
+  const Vertex b = position(to);
+  const int a_second[] = {a.z, a.z, a.y};
+  const int b_second[] = {b.z, b.z, b.y};
+  const int first = a_second[face % 3];
+  const int second = b_second[face % 3];
+  if (first == 1 && second == 1) return 0;
+  return (first == 1 ? second : first) / 2;
+}
+
+/// A ring of links, counter-clockwise seen from the tip of the normal. If any link is ahead, link 0
+/// is.
+struct Patch {
+  static constexpr int max_links = 6;
+  Incidence incidence;
+  uint8_t count;
+  Point start;              ///< where link 0 begins
+  uint8_t link[max_links];  ///< place (upper 5 bits) and direction (lower 3 bits)
+
+  constexpr Place place(int i) const { return link[i] >> 3; }
+  constexpr Direction direction(int i) const { return link[i] & 7; }
+};
+
+/// The patches of every configuration: those of c are patch[index[first[c]]] to
+/// patch[index[first[c + 1] - 1]].
+struct PatchTable {
+  static constexpr int total = 610;
+  static constexpr int distinct = 222;
+  uint16_t first[configurations + 1];
+  uint8_t index[total];
+  Patch patch[distinct];
+  uint8_t
+      below[16];  ///< by the four lower corner bits: bits 0 and 1 tell which links face_below has
+};
+
+extern const PatchTable patch_table;
+
+/// What one cell can need at worst, derived from the table: the basis of every reserve.
+struct CellBounds {
+  int patches;       ///< patches of a cell
+  int links;         ///< links of all its patches together, spokes included
+  int behind_links;  ///< of them on faces towards cells already visited
+  int ahead_links;   ///< of them on faces towards cells not yet visited
+};
+
+constexpr CellBounds cell_bounds = {5, 17, 6, 6};
+
+}  // namespace discmc
+
+#endif
