@@ -36,8 +36,8 @@ constexpr int place_in_face(Point from, Point to) {
   const int b_second[] = {b.z, b.z, b.y};
   const int first = a_second[face % 3];
   const int second = b_second[face % 3];
-  if (first == 1 && second == 1) return 0;
-  return (first == 1 ? second : first) / 2;
+  const bool cuts_corner = (first + second) % 2 != 0;
+  return cuts_corner ? (first == 1 ? second : first) / 2 : 0;
 }
 
 /// A ring of links, counter-clockwise seen from the tip of the normal. If any link is ahead, link 0

@@ -1,0 +1,63 @@
+// A bump arena over the caller's memory.
+#ifndef DISCMC_ARENA_HPP
+#define DISCMC_ARENA_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace discmc {
+
+/// A piece of memory. Owner: the caller.
+struct Memory {
+  void* data = nullptr;
+  size_t bytes = 0;
+};
+
+/// The memory of an array. Owner: the caller.
+template <size_t N>
+constexpr Memory memory_of(uint8_t (&array)[N]) {
+  return {array, N};
+}
+
+/// Hands out consecutive arrays of trivial types from one piece of memory; nothing is given back.
+/// Every array is aligned to four bytes, which suffices for all of the library's records.
+class Arena {
+ public:
+  static constexpr size_t alignment = 4;
+
+  /// The bytes that an array of `count` records of `record_bytes` takes.
+  static constexpr uint64_t bytes_of(uint64_t count, size_t record_bytes) {
+    return (count * record_bytes + alignment - 1) / alignment * alignment;
+  }
+
+  explicit Arena(Memory memory)
+      : begin_(static_cast<uint8_t*>(memory.data)),
+        used_(misalignment(memory.data)),
+        bytes_(memory.bytes) {}
+
+  /// The next array, or null when it does not fit; then nothing is taken.
+  template <class T>
+  T* take(uint32_t count) {
+    const uint64_t bytes = bytes_of(count, sizeof(T));
+    if (used_ > bytes_ || bytes > bytes_ - used_) return nullptr;
+    uint8_t* place = begin_ + used_;
+    used_ += static_cast<size_t>(bytes);
+    return reinterpret_cast<T*>(place);
+  }
+
+  /// High-water mark: the bytes taken, alignment of the first array included.
+  size_t used() const { return used_; }
+
+ private:
+  static size_t misalignment(const void* data) {
+    return (alignment - reinterpret_cast<uintptr_t>(data) % alignment) % alignment;
+  }
+
+  uint8_t* begin_;
+  size_t used_;
+  size_t bytes_;
+};
+
+}  // namespace discmc
+
+#endif

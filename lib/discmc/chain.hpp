@@ -1,0 +1,112 @@
+// Freeman chains: runs of equal links, and what can be told of a chain in integers.
+//
+// A chain is a starting vertex and a list of runs. A side longer than a run's field goes on in a
+// second run of the same direction, so a corner is a change of direction, not a change of run.
+#ifndef DISCMC_CHAIN_HPP
+#define DISCMC_CHAIN_HPP
+
+#include <discmc/lattice.hpp>
+
+namespace discmc {
+
+/// One step of a chain in 32 bits: a straight run of links, or a stand-in for a fragment that was
+/// sent before under a number. A default Run is empty.
+class Run {
+ public:
+  static constexpr uint32_t max_length = (uint32_t{1} << 28) - 1;
+  static constexpr uint32_t max_fragment = (uint32_t{1} << 31) - 1;
+
+  constexpr Run() = default;
+
+  /// Limit: length 1 to max_length. Units: links.
+  static constexpr Run straight(Direction direction, uint32_t length) {
+    return Run(length << 3 | direction);
+  }
+  static constexpr Run fragment(uint32_t number) { return Run(fragment_bit | number); }
+  static constexpr Run from_code(uint32_t code) { return Run(code); }
+
+  constexpr uint32_t code() const { return code_; }
+  constexpr bool is_empty() const { return code_ == 0; }
+  constexpr bool is_fragment() const { return (code_ & fragment_bit) != 0; }
+  constexpr uint32_t fragment_number() const { return code_ & max_fragment; }
+  constexpr Direction direction() const { return code_ & 7; }
+  constexpr uint32_t length() const { return code_ >> 3; }
+
+  /// Takes the other run in, when both are straight, of one direction, and short enough together.
+  constexpr bool absorb(Run other) {
+    const bool straight = ((code_ | other.code_) & fragment_bit) == 0;
+    if (!straight || direction() != other.direction()) return false;
+    if (length() + other.length() > max_length) return false;
+    code_ += other.length() << 3;
+    return true;
+  }
+
+ private:
+  static constexpr uint32_t fragment_bit = uint32_t{1} << 31;
+  explicit constexpr Run(uint32_t code) : code_(code) {}
+  uint32_t code_ = 0;
+};
+
+constexpr bool operator==(Run a, Run b) {
+  return a.code() == b.code();
+}
+constexpr bool operator!=(Run a, Run b) {
+  return a.code() != b.code();
+}
+
+/// The chain's end relative to its start. Units: half-steps. Limit: straight runs only.
+constexpr Vertex displacement(Incidence incidence, const Run* runs, uint32_t count) {
+  Vertex sum{0, 0, 0};
+  for (uint32_t i = 0; i < count; ++i) {
+    const Vertex step = direction_vector(incidence, runs[i].direction());
+    const int32_t length = static_cast<int32_t>(runs[i].length());
+    sum = sum + Vertex{step.x * length, step.y * length, step.z * length};
+  }
+  return sum;
+}
+
+/// Whether the chain ends where it starts. Limit: straight runs only.
+constexpr bool is_closed(Incidence incidence, const Run* runs, uint32_t count) {
+  return displacement(incidence, runs, count) == Vertex{0, 0, 0};
+}
+
+/// Turns the chain round in place: the same vertices from the end to the start.
+/// Limit: straight runs only. Cost: one pass.
+constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
+  const int half = links.direction_count[incidence] / 2;
+  for (uint32_t i = 0; i < (count + 1) / 2; ++i) {
+    const Run first = runs[i];
+    const Run last = runs[count - 1 - i];
+    const auto turned = [half](Run run) {
+      const int direction = run.direction();
+      return Run::straight(
+          static_cast<Direction>(direction < half ? direction + half : direction - half),
+          run.length());
+    };
+    runs[i] = turned(last);
+    runs[count - 1 - i] = turned(first);
+  }
+}
+
+/// Twice the area that a closed chain encloses, times the length of the incidence's normal (1, the
+/// square root of 2 or of 3): an exact integer. Positive for an outer ring, negative for a hole.
+/// Units: square half-steps. Limit: straight runs only.
+constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t count) {
+  const Vertex n = normal(incidence);
+  int64_t sum = 0;
+  int64_t x = 0, y = 0, z = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const Vertex step = direction_vector(incidence, runs[i].direction());
+    const int64_t length = runs[i].length();
+    const int64_t dx = step.x * length, dy = step.y * length, dz = step.z * length;
+    sum += n.x * (y * dz - z * dy) + n.y * (z * dx - x * dz) + n.z * (x * dy - y * dx);
+    x += dx;
+    y += dy;
+    z += dz;
+  }
+  return sum;
+}
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,266 @@
+#include <discmc/extractor.hpp>
+#include <discmc/facet_table.hpp>
+
+namespace discmc {
+
+template <class Index>
+Status Extractor<Index>::start(const Limits& limits, int32_t threshold, Memory memory,
+                               const Sink& sink, const PatchTable& table) {
+  if (!limits.are_valid()) return Status::bad_limits;
+  if (memory.bytes < minimum_bytes<Index>(limits)) return Status::too_little_memory;
+  return start(limits, default_capacities<Index>(limits, memory.bytes), threshold, memory, sink,
+               table);
+}
+
+template <class Index>
+Status Extractor<Index>::start(const Limits& limits, const Capacities& capacities,
+                               int32_t threshold, Memory memory, const Sink& sink,
+                               const PatchTable& table) {
+  if (!limits.are_valid()) return Status::bad_limits;
+  if (!are_valid<Index>(capacities)) return Status::bad_capacities;
+  if (sink.take == nullptr) return Status::bad_sink;
+  if (memory.data == nullptr || memory.bytes < bytes_for<Index>(limits, capacities))
+    return Status::too_little_memory;
+  Arena arena(memory);
+  rows_.start(arena.take<uint32_t>(limits.row_words() * (limits.height + 3)), limits);
+  merge_.start(arena, limits, capacities, table, sink.takes_fragments);
+  limits_ = limits;
+  capacities_ = capacities;
+  sink_ = sink;
+  threshold_ = threshold;
+  bytes_used_ = arena.used();
+  begin();
+  return Status::ok;
+}
+
+template <class Index>
+Status Extractor<Index>::reset() {
+  if (state_ == State::idle) return Status::not_started;
+  rows_.clear();
+  merge_.clear();
+  begin();
+  return Status::ok;
+}
+
+template <class Index>
+void Extractor<Index>::begin() {
+  statistics_ = Statistics{};
+  state_ = State::scanning;
+  abandoned_ = false;
+  skip_untold_ = false;
+  cell_row_ = 0;
+  word_ = 0;
+  word_begun_ = false;
+}
+
+// ---- what the caller gives ----
+
+template <class Index>
+Status Extractor<Index>::ready_for_samples() {
+  if (state_ == State::idle) return Status::not_started;
+  if (state_ != State::scanning) return Status::finished;
+  if (!work()) return Status::more;
+  if (rows_.slices() == Limits::max_slices) return Status::too_deep;
+  return Status::ok;
+}
+
+template <class Index>
+template <class Sample>
+Pushed Extractor<Index>::push(const Sample* samples, uint32_t count, uint32_t stride) {
+  Pushed pushed{Status::ok, 0};
+  while (pushed.samples < count) {
+    pushed.status = ready_for_samples();
+    if (pushed.status != Status::ok) return pushed;
+    const uint32_t room = limits_.width - rows_.column();
+    const uint32_t left = count - pushed.samples;
+    const uint32_t taken = left < room ? left : room;
+    rows_.append(samples + size_t{pushed.samples} * stride, taken, stride, threshold_);
+    pushed.samples += taken;
+    if (rows_.row_is_complete()) rows_.next_row();
+  }
+  pushed.status = resume();
+  return pushed;
+}
+
+template <class Index>
+Pushed Extractor<Index>::push_bits(const uint8_t* bits) {
+  const Status status = ready_for_samples();
+  if (status != Status::ok) return {status, 0};
+  if (rows_.column() != 0) return {Status::row_in_progress, 0};
+  rows_.append_bits(bits);
+  rows_.next_row();
+  return {resume(), limits_.width};
+}
+
+template <class Index>
+Pushed Extractor<Index>::skip_row(Substitute substitute) {
+  const Status status = ready_for_samples();
+  if (status != Status::ok) return {status, 0};
+  if (rows_.column() != 0) return {Status::row_in_progress, 0};
+  skip_repeated_ = substitute == Substitute::previous_row;
+  if (skip_repeated_)
+    rows_.repeat();
+  else
+    rows_.fill_off();
+  rows_.next_row();
+  ++statistics_.skipped_rows;
+  skip_untold_ = true;
+  return {resume(), limits_.width};
+}
+
+template <class Index>
+Status Extractor<Index>::resume() {
+  if (state_ == State::idle) return Status::not_started;
+  return work() ? Status::ok : Status::more;
+}
+
+template <class Index>
+Status Extractor<Index>::finish() {
+  if (state_ == State::idle) return Status::not_started;
+  if (state_ == State::scanning) {
+    if (!work()) return Status::more;
+    if (rows_.rows() != 0 || rows_.column() != 0) return Status::slice_in_progress;
+    state_ = State::finishing;
+  }
+  return resume();
+}
+
+template <class Index>
+Status Extractor<Index>::abandon() {
+  if (state_ == State::idle) return Status::not_started;
+  while (state_ == State::scanning) {
+    if (!work()) return Status::more;
+    abandoned_ = true;
+    if (rows_.rows() == 0 && rows_.column() == 0) {
+      state_ = State::finishing;
+    } else {
+      rows_.fill_off();
+      rows_.next_row();
+    }
+  }
+  return resume();
+}
+
+// ---- the sweep, which may be suspended between any two cells ----
+
+// Does all that the rows at hand allow. False when the sink said "not now".
+template <class Index>
+bool Extractor<Index>::work() {
+  if (state_ == State::finished) return true;
+  if (skip_untold_ && !tell_skipped()) return false;
+  if (!sweep_ready_rows()) return false;
+  if (state_ == State::finishing) return end_scan();
+  return rows_.rows() < limits_.height || end_slice();
+}
+
+// Rows of cells of the current layer whose four rows of voxels are there.
+template <class Index>
+uint32_t Extractor<Index>::ready_rows() const {
+  const bool closed = limits_.border == Border::closed;
+  if (state_ == State::finishing) return rows_.slices() > 0 ? limits_.cell_rows() : 0;
+  if (!closed && rows_.slices() == 0) return 0;
+  if (rows_.rows() == limits_.height) return limits_.cell_rows();
+  if (closed) return rows_.rows();
+  return rows_.rows() > 0 ? rows_.rows() - 1 : 0;
+}
+
+template <class Index>
+bool Extractor<Index>::sweep_ready_rows() {
+  const uint32_t ready = ready_rows();
+  while (cell_row_ < ready) {
+    if (!sweep_row()) return false;
+    ++cell_row_;
+  }
+  return true;
+}
+
+template <class Index>
+bool Extractor<Index>::sweep_row() {
+  const uint32_t words = rows_.words();
+  const uint32_t columns = limits_.columns();
+  const RowQuad quad = rows_.around(int64_t{cell_row_} - limits_.halo());
+  for (; word_ * 32 < columns; ++word_) {
+    if (!word_begun_) {
+      const uint32_t cells = columns - word_ * 32;
+      active_ = active_cells(quad, word_, words);
+      if (cells < 32) active_ &= (uint32_t{1} << cells) - 1;
+      word_begun_ = true;
+    }
+    while (active_ != 0) {
+      if (!merge_.settled() && !merge_.settle(sink_, statistics_)) return false;
+      const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(active_));
+      active_ &= active_ - 1;
+      visit(word_ * 32 + bit, configuration_at(quad, word_, bit, words));
+    }
+    word_begun_ = false;
+  }
+  if (!merge_.settled() && !merge_.settle(sink_, statistics_)) return false;
+  word_ = 0;
+  return true;
+}
+
+template <class Index>
+void Extractor<Index>::visit(uint32_t column, Configuration configuration) {
+  const int32_t halo = static_cast<int32_t>(limits_.halo());
+  const Cell cell{
+      {2 * (static_cast<int32_t>(column) - halo), 2 * (static_cast<int32_t>(cell_row_) - halo),
+       2 * (static_cast<int32_t>(rows_.slices()) - 1)},
+      column,
+      cell_row_,
+      column + 1 < limits_.columns(),
+      cell_row_ + 1 < limits_.cell_rows(),
+      configuration};
+  if (state_ == State::finishing && limits_.border == Border::open) return merge_.seal_cell(cell);
+  ++statistics_.cells;
+  statistics_.facets += cell_facts.facets[configuration];
+  statistics_.classic_triangles += cell_facts.classic_triangles[configuration];
+  merge_.take_cell(cell);
+}
+
+template <class Index>
+bool Extractor<Index>::tell_skipped() {
+  Event event{};
+  event.kind = Event::Kind::skipped;
+  event.slice = rows_.slices();
+  event.row = rows_.rows() - 1;
+  event.repeated = skip_repeated_;
+  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  skip_untold_ = false;
+  return true;
+}
+
+template <class Index>
+bool Extractor<Index>::end_slice() {
+  Event event{};
+  event.kind = Event::Kind::layer;
+  event.slice = rows_.slices();
+  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  rows_.next_slice();
+  cell_row_ = 0;
+  return true;
+}
+
+template <class Index>
+bool Extractor<Index>::end_scan() {
+  const Statistics totals = statistics();
+  Event event{};
+  event.kind = Event::Kind::finish;
+  event.slice = rows_.slices();
+  event.abandoned = abandoned_;
+  event.statistics = &totals;
+  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  state_ = State::finished;
+  return true;
+}
+
+#define DISCMC_INSTANTIATE(Index)                                              \
+  template class Extractor<Index>;                                             \
+  template Pushed Extractor<Index>::push(const uint8_t*, uint32_t, uint32_t);  \
+  template Pushed Extractor<Index>::push(const uint16_t*, uint32_t, uint32_t); \
+  template Pushed Extractor<Index>::push(const int16_t*, uint32_t, uint32_t);
+
+DISCMC_INSTANTIATE(uint16_t)
+DISCMC_INSTANTIATE(uint32_t)
+#undef DISCMC_INSTANTIATE
+
+}  // namespace discmc

@@ -1,0 +1,139 @@
+// The extractor: samples in, regions out. The one class that firmware meets.
+//
+//   start(limits, threshold, memory, sink)
+//   push(samples, count)      as often as samples arrive, any number at a time
+//   resume()                  after Status::more, when the sink may take again
+//   finish()                  after the last slice
+//
+// The work happens inside push(), resume() and finish(), never more than the rows given ask for.
+// Nothing is allocated, nothing is kept but the caller's memory and the object itself.
+#ifndef DISCMC_EXTRACTOR_HPP
+#define DISCMC_EXTRACTOR_HPP
+
+#include <discmc/merge.hpp>
+#include <discmc/slice.hpp>
+#include <discmc/status.hpp>
+
+namespace discmc {
+
+/// What stands in for a row that never came.
+enum class Substitute : uint8_t { off, previous_row };
+
+/// What push() came to, and how many of the samples it took. The rest must be pushed again.
+struct [[nodiscard]] Pushed {
+  Status status;
+  uint32_t samples;
+};
+
+/// Index is uint16_t (up to 65,534 records in all: firmware) or uint32_t (hosts). The events do not
+/// depend on it, given the same capacities.
+template <class Index>
+class Extractor {
+ public:
+  /// Begins a scan with the default split of the memory (default_capacities()).
+  /// threshold: a voxel is on where its sample is >= threshold.
+  /// memory: at least minimum_bytes<Index>(limits); Owner: the caller, for as long as the scan
+  /// lasts. Errors: bad_limits, bad_sink, too_little_memory; then memory is untouched. Cost: one
+  /// write a word of the hash table and of one row.
+  [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
+                             const Sink& sink, const PatchTable& table = patch_table);
+
+  /// The same with explicit capacities: memory of at least bytes_for<Index>(limits, capacities).
+  /// Errors: also bad_capacities.
+  [[nodiscard]] Status start(const Limits& limits, const Capacities& capacities, int32_t threshold,
+                             Memory memory, const Sink& sink,
+                             const PatchTable& table = patch_table);
+
+  /// Begins the next scan with the limits, threshold, memory and sink of the last start().
+  [[nodiscard]] Status reset();
+
+  /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
+  /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
+  /// next, in samples. Errors: not_started, finished, too_deep.
+  /// With Status::more all samples up to the end of the row that caused it have been taken.
+  /// Sample is uint8_t, uint16_t or int16_t.
+  template <class Sample>
+  Pushed push(const Sample* samples, uint32_t count, uint32_t stride = 1);
+
+  /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0.
+  /// With Status::more before the row was taken row_taken() tells so.
+  /// Errors: as push(), row_in_progress.
+  Pushed push_bits(const uint8_t* bits);
+
+  /// Stands in for a row that never came; the sink is told. Errors: as push(), row_in_progress.
+  /// Pushed::samples is the width when the row was taken, else 0.
+  Pushed skip_row(Substitute substitute);
+
+  /// Goes on after Status::more. Also harmless at any other time.
+  [[nodiscard]] Status resume();
+
+  /// Ends the scan: delivers every region and the totals. Errors: not_started, slice_in_progress.
+  /// After Status::more call it, or resume(), again. Calling it when all is delivered gives ok.
+  [[nodiscard]] Status finish();
+
+  /// Ends the scan wherever it is: the rest of the slice is taken as off, so the surface is closed
+  /// all the same, and the sink is told. Errors: not_started. Status::more as finish().
+  [[nodiscard]] Status abandon();
+
+  /// Totals so far, and all of them once the scan is finished.
+  Statistics statistics() const {
+    Statistics statistics = statistics_;
+    statistics.cuts = merge_.cuts();
+    return statistics;
+  }
+  const Limits& limits() const { return limits_; }
+  const Capacities& capacities() const { return capacities_; }
+  HighWater high_water() const { return merge_.high_water(); }
+  /// The bytes of the caller's memory that are in use at all.
+  size_t bytes_used() const { return bytes_used_; }
+  /// Complete slices so far.
+  uint32_t slices() const { return rows_.slices(); }
+  /// Complete rows of the current slice so far.
+  uint32_t rows() const { return rows_.rows(); }
+
+ private:
+  enum class State : uint8_t { idle, scanning, finishing, finished };
+
+  void begin();
+  Status ready_for_samples();
+  void end_row();
+  bool work();
+  bool sweep_ready_rows();
+  bool sweep_row();
+  void visit(uint32_t column, Configuration configuration);
+  uint32_t ready_rows() const;
+  bool end_slice();
+  bool end_scan();
+  bool tell_skipped();
+
+  Merge<Index> merge_;
+  BitRows rows_;
+  Limits limits_{};
+  Capacities capacities_{};
+  Sink sink_;
+  Statistics statistics_{};
+  size_t bytes_used_ = 0;
+  int32_t threshold_ = 0;
+
+  State state_ = State::idle;
+  bool abandoned_ = false;
+  bool skip_untold_ = false;
+  bool skip_repeated_ = false;
+
+  // Where the sweep of the current layer is: the next row of cells, the word of its bits, and the
+  // active cells of that word still to visit.
+  uint32_t cell_row_ = 0;
+  uint32_t word_ = 0;
+  uint32_t active_ = 0;
+  bool word_begun_ = false;
+};
+
+extern template class Extractor<uint16_t>;
+extern template class Extractor<uint32_t>;
+
+using Extractor16 = Extractor<uint16_t>;
+using Extractor32 = Extractor<uint32_t>;
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,99 @@
+// The runs of all open boundaries: appending to fragments and joining them, at constant cost.
+#ifndef DISCMC_FRAGMENT_STORE_HPP
+#define DISCMC_FRAGMENT_STORE_HPP
+
+#include <discmc/frontier.hpp>
+
+namespace discmc {
+
+/// Fragments over one pool of runs. append() and join() take at most one record each; that there is
+/// one is the caller's care.
+template <class Index>
+class FragmentStore {
+ public:
+  static constexpr Index none = static_cast<Index>(~Index{0});
+
+  void start(RunNode<Index>* nodes, uint32_t capacity) { nodes_.start(nodes, capacity); }
+  void clear() { nodes_.clear(); }
+
+  uint32_t available() const { return nodes_.available(); }
+  uint32_t in_use() const { return nodes_.in_use(); }
+  uint32_t high_water() const { return nodes_.high_water(); }
+  uint32_t capacity() const { return nodes_.capacity(); }
+
+  void append(Fragment<Index>& fragment, Run run) {
+    if (fragment.tail.absorb(run)) return;
+    if (!fragment.is_empty()) push(fragment, fragment.tail);
+    fragment.tail = run;
+  }
+
+  /// Puts `other` behind `fragment`; `other` is then void.
+  void join(Fragment<Index>& fragment, const Fragment<Index>& other) {
+    if (other.is_empty()) return;
+    if (fragment.is_empty()) return fragment.move_from(other);
+    if (other.last == none) return append(fragment, other.tail);
+    absorb_or_push(fragment, other);
+    const Index first = nodes_[other.last].next;
+    if (fragment.last == none) {
+      fragment.last = other.last;
+    } else {
+      nodes_[other.last].next = nodes_[fragment.last].next;
+      nodes_[fragment.last].next = first;
+      fragment.last = other.last;
+    }
+    fragment.tail = other.tail;
+  }
+
+  /// Gives the fragment's nodes back; the run in place stays. Cost: one step a node.
+  void give_nodes(Fragment<Index>& fragment) {
+    if (fragment.last == none) return;
+    Index node = nodes_[fragment.last].next;
+    for (;;) {
+      const Index next = nodes_[node].next;
+      const bool was_last = node == fragment.last;
+      nodes_.give(node);
+      if (was_last) break;
+      node = next;
+    }
+    fragment.last = none;
+  }
+
+  /// The first node of a fragment, or none when its only run is the one in place.
+  Index first(const Fragment<Index>& fragment) const {
+    return fragment.last == none ? none : nodes_[fragment.last].next;
+  }
+  /// The node after `node`, or none after the last.
+  Index after(const Fragment<Index>& fragment, Index node) const {
+    return node == fragment.last ? none : nodes_[node].next;
+  }
+  Run run(Index node) const { return nodes_[node].run(); }
+
+ private:
+  void push(Fragment<Index>& fragment, Run run) {
+    const Index node = nodes_.take();
+    nodes_[node].set(run);
+    if (fragment.last == none) {
+      nodes_[node].next = node;
+    } else {
+      nodes_[node].next = nodes_[fragment.last].next;
+      nodes_[fragment.last].next = node;
+    }
+    fragment.last = node;
+  }
+
+  // The tail of `fragment` goes into the first node of `other`, or into a node of its own.
+  void absorb_or_push(Fragment<Index>& fragment, const Fragment<Index>& other) {
+    RunNode<Index>& first = nodes_[nodes_[other.last].next];
+    Run run = fragment.tail;
+    if (run.absorb(first.run()))
+      first.set(run);
+    else
+      push(fragment, fragment.tail);
+  }
+
+  Pool<RunNode<Index>, Index> nodes_;
+};
+
+}  // namespace discmc
+
+#endif

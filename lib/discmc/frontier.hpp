@@ -1,0 +1,144 @@
+// The frontier: what a sweep remembers between a cell and the neighbours it has yet to visit.
+//
+// An unresolved edge is a link on a face ahead, waiting for the cell on the other side. Open
+// boundaries are circular lists of unresolved edges with a chain fragment after each. Edges towards
+// the next cell and the next row have places of their own; those towards the next slice live in a
+// hash table. A look-up that finds nothing means that the edge was cut when it was born.
+#ifndef DISCMC_FRONTIER_HPP
+#define DISCMC_FRONTIER_HPP
+
+#include <discmc/chain.hpp>
+#include <discmc/hash_table.hpp>
+#include <discmc/patch_table.hpp>
+#include <discmc/pool.hpp>
+
+namespace discmc {
+
+/// A run of a fragment in the arena. The run is kept in halves so that the record packs to 6 bytes
+/// with 16-bit indices.
+template <class Index>
+struct RunNode {
+  Index next;
+  uint16_t low, high;
+
+  void set(Run run) {
+    low = static_cast<uint16_t>(run.code() & 0xFFFF);
+    high = static_cast<uint16_t>(run.code() >> 16);
+  }
+  Run run() const { return Run::from_code(uint32_t{high} << 16 | low); }
+};
+
+/// A chain fragment: a circular list of nodes, named by its last one, and one more run in place.
+/// The run in place is what makes a spill possible when the pool of runs is empty.
+template <class Index>
+struct Fragment {
+  static constexpr Index none = static_cast<Index>(~Index{0});
+  Run tail;
+  Index last;
+  Index next;  ///< of the record that holds the fragment
+
+  void clear() {
+    tail = Run();
+    last = none;
+  }
+  void move_from(const Fragment& other) {
+    tail = other.tail;
+    last = other.last;
+  }
+  bool is_empty() const { return tail.is_empty(); }
+};
+
+/// An unresolved edge. Its boundary goes on with the fragment and then with the edge `next`.
+template <class Index>
+struct Edge : Fragment<Index> {
+  Index previous;
+  Index region;
+};
+
+/// A closed ring that waits for its region to be complete; `next` in the circular list of its
+/// rings.
+template <class Index>
+struct ClosedRing : Fragment<Index> {
+  int32_t z;
+  uint16_t x, y;  ///< one more than the coordinate, which may be -1
+  uint8_t hole;
+};
+
+/// A node of the union-find forest of regions. A root's `parent` is itself. `references` counts the
+/// unresolved edges and the nodes that name this one: a root that nobody names is complete.
+template <class Index>
+struct RegionNode {
+  union {
+    Index parent;
+    Index next;  ///< in the pool's free list and in the queue of complete regions
+  };
+  Index rings;  ///< the last of the root's circular list of closed rings
+  Index references;
+  Incidence incidence;
+  uint8_t rank;
+};
+
+static_assert(sizeof(RunNode<uint16_t>) == 6 && sizeof(RunNode<uint32_t>) == 8, "no padding");
+static_assert(sizeof(Edge<uint16_t>) == 12 && sizeof(Edge<uint32_t>) == 20, "no padding");
+static_assert(sizeof(ClosedRing<uint16_t>) == 20 && sizeof(ClosedRing<uint32_t>) == 24,
+              "as laid out");
+static_assert(sizeof(RegionNode<uint16_t>) == 8 && sizeof(RegionNode<uint32_t>) == 16,
+              "as laid out");
+
+/// The edges that wait for a neighbour, by place.
+template <class Index>
+class Frontier {
+ public:
+  static constexpr Index none = static_cast<Index>(~Index{0});
+
+  void start(Index* row_places, uint32_t columns) {
+    waiting_back_ = row_places;
+    columns_ = columns;
+  }
+
+  HashTable<Index>& table() { return table_; }
+  const HashTable<Index>& table() const { return table_; }
+
+  /// The indices that the places towards the next row take.
+  static constexpr uint32_t row_places(uint32_t columns) { return 2 * columns; }
+  /// The range of the hash table's keys: two links on the upper face of every cell of a layer.
+  static constexpr uint32_t keys(uint32_t columns, uint32_t rows) { return 2 * columns * rows; }
+
+  /// The edges that wait on the faces behind a cell, by place. Only the places that the cell's
+  /// patches use have a meaning. `below` tells which of the links on face_below exist.
+  void gather(uint32_t column, uint32_t row, uint8_t below, Index (&behind)[behind_places]) {
+    behind[0] = waiting_right_[0];
+    behind[1] = waiting_right_[1];
+    behind[2] = waiting_back_[2 * column];
+    behind[3] = waiting_back_[2 * column + 1];
+    const uint32_t key = key_of(column, row);
+    behind[4] = below & 1 ? table_.take(key) : none;
+    behind[5] = below & 2 ? table_.take(key + 1) : none;
+  }
+
+  /// Lets an edge (or `none`, for one that was cut) wait on the right or back face of a cell.
+  void wait_in_slice(Place place, uint32_t column, Index edge) {
+    const int slot = place & 1;
+    if (place / 2 == face_right)
+      waiting_right_[slot] = edge;
+    else
+      waiting_back_[2 * column + static_cast<uint32_t>(slot)] = edge;
+  }
+
+  /// Lets an edge wait on the upper face for the next layer; false when the table has no room.
+  bool wait_above(Place place, uint32_t column, uint32_t row, Index edge) {
+    return table_.insert(key_of(column, row) + (place & 1), edge);
+  }
+
+ private:
+  uint32_t key_of(uint32_t column, uint32_t row) const { return 2 * (row * columns_ + column); }
+
+  HashTable<Index> table_;
+  Index* waiting_back_ = nullptr;
+  Index waiting_right_[2] = {none, none};
+  uint32_t columns_ = 0;
+};
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,162 @@
+// How large a scan may be, and how many bytes it needs: all of it known at compile time.
+#ifndef DISCMC_LIMITS_HPP
+#define DISCMC_LIMITS_HPP
+
+#include <discmc/arena.hpp>
+#include <discmc/frontier.hpp>
+
+namespace discmc {
+
+/// What lies around the volume.
+enum class Border : uint8_t {
+  closed,  ///< a halo of off voxels: the surface is closed; coordinates -1 to 2 * extent - 1
+  open,    ///< nothing: the surface ends at the outermost voxels; coordinates 0 to 2 * extent - 2
+};
+
+/// The size of a slice. The number of slices is not limited by memory.
+struct Limits {
+  static constexpr uint32_t max_extent = 32766;
+  static constexpr uint32_t max_slices = (uint32_t{1} << 30) - 1;
+
+  uint32_t width;   ///< voxels a row; Limit: 1 to max_extent
+  uint32_t height;  ///< rows a slice; Limit: 1 to max_extent
+  Border border = Border::closed;
+
+  constexpr bool are_valid() const {
+    return width >= 1 && width <= max_extent && height >= 1 && height <= max_extent;
+  }
+  constexpr uint32_t halo() const { return border == Border::closed ? 1 : 0; }
+  /// Cells a row and rows of cells a layer. An open slice one voxel wide has none.
+  constexpr uint32_t columns() const { return width + 2 * halo() - 1; }
+  constexpr uint32_t cell_rows() const { return height + 2 * halo() - 1; }
+  /// 32-bit words of one row of bits, halo included.
+  constexpr uint32_t row_words() const { return (width + 2 * halo() + 31) / 32; }
+};
+
+/// How many records of each kind there is room for. A shortage costs merging, never correctness.
+struct Capacities {
+  uint32_t edges;    ///< unresolved edges; about 2 for every active cell of a layer
+  uint32_t runs;     ///< runs of open boundaries beyond one an edge; a shortage spills (or cuts)
+  uint32_t rings;    ///< closed rings whose region is not complete: holes; a shortage cuts
+  uint32_t regions;  ///< regions not yet complete
+  uint32_t slots;    ///< of the hash table; 1.25 to 2 times the edges is a good number
+};
+
+/// The reserves that let one cell of any configuration be swept without looking, and the least
+/// capacities with which a scan works at all (every link is then boundary, nothing is merged).
+struct CellReserve {
+  // Every link appends a run; a link behind may also append two to the ring of the edge that waits
+  // there; dissolving a patch's marker may append one more.
+  static constexpr uint32_t runs =
+      static_cast<uint32_t>(cell_bounds.links + 2 * cell_bounds.behind_links + cell_bounds.patches);
+  static constexpr uint32_t regions = static_cast<uint32_t>(cell_bounds.patches);
+  // Every patch, and every region behind, may be completed by the cell and then needs its last
+  // ring.
+  static constexpr uint32_t rings =
+      static_cast<uint32_t>(cell_bounds.patches + cell_bounds.behind_links);
+};
+
+constexpr Capacities minimum_capacities() {
+  return {2, CellReserve::runs, CellReserve::rings, CellReserve::regions, 1};
+}
+
+namespace sizing {
+
+constexpr uint32_t saturated(uint64_t value) {
+  return value < UINT32_MAX ? static_cast<uint32_t>(value) : UINT32_MAX;
+}
+
+}  // namespace sizing
+
+/// Capacities with which no volume ever causes a cut, given a sink that takes fragments: two edges
+/// for every cell face ahead, and a hash table with a slot for every key.
+constexpr Capacities worst_case_capacities(const Limits& limits) {
+  const uint64_t keys = Frontier<uint32_t>::keys(limits.columns(), limits.cell_rows());
+  const uint64_t edges = keys + 2 * limits.columns() + 4;
+  return {sizing::saturated(edges), sizing::saturated(2 * edges + CellReserve::runs),
+          sizing::saturated(edges + CellReserve::rings),
+          sizing::saturated(2 * edges + CellReserve::regions),
+          sizing::saturated(keys + (keys == 0))};
+}
+
+namespace sizing {
+
+constexpr uint64_t row_bytes(const Limits& limits) {
+  // The rows of a slice and two more, and one row of halo.
+  return Arena::bytes_of(uint64_t{limits.row_words()} * (limits.height + 3), sizeof(uint32_t));
+}
+
+template <class Index>
+constexpr uint64_t fixed_bytes(const Limits& limits) {
+  const uint32_t places = Frontier<Index>::row_places(limits.columns());
+  return row_bytes(limits) + Arena::bytes_of(places, sizeof(Index)) + Arena::alignment - 1;
+}
+
+}  // namespace sizing
+
+/// The bytes that a scan with these limits and capacities takes from the caller's memory.
+template <class Index>
+constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
+  return sizing::fixed_bytes<Index>(limits) +
+         Arena::bytes_of(capacities.edges, sizeof(Edge<Index>)) +
+         Arena::bytes_of(capacities.edges, sizeof(uint8_t)) +
+         Arena::bytes_of(capacities.runs, sizeof(RunNode<Index>)) +
+         Arena::bytes_of(capacities.rings, sizeof(ClosedRing<Index>)) +
+         Arena::bytes_of(capacities.regions, sizeof(RegionNode<Index>)) +
+         Arena::bytes_of(capacities.slots, sizeof(uint32_t)) +
+         Arena::bytes_of(capacities.slots, sizeof(Index));
+}
+
+/// Whether an index of this width can count the records.
+template <class Index>
+constexpr bool are_valid(const Capacities& capacities) {
+  constexpr uint64_t most = static_cast<Index>(~Index{0});
+  constexpr Capacities least = minimum_capacities();
+  if (capacities.edges < least.edges || capacities.runs < least.runs ||
+      capacities.rings < least.rings || capacities.regions < least.regions ||
+      capacities.slots < least.slots)
+    return false;
+  // A region node counts the edges and nodes that name it in one index.
+  return uint64_t{capacities.edges} + capacities.regions < most && capacities.runs < most &&
+         capacities.rings < most && capacities.slots <= 0x7FFFFFFF;
+}
+
+/// The least memory with which a scan works: every surface comes out right, but hardly merged.
+template <class Index>
+constexpr uint64_t minimum_bytes(const Limits& limits) {
+  return bytes_for<Index>(limits, minimum_capacities());
+}
+
+/// The memory with which no volume ever causes a cut, given a sink that takes fragments.
+/// Far more than real volumes need: see default_capacities().
+template <class Index>
+constexpr uint64_t worst_case_bytes(const Limits& limits) {
+  return bytes_for<Index>(limits, worst_case_capacities(limits));
+}
+
+/// The default split of a number of bytes: for every 16 edges 18 runs, 10 regions, 1 ring and 20
+/// slots. All integers, the same on every machine. Bytes below minimum_bytes() give the minimum.
+template <class Index>
+constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
+  const Capacities least = minimum_capacities();
+  const Capacities most = worst_case_capacities(limits);
+  const uint64_t unit = 16 * (sizeof(Edge<Index>) + 1) + 18 * sizeof(RunNode<Index>) +
+                        10 * sizeof(RegionNode<Index>) + sizeof(ClosedRing<Index>) +
+                        20 * (sizeof(uint32_t) + sizeof(Index));
+  // Seven arrays lose at most three bytes each to alignment.
+  const uint64_t taken = minimum_bytes<Index>(limits) + 7 * Arena::alignment;
+  uint64_t units = bytes > taken ? (bytes - taken) / unit : 0;
+  const uint64_t countable = (uint64_t{static_cast<Index>(~Index{0})} - 64) / 26;
+  if (units > countable) units = countable;
+  const auto at_most = [](uint64_t value, uint32_t limit) {
+    return value < limit ? static_cast<uint32_t>(value) : limit;
+  };
+  return {at_most(least.edges + 16 * units, most.edges),
+          at_most(least.runs + 18 * units, UINT32_MAX), at_most(least.rings + units, most.rings),
+          at_most(least.regions + 10 * units, most.regions),
+          at_most(least.slots + 20 * units, most.slots)};
+}
+
+}  // namespace discmc
+
+#endif

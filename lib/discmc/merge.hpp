@@ -1,0 +1,127 @@
+// The merge: patches of one cell after another become regions with closed rings.
+//
+// Where a link's twin waits with the same incidence the two boundaries are spliced; otherwise the
+// link is boundary on both sides; a link ahead is left open for the neighbour to come. The paper
+// keeps all facets in hash tables and merges at the end (Montani et al. 1994, figure 5); here
+// memory follows the length of the frontier.
+//
+// A fragment's turn is the sum of the turns from the edge before it to the edge after it, both ends
+// included, modulo 256. Splicing two edges joins interior angles, so turns add up, less half a
+// turn: a closed ring that has turned once counter-clockwise is outer, once clockwise a hole.
+#ifndef DISCMC_MERGE_HPP
+#define DISCMC_MERGE_HPP
+
+#include <discmc/fragment_store.hpp>
+#include <discmc/limits.hpp>
+#include <discmc/patch_table.hpp>
+#include <discmc/regions.hpp>
+#include <discmc/sink.hpp>
+
+namespace discmc {
+
+/// A cell as the merge is given it.
+struct Cell {
+  Vertex origin;  ///< of corner 0; Units: half-steps
+  uint32_t column, row;
+  bool has_right, has_back;  ///< false on the last column or row: links there are boundary
+  Configuration configuration;
+};
+
+/// High-water marks of the pools, in records.
+struct HighWater {
+  uint32_t edges, runs, rings, regions, slots;
+};
+
+template <class Index>
+class Merge {
+ public:
+  static constexpr Index none = static_cast<Index>(~Index{0});
+
+  /// Lays the pools out in the arena. The arena must have room (see bytes_for()).
+  void start(Arena& arena, const Limits& limits, const Capacities& capacities,
+             const PatchTable& table, bool spills);
+  void clear();
+
+  /// Takes a cell's patches in. Limit: settled(). Cost: bounded by the cell's links.
+  void take_cell(const Cell& cell);
+
+  /// Makes boundary of what waits on the lower face of a cell above the last slice.
+  void seal_cell(const Cell& cell);
+
+  /// Whether the next cell may be taken: no region waits for the sink, and the reserves are full.
+  bool settled() const {
+    return !regions_.has_complete() && (!spills_ || fragments_.available() >= CellReserve::runs);
+  }
+
+  /// Delivers what is complete, and spills when runs are short, until settled. False when the sink
+  /// said "not now": call again.
+  bool settle(const Sink& sink, Statistics& statistics);
+
+  uint64_t cuts() const { return cuts_; }
+  HighWater high_water() const;
+
+ private:
+  struct Walk;
+
+  void take_patch(const Cell& cell, const Patch& patch, const Index (&behind)[behind_places]);
+  void meet_twins(Walk& walk, const Index (&behind)[behind_places]);
+  void walk_link(Walk& walk, int i);
+  bool may_splice(Walk& walk, int i);
+  void splice(Walk& walk, int i);
+  void finish_walk(Walk& walk);
+
+  Index open_edge(const Walk& walk, Place place);
+  Index new_edge(Index region);
+  void make_boundary(Index edge, Direction direction, const Vertex& end);
+  void append(Index edge, Direction direction);
+  void join(Index edge, const Fragment<Index>& other);
+  void close_ring(Index region, const Fragment<Index>& fragment, uint8_t turn, const Vertex& start);
+  void remove(Index edge);
+  void link(Index edge, Index next) {
+    edges_[edge].next = next;
+    edges_[next].previous = edge;
+  }
+
+  bool deliver_region(const Sink& sink, Statistics& statistics);
+  bool deliver_runs(const Sink& sink, const Fragment<Index>& fragment, Statistics& statistics);
+  bool spill(const Sink& sink, Fragment<Index>& fragment, Incidence incidence,
+             Statistics& statistics);
+  bool spill_touched(const Sink& sink, Statistics& statistics);
+
+  const PatchTable* table_ = nullptr;
+  Pool<Edge<Index>, Index> edges_;
+  uint8_t* turns_ = nullptr;  // by edge
+  FragmentStore<Index> fragments_;
+  Regions<Index> regions_;
+  Frontier<Index> frontier_;
+
+  uint64_t cuts_ = 0;
+  uint32_t splits_ = 0;            // boundaries that will each need one more ring record
+  uint32_t edges_kept_short_ = 0;  // of the pool, for edges that do not wait a whole layer
+  bool spills_ = true;
+  bool boundary_only_ = false;  // this cell opens and splices nothing
+
+  // The fragments that the last cell may have lengthened: the candidates for a spill.
+  struct Touched {
+    Index index;
+    Incidence incidence;
+  };
+  Touched touched_edge_[CellReserve::runs];
+  Touched touched_ring_[CellReserve::rings + cell_bounds.behind_links];
+  uint32_t touched_edges_ = 0;
+  uint32_t touched_rings_ = 0;
+
+  // Where the delivery of a region or a fragment was suspended.
+  enum class Stage : uint8_t { begin, ring, runs, end };
+  Stage stage_ = Stage::begin;
+  Index ring_ = none;
+  Index node_ = none;
+  uint32_t next_fragment_ = 0;
+};
+
+extern template class Merge<uint16_t>;
+extern template class Merge<uint32_t>;
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,111 @@
+#include <discmc/slice.hpp>
+
+namespace discmc {
+
+void BitRows::start(uint32_t* words, const Limits& limits) {
+  words_ = limits.row_words();
+  ring_rows_ = limits.height + 2;
+  width_ = limits.width;
+  height_ = limits.height;
+  halo_ = limits.halo();
+  ring_ = words;
+  uint32_t* off = ring_ + size_t{ring_rows_} * words_;
+  for (uint32_t i = 0; i < words_; ++i) off[i] = 0;
+  off_ = off;
+  clear();
+}
+
+void BitRows::clear() {
+  old_start_ = 0;
+  new_start_ = 0;
+  rows_ = 0;
+  slices_ = 0;
+  column_ = 0;
+}
+
+// The place of a row that arrives still holds a row of the old slice, in use until the sweep has
+// caught up: it is wiped when the first sample comes, not before.
+uint32_t* BitRows::arriving() {
+  uint32_t* const words = row(new_start_, rows_);
+  if (column_ == 0)
+    for (uint32_t i = 0; i < words_; ++i) words[i] = 0;
+  return words;
+}
+
+template <class Sample>
+void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold) {
+  if (count == 0) return;
+  uint32_t* const words = arriving();
+  while (count > 0) {
+    const uint32_t bit = column_ + halo_;
+    const uint32_t room = 32 - bit % 32;
+    const uint32_t taken = count < room ? count : room;
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < taken; ++i) {
+      bits |= static_cast<uint32_t>(int32_t{*samples} >= threshold) << i;
+      samples += stride;
+    }
+    words[bit / 32] |= bits << bit % 32;
+    column_ += taken;
+    count -= taken;
+  }
+}
+
+template void BitRows::append(const uint8_t*, uint32_t, uint32_t, int32_t);
+template void BitRows::append(const uint16_t*, uint32_t, uint32_t, int32_t);
+template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
+
+void BitRows::append_bits(const uint8_t* bits) {
+  uint32_t* const words = arriving();
+  for (uint32_t i = 0; i < width_; i += 8) {
+    const uint32_t left = width_ - i;
+    const uint32_t mask = left < 8 ? (uint32_t{1} << left) - 1 : 0xFF;
+    const uint32_t byte = bits[i / 8] & mask;
+    const uint32_t bit = i + halo_;
+    words[bit / 32] |= byte << bit % 32;
+    if (bit % 32 > 24 && byte >> (32 - bit % 32) != 0)
+      words[bit / 32 + 1] |= byte >> (32 - bit % 32);
+  }
+  column_ = width_;
+}
+
+void BitRows::repeat() {
+  const bool first_of_all = rows_ == 0 && slices_ == 0;
+  const uint32_t* before = first_of_all ? off_
+                           : rows_ > 0  ? row(new_start_, rows_ - 1)
+                                        : row(old_start_, height_ - 1);
+  uint32_t* const words = arriving();
+  for (uint32_t i = 0; i < words_; ++i) words[i] = before[i];
+  column_ = width_;
+}
+
+void BitRows::fill_off() {
+  arriving();
+  column_ = width_;
+}
+
+void BitRows::next_row() {
+  ++rows_;
+  column_ = 0;
+}
+
+void BitRows::next_slice() {
+  old_start_ = new_start_;
+  new_start_ = (new_start_ + height_) % ring_rows_;
+  rows_ = 0;
+  ++slices_;
+}
+
+RowQuad BitRows::around(int64_t y) const {
+  RowQuad quad{};
+  for (uint32_t i = 0; i < 2; ++i) {
+    const int64_t at = y + i;
+    const bool inside = at >= 0 && at < height_;
+    const uint32_t index = inside ? static_cast<uint32_t>(at) : 0;
+    quad.row[i] = inside && slices_ > 0 ? row(old_start_, index) : off_;
+    quad.row[i + 2] = inside && index < rows_ ? row(new_start_, index) : off_;
+  }
+  return quad;
+}
+
+}  // namespace discmc

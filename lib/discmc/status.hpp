@@ -1,0 +1,63 @@
+// The one result type of the library.
+#ifndef DISCMC_STATUS_HPP
+#define DISCMC_STATUS_HPP
+
+#include <stdint.h>
+
+namespace discmc {
+
+/// What a call came to. `ok` and `more` are not errors: `more` means that the sink said "not now"
+/// and the work goes on with resume(). After an error nothing has changed and nothing was
+/// delivered.
+enum class Status : uint8_t {
+  ok,
+  more,               ///< suspended by the sink; nothing is lost, call resume()
+  bad_limits,         ///< width or height is 0 or above Limits::max_extent
+  bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
+  too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
+  bad_sink,           ///< the sink has no function
+  not_started,        ///< start() has not succeeded yet
+  finished,           ///< finish() or abandon() was called; only reset() or start() go on from here
+  row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
+  slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
+  too_deep,  ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
+  packet_too_small,  ///< the encoder's packet is shorter than the format's minimum
+  wrong_version,     ///< the stream's version is not known to this decoder
+};
+
+/// A short English text for a status. Owner: static storage.
+constexpr const char* text(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::more:
+      return "the sink is busy: call resume()";
+    case Status::bad_limits:
+      return "width and height must be 1 to 32766";
+    case Status::bad_capacities:
+      return "a capacity is below its minimum or beyond the index type";
+    case Status::too_little_memory:
+      return "the memory is too small: see minimum_bytes()";
+    case Status::bad_sink:
+      return "the sink has no function";
+    case Status::not_started:
+      return "start() has not succeeded";
+    case Status::slice_in_progress:
+      return "the current slice is not complete: push or skip its rows, or abandon()";
+    case Status::finished:
+      return "the scan is finished: call reset() or start()";
+    case Status::row_in_progress:
+      return "the current row is not complete";
+    case Status::too_deep:
+      return "more slices than a z coordinate can count";
+    case Status::packet_too_small:
+      return "the packet buffer is too small";
+    case Status::wrong_version:
+      return "the stream's version is not known";
+  }
+  return "unknown status";
+}
+
+}  // namespace discmc
+
+#endif
