@@ -58,6 +58,13 @@ class FragmentStore {
     fragment.last = none;
   }
 
+  /// Whether a fragment has more than `count` nodes. Cost: at most that many steps.
+  bool is_longer(const Fragment<Index>& fragment, uint32_t count) const {
+    Index node = first(fragment);
+    for (; node != none && count > 0; --count) node = after(fragment, node);
+    return node != none;
+  }
+
   /// The first node of a fragment, or none when its only run is the one in place.
   Index first(const Fragment<Index>& fragment) const {
     return fragment.last == none ? none : nodes_[fragment.last].next;

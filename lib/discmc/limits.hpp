@@ -134,13 +134,13 @@ constexpr uint64_t worst_case_bytes(const Limits& limits) {
   return bytes_for<Index>(limits, worst_case_capacities(limits));
 }
 
-/// The default split of a number of bytes: for every 16 edges 18 runs, 10 regions, 1 ring and 20
+/// The default split of a number of bytes: for every 16 edges 20 runs, 10 regions, 1 ring and 20
 /// slots. All integers, the same on every machine. Bytes below minimum_bytes() give the minimum.
 template <class Index>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();
   const Capacities most = worst_case_capacities(limits);
-  const uint64_t unit = 16 * (sizeof(Edge<Index>) + 1) + 18 * sizeof(RunNode<Index>) +
+  const uint64_t unit = 16 * (sizeof(Edge<Index>) + 1) + 20 * sizeof(RunNode<Index>) +
                         10 * sizeof(RegionNode<Index>) + sizeof(ClosedRing<Index>) +
                         20 * (sizeof(uint32_t) + sizeof(Index));
   // Seven arrays lose at most three bytes each to alignment.
@@ -152,7 +152,7 @@ constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
     return value < limit ? static_cast<uint32_t>(value) : limit;
   };
   return {at_most(least.edges + 16 * units, most.edges),
-          at_most(least.runs + 18 * units, UINT32_MAX), at_most(least.rings + units, most.rings),
+          at_most(least.runs + 20 * units, UINT32_MAX), at_most(least.rings + units, most.rings),
           at_most(least.regions + 10 * units, most.regions),
           at_most(least.slots + 20 * units, most.slots)};
 }

@@ -47,6 +47,8 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   uint32_t* stamps = arena.take<uint32_t>(capacities.slots);
   frontier_.table().start(stamps, arena.take<Index>(capacities.slots), capacities.slots,
                           keys > 0 ? keys : 1);
+  const uint32_t quarter = capacities.runs / 4;
+  runs_kept_ = quarter > 2 * CellReserve::runs ? quarter : 2 * CellReserve::runs;
   const uint32_t in_slice = 2 * columns + 2;
   edges_kept_short_ = in_slice < capacities.edges / 8 ? in_slice : capacities.edges / 8;
   clear();
@@ -342,7 +344,7 @@ template <class Index>
 bool Merge<Index>::settle(const Sink& sink, Statistics& statistics) {
   while (regions_.has_complete())
     if (!deliver_region(sink, statistics)) return false;
-  return settled() || spill_touched(sink, statistics);
+  return !spills_ || spill_touched(sink, statistics);
 }
 
 static bool offer(const Sink& sink, const Event& event) {
@@ -427,19 +429,31 @@ bool Merge<Index>::spill(const Sink& sink, Fragment<Index>& fragment, Incidence 
   return true;
 }
 
-// What the last cell took from the pool of runs is in the fragments that it lengthened.
+// The fewer runs are available, the shorter a fragment may be to be spilled: down to any that has
+// nodes at all, and then what the last cell took from the pool goes back to it, as it is in the
+// fragments that the cell has lengthened.
+template <class Index>
+bool Merge<Index>::should_spill(const Fragment<Index>& fragment) const {
+  if (fragment.last == none) return false;
+  if (stage_ != Stage::begin) return true;  // it is the one under way
+  const uint32_t available = fragments_.available();
+  if (available < 2 * CellReserve::runs) return true;
+  if (available >= runs_kept_) return false;
+  return fragments_.is_longer(fragment, available / (fragments_.capacity() / 128 + 1));
+}
+
 template <class Index>
 bool Merge<Index>::spill_touched(const Sink& sink, Statistics& statistics) {
   for (; touched_edges_ > 0; --touched_edges_) {
     const Touched& touched = touched_edge_[touched_edges_ - 1];
     Fragment<Index>& fragment = edges_[touched.index];
-    if (fragment.last != none && !spill(sink, fragment, touched.incidence, statistics))
+    if (should_spill(fragment) && !spill(sink, fragment, touched.incidence, statistics))
       return false;
   }
   for (; touched_rings_ > 0; --touched_rings_) {
     const Touched& touched = touched_ring_[touched_rings_ - 1];
     Fragment<Index>& fragment = regions_.ring(touched.index);
-    if (fragment.last != none && !spill(sink, fragment, touched.incidence, statistics))
+    if (should_spill(fragment) && !spill(sink, fragment, touched.incidence, statistics))
       return false;
   }
   return true;

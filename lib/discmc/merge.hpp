@@ -48,13 +48,13 @@ class Merge {
   /// Makes boundary of what waits on the lower face of a cell above the last slice.
   void seal_cell(const Cell& cell);
 
-  /// Whether the next cell may be taken: no region waits for the sink, and the reserves are full.
+  /// Whether the next cell may be taken: no region waits for the sink, and runs are not short.
   bool settled() const {
-    return !regions_.has_complete() && (!spills_ || fragments_.available() >= CellReserve::runs);
+    return !regions_.has_complete() && (!spills_ || fragments_.available() >= runs_kept_);
   }
 
-  /// Delivers what is complete, and spills when runs are short, until settled. False when the sink
-  /// said "not now": call again.
+  /// Delivers what is complete, and spills when runs are short. Then the next cell may be taken.
+  /// False when the sink said "not now": call again.
   bool settle(const Sink& sink, Statistics& statistics);
 
   uint64_t cuts() const { return cuts_; }
@@ -87,6 +87,7 @@ class Merge {
   bool spill(const Sink& sink, Fragment<Index>& fragment, Incidence incidence,
              Statistics& statistics);
   bool spill_touched(const Sink& sink, Statistics& statistics);
+  bool should_spill(const Fragment<Index>& fragment) const;
 
   const PatchTable* table_ = nullptr;
   Pool<Edge<Index>, Index> edges_;
@@ -98,6 +99,7 @@ class Merge {
   uint64_t cuts_ = 0;
   uint32_t splits_ = 0;            // boundaries that will each need one more ring record
   uint32_t edges_kept_short_ = 0;  // of the pool, for edges that do not wait a whole layer
+  uint32_t runs_kept_ = 0;         // of the pool: with fewer available, long fragments are spilled
   bool spills_ = true;
   bool boundary_only_ = false;  // this cell opens and splices nothing
 

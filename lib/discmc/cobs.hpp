@@ -1,0 +1,47 @@
+// Consistent overhead byte stuffing, in place, for frames of up to 254 bytes.
+//
+// A frame without zero bytes, ended by a zero, is found again after any loss.
+// S. Cheshire, M. Baker, "Consistent Overhead Byte Stuffing", IEEE/ACM Transactions on Networking,
+// 1999.
+#ifndef DISCMC_COBS_HPP
+#define DISCMC_COBS_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace discmc::cobs {
+
+constexpr size_t max_plain = 254;
+
+/// Stuffs the `count` bytes that stand at frame[1]: afterwards frame[0] to frame[count + 1] are the
+/// frame on the wire, its ending zero included. Limit: count <= max_plain; frame has count + 2
+/// bytes. Returns the length of the frame: count + 2.
+constexpr size_t stuff(uint8_t* frame, size_t count) {
+  size_t code = 0;
+  for (size_t i = 1; i <= count; ++i) {
+    if (frame[i] != 0) continue;
+    frame[code] = static_cast<uint8_t>(i - code);
+    code = i;
+  }
+  frame[code] = static_cast<uint8_t>(count + 1 - code);
+  frame[count + 1] = 0;
+  return count + 2;
+}
+
+/// Undoes stuff() for the `count` bytes before the ending zero: the plain bytes stand at frame[1].
+/// Returns how many they are, or 0 when this is no frame.
+constexpr size_t unstuff(uint8_t* frame, size_t count) {
+  if (count < 2) return 0;
+  size_t code = 0;
+  while (code < count) {
+    const size_t next = code + frame[code];
+    if (frame[code] == 0 || next > count) return 0;
+    frame[code] = 0;
+    code = next;
+  }
+  return count - 1;
+}
+
+}  // namespace discmc::cobs
+
+#endif

@@ -1,0 +1,369 @@
+#include <discmc/crc32.hpp>
+#include <discmc/decoder.hpp>
+
+namespace discmc {
+
+Status Decoder::start(const Sink& sink) {
+  if (sink.take == nullptr) return Status::bad_sink;
+  *this = Decoder();
+  sink_ = sink;
+  is_started_ = true;
+  return Status::ok;
+}
+
+Decoded Decoder::push(const uint8_t* bytes, size_t count) {
+  if (!is_started_) return {Status::not_started, 0};
+  for (size_t taken = 0;; ++taken) {
+    if (is_refused_) return {Status::wrong_version, taken};
+    if (!deliver()) return {Status::more, taken};
+    if (taken == count) return {Status::ok, count};
+    ++report_.bytes;
+    if (bytes[taken] == 0) {
+      open_frame(frame_bytes_);
+      frame_bytes_ = 0;
+      frame_is_too_long_ = false;
+    } else if (frame_bytes_ < sizeof(frame_)) {
+      frame_[frame_bytes_++] = bytes[taken];
+    } else {
+      frame_is_too_long_ = true;
+    }
+  }
+}
+
+Status Decoder::finish() {
+  if (!is_started_) return Status::not_started;
+  if (!deliver()) return Status::more;
+  if (frame_bytes_ > 0) ++report_.damaged_packets;
+  frame_bytes_ = 0;
+  lost_is_untold_ = is_open_;
+  is_open_ = false;
+  return deliver() ? Status::ok : Status::more;
+}
+
+// ---- packets ----
+
+void Decoder::open_frame(size_t bytes) {
+  using namespace wire;
+  if (bytes == 0 && !frame_is_too_long_) return;  // a spare delimiter
+  const size_t plain = frame_is_too_long_ ? 0 : cobs::unstuff(frame_, bytes);
+  const uint8_t* const packet = frame_ + 1;
+  if (plain < packet_head + packet_crc) return damage();
+  const size_t checked = plain - packet_crc;
+  if (crc32(packet, checked) != ByteReader(packet + checked, packet_crc).get(4)) return damage();
+  const uint8_t* const payload = packet + packet_head;
+  const size_t payload_bytes = checked - packet_head;
+  const PacketKind kind = static_cast<PacketKind>(packet[0]);
+  if (kind == PacketKind::header) read_header(payload, payload_bytes);
+  if (is_refused_ || !is_expected(packet)) return;
+  ++report_.packets;
+  if (kind == PacketKind::trailer) read_trailer(payload, payload_bytes);
+  if (kind == PacketKind::records) {
+    model_ = Model(Coder{RangeDecoder(payload, payload_bytes)});
+    stage_ = Stage::records;
+  }
+}
+
+void Decoder::damage() {
+  ++report_.damaged_packets;
+}
+
+// Whether a packet is the next one or a later one; a gap before it is noted.
+bool Decoder::is_expected(const uint8_t* packet) {
+  const uint8_t number = packet[1];
+  const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
+  const uint16_t regions = static_cast<uint16_t>(low - regions_passed_);
+  const uint8_t gap = has_number_ ? static_cast<uint8_t>(number - next_number_) : 0;
+  // Half of the numbers lie behind; but a count of regions that has grown is no packet seen before.
+  const bool is_behind = gap >= 128 && (regions == 0 || regions >= 0x8000);
+  if (is_behind) {
+    ++report_.repeated_packets;
+    return false;
+  }
+  has_number_ = true;
+  next_number_ = static_cast<uint8_t>(number + 1);
+  note_gap(gap, regions);
+  return true;
+}
+
+void Decoder::note_gap(uint64_t packets, uint64_t regions) {
+  report_.lost_packets += packets;
+  report_.lost_regions += regions;
+  regions_passed_ += regions;
+  if (packets == 0) return;
+  lost_is_untold_ = is_open_;
+  is_open_ = false;
+  skips_parts_ = true;
+}
+
+// The header's own counts are whole numbers: they set right what the short ones could not tell.
+void Decoder::read_header(const uint8_t* payload, size_t bytes) {
+  using namespace wire;
+  ByteReader reader(payload, bytes);
+  uint32_t wrong = bytes < header_payload ? 1 : 0;
+  for (const uint8_t letter : magic) wrong |= static_cast<uint32_t>(reader.get(1)) ^ letter;
+  if (wrong != 0) return damage();
+  if (reader.get(1) != version) {
+    is_refused_ = true;
+    return;
+  }
+  StreamHeader header;
+  header.width = static_cast<uint32_t>(reader.get(2));
+  header.height = static_cast<uint32_t>(reader.get(2));
+  header.depth = static_cast<uint32_t>(reader.get(4));
+  for (int32_t& spacing : header.spacing_nm)
+    spacing = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  header.threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  header.border = reader.get(1) == 1 ? Border::open : Border::closed;
+  const uint64_t packets_before = reader.get(4);
+  const uint64_t regions_before = reader.get(8);
+  if (!Limits{header.width, header.height, header.border}.are_valid()) return damage();
+  header_ = header;
+  report_.has_header = true;
+  const uint64_t packets_known = report_.packets + report_.lost_packets;
+  if (packets_before > packets_known || regions_before > regions_passed_) {
+    note_gap(packets_before > packets_known ? packets_before - packets_known : 0,
+             regions_before > regions_passed_ ? regions_before - regions_passed_ : 0);
+    has_number_ = true;
+    next_number_ = static_cast<uint8_t>(packets_before);
+  }
+}
+
+void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
+  if (bytes < wire::trailer_payload) return damage();
+  wire::ByteReader reader(payload, bytes);
+  report_.has_trailer = true;
+  report_.slices = static_cast<uint32_t>(reader.get(4));
+  report_.abandoned = reader.get(1) != 0;
+  Statistics& totals = report_.totals;
+  uint64_t* const counts[wire::trailer_totals] = {
+      &totals.cells,   &totals.facets, &totals.classic_triangles,
+      &totals.regions, &totals.rings,  &totals.links,
+      &totals.cuts,    &totals.spills, &totals.skipped_rows};
+  for (uint64_t* count : counts) *count = reader.get(8);
+  if (totals.regions > regions_passed_) note_gap(0, totals.regions - regions_passed_);
+  lost_is_untold_ = lost_is_untold_ || is_open_;
+  is_open_ = false;
+  mark_ = Event{};
+  mark_.kind = Event::Kind::finish;
+  mark_.slice = report_.slices;
+  mark_.abandoned = report_.abandoned;
+  mark_.statistics = &report_.totals;
+  stage_ = Stage::finish;
+}
+
+// ---- records ----
+
+// Reads the next record of the packet and sets the stage for its delivery.
+void Decoder::read_record() {
+  bool is_good = true;
+  OtherKind kind = OtherKind::part;
+  if (model_.region_follows(false)) {
+    is_good = read_region();
+    stage_ = Stage::record;
+  } else {
+    kind = model_.other_kind(OtherKind::end);
+    switch (kind) {
+      case OtherKind::layer:
+      case OtherKind::skipped:
+        read_mark(kind);
+        break;
+      case OtherKind::part:
+        is_good = read_part();
+        stage_ = Stage::record;
+        break;
+      case OtherKind::extension:
+        model_.plain_bits(8, 0);
+        for (uint32_t bytes = model_.plain_bits(8, 0); bytes > 0; --bytes) model_.plain_bits(8, 0);
+        break;
+      case OtherKind::end:
+        stage_ = Stage::collect;
+        break;
+      default:
+        is_good = false;
+    }
+  }
+  if (is_good && !model_.coder().range.is_exhausted()) {
+    if (stage_ == Stage::record) begin_record();
+    return;
+  }
+  damage();
+  note_gap(1, 0);
+  --report_.lost_packets;  // it is damaged, not lost
+  stage_ = Stage::collect;
+}
+
+bool Decoder::read_region() {
+  record_ = Record{};
+  record_.is_last = true;
+  record_.incidence = model_.incidence(no_incidence);
+  const uint32_t rings = model_.ring_count(1);
+  for (uint32_t ring = 0; ring < rings; ++ring)
+    if (!read_ring(ring > 0)) return false;
+  return true;
+}
+
+bool Decoder::read_ring(bool further) {
+  const Vertex start = model_.start(Vertex{0, 0, 0}, further);
+  const bool is_parallelogram = model_.parallelogram(false);
+  const uint32_t count = is_parallelogram ? 4 : model_.run_count(2);
+  if (count < 2 || count > Record::max_words || !record_.has_room(Record::ring_words + count))
+    return false;
+  record_.add_ring(start);
+  const uint32_t turns = links.direction_count[record_.incidence];
+  Direction direction[2] = {0, 0};
+  uint32_t length[2] = {0, 0};
+  Vertex way{0, 0, 0};
+  for (uint32_t i = 0; i < (is_parallelogram ? 2 : count); ++i) {
+    direction[0] = direction[1];
+    direction[1] = model_.direction(0);
+    if (!is_direction(record_.incidence, direction[1])) return false;
+    if (!is_parallelogram && i + 2 >= count) continue;
+    length[0] = length[1];
+    length[1] = model_.length(1);
+    if (length[1] == 0 || length[1] > max_compact_length) return false;
+    const Vertex step = direction_vector(record_.incidence, direction[1]);
+    const int32_t steps = static_cast<int32_t>(length[1]);
+    way = way - Vertex{steps * step.x, steps * step.y, steps * step.z};
+    record_.add_run(Run::straight(direction[1], length[1]));
+  }
+  if (is_parallelogram) {
+    for (int i = 0; i < 2; ++i)
+      record_.add_run(
+          Run::straight(static_cast<Direction>((direction[i] + turns / 2) % turns), length[i]));
+    return true;
+  }
+  const Vertex u = direction_vector(record_.incidence, direction[0]);
+  const Vertex v = direction_vector(record_.incidence, direction[1]);
+  uint32_t told = 0;
+  if (are_parallel(u, v)) told = model_.length(1);
+  if (told > max_compact_length) return false;
+  const Closure closure = close_ring(u, v, way, told);
+  if (!closure.is_valid) return false;
+  record_.add_run(Run::straight(direction[0], closure.first));
+  record_.add_run(Run::straight(direction[1], closure.second));
+  return true;
+}
+
+bool Decoder::read_part() {
+  record_ = Record{};
+  model_.part(record_);
+  for (;;) {
+    if (!record_.has_room(Record::ring_words) && !record_.has_room(1)) {
+      if (model_.item_kind(Item::end) != Item::end) return false;
+      break;
+    }
+    const Item kind = model_.item_kind(Item::end);
+    if (kind == Item::end) break;
+    if (kind == Item::ring) {
+      if (!record_.has_room(Record::ring_words) || record_.is_fragment) return false;
+      record_.add_ring(model_.start(Vertex{0, 0, 0}, record_.count > 0 || record_.continues));
+    } else if (kind == Item::fragment) {
+      const uint32_t number = model_.fragment_number(0, true);
+      if (number > Run::max_fragment) return false;
+      record_.add_run(Run::fragment(number));
+    } else {
+      const Direction direction = model_.direction(0);
+      if (!is_direction(record_.incidence, direction)) return false;
+      const uint32_t length = model_.length(1);
+      if (length == 0 || length > Run::max_length) return false;
+      record_.add_run(Run::straight(direction, length));
+    }
+  }
+  record_.is_last = model_.end_part(false);
+  return true;
+}
+
+void Decoder::read_mark(OtherKind kind) {
+  mark_ = Event{};
+  if (kind == OtherKind::layer) {
+    mark_.kind = Event::Kind::layer;
+    mark_.slice = model_.layer(0);
+  } else {
+    mark_.kind = Event::Kind::skipped;
+    mark_.slice = model_.plain_number(0);
+    mark_.row = model_.plain_number(0);
+    mark_.repeated = model_.plain_bits(1, 0) != 0;
+  }
+  stage_ = Stage::mark;
+}
+
+// A part goes on with what the part before began; without that it is of no use.
+void Decoder::begin_record() {
+  told_ = 0;
+  begin_is_untold_ = !record_.continues;
+  if (!record_.continues) {
+    lost_is_untold_ = is_open_;
+    is_open_ = false;
+    skips_parts_ = false;
+  } else if (skips_parts_ || !is_open_) {
+    stage_ = Stage::records;
+  }
+}
+
+// ---- delivery ----
+
+// Offers all that is known to the sink. False when it said "not now".
+bool Decoder::deliver() {
+  for (;;) {
+    if (lost_is_untold_) {
+      Event event{};
+      event.kind = Event::Kind::lost;
+      if (!offer(event)) return false;
+      lost_is_untold_ = false;
+    }
+    switch (stage_) {
+      case Stage::collect:
+        return true;
+      case Stage::records:
+        read_record();
+        break;
+      case Stage::record:
+        if (!deliver_record()) return false;
+        stage_ = Stage::records;
+        break;
+      case Stage::mark:
+      case Stage::finish:
+        if (!offer(mark_)) return false;
+        stage_ = stage_ == Stage::mark ? Stage::records : Stage::collect;
+        break;
+    }
+  }
+}
+
+bool Decoder::deliver_record() {
+  Event event{};
+  event.incidence = record_.incidence;
+  event.number = record_.number;
+  if (begin_is_untold_) {
+    event.kind = record_.is_fragment ? Event::Kind::fragment : Event::Kind::region;
+    if (!offer(event)) return false;
+    begin_is_untold_ = false;
+    is_open_ = true;
+    is_first_ring_ = true;
+  }
+  while (told_ < record_.count) {
+    const bool is_ring = record_.word[told_] == Record::ring_mark;
+    if (is_ring) {
+      event.kind = Event::Kind::ring;
+      event.start = record_.start_at(told_);
+      event.hole = !is_first_ring_;
+    } else {
+      event.kind = Event::Kind::run;
+      event.run = Run::from_code(record_.word[told_]);
+    }
+    if (!offer(event)) return false;
+    if (is_ring) is_first_ring_ = false;
+    told_ += is_ring ? Record::ring_words : 1;
+  }
+  if (!record_.is_last) return true;
+  event.kind = record_.is_fragment ? Event::Kind::fragment_end : Event::Kind::region_end;
+  if (!offer(event)) return false;
+  is_open_ = false;
+  if (!record_.is_fragment) {
+    ++report_.regions;
+    ++regions_passed_;
+  }
+  return true;
+}
+
+}  // namespace discmc

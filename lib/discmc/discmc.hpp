@@ -1,0 +1,29 @@
+// discmc: slices of a 3D scanner in, merged surfaces out, on the scanner.
+//
+// The headers in the way of the data; each is the manual of its part:
+//
+//   limits.hpp            how large a scan may be and what memory it takes
+//   extractor.hpp         samples in, regions out: what firmware meets
+//     slice.hpp             samples become rows of bits; active cells
+//     cell.hpp              a cell's corners, points and loops
+//     facet_table.hpp       the facets of each configuration
+//     patch_table.hpp       the same as the sweep works with them
+//     frontier.hpp          what waits for cells to come
+//     merge.hpp             patches become regions (regions.hpp, fragment_store.hpp)
+//   sink.hpp              the events that come out: regions, rings, runs
+//   chain.hpp, polygon.hpp  Freeman chains and the polygons they are
+//   encoder.hpp           a sink that writes the stream (wire.hpp, WIRE.md)
+//     record.hpp, region_model.hpp, record_encoding.hpp, range_coder.hpp, cobs.hpp, crc32.hpp
+//   decoder.hpp           bytes of a stream in, the same events out
+//
+// Everywhere: lattice.hpp (coordinates in half-steps, links, incidences) and status.hpp.
+#ifndef DISCMC_DISCMC_HPP
+#define DISCMC_DISCMC_HPP
+
+#include <discmc/decoder.hpp>
+#include <discmc/encoder.hpp>
+#include <discmc/extractor.hpp>
+#include <discmc/facet_table.hpp>
+#include <discmc/polygon.hpp>
+
+#endif

@@ -1,0 +1,80 @@
+// The encoder: a sink that writes the stream into any byte-out function.
+#ifndef DISCMC_ENCODER_HPP
+#define DISCMC_ENCODER_HPP
+
+#include <discmc/region_model.hpp>
+#include <discmc/status.hpp>
+#include <discmc/wire.hpp>
+
+namespace discmc {
+
+/// Where bytes go: a UART, a ring buffer, a file. Owner: the context belongs to the caller.
+struct ByteOutput {
+  void* context = nullptr;
+  /// Takes up to `count` bytes and returns how many it took; 0 means "not now".
+  size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
+};
+
+/// One packet and one record are all that is held. The encoder may be suspended after any byte:
+/// while the output takes nothing, take() answers not_now, and goes on where it was when asked
+/// again.
+class Encoder {
+ public:
+  /// Begins a stream; its header is the first packet. Errors: bad_limits, bad_sink (no write).
+  [[nodiscard]] Status start(const StreamHeader& header, const ByteOutput& output);
+
+  /// Takes an event of the extractor (or of a decoder). Cost: a few decisions a run, and the bytes.
+  Answer take(const Event& event);
+
+  /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
+  /// stream. False when the output does not take all of it now: call again.
+  [[nodiscard]] bool flush();
+
+  /// The bytes that the output has taken so far.
+  uint64_t bytes() const { return bytes_; }
+
+ private:
+  struct Coder {
+    RangeEncoder range;
+    bool bit(uint16_t context, bool bit) {
+      range.encode(bit, context == context::even ? uint8_t{128} : region_model[context]);
+      return bit;
+    }
+  };
+  using Model = RegionModel<Coder>;
+
+  bool put_record();
+  bool put_parts(bool is_last);
+  uint32_t encode_part(bool is_last);
+  bool put_mark(const Event& event);
+  bool put_trailer(const Event& event);
+
+  bool fits(size_t reserve) const;
+  void open_packet();
+  void seal_records();
+  void seal_header();
+  void seal(wire::PacketKind kind, size_t payload_bytes);
+  bool drain();
+  uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
+
+  StreamHeader header_;
+  ByteOutput output_;
+  uint64_t bytes_ = 0;
+  uint64_t regions_ = 0;         // complete ones so far
+  uint64_t regions_before_ = 0;  // complete ones before the open packet
+  uint32_t packets_ = 0;
+  uint32_t packets_since_header_ = 0;
+
+  uint8_t frame_[wire::max_frame];
+  size_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
+  size_t drained_ = 0;
+  Model model_{Coder{}};
+  bool packet_is_empty_ = true;
+  bool trailer_is_sealed_ = false;
+
+  Record record_;
+};
+
+}  // namespace discmc
+
+#endif

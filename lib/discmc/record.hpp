@@ -1,0 +1,41 @@
+// A record of the stream on its way into or out of a packet.
+#ifndef DISCMC_RECORD_HPP
+#define DISCMC_RECORD_HPP
+
+#include <discmc/chain.hpp>
+
+namespace discmc {
+
+/// A region, a fragment, or a part of one: as much as is encoded at a time. Rings and runs stand in
+/// one list of words: a zero word begins a ring and is followed by its start (x, y, z); any other
+/// word is the code of a Run. All runs before the first ring go on where the part before ended.
+struct Record {
+  static constexpr uint32_t max_words = 96;
+  static constexpr uint32_t ring_mark = 0;
+  static constexpr uint32_t ring_words = 4;
+
+  Incidence incidence = no_incidence;
+  bool is_fragment = false;
+  bool continues = false;  ///< not the first part
+  bool is_last = false;    ///< no part follows
+  uint32_t number = 0;     ///< of a fragment
+  uint32_t count = 0;
+  uint32_t word[max_words];
+
+  bool has_room(uint32_t words) const { return count + words <= max_words; }
+  void add_run(Run run) { word[count++] = run.code(); }
+  void add_ring(const Vertex& start) {
+    word[count++] = ring_mark;
+    word[count++] = static_cast<uint32_t>(start.x);
+    word[count++] = static_cast<uint32_t>(start.y);
+    word[count++] = static_cast<uint32_t>(start.z);
+  }
+  Vertex start_at(uint32_t mark) const {
+    return {static_cast<int32_t>(word[mark + 1]), static_cast<int32_t>(word[mark + 2]),
+            static_cast<int32_t>(word[mark + 3])};
+  }
+};
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,85 @@
+// The stream (.dmc): packets, their header and trailer. WIRE.md explains every byte.
+#ifndef DISCMC_WIRE_HPP
+#define DISCMC_WIRE_HPP
+
+#include <discmc/cobs.hpp>
+#include <discmc/limits.hpp>
+#include <discmc/sink.hpp>
+
+namespace discmc {
+
+/// What a stream says of its scan.
+struct StreamHeader {
+  uint32_t width = 0;
+  uint32_t height = 0;
+  uint32_t depth = 0;                 ///< planned slices; 0 when not known
+  int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown
+  int32_t threshold = 0;              ///< a voxel is on where its sample is >= threshold
+  Border border = Border::closed;
+};
+
+namespace wire {
+
+constexpr uint8_t version = 1;
+
+/// What a packet holds. Packets of unknown kinds are skipped: a better region coder is a new kind.
+enum class PacketKind : uint8_t { header = 1, records = 2, trailer = 3 };
+
+// A packet before stuffing: kind, number modulo 256, complete regions before it modulo 65,536,
+// payload, CRC-32 of all before.
+constexpr size_t packet_head = 4;
+constexpr size_t packet_crc = 4;
+constexpr size_t max_packet = cobs::max_plain;
+constexpr size_t max_payload = max_packet - packet_head - packet_crc;
+
+/// A frame is a packet with its stuffing byte and its ending zero.
+constexpr size_t max_frame = max_packet + 2;
+
+/// The header is repeated after so many packets of records, so that a listener may join late.
+constexpr uint32_t header_interval = 64;
+
+constexpr uint8_t magic[3] = {'D', 'M', 'C'};
+
+/// Writes little-endian fields. Limit: the buffer has room.
+class ByteWriter {
+ public:
+  explicit ByteWriter(uint8_t* place) : place_(place) {}
+  void put(uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) *place_++ = static_cast<uint8_t>(value >> 8 * i);
+  }
+  uint8_t* place() const { return place_; }
+
+ private:
+  uint8_t* place_;
+};
+
+/// Reads little-endian fields; beyond the end zeros.
+class ByteReader {
+ public:
+  ByteReader(const uint8_t* bytes, size_t count) : bytes_(bytes), left_(count) {}
+  uint64_t get(int bytes) {
+    uint64_t value = 0;
+    for (int i = 0; i < bytes; ++i) value |= uint64_t{next()} << 8 * i;
+    return value;
+  }
+  size_t left() const { return left_; }
+
+ private:
+  uint8_t next() {
+    if (left_ == 0) return 0;
+    --left_;
+    return *bytes_++;
+  }
+  const uint8_t* bytes_;
+  size_t left_;
+};
+
+constexpr size_t header_payload = 3 + 1 + 2 + 2 + 4 + 3 * 4 + 4 + 1 + 4 + 8;
+constexpr size_t trailer_totals = 9;
+constexpr size_t trailer_payload = 4 + 1 + trailer_totals * 8;
+
+}  // namespace wire
+
+}  // namespace discmc
+
+#endif
