@@ -67,18 +67,17 @@ Status Extractor<Index>::ready_for_samples() {
 template <class Index>
 template <class Sample>
 Pushed Extractor<Index>::push(const Sample* samples, uint32_t count, uint32_t stride) {
-  Pushed pushed{Status::ok, 0};
-  while (pushed.samples < count) {
-    pushed.status = ready_for_samples();
-    if (pushed.status != Status::ok) return pushed;
+  Pushed pushed{ready_for_samples(), 0};
+  while (pushed.status == Status::ok && pushed.samples < count) {
     const uint32_t room = limits_.width - rows_.column();
     const uint32_t left = count - pushed.samples;
     const uint32_t taken = left < room ? left : room;
     rows_.append(samples + size_t{pushed.samples} * stride, taken, stride, threshold_);
     pushed.samples += taken;
     if (rows_.row_is_complete()) rows_.next_row();
+    const bool is_last = pushed.samples == count;
+    pushed.status = is_last ? resume() : ready_for_samples();
   }
-  pushed.status = resume();
   return pushed;
 }
 
@@ -117,26 +116,18 @@ Status Extractor<Index>::resume() {
 template <class Index>
 Status Extractor<Index>::finish() {
   if (state_ == State::idle) return Status::not_started;
-  if (state_ == State::scanning) {
-    if (!work()) return Status::more;
-    if (rows_.rows() != 0 || rows_.column() != 0) return Status::slice_in_progress;
-    state_ = State::finishing;
-  }
+  const bool between_slices = rows_.rows() == 0 || rows_.rows() == limits_.height;
+  if (!between_slices || rows_.column() != 0) return Status::slice_in_progress;
+  if (state_ == State::scanning) state_ = State::finishing;
   return resume();
 }
 
 template <class Index>
 Status Extractor<Index>::abandon() {
   if (state_ == State::idle) return Status::not_started;
-  while (state_ == State::scanning) {
-    if (!work()) return Status::more;
+  if (state_ == State::scanning) {
+    state_ = State::finishing;
     abandoned_ = true;
-    if (rows_.rows() == 0 && rows_.column() == 0) {
-      state_ = State::finishing;
-    } else {
-      rows_.fill_off();
-      rows_.next_row();
-    }
   }
   return resume();
 }
@@ -147,17 +138,30 @@ Status Extractor<Index>::abandon() {
 template <class Index>
 bool Extractor<Index>::work() {
   if (state_ == State::finished) return true;
-  if (skip_untold_ && !tell_skipped()) return false;
-  if (!sweep_ready_rows()) return false;
-  if (state_ == State::finishing) return end_scan();
-  return rows_.rows() < limits_.height || end_slice();
+  for (;;) {
+    if (skip_untold_ && !tell_skipped()) return false;
+    if (!sweep_ready_rows()) return false;
+    if (rows_.rows() == limits_.height && !end_slice()) return false;
+    if (state_ == State::scanning) return true;
+    if (is_last_layer() && cell_row_ == ready_rows()) return end_scan();
+    if (is_last_layer()) continue;
+    // An abandoned slice: the rows that are missing are off.
+    rows_.fill_off();
+    rows_.next_row();
+  }
+}
+
+// The layer above the last slice, which finish() and abandon() add.
+template <class Index>
+bool Extractor<Index>::is_last_layer() const {
+  return state_ == State::finishing && rows_.rows() == 0 && rows_.column() == 0;
 }
 
 // Rows of cells of the current layer whose four rows of voxels are there.
 template <class Index>
 uint32_t Extractor<Index>::ready_rows() const {
   const bool closed = limits_.border == Border::closed;
-  if (state_ == State::finishing) return rows_.slices() > 0 ? limits_.cell_rows() : 0;
+  if (is_last_layer()) return rows_.slices() > 0 ? limits_.cell_rows() : 0;
   if (!closed && rows_.slices() == 0) return 0;
   if (rows_.rows() == limits_.height) return limits_.cell_rows();
   if (closed) return rows_.rows();
@@ -210,7 +214,7 @@ void Extractor<Index>::visit(uint32_t column, Configuration configuration) {
       column + 1 < limits_.columns(),
       cell_row_ + 1 < limits_.cell_rows(),
       configuration};
-  if (state_ == State::finishing && limits_.border == Border::open) return merge_.seal_cell(cell);
+  if (is_last_layer() && limits_.border == Border::open) return merge_.seal_cell(cell);
   ++statistics_.cells;
   statistics_.facets += cell_facts.facets[configuration];
   statistics_.classic_triangles += cell_facts.classic_triangles[configuration];

@@ -56,19 +56,18 @@ class Extractor {
   Pushed push(const Sample* samples, uint32_t count, uint32_t stride = 1);
 
   /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0.
-  /// With Status::more before the row was taken row_taken() tells so.
-  /// Errors: as push(), row_in_progress.
+  /// Errors: as push(), row_in_progress. Pushed::samples is the width when the row was taken, else
+  /// 0.
   Pushed push_bits(const uint8_t* bits);
 
-  /// Stands in for a row that never came; the sink is told. Errors: as push(), row_in_progress.
-  /// Pushed::samples is the width when the row was taken, else 0.
+  /// Stands in for a row that never came; the sink is told. Result and errors: as push_bits().
   Pushed skip_row(Substitute substitute);
 
   /// Goes on after Status::more. Also harmless at any other time.
   [[nodiscard]] Status resume();
 
   /// Ends the scan: delivers every region and the totals. Errors: not_started, slice_in_progress.
-  /// After Status::more call it, or resume(), again. Calling it when all is delivered gives ok.
+  /// After Status::more go on with resume(). Calling it again is harmless.
   [[nodiscard]] Status finish();
 
   /// Ends the scan wherever it is: the rest of the slice is taken as off, so the surface is closed
@@ -104,6 +103,7 @@ class Extractor {
   uint32_t ready_rows() const;
   bool end_slice();
   bool end_scan();
+  bool is_last_layer() const;
   bool tell_skipped();
 
   Merge<Index> merge_;

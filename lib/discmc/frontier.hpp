@@ -107,10 +107,12 @@ class Frontier {
   /// The edges that wait on the faces behind a cell, by place. Only the places that the cell's
   /// patches use have a meaning. `below` tells which of the links on face_below exist.
   void gather(uint32_t column, uint32_t row, uint8_t below, Index (&behind)[behind_places]) {
-    behind[0] = waiting_right_[0];
-    behind[1] = waiting_right_[1];
-    behind[2] = waiting_back_[2 * column];
-    behind[3] = waiting_back_[2 * column + 1];
+    const bool has_left = column > 0;
+    const bool has_front = row > 0;
+    for (uint32_t slot = 0; slot < 2; ++slot) {
+      behind[slot] = has_left ? waiting_right_[slot] : none;
+      behind[2 + slot] = has_front ? waiting_back_[2 * column + slot] : none;
+    }
     const uint32_t key = key_of(column, row);
     behind[4] = below & 1 ? table_.take(key) : none;
     behind[5] = below & 2 ? table_.take(key + 1) : none;

@@ -72,7 +72,8 @@ constexpr uint32_t saturated(uint64_t value) {
 /// for every cell face ahead, and a hash table with a slot for every key.
 constexpr Capacities worst_case_capacities(const Limits& limits) {
   const uint64_t keys = Frontier<uint32_t>::keys(limits.columns(), limits.cell_rows());
-  const uint64_t edges = keys + 2 * limits.columns() + 4;
+  // The places within the slice twice: the pool keeps as many back from edges that wait above.
+  const uint64_t edges = keys + 2 * (2 * uint64_t{limits.columns()} + 4);
   return {sizing::saturated(edges), sizing::saturated(2 * edges + CellReserve::runs),
           sizing::saturated(edges + CellReserve::rings),
           sizing::saturated(2 * edges + CellReserve::regions),

@@ -47,6 +47,8 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   uint32_t* stamps = arena.take<uint32_t>(capacities.slots);
   frontier_.table().start(stamps, arena.take<Index>(capacities.slots), capacities.slots,
                           keys > 0 ? keys : 1);
+  // No fewer than what makes every candidate a victim (should_spill()): so until all of them are
+  // gone runs stay short, and a refused spill is taken up again.
   const uint32_t quarter = capacities.runs / 4;
   runs_kept_ = quarter > 2 * CellReserve::runs ? quarter : 2 * CellReserve::runs;
   const uint32_t in_slice = 2 * columns + 2;
@@ -378,8 +380,10 @@ bool Merge<Index>::deliver_region(const Sink& sink, Statistics& statistics) {
     stage_ = ring_ == last ? Stage::end : Stage::ring;
     ring_ = ring.next;
   }
-  event.kind = Event::Kind::region_end;
-  if (!offer(sink, event)) return false;
+  Event end{};
+  end.kind = Event::Kind::region_end;
+  end.incidence = event.incidence;
+  if (!offer(sink, end)) return false;
   stage_ = Stage::begin;
   const uint32_t rings = regions_.remove_first_complete();
   splits_ -= rings - 1;

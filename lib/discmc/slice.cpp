@@ -41,13 +41,12 @@ void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int
     const uint32_t room = 32 - bit % 32;
     const uint32_t taken = count < room ? count : room;
     uint32_t bits = 0;
-    for (uint32_t i = 0; i < taken; ++i) {
-      bits |= static_cast<uint32_t>(int32_t{*samples} >= threshold) << i;
-      samples += stride;
-    }
+    for (uint32_t i = 0; i < taken; ++i)
+      bits |= static_cast<uint32_t>(int32_t{samples[size_t{i} * stride]} >= threshold) << i;
     words[bit / 32] |= bits << bit % 32;
     column_ += taken;
     count -= taken;
+    if (count > 0) samples += size_t{taken} * stride;
   }
 }
 
