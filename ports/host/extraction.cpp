@@ -1,0 +1,145 @@
+#include "extraction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace discmc::host {
+namespace {
+
+constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
+// Below this 16-bit indices count all records, and a run on the host is a run on the device.
+constexpr std::uint64_t small_arena = std::uint64_t{1} << 20;
+
+// Counts the lattice edges between an on and an off voxel: classic Marching Cubes puts a vertex on
+// each of them.
+class CrossingCounter {
+ public:
+  CrossingCounter(const Limits& limits, std::int32_t threshold)
+      : width_(limits.width),
+        closed_(limits.border == Border::closed),
+        threshold_(threshold),
+        below_(std::size_t{limits.width} * limits.height, 0) {}
+
+  template <class Sample>
+  void add_slice(const Sample* samples) {
+    const bool has_below = closed_ || slices_ > 0;
+    std::vector<std::uint8_t> on(below_.size());
+    for (std::size_t i = 0; i < on.size(); ++i) {
+      on[i] = samples[i] >= threshold_ ? 1 : 0;
+      const std::size_t x = i % width_;
+      if (x > 0) add(on[i] != on[i - 1]);
+      if (i >= width_) add(on[i] != on[i - width_]);
+      if (has_below) add(on[i] != below_[i]);
+      if (!closed_ || on[i] == 0) continue;
+      add(x == 0);
+      add(x + 1 == width_);
+      add(i < width_);
+      add(i + width_ >= on.size());
+    }
+    below_ = std::move(on);
+    ++slices_;
+  }
+
+  std::uint64_t count() const {
+    const auto above = closed_ ? std::count(below_.begin(), below_.end(), 1) : 0;
+    return count_ + static_cast<std::uint64_t>(above);
+  }
+
+ private:
+  void add(bool crosses) { count_ += crosses ? 1U : 0U; }
+
+  std::size_t width_;
+  bool closed_;
+  std::int32_t threshold_;
+  std::vector<std::uint8_t> below_;
+  std::uint32_t slices_ = 0;
+  std::uint64_t count_ = 0;
+};
+
+std::int32_t nanometres(double millimetres) {
+  const double value = std::round(millimetres * 1e6);
+  return static_cast<std::int32_t>(std::clamp(value, -2147483647.0, 2147483647.0));
+}
+
+template <class Index>
+std::uint64_t used_bytes(const Extractor<Index>& extractor) {
+  const HighWater high = extractor.high_water();
+  return bytes_for<Index>(extractor.limits(),
+                          {high.edges, high.runs, high.rings, high.regions, high.slots});
+}
+
+template <class Index, class Sample>
+Extraction extract_samples(VolumeReader& volume, const Limits& limits,
+                           const ExtractionOptions& options, std::uint64_t memory,
+                           const Sink& sink) {
+  std::vector<std::uint8_t> arena(memory);
+  Extractor<Index> extractor;
+  const Status started =
+      extractor.start(limits, options.threshold, {arena.data(), arena.size()}, sink);
+  if (started == Status::too_little_memory)
+    throw std::invalid_argument("--memory " + std::to_string(memory) +
+                                " is too little for slices of " + std::to_string(limits.width) +
+                                "x" + std::to_string(limits.height) + ": give at least " +
+                                std::to_string(minimum_bytes<Index>(limits)) + " bytes");
+  if (started != Status::ok) throw std::invalid_argument(text(started));
+  const VolumeInfo& info = volume.info();
+  std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
+  CrossingCounter crossings(limits, options.threshold);
+  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+    volume.read_slice(slice.data());
+    const Pushed pushed = extractor.push(slice.data(), static_cast<std::uint32_t>(slice.size()));
+    if (pushed.status != Status::ok) throw std::runtime_error(text(pushed.status));
+    crossings.add_slice(slice.data());
+    if (options.progress) options.progress(z + 1);
+  }
+  const Status finished = extractor.finish();
+  if (finished != Status::ok) throw std::runtime_error(text(finished));
+  return {extractor.statistics(), std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2],
+          crossings.count(), memory, used_bytes(extractor)};
+}
+
+template <class Index>
+Extraction extract_indexed(VolumeReader& volume, const Limits& limits,
+                           const ExtractionOptions& options, std::uint64_t memory,
+                           const Sink& sink) {
+  switch (volume.info().type) {
+    case SampleType::u8:
+      return extract_samples<Index, std::uint8_t>(volume, limits, options, memory, sink);
+    case SampleType::u16:
+      return extract_samples<Index, std::uint16_t>(volume, limits, options, memory, sink);
+    case SampleType::i16:
+      break;
+  }
+  return extract_samples<Index, std::int16_t>(volume, limits, options, memory, sink);
+}
+
+}  // namespace
+
+StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options) {
+  StreamHeader header;
+  header.width = info.dims[0];
+  header.height = info.dims[1];
+  header.depth = info.dims[2];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    header.spacing_nm[axis] = nanometres(info.spacing_mm[axis]);
+  header.threshold = options.threshold;
+  header.border = options.border;
+  return header;
+}
+
+Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
+  const VolumeInfo& info = volume.info();
+  const Limits limits{info.dims[0], info.dims[1], options.border};
+  const std::uint64_t generous =
+      std::max(std::min(generous_bytes, worst_case_bytes<std::uint32_t>(limits)),
+               2 * minimum_bytes<std::uint32_t>(limits));
+  const std::uint64_t memory = options.memory > 0 ? options.memory : generous;
+  return options.memory > 0 && memory < small_arena
+             ? extract_indexed<std::uint16_t>(volume, limits, options, memory, sink)
+             : extract_indexed<std::uint32_t>(volume, limits, options, memory, sink);
+}
+
+}  // namespace discmc::host

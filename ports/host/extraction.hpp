@@ -1,0 +1,42 @@
+// A volume through the extractor: what the `extract` command does, slice by slice.
+#ifndef DISCMC_HOST_EXTRACTION_HPP
+#define DISCMC_HOST_EXTRACTION_HPP
+
+#include <cstdint>
+#include <functional>
+
+#include <discmc/extractor.hpp>
+#include <discmc/wire.hpp>
+
+#include "volume.hpp"
+
+namespace discmc::host {
+
+struct ExtractionOptions {
+  std::int32_t threshold = 0;  ///< on stored samples
+  Border border = Border::closed;
+  /// The arena. 0 takes a generous default. Units: bytes
+  std::uint64_t memory = 0;
+  /// Called after every slice with how many are done.
+  std::function<void(std::uint32_t)> progress;
+};
+
+struct Extraction {
+  Statistics statistics{};
+  std::uint64_t voxels = 0;
+  std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
+  std::uint64_t arena_bytes = 0;       ///< given
+  std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by records that were ever in use
+};
+
+/// The header of a volume's stream.
+StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
+
+/// Reads the volume to its end and gives its surface to the sink, which must not say "not now".
+/// Throws VolumeError as the reader does, std::invalid_argument when the memory is too small (the
+/// text names the minimum).
+Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink);
+
+}  // namespace discmc::host
+
+#endif

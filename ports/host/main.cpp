@@ -1,0 +1,266 @@
+// The discmc command.
+#include <CLI/CLI.hpp>
+#include <discmc/extractor.hpp>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "counts.hpp"
+#include "extraction.hpp"
+#include "mesh.hpp"
+#include "output_file.hpp"
+#include "picture.hpp"
+#include "progress.hpp"
+#include "stream_file.hpp"
+#include "summary.hpp"
+#include "surface_builder.hpp"
+#include "volume.hpp"
+
+namespace discmc::host {
+namespace {
+
+constexpr int exit_ok = 0;
+constexpr int exit_failure = 1;
+constexpr int exit_usage = 2;
+constexpr int exit_incomplete = 3;
+
+struct ExtractArguments {
+  std::string volume;
+  std::string output = "-";
+  double iso = 0;
+  Border border = Border::closed;
+  std::uint64_t memory = 0;
+  std::vector<std::uint32_t> dims;
+  std::optional<SampleType> type;
+  bool big_endian = false;
+  std::vector<double> spacing;
+  bool conforming = true;
+  bool quiet = false;
+};
+
+struct StreamArguments {
+  std::string stream;
+  std::string output;
+  bool conforming = true;
+  std::vector<double> view = {-0.9, -1.6, 0.8};
+  std::vector<int> size = {1024, 1024};
+  bool outlines = false;
+};
+
+// Gives every event to the encoder and to the surface.
+struct Tee {
+  Encoder encoder;
+  SurfaceBuilder builder;
+  Answer take(const Event& event) {
+    if (encoder.take(event) != Answer::taken) return Answer::not_now;
+    return builder.take(event);
+  }
+};
+
+std::optional<RawLayout> raw_layout(const ExtractArguments& arguments) {
+  if (arguments.dims.empty()) return std::nullopt;
+  RawLayout layout;
+  std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
+  layout.type = *arguments.type;
+  layout.big_endian = arguments.big_endian;
+  if (!arguments.spacing.empty())
+    std::copy_n(arguments.spacing.begin(), 3, layout.spacing_mm.begin());
+  return layout;
+}
+
+void require(Status status) {
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+int run_extract(const ExtractArguments& arguments) {
+  const Format format = format_of(arguments.output);
+  const auto volume = open_volume(arguments.volume, raw_layout(arguments));
+  const VolumeInfo& info = volume->info();
+  for (const std::string& note : info.notes)
+    std::cerr << "discmc: " << arguments.volume << ": " << note << '\n';
+  OutputFile file(arguments.output);
+  StreamOutput output(format == Format::stream ? &file.stream() : nullptr);
+  Tee tee;
+  ExtractionOptions options{
+      stored_threshold(info, arguments.iso), arguments.border, arguments.memory, {}};
+  require(tee.encoder.start(stream_header(info, options), output.byte_output()));
+  Progress progress("slice", info.dims[2]);
+  options.progress = [&progress](std::uint32_t slices) { progress.show(slices); };
+  const Extraction extraction = extract(*volume, options, sink_to(tee));
+  tee.builder.surface().spacing_mm = info.spacing_mm;
+  if (format != Format::stream)
+    write_surface(tee.builder.surface(), format, arguments.conforming, file.stream());
+  file.commit();
+  if (!arguments.quiet)
+    write_table(extraction, count(tee.builder.surface()), output.bytes(),
+                arguments.output == "-" ? std::cerr : std::cout);
+  return exit_ok;
+}
+
+struct DecodedStream {
+  StreamHeader header;
+  StreamReport report;
+  Surface surface;
+};
+
+DecodedStream decode_stream(const std::string& path) {
+  std::ifstream file;
+  if (path != "-") {
+    file.open(path, std::ios::binary);
+    if (!file)
+      throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
+  }
+  DecodedStream decoded;
+  SurfaceBuilder builder;
+  Progress progress("bytes", 0);
+  decoded.report = read_stream(path == "-" ? std::cin : file, sink_to(builder), decoded.header,
+                               [&progress](std::uint64_t bytes) { progress.show(bytes); });
+  if (!decoded.report.has_header)
+    throw std::runtime_error(path + ": no header of a discmc stream in " +
+                             std::to_string(decoded.report.bytes) + " bytes: is this a .dmc file?");
+  decoded.surface = std::move(builder.surface());
+  decoded.surface.spacing_mm = spacing_mm(decoded.header);
+  return decoded;
+}
+
+// What is missing is said, and told by the exit code, but what is there is used.
+int completeness(const std::string& path, const StreamReport& report) {
+  if (report.is_complete()) return exit_ok;
+  std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
+            << " packets and " << report.lost_regions << " regions are missing"
+            << (report.has_trailer ? "" : ", and its end") << '\n';
+  return exit_incomplete;
+}
+
+int run_decode(const StreamArguments& arguments) {
+  const Format format = format_of(arguments.output);
+  if (format == Format::stream)
+    throw std::invalid_argument(arguments.output +
+                                ": decode writes meshes: use .obj, .ply, .stl or .jsonl");
+  const DecodedStream decoded = decode_stream(arguments.stream);
+  OutputFile file(arguments.output);
+  write_surface(decoded.surface, format, arguments.conforming, file.stream());
+  file.commit();
+  return completeness(arguments.stream, decoded.report);
+}
+
+int run_info(const StreamArguments& arguments) {
+  const DecodedStream decoded = decode_stream(arguments.stream);
+  write_info(decoded.header, decoded.report, count(decoded.surface), std::cout);
+  return completeness(arguments.stream, decoded.report);
+}
+
+int run_render(const StreamArguments& arguments) {
+  const DecodedStream decoded = decode_stream(arguments.stream);
+  const Mesh mesh = build_mesh(decoded.surface, {true, Faces::polygons});
+  PictureOptions options;
+  options.width = arguments.size[0];
+  options.height = arguments.size[1];
+  options.from = {arguments.view[0], arguments.view[1], arguments.view[2]};
+  options.outlines = arguments.outlines;
+  write_picture(mesh, options, arguments.output);
+  return completeness(arguments.stream, decoded.report);
+}
+
+void add_extract(CLI::App& app, ExtractArguments& arguments) {
+  CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
+  extract
+      ->add_option("VOLUME", arguments.volume,
+                   "NRRD, NIfTI-1 or MetaImage file, or headerless samples with --dims and --type")
+      ->required();
+  extract
+      ->add_option("--iso", arguments.iso,
+                   "on means value >= ISO, in the units that the file declares")
+      ->required();
+  extract
+      ->add_option("--border", arguments.border,
+                   "closed: off voxels all around; open: the surface ends at the outermost voxels")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Border>{{"closed", Border::closed}, {"open", Border::open}}));
+  extract
+      ->add_option("--memory", arguments.memory,
+                   "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)")
+      ->transform(CLI::AsSizeValue(false));
+  extract->add_option("-o,--output", arguments.output,
+                      "by extension .dmc, .obj, .ply, .stl or .jsonl; - is the stream on standard "
+                      "output (default)");
+  CLI::Option* dims = extract->add_option("--dims", arguments.dims, "X,Y,Z of a headerless file")
+                          ->delimiter(',')
+                          ->expected(3);
+  CLI::Option* type =
+      extract->add_option("--type", arguments.type, "samples of a headerless file: u8, u16 or i16")
+          ->transform(CLI::CheckedTransformer(std::map<std::string, SampleType>{
+              {"u8", SampleType::u8}, {"u16", SampleType::u16}, {"i16", SampleType::i16}}));
+  dims->needs(type);
+  type->needs(dims);
+  extract->add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
+      ->needs(dims);
+  extract->add_option("--spacing", arguments.spacing, "x,y,z in millimetres of a headerless file")
+      ->delimiter(',')
+      ->expected(3)
+      ->needs(dims);
+  extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
+                    "a mesh without T-junctions (default), or corners alone");
+  extract->add_flag("-q,--quiet", arguments.quiet, "no table");
+}
+
+CLI::App* add_stream_command(CLI::App& app, const char* name, const char* description,
+                             StreamArguments& arguments) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->add_option("STREAM", arguments.stream, "a .dmc file; - reads standard input")
+      ->required();
+  return command;
+}
+
+void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
+  CLI::App* decode = add_stream_command(app, "decode", "Turn a stream into a mesh", arguments);
+  decode->add_option("-o,--output", arguments.output, "by extension .obj, .ply, .stl or .jsonl")
+      ->required();
+  decode->add_flag("--conforming,!--no-conforming", arguments.conforming,
+                   "a mesh without T-junctions (default), or corners alone");
+  add_stream_command(app, "info", "Tell what a stream holds, one key and value a line", arguments);
+  CLI::App* render = add_stream_command(app, "render", "Draw a stream as a PNG picture", arguments);
+  render->add_option("-o,--output", arguments.output, "the PNG file")->required();
+  render->add_option("--view", arguments.view, "x,y,z from the surface to the viewer")
+      ->delimiter(',')
+      ->expected(3);
+  render->add_option("--size", arguments.size, "W,H in pixels")->delimiter(',')->expected(2);
+  render->add_flag("--edges", arguments.outlines, "outline the merged polygons");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{
+      "Surfaces of scanned volumes by Discretized Marching Cubes, merged while they stream",
+      "discmc"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", DISCMC_VERSION);
+  app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
+  ExtractArguments extract_arguments;
+  StreamArguments stream_arguments;
+  add_extract(app, extract_arguments);
+  add_stream_commands(app, stream_arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_ok : exit_usage;
+  }
+  if (app.got_subcommand("extract")) return run_extract(extract_arguments);
+  if (app.got_subcommand("decode")) return run_decode(stream_arguments);
+  if (app.got_subcommand("info")) return run_info(stream_arguments);
+  return run_render(stream_arguments);
+}
+
+}  // namespace
+}  // namespace discmc::host
+
+int main(int argc, char** argv) {
+  try {
+    return discmc::host::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "discmc: " << error.what() << '\n';
+    return discmc::host::exit_failure;
+  }
+}

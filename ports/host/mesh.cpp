@@ -1,0 +1,220 @@
+#include "mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "triangulate.hpp"
+
+namespace discmc::host {
+namespace {
+
+struct VertexHash {
+  std::size_t operator()(const Vertex& vertex) const {
+    std::size_t hash = 0;
+    for (const std::int32_t coordinate : {vertex.x, vertex.y, vertex.z})
+      hash = (hash ^ static_cast<std::uint32_t>(coordinate)) * 0x9E3779B1u;
+    return hash;
+  }
+};
+
+// The lattice positions of a surface, numbered, and the number at every place of every ring.
+class Numbering {
+ public:
+  explicit Numbering(const Surface& surface) {
+    for (const Polygon& polygon : surface.polygons)
+      for (const Ring& ring : polygon.rings)
+        for (const Vertex& vertex : ring) {
+          const auto next = static_cast<std::uint32_t>(positions_.size());
+          const auto [entry, is_new] = numbers_.try_emplace(vertex, next);
+          if (is_new) positions_.push_back(vertex);
+          in_order_.push_back(entry->second);
+        }
+  }
+
+  const std::vector<Vertex>& positions() const { return positions_; }
+  const std::vector<std::uint32_t>& in_order() const { return in_order_; }
+
+ private:
+  std::unordered_map<Vertex, std::uint32_t, VertexHash> numbers_;
+  std::vector<Vertex> positions_;
+  std::vector<std::uint32_t> in_order_;
+};
+
+std::uint64_t undirected(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+// Where three or more boundary links end, some side ends as well, in whichever ring it is.
+std::vector<bool> junctions(const Surface& surface, const Numbering& numbering) {
+  std::vector<std::uint64_t> ends;
+  ends.reserve(numbering.in_order().size());
+  const std::uint32_t* number = numbering.in_order().data();
+  for (const Polygon& polygon : surface.polygons)
+    for (const Ring& ring : polygon.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        ends.push_back(undirected(number[i], number[(i + 1) % ring.size()]));
+      number += ring.size();
+    }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+
+  std::vector<std::uint32_t> degrees(numbering.positions().size(), 0);
+  for (const std::uint64_t end : ends) {
+    ++degrees[end >> 32];
+    ++degrees[end & 0xFFFFFFFFu];
+  }
+  std::vector<bool> result(degrees.size());
+  std::transform(degrees.begin(), degrees.end(), result.begin(),
+                 [](std::uint32_t degree) { return degree >= 3; });
+  return result;
+}
+
+bool turns(const Ring& ring, std::size_t i) {
+  const std::size_t count = ring.size();
+  const Vertex& here = ring[i];
+  return here - ring[(i + count - 1) % count] != ring[(i + 1) % count] - here;
+}
+
+// Two coordinates of the plane, chosen and ordered so that counter-clockwise seen from the tip of
+// the normal stays so. Leaving a coordinate out changes shapes but neither order nor sides.
+PlanePoint in_plane(const Vertex& vertex, const Vertex& origin, const Vertex& n) {
+  const std::int64_t x = std::int64_t{vertex.x} - origin.x;
+  const std::int64_t y = std::int64_t{vertex.y} - origin.y;
+  const std::int64_t z = std::int64_t{vertex.z} - origin.z;
+  if (n.z != 0) return n.z > 0 ? PlanePoint{x, y} : PlanePoint{y, x};
+  if (n.y != 0) return n.y > 0 ? PlanePoint{z, x} : PlanePoint{x, z};
+  return n.x > 0 ? PlanePoint{y, z} : PlanePoint{z, y};
+}
+
+class Builder {
+ public:
+  Builder(const Surface& surface, const MeshOptions& options)
+      : surface_(surface), options_(options), numbering_(surface) {
+    mesh_.spacing_mm = surface.spacing_mm;
+    const Point& s = surface.spacing_mm;
+    mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
+    if (options.conforming) junctions_ = junctions(surface, numbering_);
+    mesh_numbers_.assign(numbering_.positions().size(), not_in_mesh);
+  }
+
+  Mesh build() {
+    const std::uint32_t* number = numbering_.in_order().data();
+    for (std::size_t i = 0; i < surface_.polygons.size(); ++i) {
+      const Polygon& polygon = surface_.polygons[i];
+      std::vector<std::vector<std::uint32_t>> rings;
+      for (const Ring& ring : polygon.rings) {
+        rings.push_back(kept(ring, number));
+        number += ring.size();
+      }
+      add_polygon(static_cast<std::uint32_t>(i), polygon.incidence, rings);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  static constexpr std::uint32_t not_in_mesh = 0xFFFFFFFFu;
+
+  std::vector<std::uint32_t> kept(const Ring& ring, const std::uint32_t* numbers) const {
+    std::vector<std::uint32_t> result;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (turns(ring, i) || (options_.conforming && junctions_[numbers[i]]))
+        result.push_back(numbers[i]);
+    return result;
+  }
+
+  void add_polygon(std::uint32_t polygon, Incidence incidence,
+                   const std::vector<std::vector<std::uint32_t>>& rings) {
+    try {
+      if (rings.size() != 1 || options_.faces == Faces::triangles)
+        add_triangles(polygon, incidence, rings);
+      else if (rings[0].size() < 3)
+        throw std::invalid_argument("ring of less than three corners");
+      else
+        add_face(polygon, incidence, rings[0].data(), rings[0].size());
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("polygon " + std::to_string(polygon) + ": " + error.what());
+    }
+  }
+
+  void add_triangles(std::uint32_t polygon, Incidence incidence,
+                     std::vector<std::vector<std::uint32_t>> rings) {
+    // The triangulator wants numbers from zero; touching rings share theirs.
+    std::vector<std::uint32_t> numbers;
+    for (const auto& ring : rings) numbers.insert(numbers.end(), ring.begin(), ring.end());
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+
+    std::vector<PlanePoint> points;
+    for (const std::uint32_t number : numbers)
+      points.push_back(in_plane(numbering_.positions()[number], numbering_.positions()[numbers[0]],
+                                normal(incidence)));
+    for (auto& ring : rings)
+      for (std::uint32_t& number : ring)
+        number = static_cast<std::uint32_t>(
+            std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin());
+    for (const Triangle& triangle : triangulate(points, rings)) {
+      const std::uint32_t face[] = {numbers[triangle[0]], numbers[triangle[1]],
+                                    numbers[triangle[2]]};
+      add_face(polygon, incidence, face, 3);
+    }
+  }
+
+  void add_face(std::uint32_t polygon, Incidence incidence, const std::uint32_t* numbers,
+                std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      mesh_.corners.push_back(mesh_number(numbers[mirrored_ ? count - 1 - i : i]));
+    mesh_.face_begin.push_back(mesh_.corners.size());
+    mesh_.incidences.push_back(incidence);
+    mesh_.polygons.push_back(polygon);
+  }
+
+  std::uint32_t mesh_number(std::uint32_t number) {
+    std::uint32_t& result = mesh_numbers_[number];
+    if (result == not_in_mesh) {
+      result = static_cast<std::uint32_t>(mesh_.vertices_mm.size());
+      const Vertex& position = numbering_.positions()[number];
+      const Point& s = surface_.spacing_mm;
+      mesh_.vertices_mm.push_back(
+          {position.x * s[0] / 2, position.y * s[1] / 2, position.z * s[2] / 2});
+    }
+    return result;
+  }
+
+  const Surface& surface_;
+  const MeshOptions options_;
+  const Numbering numbering_;
+  bool mirrored_;
+  std::vector<bool> junctions_;
+  std::vector<std::uint32_t> mesh_numbers_;
+  Mesh mesh_;
+};
+
+}  // namespace
+
+Mesh build_mesh(const Surface& surface, const MeshOptions& options) {
+  for (const double spacing : surface.spacing_mm)
+    if (spacing == 0 || !std::isfinite(spacing))
+      throw std::invalid_argument("spacing is zero or not finite");
+  return Builder(surface, options).build();
+}
+
+Point outward_normal(Incidence incidence, const Point& spacing_mm) {
+  // Planes transform by the inverse; a signed inverse also keeps the normal outside.
+  const Vertex n = normal(incidence);
+  const Point scaled = {n.x / spacing_mm[0], n.y / spacing_mm[1], n.z / spacing_mm[2]};
+  const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
+  return {scaled[0] / length, scaled[1] / length, scaled[2] / length};
+}
+
+Ring corners_of(const Ring& ring) {
+  Ring result;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (turns(ring, i)) result.push_back(ring[i]);
+  return result;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mesh.hpp"
+
+namespace discmc::host {
+namespace {
+
+struct DirectedEdge {
+  std::uint64_t undirected;  // the smaller vertex number in the upper half
+  bool falling;              // from the larger number to the smaller one
+};
+
+std::vector<DirectedEdge> directed_edges(const Mesh& mesh) {
+  std::vector<DirectedEdge> edges;
+  edges.reserve(mesh.corners.size());
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const std::size_t count = mesh.face_size(face);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t a = mesh.face(face)[i];
+      const std::uint32_t b = mesh.face(face)[(i + 1) % count];
+      edges.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), a > b});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
+    return a.undirected < b.undirected;
+  });
+  return edges;
+}
+
+bool repeats_a_vertex(const std::uint32_t* face, std::size_t count,
+                      std::vector<std::uint32_t>& sorted) {
+  sorted.assign(face, face + count);
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+// Twice the area against the square of the extent: rounding in millimetres stays far below.
+constexpr double smallest_relative_area = 1e-12;
+
+bool has_area(const Mesh& mesh, const std::uint32_t* face, std::size_t count) {
+  Point area{};
+  double extent = 0;
+  const Point& origin = mesh.vertices_mm[face[0]];
+  for (std::size_t i = 1; i < count; ++i) {
+    Point a, b;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      a[axis] = mesh.vertices_mm[face[i - 1]][axis] - origin[axis];
+      b[axis] = mesh.vertices_mm[face[i]][axis] - origin[axis];
+      extent = std::max(extent, std::abs(b[axis]));
+    }
+    area[0] += a[1] * b[2] - a[2] * b[1];
+    area[1] += a[2] * b[0] - a[0] * b[2];
+    area[2] += a[0] * b[1] - a[1] * b[0];
+  }
+  return std::hypot(area[0], area[1], area[2]) > smallest_relative_area * extent * extent;
+}
+
+}  // namespace
+
+MeshReport check_mesh(const Mesh& mesh) {
+  MeshReport report;
+  const std::vector<DirectedEdge> edges = directed_edges(mesh);
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].undirected == edges[begin].undirected) ++end;
+    ++report.edges;
+    if (end - begin == 1) ++report.open_edges;
+    if (end - begin > 2) ++report.non_manifold_edges;
+    if (end - begin == 2 && edges[begin].falling == edges[begin + 1].falling)
+      ++report.wrongly_oriented;
+  }
+  std::vector<std::uint32_t> scratch;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const std::size_t count = mesh.face_size(face);
+    if (count < 3 || repeats_a_vertex(mesh.face(face), count, scratch) ||
+        !has_area(mesh, mesh.face(face), count))
+      ++report.degenerate_faces;
+  }
+  return report;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,45 @@
+// A picture of a mesh, without a window or a graphics card.
+#ifndef DISCMC_HOST_PICTURE_HPP
+#define DISCMC_HOST_PICTURE_HPP
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "mesh.hpp"
+
+namespace discmc::host {
+
+enum class Projection { orthographic, perspective };
+
+struct PictureOptions {
+  int width = 1024;                ///< Units: pixels. Limit: 1 to 8192
+  int height = 1024;               ///< as width
+  Point from = {-0.9, -1.6, 0.8};  ///< from the mesh to the viewer; any length but zero
+  Point up = {0, 0, 1};            ///< points upwards in the picture
+  Projection projection = Projection::perspective;
+  bool outlines = false;  ///< thin dark lines around the merged polygons
+  std::array<std::uint8_t, 3> colour = {224, 186, 146};  ///< of the surface, sRGB
+};
+
+/// Rows from top to bottom, three bytes (red, green, blue; sRGB) a pixel.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Draws the mesh so that it fills the picture but for a small margin. n-gons need not be convex.
+/// The inside of an open mesh is drawn in a bluish tone.
+/// Throws std::invalid_argument when the options are out of range.
+Picture draw(const Mesh& mesh, const PictureOptions& options = {});
+
+/// Draws the mesh into a PNG file. Throws as draw() does, and std::runtime_error when the file
+/// cannot be written.
+void write_picture(const Mesh& mesh, const PictureOptions& options,
+                   const std::filesystem::path& path);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,48 @@
+#include "stream_file.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace discmc::host {
+
+ByteOutput StreamOutput::byte_output() {
+  return {this, [](void* context, const std::uint8_t* bytes, std::size_t count) {
+            auto& self = *static_cast<StreamOutput*>(context);
+            if (self.out_ != nullptr)
+              self.out_->write(reinterpret_cast<const char*>(bytes),
+                               static_cast<std::streamsize>(count));
+            self.bytes_ += count;
+            return count;
+          }};
+}
+
+StreamReport read_stream(std::istream& in, const Sink& sink, StreamHeader& header,
+                         const std::function<void(std::uint64_t)>& progress) {
+  Decoder decoder;
+  Status status = decoder.start(sink);
+  std::vector<char> buffer(std::size_t{1} << 16);
+  while (in && status == Status::ok) {
+    in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    const auto count = static_cast<std::size_t>(in.gcount());
+    status = decoder.push(reinterpret_cast<const std::uint8_t*>(buffer.data()), count).status;
+    if (progress) progress(decoder.report().bytes);
+  }
+  if (status == Status::ok) status = decoder.finish();
+  if (status == Status::wrong_version)
+    throw std::runtime_error(
+        "the stream is of a version that this program does not know (it knows " +
+        std::to_string(wire::version) + "): use a newer discmc");
+  if (status != Status::ok) throw std::runtime_error(text(status));
+  header = decoder.header();
+  return decoder.report();
+}
+
+std::array<double, 3> spacing_mm(const StreamHeader& header) {
+  std::array<double, 3> spacing{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    spacing[axis] = header.spacing_nm[axis] != 0 ? header.spacing_nm[axis] * 1e-6 : 1.0;
+  return spacing;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,39 @@
+// Streams (.dmc) as files: written through an encoder, read through a decoder.
+#ifndef DISCMC_HOST_STREAM_FILE_HPP
+#define DISCMC_HOST_STREAM_FILE_HPP
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <ostream>
+
+#include <discmc/decoder.hpp>
+#include <discmc/encoder.hpp>
+
+namespace discmc::host {
+
+/// An output that counts what an encoder gives it and passes it on to a stream, if there is one.
+/// Owner: `out` belongs to the caller and outlives the output.
+class StreamOutput {
+ public:
+  explicit StreamOutput(std::ostream* out) : out_(out) {}
+  ByteOutput byte_output();
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  std::ostream* out_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// Decodes a stream to its end; the sink must not say "not now". progress: called now and then with
+/// the bytes read so far. Throws std::runtime_error when the stream's version is not known.
+StreamReport read_stream(std::istream& in, const Sink& sink, StreamHeader& header,
+                         const std::function<void(std::uint64_t)>& progress = {});
+
+/// The header's spacing, 1 where the stream does not say. Units: millimetres.
+std::array<double, 3> spacing_mm(const StreamHeader& header);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,24 @@
+// What the command says of a surface: the table after `extract`, the lines of `info`.
+#ifndef DISCMC_HOST_SUMMARY_HPP
+#define DISCMC_HOST_SUMMARY_HPP
+
+#include <ostream>
+
+#include <discmc/decoder.hpp>
+
+#include "counts.hpp"
+#include "extraction.hpp"
+
+namespace discmc::host {
+
+/// A short table for people: what came in, what came out, what it took.
+void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
+                 std::ostream& out);
+
+/// One `key value` a line, for people and programs.
+void write_info(const StreamHeader& header, const StreamReport& report, const Counts& counts,
+                std::ostream& out);
+
+}  // namespace discmc::host
+
+#endif

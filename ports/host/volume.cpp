@@ -1,0 +1,65 @@
+#include "volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string_view>
+
+#include "volume_format.hpp"
+
+namespace discmc::host {
+namespace {
+
+bool ends_with_one_of(const std::string& name, std::initializer_list<std::string_view> ends) {
+  const std::string_view text = name;
+  return std::any_of(ends.begin(), ends.end(), [text](std::string_view end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
+                                          const std::optional<RawLayout>& layout) {
+  if (layout) return open_raw(file, *layout);
+
+  const std::string name = lower(file.filename().string());
+  if (ends_with_one_of(name, {".nrrd", ".nhdr"})) return open_nrrd(file);
+  if (ends_with_one_of(name, {".mha", ".mhd"})) return open_metaimage(file);
+  if (ends_with_one_of(name, {".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"}))
+    return open_nifti(file);
+
+  ByteStream stream(file);
+  constexpr std::size_t nifti_magic = 344;
+  std::string head(nifti_magic + 3, '\0');
+  head.resize(stream.read(head.data(), head.size()));
+  if (head.rfind("NRRD", 0) == 0) return open_nrrd(file);
+  if (head.rfind("ObjectType", 0) == 0 || head.rfind("NDims", 0) == 0) return open_metaimage(file);
+  if (head.find("n+1", nifti_magic) != std::string::npos) return open_nifti(file);
+  fail(file, "the format is not known",
+       "convert it to NRRD, NIfTI-1 or MetaImage, or give the layout of its samples");
+}
+
+std::int32_t stored_threshold(const VolumeInfo& info, double iso) {
+  constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  if (!std::isfinite(iso)) return static_cast<std::int32_t>(iso < 0 ? least : most);
+
+  // iso, slope and intercept are decimal numbers, each rounded once on its way here.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double reached = iso - rounding * std::fabs(iso) - rounding * std::fabs(info.intercept);
+  // Bisection, since it is exact where a quotient would be rounded, and saturates by itself.
+  std::int64_t low = least;
+  std::int64_t high = most;
+  while (low < high) {
+    const std::int64_t middle = low + (high - low) / 2;
+    if (info.slope * static_cast<double>(middle) + info.intercept >= reached)
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return static_cast<std::int32_t>(low);
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,201 @@
+#include "volume_format.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <system_error>
+
+namespace discmc::host {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+constexpr std::int64_t most_across = 32766;
+// The half-steps of the last slice must fit into 31 bits.
+constexpr std::int64_t most_slices = (std::int64_t{1} << 30) - 1;
+constexpr double least_spacing_mm = 1e-6;
+constexpr double most_spacing_mm = 1e6;
+
+double determinant(const Axes& a) {
+  return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
+         a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+         a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+}
+
+bool usable(double spacing_mm) {
+  const double size = std::fabs(spacing_mm);
+  return size >= least_spacing_mm && size <= most_spacing_mm;
+}
+
+}  // namespace
+
+void fail(const std::filesystem::path& file, const std::string& what, const std::string& remedy) {
+  throw VolumeError(file.string() + ": " + what + "; " + remedy);
+}
+
+void fail_type(const std::filesystem::path& file, std::string_view type) {
+  fail(file, "samples of type " + shown(type) + " are not read",
+       "convert to u8, u16 or i16, e.g. with SimpleITK: Cast(image, sitkInt16)");
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t most_shown = 60;
+  std::string result = "'";
+  for (const char c : text.substr(0, most_shown))
+    result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  return result + (text.size() > most_shown ? "...'" : "'");
+}
+
+std::string header_text(ByteStream& stream) {
+  constexpr std::uint64_t most_header_bytes = 1U << 20;
+  std::string text(static_cast<std::size_t>(std::min(stream.file_bytes(), most_header_bytes)), ' ');
+  text.resize(stream.read(text.data(), text.size()));
+  stream.seek(0);
+  return text;
+}
+
+std::optional<std::string_view> take_line(std::string_view& text) {
+  if (text.empty()) return std::nullopt;
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> result;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const std::size_t end = std::min(text.find_first_of(blanks), text.size());
+    result.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return result;
+}
+
+std::filesystem::path beside(const std::filesystem::path& header, std::string_view name) {
+  return header.parent_path() / std::filesystem::path(std::string(name));
+}
+
+std::int64_t integer(const std::filesystem::path& file, std::string_view field,
+                     std::string_view text) {
+  std::int64_t value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+    fail(file, std::string(field) + " is " + shown(text) + ", which is no whole number in range",
+         "correct the header");
+  return value;
+}
+
+double real(const std::filesystem::path& file, std::string_view field, std::string_view text) {
+  if (lower(text) == "nan") return std::numeric_limits<double>::quiet_NaN();
+  // A stream of its own: strtod follows the user's locale, from_chars is missing in some libraries.
+  std::istringstream in{std::string(text)};
+  in.imbue(std::locale::classic());
+  double value = 0;
+  in >> value;
+  if (text.empty() || !in || in.peek() != std::istringstream::traits_type::eof())
+    fail(file, std::string(field) + " is " + shown(text) + ", which is no number",
+         "correct the header");
+  return value;
+}
+
+void set_dims(VolumeInfo& info, const std::filesystem::path& file,
+              const std::vector<std::int64_t>& sizes) {
+  if (sizes.size() < 2)
+    fail(file, "the data has " + std::to_string(sizes.size()) + " dimensions",
+         "give a volume of three");
+  info.dims = {1, 1, 1};
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
+    const std::string name = "dimension " + std::to_string(axis + 1);
+    const std::string value = std::to_string(sizes[axis]);
+    if (axis >= 3 && sizes[axis] != 1)
+      fail(file, name + " has size " + value + " but one volume is read at a time",
+           "extract one volume");
+    if (axis >= 3) {
+      info.notes.push_back(name + " of size 1 dropped");
+      continue;
+    }
+    const std::int64_t most = axis == 2 ? most_slices : most_across;
+    if (sizes[axis] < 1 || sizes[axis] > most)
+      fail(file, name + " has size " + value + ", outside 1 to " + std::to_string(most),
+           "crop or resample the volume");
+    info.dims[axis] = static_cast<std::uint32_t>(sizes[axis]);
+  }
+  if (sizes.size() == 2) info.notes.emplace_back("two dimensions, taken as one slice");
+}
+
+void set_axes(VolumeInfo& info, const Axes& directions, const std::array<double, 3>& spacing_mm) {
+  constexpr double along = 1 - 1e-9;
+  constexpr double mostly_along = 0.75;  // no other component can be larger
+  Axes unit{};
+  std::array<double, 3> signs{};
+  bool straight = true;
+  bool near = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double size = std::hypot(directions[i][0], directions[i][1], directions[i][2]);
+    if (!usable(size)) {
+      info.notes.emplace_back("axis directions unusable, taken as along the coordinates");
+      set_spacing(info, spacing_mm);
+      return;
+    }
+    for (std::size_t j = 0; j < 3; ++j) unit[i][j] = directions[i][j] / size;
+    signs[i] = std::copysign(1.0, unit[i][i]);
+    straight = straight && std::fabs(unit[i][i]) > along;
+    near = near && std::fabs(unit[i][i]) > mostly_along;
+  }
+  const double hand = std::copysign(1.0, determinant(unit));
+  if (!near || signs[0] * signs[1] * signs[2] != hand) signs = {1, 1, hand};
+  if (!straight) info.notes.emplace_back("rotation dropped");
+  set_spacing(info, {signs[0] * spacing_mm[0], signs[1] * spacing_mm[1], signs[2] * spacing_mm[2]});
+}
+
+void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    info.spacing_mm[axis] = usable(spacing_mm[axis]) ? spacing_mm[axis] : 1;
+    if (usable(spacing_mm[axis])) continue;
+    std::ostringstream note;
+    note.imbue(std::locale::classic());
+    note << "spacing " << spacing_mm[axis] << " of axis " << axis + 1 << " unusable, 1 mm taken";
+    info.notes.push_back(note.str());
+  }
+}
+
+void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope,
+               double intercept) {
+  const std::string formula =
+      "value = " + std::to_string(slope) + " * stored + " + std::to_string(intercept);
+  if (!std::isfinite(slope) || !std::isfinite(intercept))
+    fail(file, formula + " is not finite", "correct the slope and intercept in the header");
+  if (slope < 0)
+    fail(file, formula + " has a negative slope, which turns inside out",
+         "negate the samples and the slope");
+  info.slope = slope == 0 ? 1 : slope;
+  info.intercept = slope == 0 ? 0 : intercept;
+}
+
+void note_origin(VolumeInfo& info, const std::vector<double>& origin) {
+  if (std::all_of(origin.begin(), origin.end(), [](double v) { return v == 0; })) return;
+  std::ostringstream note;
+  note.imbue(std::locale::classic());
+  note << "origin (";
+  for (std::size_t i = 0; i < origin.size(); ++i) note << (i == 0 ? "" : ", ") << origin[i];
+  info.notes.push_back(note.str() + ") dropped");
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,287 @@
+// NRRD0001 to NRRD0005, https://teem.sourceforge.net/nrrd/format.html.
+//
+// The header is parsed here and not by libteem, whose parser (1.12) hands the name in "data file:"
+// to sprintf as a format: "%99999d" writes past its heap block before any check could help.
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <map>
+#include <utility>
+
+#include "volume_format.hpp"
+
+namespace discmc::host {
+namespace {
+
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+struct Header {
+  Fields fields;
+  std::uint64_t bytes = 0;
+  bool closed = false;  // by the empty line that data may follow
+};
+
+bool one_of(std::string_view text, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), text) != names.end();
+}
+
+// The specification's fields and its second spellings; anything else may be a misspelt one that
+// matters.
+std::string field_name(const std::filesystem::path& file, std::string_view text) {
+  const std::string name = lower(trimmed(text));
+  if (name == "datafile") return "data file";
+  if (name == "lineskip") return "line skip";
+  if (name == "byteskip") return "byte skip";
+  if (!one_of(name, {"dimension", "type",       "sizes",     "spacings",    "space directions",
+                     "space",     "units",      "encoding",  "space units", "space dimension",
+                     "endian",    "data file",  "line skip", "byte skip",   "space origin",
+                     "kinds",     "axis mins",  "axis maxs", "axismins",    "axismaxs",
+                     "labels",    "content",    "number",    "thicknesses", "measurement frame",
+                     "centers",   "centerings", "min",       "max",         "sample units",
+                     "old min",   "oldmin",     "old max",   "oldmax",      "sampleunits",
+                     "blocksize", "block size"}))
+    fail(file, "the header field " + shown(name) + " is not known", "correct or delete the line");
+  return name;
+}
+
+Header parse(const std::filesystem::path& file, ByteStream& stream) {
+  const std::string all = header_text(stream);
+  std::string_view rest = all;
+  const std::string_view magic = take_line(rest).value_or("");
+  if (magic.size() != 8 || magic.substr(0, 7) != "NRRD000" || magic[7] < '1' || magic[7] > '5')
+    fail(file, "the file begins with " + shown(magic) + " and not with NRRD0001 to NRRD0005",
+         "check that it is an NRRD file");
+  Header header;
+  while (const auto line = take_line(rest)) {
+    header.closed = line->empty();
+    if (header.closed) break;
+    if (line->front() == '#') continue;
+    const std::size_t colon = line->find(':');
+    if (colon == std::string_view::npos)
+      fail(file, "the header line " + shown(*line) + " has no colon",
+           "end the header with an empty line");
+    if (line->substr(colon, 2) == ":=") continue;  // a key of some program, with its value
+    const std::string name = field_name(file, line->substr(0, colon));
+    if (!header.fields.emplace(name, trimmed(line->substr(colon + 1))).second)
+      fail(file, "the header field " + shown(name) + " is there twice", "delete one of the lines");
+  }
+  header.bytes = all.size() - rest.size();
+  return header;
+}
+
+std::string_view field(const Fields& fields, std::string_view name) {
+  const auto found = fields.find(name);
+  return found == fields.end() ? std::string_view() : std::string_view(found->second);
+}
+
+std::string_view needed(const std::filesystem::path& file, const Fields& fields,
+                        std::string_view name) {
+  const std::string_view text = field(fields, name);
+  if (text.empty())
+    fail(file, "the header field " + shown(name) + " is missing", "add it to the header");
+  return text;
+}
+
+SampleType sample_type(const std::filesystem::path& file, std::string_view text) {
+  const std::string type = lower(text);
+  if (one_of(type, {"uchar", "unsigned char", "uint8", "uint8_t"})) return SampleType::u8;
+  if (one_of(type, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}))
+    return SampleType::u16;
+  if (one_of(type, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}))
+    return SampleType::i16;
+  fail_type(file, text);
+}
+
+void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
+  const auto dimension = integer(file, "dimension", needed(file, fields, "dimension"));
+  std::vector<std::int64_t> sizes;
+  for (const auto word : words(needed(file, fields, "sizes")))
+    sizes.push_back(integer(file, "sizes", word));
+  if (dimension != static_cast<std::int64_t>(sizes.size()))
+    fail(file,
+         "dimension is " + std::to_string(dimension) + " but there are " +
+             std::to_string(sizes.size()) + " sizes",
+         "correct the header");
+  set_dims(info, file, sizes);
+
+  const auto kinds = words(field(fields, "kinds"));
+  for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
+    if (!one_of(lower(kinds[axis]), {"domain", "space", "time", "none", "???"}))
+      fail(file, "axis " + std::to_string(axis + 1) + " is of kind " + shown(kinds[axis]),
+           "extract one component, e.g. with: unu slice");
+}
+
+// Returns the length of each axis's unit in millimetres. The units are strings in double quotes.
+std::array<double, 3> unit_lengths(VolumeInfo& info, std::string_view text) {
+  std::array<double, 3> lengths{1, 1, 1};
+  for (double& length : lengths) {
+    const std::size_t open = text.find('"');
+    if (open == std::string_view::npos) break;
+    text.remove_prefix(open + 1);
+    const std::size_t close = std::min(text.find('"'), text.size());
+    const std::string unit = lower(text.substr(0, close));
+    text.remove_prefix(std::min(close + 1, text.size()));
+    if (one_of(unit, {"m", "meter", "meters", "metre", "metres"})) length = 1000;
+    if (unit == "cm") length = 10;
+    if (one_of(unit, {"um", "\u00b5m", "\u03bcm", "micron", "microns"})) length = 1e-3;
+    if (unit == "nm") length = 1e-6;
+    if (length == 1 && !one_of(unit, {"", "mm", "millimeter", "millimeters", "millimetre"}))
+      info.notes.push_back("unit " + shown(unit) + " taken as mm");
+  }
+  return lengths;
+}
+
+// Parses "(x,y,z)", at most three numbers.
+std::vector<double> vector_of(const std::filesystem::path& file, std::string_view name,
+                              std::string_view text) {
+  std::vector<double> numbers;
+  const bool bracketed = text.size() >= 2 && text.front() == '(' && text.back() == ')';
+  while (bracketed && numbers.size() <= 3) {
+    text.remove_prefix(1);
+    const std::size_t end = text.find_first_of(",)");
+    numbers.push_back(real(file, name, trimmed(text.substr(0, end))));
+    text.remove_prefix(end);
+    if (text.size() == 1) break;
+  }
+  if (numbers.empty() || numbers.size() > 3)
+    fail(file, std::string(name) + " holds " + shown(text) + ", which is no vector of up to three",
+         "correct the header");
+  return numbers;
+}
+
+// What is given for each axis must be there for all of them.
+void expect_per_axis(const std::filesystem::path& file, const Fields& fields, std::string_view name,
+                     std::size_t found) {
+  const std::size_t axes = words(field(fields, "sizes")).size();
+  if (found < std::min<std::size_t>(axes, 3))
+    fail(file,
+         std::string(name) + " holds " + std::to_string(found) + " entries for " +
+             std::to_string(axes) + " dimensions",
+         "correct the header");
+}
+
+void set_directions(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
+  std::string_view text = field(fields, "space directions");
+  const auto units = unit_lengths(info, field(fields, "space units"));
+  const std::string space = lower(field(fields, "space"));
+  const bool left_handed =
+      one_of(space, {"left-anterior-superior", "las", "left-anterior-superior-time", "last",
+                     "3d-left-handed", "3d-left-handed-time"});
+  Axes directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::array<double, 3> spacing{1, 1, 1};
+  std::size_t axis = 0;
+  for (; axis < 3 && !trimmed(text).empty(); ++axis) {
+    text = trimmed(text);
+    const std::size_t end = text.front() == '(' ? text.find(')') : text.find_first_of(" \t");
+    const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
+    text.remove_prefix(word.size());
+    if (lower(trimmed(word)) == "none")
+      fail(file, "axis " + std::to_string(axis + 1) + " has no direction in space",
+           "extract one component, e.g. with: unu slice");
+    const auto numbers = vector_of(file, "space directions", trimmed(word));
+    directions[axis] = {0, 0, 0};
+    std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
+    // Units belong to the coordinates of space, not to the axes.
+    for (std::size_t i = 0; i < 3; ++i) directions[axis][i] *= units[i];
+    spacing[axis] = std::hypot(directions[axis][0], directions[axis][1], directions[axis][2]);
+    if (left_handed) directions[axis][0] = -directions[axis][0];
+  }
+  expect_per_axis(file, fields, "space directions", axis);
+  if (left_handed) info.notes.push_back("x of the left-handed space " + shown(space) + " negated");
+  set_axes(info, directions, spacing);
+}
+
+void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
+  if (!field(fields, "space directions").empty()) {
+    set_directions(info, file, fields);
+  } else {
+    const auto units = unit_lengths(info, field(fields, "units"));
+    const auto spacings = words(field(fields, "spacings"));
+    std::array<double, 3> spacing{1, 1, 1};
+    for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
+      spacing[axis] = units[axis] * real(file, "spacings", spacings[axis]);
+    if (spacings.empty())
+      info.notes.emplace_back("no spacing given, 1 mm taken");
+    else
+      expect_per_axis(file, fields, "spacings", spacings.size());
+    set_spacing(info, spacing);
+  }
+  const std::string_view origin = field(fields, "space origin");
+  if (!origin.empty()) note_origin(info, vector_of(file, "space origin", origin));
+  if (fields.count("old min") + fields.count("oldmin") > 0)
+    info.notes.emplace_back("old min and old max dropped: values are the stored ones");
+}
+
+bool big_endian(const std::filesystem::path& file, const Fields& fields, SampleType type) {
+  if (sample_bytes(type) == 1) return false;
+  const std::string endian = lower(needed(file, fields, "endian"));
+  if (endian != "big" && endian != "little")
+    fail(file, "endian is " + shown(endian), "write big or little");
+  return endian == "big";
+}
+
+std::filesystem::path data_file(const std::filesystem::path& file, std::string_view name) {
+  if (name.substr(0, 4) == "LIST" || name.find('%') != std::string_view::npos)
+    fail(file, "data file is " + shown(name) + ", but data in several files is not read",
+         "join it, e.g. with: unu save -f nrrd -i in.nhdr -o out.nrrd");
+  return beside(file, name);
+}
+
+// Leaves the stream at the first sample. Lines are skipped in the file, bytes in its content.
+void go_to_data(VolumeInfo& info, ByteStream& data, const Fields& fields) {
+  const auto& file = data.file();
+  const std::string encoding = lower(needed(file, fields, "encoding"));
+  const bool gzip = encoding == "gzip" || encoding == "gz";
+  if (!gzip && encoding != "raw")
+    fail(file, "encoding " + shown(encoding) + " is not read",
+         "use raw or gzip, e.g. with: unu save -f nrrd -e gzip -i in.nrrd -o out.nrrd");
+  const auto skip_of = [&](const char* name) {
+    const std::string_view text = field(fields, name);
+    return text.empty() ? 0 : integer(file, name, text);
+  };
+  const auto lines = skip_of("line skip");
+  const auto bytes = skip_of("byte skip");
+  if (lines < 0 || bytes < (gzip ? 0 : -1))
+    fail(file,
+         "line skip " + std::to_string(lines) + ", byte skip " + std::to_string(bytes) +
+             " is not read with encoding " + encoding,
+         "give the bytes to skip as a number from 0");
+  info.format = std::string("NRRD, ") + (gzip ? "gzip" : "raw");
+  data.skip_lines(static_cast<std::uint64_t>(lines));
+  if (gzip) data.start_inflate();
+  if (bytes >= 0) {
+    data.skip(static_cast<std::uint64_t>(bytes));
+  } else {
+    const std::uint64_t volume = info.slice_bytes() * info.dims[2];
+    if (volume > data.file_bytes())
+      fail(file,
+           "the volume has " + std::to_string(volume) + " bytes but the file has only " +
+               std::to_string(data.file_bytes()),
+           "copy or export the file again");
+    data.seek(data.file_bytes() - volume);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_nrrd(const std::filesystem::path& file) {
+  ByteStream stream(file);
+  const Header header = parse(file, stream);
+  VolumeInfo info;
+  info.type = sample_type(file, needed(file, header.fields, "type"));
+  set_sizes(info, file, header.fields);
+  set_geometry(info, file, header.fields);
+  const bool is_big_endian = big_endian(file, header.fields, info.type);
+
+  const std::string_view name = field(header.fields, "data file");
+  if (name.empty() && !header.closed)
+    fail(file, "the header has no end in its first " + std::to_string(header.bytes) + " bytes",
+         "end it with an empty line, or name a data file in it");
+  ByteStream data = name.empty() ? std::move(stream) : ByteStream(data_file(file, name));
+  if (name.empty()) data.seek(header.bytes);
+  go_to_data(info, data, header.fields);
+  if (!name.empty()) info.format += ", detached";
+  return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian);
+}
+
+}  // namespace discmc::host
