@@ -116,9 +116,11 @@ Status Extractor<Index>::resume() {
 template <class Index>
 Status Extractor<Index>::finish() {
   if (state_ == State::idle) return Status::not_started;
-  const bool between_slices = rows_.rows() == 0 || rows_.rows() == limits_.height;
-  if (!between_slices || rows_.column() != 0) return Status::slice_in_progress;
-  if (state_ == State::scanning) state_ = State::finishing;
+  if (state_ == State::scanning) {
+    const bool between_slices = rows_.rows() == 0 || rows_.rows() == limits_.height;
+    if (!between_slices || rows_.column() != 0) return Status::slice_in_progress;
+    state_ = State::finishing;
+  }
   return resume();
 }
 

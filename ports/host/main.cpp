@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <discmc/extractor.hpp>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -100,30 +101,36 @@ int run_extract(const ExtractArguments& arguments) {
   return exit_ok;
 }
 
+// Reads the named stream into the decoder; "-" is standard input.
+void decode_file(const std::string& path, const Sink& sink, Decoder& decoder) {
+  std::ifstream file;
+  if (path != "-") {
+    if (!std::filesystem::is_directory(path)) file.open(path, std::ios::binary);
+    if (!file.is_open())
+      throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
+  }
+  require(decoder.start(sink));
+  Progress progress("bytes", 0);
+  read_stream(path == "-" ? std::cin : file, decoder,
+              [&progress](std::uint64_t bytes) { progress.show(bytes); });
+  if (!decoder.report().has_header)
+    throw std::runtime_error(path + ": no header of a discmc stream in " +
+                             std::to_string(decoder.report().bytes) +
+                             " bytes: is this a .dmc file?");
+}
+
 struct DecodedStream {
   StreamHeader header;
   StreamReport report;
   Surface surface;
 };
 
-DecodedStream decode_stream(const std::string& path) {
-  std::ifstream file;
-  if (path != "-") {
-    file.open(path, std::ios::binary);
-    if (!file)
-      throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
-  }
-  DecodedStream decoded;
+DecodedStream decode_surface(const std::string& path) {
   SurfaceBuilder builder;
-  Progress progress("bytes", 0);
-  decoded.report = read_stream(path == "-" ? std::cin : file, sink_to(builder), decoded.header,
-                               [&progress](std::uint64_t bytes) { progress.show(bytes); });
-  if (!decoded.report.has_header)
-    throw std::runtime_error(path + ": no header of a discmc stream in " +
-                             std::to_string(decoded.report.bytes) + " bytes: is this a .dmc file?");
-  decoded.surface = std::move(builder.surface());
-  decoded.surface.spacing_mm = spacing_mm(decoded.header);
-  return decoded;
+  Decoder decoder;
+  decode_file(path, sink_to(builder), decoder);
+  builder.surface().spacing_mm = spacing_mm(decoder.header());
+  return {decoder.header(), decoder.report(), std::move(builder.surface())};
 }
 
 // What is missing is said, and told by the exit code, but what is there is used.
@@ -135,26 +142,55 @@ int completeness(const std::string& path, const StreamReport& report) {
   return exit_incomplete;
 }
 
+// A stream from a stream: what was whole, packed anew.
+class Recoder {
+ public:
+  Recoder(const Decoder& decoder, const ByteOutput& output) : decoder_(decoder), output_(output) {}
+
+  Answer take(const Event& event) {
+    if (!is_started_) require(encoder_.start(decoder_.header(), output_));
+    is_started_ = true;
+    return encoder_.take(event);
+  }
+  void flush() {
+    if (is_started_ && !encoder_.flush()) throw std::runtime_error("the output takes no more");
+  }
+
+ private:
+  const Decoder& decoder_;
+  ByteOutput output_;
+  Encoder encoder_;
+  bool is_started_ = false;
+};
+
 int run_decode(const StreamArguments& arguments) {
   const Format format = format_of(arguments.output);
-  if (format == Format::stream)
-    throw std::invalid_argument(arguments.output +
-                                ": decode writes meshes: use .obj, .ply, .stl or .jsonl");
-  const DecodedStream decoded = decode_stream(arguments.stream);
   OutputFile file(arguments.output);
-  write_surface(decoded.surface, format, arguments.conforming, file.stream());
+  StreamReport report;
+  if (format == Format::stream) {
+    Decoder decoder;
+    StreamOutput output(&file.stream());
+    Recoder recoder(decoder, output.byte_output());
+    decode_file(arguments.stream, sink_to(recoder), decoder);
+    recoder.flush();
+    report = decoder.report();
+  } else {
+    const DecodedStream decoded = decode_surface(arguments.stream);
+    write_surface(decoded.surface, format, arguments.conforming, file.stream());
+    report = decoded.report;
+  }
   file.commit();
-  return completeness(arguments.stream, decoded.report);
+  return completeness(arguments.stream, report);
 }
 
 int run_info(const StreamArguments& arguments) {
-  const DecodedStream decoded = decode_stream(arguments.stream);
+  const DecodedStream decoded = decode_surface(arguments.stream);
   write_info(decoded.header, decoded.report, count(decoded.surface), std::cout);
   return completeness(arguments.stream, decoded.report);
 }
 
 int run_render(const StreamArguments& arguments) {
-  const DecodedStream decoded = decode_stream(arguments.stream);
+  const DecodedStream decoded = decode_surface(arguments.stream);
   const Mesh mesh = build_mesh(decoded.surface, {true, Faces::polygons});
   PictureOptions options;
   options.width = arguments.size[0];
@@ -216,8 +252,12 @@ CLI::App* add_stream_command(CLI::App& app, const char* name, const char* descri
 }
 
 void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
-  CLI::App* decode = add_stream_command(app, "decode", "Turn a stream into a mesh", arguments);
-  decode->add_option("-o,--output", arguments.output, "by extension .obj, .ply, .stl or .jsonl")
+  CLI::App* decode =
+      add_stream_command(app, "decode", "Turn a stream into a mesh, or pack it anew", arguments);
+  decode
+      ->add_option(
+          "-o,--output", arguments.output,
+          "by extension .dmc, .obj, .ply, .stl or .jsonl; - is a stream on standard output")
       ->required();
   decode->add_flag("--conforming,!--no-conforming", arguments.conforming,
                    "a mesh without T-junctions (default), or corners alone");

@@ -17,10 +17,9 @@ ByteOutput StreamOutput::byte_output() {
           }};
 }
 
-StreamReport read_stream(std::istream& in, const Sink& sink, StreamHeader& header,
-                         const std::function<void(std::uint64_t)>& progress) {
-  Decoder decoder;
-  Status status = decoder.start(sink);
+void read_stream(std::istream& in, Decoder& decoder,
+                 const std::function<void(std::uint64_t)>& progress) {
+  Status status = Status::ok;
   std::vector<char> buffer(std::size_t{1} << 16);
   while (in && status == Status::ok) {
     in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
@@ -34,8 +33,6 @@ StreamReport read_stream(std::istream& in, const Sink& sink, StreamHeader& heade
         "the stream is of a version that this program does not know (it knows " +
         std::to_string(wire::version) + "): use a newer discmc");
   if (status != Status::ok) throw std::runtime_error(text(status));
-  header = decoder.header();
-  return decoder.report();
 }
 
 std::array<double, 3> spacing_mm(const StreamHeader& header) {

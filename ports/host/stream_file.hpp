@@ -26,10 +26,11 @@ class StreamOutput {
   std::uint64_t bytes_ = 0;
 };
 
-/// Decodes a stream to its end; the sink must not say "not now". progress: called now and then with
-/// the bytes read so far. Throws std::runtime_error when the stream's version is not known.
-StreamReport read_stream(std::istream& in, const Sink& sink, StreamHeader& header,
-                         const std::function<void(std::uint64_t)>& progress = {});
+/// Gives a decoder that has been started a stream to its end; its sink must not say "not now".
+/// progress: called now and then with the bytes read so far.
+/// Throws std::runtime_error when the stream's version is not known.
+void read_stream(std::istream& in, Decoder& decoder,
+                 const std::function<void(std::uint64_t)>& progress = {});
 
 /// The header's spacing, 1 where the stream does not say. Units: millimetres.
 std::array<double, 3> spacing_mm(const StreamHeader& header);
