@@ -193,9 +193,8 @@ void Decoder::read_record() {
 }
 
 bool Decoder::read_region() {
-  record_ = Record{};
+  record_.begin(model_.incidence(no_incidence));
   record_.is_last = true;
-  record_.incidence = model_.incidence(no_incidence);
   const uint32_t rings = model_.ring_count(1);
   for (uint32_t ring = 0; ring < rings; ++ring)
     if (!read_ring(ring > 0)) return false;
@@ -245,7 +244,7 @@ bool Decoder::read_ring(bool further) {
 }
 
 bool Decoder::read_part() {
-  record_ = Record{};
+  record_.begin(no_incidence);
   model_.part(record_);
   for (;;) {
     if (!record_.has_room(Record::ring_words) && !record_.has_room(1)) {

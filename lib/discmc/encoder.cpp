@@ -31,8 +31,7 @@ Answer Encoder::take(const Event& event) {
   switch (event.kind) {
     case Event::Kind::region:
     case Event::Kind::fragment:
-      record_ = Record{};
-      record_.incidence = event.incidence;
+      record_.begin(event.incidence);
       record_.is_fragment = event.kind == Event::Kind::fragment;
       record_.number = event.number;
       break;
@@ -56,7 +55,7 @@ Answer Encoder::take(const Event& event) {
       done = put_trailer(event);
       break;
     case Event::Kind::lost:
-      record_ = Record{};
+      record_.begin(no_incidence);
       break;
   }
   return done ? Answer::taken : Answer::not_now;

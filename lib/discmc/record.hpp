@@ -22,6 +22,16 @@ struct Record {
   uint32_t count = 0;
   uint32_t word[max_words];
 
+  /// Empties the record and makes it the first part of a region.
+  void begin(Incidence of) {
+    incidence = of;
+    is_fragment = false;
+    continues = false;
+    is_last = false;
+    number = 0;
+    count = 0;
+  }
+
   bool has_room(uint32_t words) const { return count + words <= max_words; }
   void add_run(Run run) { word[count++] = run.code(); }
   void add_ring(const Vertex& start) {

@@ -1,4 +1,6 @@
 // The discmc command.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <discmc/extractor.hpp>
 #include <exception>
@@ -78,6 +80,8 @@ void require(Status status) {
 
 int run_extract(const ExtractArguments& arguments) {
   const Format format = format_of(arguments.output);
+  if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
+    throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
   const auto volume = open_volume(arguments.volume, raw_layout(arguments));
   const VolumeInfo& info = volume->info();
   for (const std::string& note : info.notes)
@@ -215,28 +219,36 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
       ->add_option("--border", arguments.border,
                    "closed: off voxels all around; open: the surface ends at the outermost voxels")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Border>{{"closed", Border::closed}, {"open", Border::open}}));
+          std::map<std::string, Border>{{"closed", Border::closed}, {"open", Border::open}}))
+      ->option_text("closed|open");
   extract
       ->add_option("--memory", arguments.memory,
                    "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)")
-      ->transform(CLI::AsSizeValue(false));
+      ->transform(CLI::AsSizeValue(false))
+      ->option_text("BYTES");
   extract->add_option("-o,--output", arguments.output,
                       "by extension .dmc, .obj, .ply, .stl or .jsonl; - is the stream on standard "
                       "output (default)");
-  CLI::Option* dims = extract->add_option("--dims", arguments.dims, "X,Y,Z of a headerless file")
-                          ->delimiter(',')
-                          ->expected(3);
+  CLI::Option* dims =
+      extract->add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
+          ->delimiter(',')
+          ->expected(3)
+          ->option_text("X,Y,Z");
   CLI::Option* type =
-      extract->add_option("--type", arguments.type, "samples of a headerless file: u8, u16 or i16")
+      extract->add_option("--type", arguments.type, "samples of a headerless file")
           ->transform(CLI::CheckedTransformer(std::map<std::string, SampleType>{
-              {"u8", SampleType::u8}, {"u16", SampleType::u16}, {"i16", SampleType::i16}}));
+              {"u8", SampleType::u8}, {"u16", SampleType::u16}, {"i16", SampleType::i16}}))
+          ->option_text("u8|u16|i16");
   dims->needs(type);
   type->needs(dims);
   extract->add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
       ->needs(dims);
-  extract->add_option("--spacing", arguments.spacing, "x,y,z in millimetres of a headerless file")
+  extract
+      ->add_option("--spacing", arguments.spacing,
+                   "of a headerless file, in millimetres (default: 1,1,1)")
       ->delimiter(',')
       ->expected(3)
+      ->option_text("X,Y,Z")
       ->needs(dims);
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
@@ -264,10 +276,14 @@ void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
   add_stream_command(app, "info", "Tell what a stream holds, one key and value a line", arguments);
   CLI::App* render = add_stream_command(app, "render", "Draw a stream as a PNG picture", arguments);
   render->add_option("-o,--output", arguments.output, "the PNG file")->required();
-  render->add_option("--view", arguments.view, "x,y,z from the surface to the viewer")
+  render->add_option("--view", arguments.view, "direction from the surface to the viewer")
       ->delimiter(',')
-      ->expected(3);
-  render->add_option("--size", arguments.size, "W,H in pixels")->delimiter(',')->expected(2);
+      ->expected(3)
+      ->option_text("X,Y,Z");
+  render->add_option("--size", arguments.size, "of the picture, in pixels (default: 1024,1024)")
+      ->delimiter(',')
+      ->expected(2)
+      ->option_text("W,H");
   render->add_flag("--edges", arguments.outlines, "outline the merged polygons");
 }
 
