@@ -1,0 +1,289 @@
+// Fuzz target: any small volume, fed in any portions, in any memory, to a sink that refuses as it
+// likes. Without cuts the regions must be those of the paper's Merge; with cuts, however many, they
+// must make up the same surface; and neither index width, portions nor refusals may show.
+//
+//   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
+//   fuzz_merge corpus/merge                   with replay_main.cpp
+#include <cstdio>
+#include <cstdlib>
+
+#include "reference/agreement.hpp"
+#include "reference/event_log.hpp"
+#include "reference/scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+void require(bool holds, const char* broken) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", broken);
+  std::abort();
+}
+
+/// Numbers out of the input; zeros once it is used up.
+class Bytes {
+ public:
+  Bytes(const uint8_t* data, size_t size) : data_(data), size_(size) {}
+
+  bool is_empty() const { return at_ == size_; }
+  uint32_t byte() { return is_empty() ? 0 : data_[at_++]; }
+  uint32_t word() {
+    const uint32_t low = byte();
+    return low | byte() << 8;
+  }
+  uint32_t below(uint32_t limit) { return byte() % limit; }
+
+ private:
+  const uint8_t* data_;
+  size_t size_;
+  size_t at_ = 0;
+};
+
+/// What the caller does for one row of the volume.
+enum class Feed : uint8_t { samples, strided, bits, skip_off, skip_repeated };
+
+struct Scenario {
+  Limits limits;
+  Capacities capacities;
+  bool takes_fragments;
+  bool is_abandoned;
+  bool is_wide;
+  uint32_t chunk;          ///< samples a push, when rows are pushed
+  uint32_t refusals;       ///< of 256 offers
+  uint32_t refusal_seed;   ///< for which of them
+  std::vector<Feed> feed;  ///< by row of the whole volume
+  uint32_t last_samples;   ///< of a row begun after those, when the scan is abandoned
+  BitVolume volume;        ///< what the extractor is to see, substitutes included
+};
+
+Capacities read_capacities(Bytes& bytes, const Limits& limits, bool is_wide) {
+  const Capacities least = minimum_capacities();
+  switch (bytes.below(4)) {
+    case 0:  // enough for anything
+      return worst_case_capacities(limits);
+    case 1: {
+      const uint64_t room = bytes.word();
+      return is_wide ? default_capacities<uint32_t>(limits, minimum_bytes<uint32_t>(limits) + room)
+                     : default_capacities<uint16_t>(limits, minimum_bytes<uint16_t>(limits) + room);
+    }
+    case 2: {  // one pool is short
+      Capacities capacities = worst_case_capacities(limits);
+      uint32_t* const pools[] = {&capacities.edges, &capacities.runs, &capacities.rings,
+                                 &capacities.regions, &capacities.slots};
+      const uint32_t minima[] = {least.edges, least.runs, least.rings, least.regions, least.slots};
+      const uint32_t pool = bytes.below(5);
+      *pools[pool] = minima[pool] + bytes.byte();
+      return capacities;
+    }
+    default:
+      return {least.edges + bytes.byte(), least.runs + bytes.byte(), least.rings + bytes.below(32),
+              least.regions + bytes.byte(), least.slots + bytes.byte()};
+  }
+}
+
+void read_row(Bytes& bytes, BitVolume& volume, size_t row, Feed feed) {
+  const auto begin = volume.on.begin() + static_cast<std::ptrdiff_t>(row * volume.width);
+  if (feed == Feed::skip_off) return;
+  if (feed == Feed::skip_repeated) {
+    if (row > 0) std::copy_n(begin - volume.width, volume.width, begin);
+    return;
+  }
+  for (uint32_t x = 0; x < volume.width; x += 8) {
+    const uint32_t bits = bytes.byte();
+    for (uint32_t i = x; i < x + 8 && i < volume.width; ++i)
+      begin[i] = static_cast<uint8_t>(bits >> (i - x) & 1);
+  }
+}
+
+// A row's way of feeding takes no byte of its own: most rows come as samples.
+Feed feed_of(uint32_t pattern, size_t row) {
+  const uint32_t roll = (pattern + static_cast<uint32_t>(row) * 0x9E3779B1U) >> 24;
+  if (pattern % 3 == 0 || roll < 128) return Feed::samples;
+  return static_cast<Feed>(1 + roll % 4);
+}
+
+Scenario read_scenario(Bytes& bytes) {
+  const uint32_t flags = bytes.byte();
+  const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
+  // Now and then a row longer than a word.
+  const uint32_t width = (flags & 64) != 0 ? 29 + bytes.below(8) : 1 + bytes.below(9);
+  const Size size{width, 1 + bytes.below(8), bytes.below(7)};
+  Scenario scenario{
+      {size.width, size.height, border}, {}, true, false, false, 0, 0, 0, {}, 0, BitVolume(size)};
+  scenario.takes_fragments = (flags & 2) == 0;
+  scenario.is_abandoned = (flags & 4) != 0;
+  scenario.is_wide = (flags & 8) != 0;
+  scenario.capacities = read_capacities(bytes, scenario.limits, scenario.is_wide);
+  scenario.chunk = 1 + bytes.byte();
+  scenario.refusals = bytes.byte() % 250;
+  scenario.refusal_seed = bytes.byte();
+  const uint32_t pattern = bytes.word() * 2654435761U;
+  size_t rows = size_t{size.height} * size.depth;
+  if (scenario.is_abandoned && rows > 0) {
+    // What never came is off, up to the end of the slice that was begun.
+    rows = bytes.byte() % rows;
+    scenario.last_samples = bytes.below(size.width);
+  }
+  const size_t fed_rows = rows + (scenario.last_samples > 0 ? 1 : 0);
+  for (size_t row = 0; row < fed_rows; ++row) {
+    const Feed feed = row < rows ? feed_of(pattern, row) : Feed::samples;
+    scenario.feed.push_back(feed);
+    read_row(bytes, scenario.volume, row, feed);
+  }
+  if (scenario.is_abandoned) {
+    scenario.volume.depth = static_cast<uint32_t>((fed_rows + size.height - 1) / size.height);
+    scenario.volume.on.resize(scenario.volume.voxels());
+    scenario.feed.resize(rows);
+    for (uint32_t x = scenario.last_samples; scenario.last_samples > 0 && x < size.width; ++x)
+      scenario.volume.on[rows * size.width + x] = 0;
+  }
+  return scenario;
+}
+
+template <class Index>
+class Feeder {
+ public:
+  Feeder(Extractor<Index>& extractor, const Scenario& scenario)
+      : extractor_(extractor), scenario_(scenario) {}
+
+  void feed_all() {
+    for (size_t row = 0; row < scenario_.feed.size(); ++row) feed_row(row);
+    if (scenario_.last_samples == 0) return;
+    push(scenario_.volume.on.data() + scenario_.feed.size() * scenario_.limits.width,
+         scenario_.last_samples, 1);
+  }
+
+  void end() {
+    for (bool is_first = true;; is_first = false) {
+      // Once it is under way an ending goes on by any call.
+      const Status status = !is_first && scenario_.chunk % 2 == 0 ? extractor_.resume()
+                            : scenario_.is_abandoned              ? extractor_.abandon()
+                                                                  : extractor_.finish();
+      if (status == Status::ok) return;
+      require(status == Status::more, text(status));
+    }
+  }
+
+ private:
+  void feed_row(size_t row) {
+    const uint8_t* samples = scenario_.volume.on.data() + row * scenario_.limits.width;
+    switch (scenario_.feed[row]) {
+      case Feed::samples:
+        return push(samples, scenario_.limits.width, 1);
+      case Feed::strided:
+        return push_strided(samples);
+      case Feed::bits:
+        return push_bits(samples);
+      case Feed::skip_off:
+        return whole_row([&] { return extractor_.skip_row(Substitute::off); });
+      case Feed::skip_repeated:
+        return whole_row([&] { return extractor_.skip_row(Substitute::previous_row); });
+    }
+  }
+
+  template <class Sample>
+  void push(const Sample* samples, uint32_t count, uint32_t stride) {
+    for (uint32_t at = 0; at < count;) {
+      const uint32_t part = scenario_.chunk < count - at ? scenario_.chunk : count - at;
+      const Pushed pushed = extractor_.push(samples + at * stride, part, stride);
+      require(pushed.status == Status::ok || pushed.status == Status::more, text(pushed.status));
+      require(pushed.samples <= part, "push took more than it was given");
+      at += pushed.samples;
+    }
+  }
+
+  // Every third sample of another type, with values that would be on in between.
+  void push_strided(const uint8_t* samples) {
+    std::vector<int16_t> spread(size_t{3} * scenario_.limits.width - 2, INT16_MAX);
+    for (size_t x = 0; x < scenario_.limits.width; ++x)
+      spread[3 * x] = samples[x] != 0 ? int16_t{1} : INT16_MIN;
+    push(spread.data(), scenario_.limits.width, 3);
+  }
+
+  void push_bits(const uint8_t* samples) {
+    // Bits beyond the row are to be ignored.
+    std::vector<uint8_t> bits((scenario_.limits.width + 7) / 8, 0xFF);
+    for (size_t x = 0; x < scenario_.limits.width; ++x)
+      if (samples[x] == 0) bits[x / 8] &= static_cast<uint8_t>(~(1U << x % 8));
+    whole_row([&] { return extractor_.push_bits(bits.data()); });
+  }
+
+  template <class Call>
+  void whole_row(Call call) {
+    for (;;) {
+      const Pushed pushed = call();
+      require(pushed.status == Status::ok || pushed.status == Status::more, text(pushed.status));
+      if (pushed.samples == scenario_.limits.width) return;
+      require(pushed.status == Status::more, "a row was not taken, and why is not told");
+    }
+  }
+
+  Extractor<Index>& extractor_;
+  const Scenario& scenario_;
+};
+
+template <class Index>
+EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
+  EventLog log(std::move(refuses), scenario.takes_fragments);
+  Block block(bytes_for<Index>(scenario.limits, scenario.capacities),
+              scenario.chunk % 2 == 0 ? Block::Kind::exact : Block::Kind::guarded);
+  Extractor<Index> extractor;
+  const Status started = extractor.start(scenario.limits, scenario.capacities, 1, block.memory(),
+                                         sink_to(log, scenario.takes_fragments));
+  require(started == Status::ok, text(started));
+  Feeder<Index> feeder(extractor, scenario);
+  feeder.feed_all();
+  feeder.end();
+  require(log.collector().is_finished(), "the scan has no finish event");
+  require(block.is_intact(), "a write outside the arena");
+  return log;
+}
+
+void check_surface(const Scenario& scenario, const Collector& collector) {
+  const bool closed = scenario.limits.border == Border::closed;
+  const Statistics& statistics = collector.statistics();
+  require(collector.was_abandoned() == scenario.is_abandoned, "the sink is told another ending");
+  require(collector.layers().size() == scenario.volume.depth, "another number of slices");
+  require(collector.split_sides() == 0, "a straight side in more runs than it needs");
+  const std::string unlike = unlike_surface(collector.regions(), scenario.volume, closed);
+  require(unlike.empty(), unlike.c_str());
+  uint64_t facets = 0;
+  for_each_cell(scenario.volume, closed, [&](const Vertex&, Configuration configuration) {
+    facets += cell_facts.facets[configuration];
+  });
+  require(statistics.facets == facets, "statistics count other facets");
+  if (statistics.cuts != 0) return;
+  const std::string difference = unlike_merge(collector.regions(), scenario.volume, closed);
+  require(difference.empty(), difference.c_str());
+}
+
+void check(const Scenario& scenario) {
+  const auto refuses = [&scenario](uint64_t offer) {
+    const auto mixed =
+        static_cast<uint32_t>(offer + 1) * 0x9E3779B1U * (2 * scenario.refusal_seed + 1);
+    return (mixed >> 24) < scenario.refusals;
+  };
+  const EventLog log =
+      scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
+  check_surface(scenario, log.collector());
+  if (!are_valid<uint16_t>(scenario.capacities)) return;
+  Scenario plain = scenario;
+  plain.chunk = 1 << 20;
+  const EventLog other = scenario.is_wide ? run<uint16_t>(plain, {}) : run<uint32_t>(plain, {});
+  require(other.words() == log.words(), "events depend on index width, portions or refusals");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  Bytes bytes(data, size);
+  const Scenario scenario = read_scenario(bytes);
+  try {
+    check(scenario);
+  } catch (const std::exception& error) {
+    require(false, error.what());
+  }
+  return 0;
+}

@@ -1,0 +1,241 @@
+// Fuzz target: the lookup tables on any neighbourhood of cells. Eight bytes of the input are the
+// bits of 4 x 4 x 4 voxels, 27 cells; every further eight bytes are another such block.
+//
+//   fuzz_table -max_len=64 corpus/table      with libFuzzer
+//   fuzz_table corpus/table                  with replay_main.cpp
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <discmc/patch_table.hpp>
+#include <map>
+#include <vector>
+
+#include "reference/surface.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+void require(bool holds, const char* broken) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", broken);
+  std::abort();
+}
+
+constexpr int32_t side = 4;  // voxels
+
+/// A directed link as it lies in space.
+struct UnitLink {
+  Vertex from, to;
+};
+
+bool operator<(const UnitLink& a, const UnitLink& b) {
+  return a.from == b.from ? before(a.to, b.to) : before(a.from, b.from);
+}
+
+// How often a link is taken less how often its opposite is, without the zeros.
+class LinkSum {
+ public:
+  void add(const UnitLink& link) {
+    const bool forwards = before(link.from, link.to);
+    const auto entry = sum_.try_emplace(forwards ? link : UnitLink{link.to, link.from}, 0).first;
+    entry->second += forwards ? 1 : -1;
+    if (entry->second == 0) sum_.erase(entry);
+  }
+  const std::map<UnitLink, int>& sum() const { return sum_; }
+
+ private:
+  std::map<UnitLink, int> sum_;
+};
+
+bool operator==(const LinkSum& a, const LinkSum& b) {
+  const auto same = [](const auto& x, const auto& y) {
+    return x.first.from == y.first.from && x.first.to == y.first.to && x.second == y.second;
+  };
+  return a.sum().size() == b.sum().size() &&
+         std::equal(a.sum().begin(), a.sum().end(), b.sum().begin(), same);
+}
+
+std::vector<UnitLink> links_of(const Vertex& cell, const FacetRing& ring) {
+  std::vector<UnitLink> result;
+  const Vertex origin = cell + cell;
+  for (int p = 0; p < ring.count; ++p)
+    result.push_back(
+        {origin + position(ring.point[p]), origin + position(ring.point[(p + 1) % ring.count])});
+  return result;
+}
+
+template <class Visit>
+void for_each_facet(Configuration configuration, Visit visit) {
+  for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i)
+    visit(facet_table.facet[i]);
+}
+
+template <class Visit>
+void for_each_patch(Configuration configuration, Visit visit) {
+  for (int i = patch_table.first[configuration]; i < patch_table.first[configuration + 1]; ++i)
+    visit(patch_table.patch[patch_table.index[i]]);
+}
+
+// Facets of neighbouring cells leave links over only on the outside of the block.
+void check_cancelling(const BitVolume& block) {
+  LinkSum sum;
+  for_each_cell(block, false, [&](const Vertex& cell, Configuration configuration) {
+    for_each_facet(configuration, [&](Facet facet) {
+      for (const UnitLink& link : links_of(cell, facet_rings.ring[facet])) sum.add(link);
+    });
+  });
+  constexpr int32_t last = 2 * side - 2;
+  const auto outside = [](int32_t a, int32_t b) { return a == b && (a == 0 || a == last); };
+  for (const auto& [link, times] : sum.sum()) {
+    const auto& [a, b] = link;
+    require(times == 1 || times == -1, "a link on the outside belongs to two facets");
+    require(outside(a.x, b.x) || outside(a.y, b.y) || outside(a.z, b.z),
+            "facets of neighbouring cells do not cancel");
+  }
+}
+
+// across_edge() leads back, and to a facet of the same plane that shares the edge.
+void check_adjacency(const Vertex& cell, Facet facet) {
+  const FacetRing& ring = facet_rings.ring[facet];
+  require(ring.count == 3 || ring.count == 4, "a facet without a ring is in the table");
+  const std::vector<UnitLink> own = links_of(cell, ring);
+  for (int edge = 0; edge < ring.count; ++edge) {
+    const Neighbour neighbour = across_edge(facet, edge);
+    require(incidence_of(neighbour.facet) == incidence_of(facet), "a neighbour on another plane");
+    const UnitLink& shared = own[static_cast<size_t>(edge)];
+    const FacetRing& other = facet_rings.ring[neighbour.facet];
+    bool leads_back = false;
+    for (int back = 0; back < other.count; ++back) {
+      const UnitLink link = links_of(cell + neighbour.cell, other)[static_cast<size_t>(back)];
+      if (link.from != shared.to || link.to != shared.from) continue;
+      const Neighbour home = across_edge(neighbour.facet, back);
+      leads_back = home.facet == facet && home.cell == -neighbour.cell;
+    }
+    require(leads_back, "a neighbour's shared edge does not lead back");
+  }
+}
+
+// The plane of a facet goes on in at most the facet that across_edge() names.
+void check_continuation(const BitVolume& block, const Vertex& cell, Facet facet) {
+  const std::vector<UnitLink> own = links_of(cell, facet_rings.ring[facet]);
+  for (int edge = 0; edge < facet_rings.ring[facet].count; ++edge) {
+    const UnitLink& shared = own[static_cast<size_t>(edge)];
+    const Neighbour named = across_edge(facet, edge);
+    for_each_cell(block, false, [&](const Vertex& other, Configuration configuration) {
+      for_each_facet(configuration, [&](Facet candidate) {
+        if (incidence_of(candidate) != incidence_of(facet)) return;
+        for (const UnitLink& link : links_of(other, facet_rings.ring[candidate]))
+          if (link.from == shared.to && link.to == shared.from)
+            require(candidate == named.facet && other == cell + named.cell,
+                    "a facet of the plane that across_edge() does not name");
+      });
+    });
+  }
+}
+
+// A patch is what the facets of its incidence leave over; its links know their places.
+void check_patches(Configuration configuration) {
+  std::map<Incidence, LinkSum> by_facets;
+  std::map<Incidence, LinkSum> by_patches;
+  const Vertex cell{0, 0, 0};
+  for_each_facet(configuration, [&](Facet facet) {
+    for (const UnitLink& link : links_of(cell, facet_rings.ring[facet]))
+      by_facets[incidence_of(facet)].add(link);
+  });
+  int links_in_all = 0;
+  int patches = 0;
+  unsigned below = 0;
+  for_each_patch(configuration, [&](const Patch& patch) {
+    ++patches;
+    links_in_all += patch.count;
+    require(by_patches.count(patch.incidence) == 0, "two patches of one incidence");
+    LinkSum& sum = by_patches[patch.incidence];
+    Vertex from = position(patch.start);
+    for (int i = 0; i < patch.count; ++i) {
+      const Vertex to = from + direction_vector(patch.incidence, patch.direction(i));
+      sum.add({from, to});
+      const int face = face_of(point_at(from), point_at(to));
+      const int place =
+          face == faces ? int{spoke} : 2 * face + place_in_face(point_at(from), point_at(to));
+      require(patch.place(i) == place, "a link that is told in another place");
+      if (face == face_below) below |= 1U << (place & 1);
+      from = to;
+    }
+    require(from == position(patch.start), "a patch that is not closed");
+    bool has_ahead = false;
+    for (int i = 0; i < patch.count; ++i) has_ahead = has_ahead || is_ahead(patch.place(i));
+    require(!has_ahead || is_ahead(patch.place(0)), "a patch does not begin with a link ahead");
+  });
+  require(by_facets == by_patches, "patches are not the union of the facets");
+  require(patches <= cell_bounds.patches && links_in_all <= cell_bounds.links,
+          "a cell beyond its bounds");
+  require(below == patch_table.below[configuration & 15], "other links on the face below");
+}
+
+// The links of a cell's patches on one face, by the slot of their place.
+std::map<int, UnitLink> links_on(Configuration configuration, int face, const Vertex& cell) {
+  std::map<int, UnitLink> result;
+  for_each_patch(configuration, [&](const Patch& patch) {
+    Vertex from = cell + cell + position(patch.start);
+    for (int i = 0; i < patch.count; ++i) {
+      const Vertex to = from + direction_vector(patch.incidence, patch.direction(i));
+      if (patch.place(i) != spoke && patch.place(i) / 2 == face)
+        require(result.try_emplace(patch.place(i) & 1, UnitLink{from, to}).second,
+                "two links in one place");
+      from = to;
+    }
+  });
+  return result;
+}
+
+// Both cells that share a face see the same links there, reversed, in the same places.
+void check_face(const BitVolume& block, const Vertex& cell, int axis) {
+  const Vertex step{axis == 0, axis == 1, axis == 2};
+  const Vertex next = cell + step;
+  if (next.x > side - 2 || next.y > side - 2 || next.z > side - 2) return;
+  const auto here = links_on(block.configuration(cell), face_right + axis, cell);
+  const auto there = links_on(block.configuration(next), face_left + axis, next);
+  require(here.size() == there.size(), "one cell sees a link on a face that the other does not");
+  for (const auto& [slot, link] : here) {
+    const auto twin = there.find(slot);
+    require(twin != there.end() && twin->second.from == link.to && twin->second.to == link.from,
+            "two cells see different links in one place");
+  }
+}
+
+// Facets and cells enclose the same volume.
+void check_volume(const BitVolume& block) {
+  int64_t enclosed = 0;
+  for_each_cell(block, true, [&](const Vertex&, Configuration configuration) {
+    enclosed += cell_facts.enclosed[configuration];
+  });
+  const Surface surface = surface_of_cells(block, true);
+  require(surface.six_volumes == enclosed, "facets and cells enclose different volumes");
+  require(surface.open_links == 0, "the facets of a closed surface leave links over");
+}
+
+void check(const BitVolume& block) {
+  check_cancelling(block);
+  check_volume(block);
+  for_each_cell(block, false, [&](const Vertex& cell, Configuration configuration) {
+    for_each_facet(configuration, [&](Facet facet) {
+      check_adjacency(cell, facet);
+      check_continuation(block, cell, facet);
+    });
+    check_patches(configuration);
+    for (int axis = 0; axis < 3; ++axis) check_face(block, cell, axis);
+  });
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  for (size_t at = 0; at < size && at < 64; at += 8) {
+    uint64_t bits = 0;
+    for (size_t i = at; i < at + 8 && i < size; ++i) bits |= uint64_t{data[i]} << 8 * (i - at);
+    check(from_bits({side, side, side}, bits));
+  }
+  return 0;
+}

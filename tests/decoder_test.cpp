@@ -1,0 +1,349 @@
+// The decoder alone: what it refuses, skips and reports, and packets made by hand.
+#include <doctest/doctest.h>
+
+#include "stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using Kind = Event::Kind;
+using wire::PacketKind;
+
+namespace {
+
+constexpr uint8_t records_kind = static_cast<uint8_t>(PacketKind::records);
+
+// A stream of one header, these payloads of records, and no trailer.
+Bytes stream_of(const std::vector<Bytes>& payloads) {
+  Bytes stream = frames_of(encode(Script().finish().events)).front();
+  uint8_t number = 1;
+  for (const Bytes& payload : payloads) {
+    const Bytes frame = frame_of({records_kind, number++, 0, payload});
+    stream.insert(stream.end(), frame.begin(), frame.end());
+  }
+  return stream;
+}
+
+template <class Tell>
+Bytes payload_of(Tell tell) {
+  Payload payload;
+  tell(payload.model);
+  return payload.finish();
+}
+
+template <class Model>
+void tell_layer(Model& model, uint32_t slice) {
+  model.region_follows(false);
+  model.other_kind(OtherKind::layer);
+  model.layer(slice);
+}
+
+// A part of a region across z or of a fragment; its items follow.
+template <class Model>
+void begin_part(Model& model, bool continues, bool is_fragment = false, Incidence incidence = up) {
+  model.region_follows(false);
+  model.other_kind(OtherKind::part);
+  Record record;
+  record.incidence = incidence;
+  record.continues = continues;
+  record.is_fragment = is_fragment;
+  record.number = 6;
+  model.part(record);
+}
+
+template <class Model>
+void tell_run(Model& model, Direction direction, uint32_t length) {
+  model.item_kind(Item::run);
+  model.direction(direction);
+  model.length(length);
+}
+
+template <class Model>
+void tell_ring(Model& model, bool further) {
+  model.item_kind(Item::ring);
+  model.start({1, 0, 0}, further);
+}
+
+template <class Model>
+void end_part(Model& model, bool is_last) {
+  model.item_kind(Item::end);
+  model.end_part(is_last);
+}
+
+// A payload of one part, told by hand and unreadable, between two marks.
+template <class Tell>
+void check_unreadable(Tell tell) {
+  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    tell_layer(model, 1);
+    tell(model);
+    tell_layer(model, 2);
+  })}));
+  CHECK(arrival.events == Script().layer(1).events);
+  CHECK(arrival.report.unreadable_packets == 1);
+  CHECK_FALSE(arrival.report.is_complete());
+}
+
+}  // namespace
+
+TEST_CASE("a decoder needs a sink and a start") {
+  Decoder decoder;
+  const uint8_t byte = 1;
+  CHECK(decoder.push(&byte, 1).status == Status::not_started);
+  CHECK(decoder.finish() == Status::not_started);
+  CHECK(decoder.start(Sink{}) == Status::bad_sink);
+  CHECK(decoder.push(&byte, 1).status == Status::not_started);
+}
+
+TEST_CASE("a decoder that is started again forgets everything") {
+  const Sample sample = samples()[2];
+  const Bytes stream = encode(sample.events, sample.header);
+  Decoder decoder;
+  for (size_t count = 0; count < stream.size(); count += 41) {
+    Log first, second;
+    REQUIRE(decoder.start(sink_to(first)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), count).status == Status::ok);
+    REQUIRE(decoder.start(sink_to(second)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+    CHECK(second.events == sample.events);
+    CHECK(decoder.report().is_complete());
+  }
+}
+
+TEST_CASE("what was whole before a cut is delivered, and the report says that the end is missing") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    const Bytes stream = joined(frames);
+    const std::vector<Events> brought = events_by_frame(frames);
+    const size_t step = 1 + stream.size() / 700;
+    size_t frame = 0, whole = 0, from = 0;
+    for (size_t count = 0; count < stream.size(); ++count) {
+      if (count == from + frames[frame].size()) {
+        from += frames[frame].size();
+        whole += brought[frame++].size();
+      }
+      if (count % step != 0 && count != from && count + 1 != stream.size()) continue;
+      const Arrival cut = decode({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(count)});
+      Events expected(sample.events.begin(), sample.events.begin() + static_cast<std::ptrdiff_t>(whole));
+      const bool was_open = cut.events.size() > whole && cut.events.back().is(Kind::lost);
+      if (was_open) expected.push_back(cut.events.back());
+      REQUIRE(cut.events == expected);
+      CHECK(regions_of(cut.events).size() == cut.report.regions);
+      CHECK_FALSE(cut.report.is_complete());
+      CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
+      CHECK(cut.report.packets == frame);
+    }
+  }
+}
+
+TEST_CASE("noise before, between and after the frames does no harm") {
+  const Sample sample = samples()[4];
+  Chance chance(1);
+  Bytes noisy;
+  uint64_t damaged = 0;
+  for (const Bytes& frame : frames_of(encode(sample.events, sample.header))) {
+    const uint32_t count = chance.below(700);
+    for (uint32_t i = 0; i < count; ++i) noisy.push_back(static_cast<uint8_t>(1 + chance.below(255)));
+    damaged += count > 0;
+    noisy.insert(noisy.end(), 1 + chance.below(3), 0);
+    noisy.insert(noisy.end(), frame.begin(), frame.end());
+  }
+  const Arrival arrival = decode(noisy);
+  CHECK(arrival.events == sample.events);
+  CHECK(arrival.report.is_complete());
+  CHECK(arrival.report.damaged_packets == damaged);
+}
+
+TEST_CASE("an unknown version is told and nothing of it is delivered") {
+  const Sample sample = samples()[2];
+  std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+  Packet header = packet_of(frames[0]);
+  header.payload[3] = 2;
+  header.payload.resize(40, 0x55);
+  frames[0] = frame_of(header);
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.status == Status::wrong_version);
+  CHECK(arrival.events.empty());
+  CHECK_FALSE(arrival.report.has_header);
+}
+
+TEST_CASE("headers that make no sense are no headers") {
+  const Bytes frame = frames_of(encode(Script().finish().events)).front();
+  const auto without_header = [&](size_t at, uint8_t value, size_t size) {
+    Packet packet = packet_of(frame);
+    packet.payload.resize(size);
+    if (at < size) packet.payload[at] = value;
+    const Arrival arrival = decode(frame_of(packet));
+    return !arrival.report.has_header && arrival.report.damaged_packets == 1;
+  };
+  CHECK(without_header(0, 'd', wire::header_payload));
+  CHECK(without_header(4, 0, wire::header_payload));     // width 0
+  CHECK(without_header(5, 0x80, wire::header_payload));  // width above the limit
+  CHECK(without_header(6, 0, wire::header_payload));     // height 0
+  CHECK(without_header(99, 0, wire::header_payload - 1));
+  CHECK_FALSE(without_header(99, 0, wire::header_payload + 5));  // a later version may say more
+}
+
+TEST_CASE("packets of unknown kinds are skipped and lose nothing") {
+  const Sample sample = samples()[4];
+  std::vector<Bytes> frames;
+  uint8_t number = 0;
+  for (const Bytes& frame : frames_of(encode(sample.events, sample.header))) {
+    Packet packet = packet_of(frame);
+    const Packet stranger{static_cast<uint8_t>(number % 2 == 0 ? 4 : 255), number, packet.regions,
+                          Bytes(number % 99, 0xC3)};
+    if (number > 0) frames.push_back(frame_of(stranger));
+    if (number > 0) ++number;
+    packet.number = number++;
+    frames.push_back(frame_of(packet));
+  }
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.events == sample.events);
+  CHECK(arrival.report.is_complete());
+}
+
+TEST_CASE("extension records are skipped") {
+  const Bytes payload = payload_of([](auto& model) {
+    for (const uint32_t bytes : {0U, 1U, 5U, 100U}) {
+      tell_layer(model, bytes);
+      model.region_follows(false);
+      model.other_kind(OtherKind::extension);
+      model.plain_bits(8, 0xEE);
+      model.plain_bits(8, bytes);
+      for (uint32_t i = 0; i < bytes; ++i) model.plain_bits(8, i * 37 & 0xFF);
+    }
+    tell_layer(model, 101);
+  });
+  const Arrival arrival = decode(stream_of({payload}));
+  CHECK(arrival.events == Script().layer(0).layer(1).layer(5).layer(100).layer(101).events);
+  CHECK(arrival.report.unreadable_packets == 0);
+}
+
+TEST_CASE("a region in parts that are all there is delivered as one") {
+  const Bytes first = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 3, 70000);
+    end_part(model, false);
+    begin_part(model, true);
+    end_part(model, false);
+  });
+  const Bytes second = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 7, 1);
+    tell_ring(model, true);
+    end_part(model, false);
+  });
+  const Bytes third = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  Script expected;
+  expected.region(up).ring({1, 0, 0}).run(3, 70000).run(7, 1).ring({1, 0, 0}, true).run(0, 2);
+  CHECK(decode(stream_of({first, second, third})).events == expected.region_end().events);
+  CHECK(decode(stream_of({second, third})).events.empty());
+  Script broken;
+  broken.region(up).ring({1, 0, 0}).run(3, 70000).lost();
+  CHECK(decode(stream_of({first})).events == broken.events);
+  CHECK(decode(stream_of({first, first})).events.size() == 2 * broken.events.size());
+}
+
+TEST_CASE("a mark between parts ends what is open") {
+  const Bytes payload = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    end_part(model, false);
+    tell_layer(model, 9);
+    begin_part(model, true);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  const Events expected = Script().region(up).ring({1, 0, 0}).lost().layer(9).events;
+  CHECK(decode(stream_of({payload})).events == expected);
+}
+
+TEST_CASE("records that break the grammar are refused") {
+  check_unreadable([](auto& model) {  // a run without a ring
+    begin_part(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a ring without a run
+    begin_part(model, false);
+    tell_ring(model, false);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // two rings, the first without a run
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_ring(model, true);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a region without a ring
+    begin_part(model, false);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a ring in a fragment
+    begin_part(model, false, true);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a run too long
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, Run::max_length + 1);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a kind that version 1 does not have
+    model.region_follows(false);
+    model.other_kind(static_cast<OtherKind>(6));
+  });
+  check_unreadable([](auto& model) {  // a region of 0 rings, by a count that wraps
+    model.region_follows(true);
+    model.incidence(up);
+    model.ring_count(0);
+  });
+}
+
+TEST_CASE("a part of another incidence, kind or number does not go on with what is open") {
+  for (const bool is_fragment : {false, true})
+    for (const Incidence incidence : {up, Incidence{0}}) {
+      if (!is_fragment && incidence == up) continue;
+      const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+        begin_part(model, false);
+        tell_ring(model, false);
+        end_part(model, false);
+        begin_part(model, true, is_fragment, incidence);
+        tell_run(model, 0, 2);
+        end_part(model, true);
+      })}));
+      CHECK(arrival.events == Script().region(up).ring({1, 0, 0}).lost().events);
+    }
+}
+
+TEST_CASE("a payload that ends before its records do is refused") {
+  const Bytes whole = payload_of([](auto& model) {
+    for (uint32_t slice = 0; slice < 200; ++slice) tell_layer(model, slice * 3);
+  });
+  for (size_t count = 0; count < whole.size(); ++count) {
+    const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
+    const Arrival arrival = decode(stream_of({part}));
+    CHECK(arrival.events.size() <= 200);
+    (void)regions_of(arrival.events);
+  }
+}
+
+TEST_CASE("nothing is delivered after the trailer") {
+  const Sample sample = samples()[4];
+  const Bytes stream = encode(sample.events, sample.header);
+  const Sample other = samples()[5];
+  Bytes two = stream;
+  const Bytes second = encode(other.events, other.header);
+  two.insert(two.end(), second.begin(), second.end());
+  const Arrival arrival = decode(two);
+  CHECK(arrival.events == sample.events);
+  CHECK(arrival.report.is_complete());
+  CHECK(arrival.report.repeated_packets == frames_of(second).size());
+}

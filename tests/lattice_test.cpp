@@ -1,0 +1,191 @@
+// Statements about the half-step lattice, its links and the directions of a plane; all by
+// exhaustion.
+#include <doctest/doctest.h>
+
+#include <discmc/lattice.hpp>
+
+using namespace discmc;
+
+namespace {
+
+int squared_length(const Vertex& vector) {
+  return dot(vector, vector);
+}
+
+int odd_coordinates(const Vertex& vector) {
+  return (vector.x % 2 != 0) + (vector.y % 2 != 0) + (vector.z % 2 != 0);
+}
+
+template <typename Check>
+void for_each_incidence(Check check) {
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    if (incidence == no_incidence) continue;
+    CAPTURE(int{incidence});
+    check(incidence);
+  }
+}
+
+Direction opposite_direction(Incidence incidence, Direction direction) {
+  const int count = links.direction_count[incidence];
+  return static_cast<Direction>((direction + count / 2) % count);
+}
+
+// All ways to step once from one direction to another in the planes of every incidence.
+template <typename Check>
+void for_each_turn(Check check) {
+  for_each_incidence([&](Incidence incidence) {
+    const Direction count = links.direction_count[incidence];
+    for (Direction from = 0; from < count; ++from)
+      for (Direction to = 0; to < count; ++to) check(incidence, from, to);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("vectors add, subtract, and multiply as vectors do") {
+  constexpr Vertex a{1, -2, 3};
+  constexpr Vertex b{-4, 5, 6};
+  CHECK(a + b == Vertex{-3, 3, 9});
+  CHECK(a - b == Vertex{5, -7, -3});
+  CHECK(-a == Vertex{-1, 2, -3});
+  CHECK(a != b);
+  CHECK(Vertex{1, 2, 3} != Vertex{1, 2, 4});
+  CHECK(Vertex{1, 2, 3} != Vertex{1, 4, 3});
+  CHECK(Vertex{1, 2, 3} != Vertex{4, 2, 3});
+  CHECK(dot(a, b) == 4);
+  CHECK(cross(a, b) == Vertex{-27, -18, -3});
+  CHECK(dot(cross(a, b), a) == 0);
+}
+
+TEST_CASE("an incidence and its normal name each other, and opposites are opposite") {
+  CHECK(normal(no_incidence) == Vertex{0, 0, 0});
+  for_each_incidence([](Incidence incidence) {
+    CHECK(incidence_of(normal(incidence)) == incidence);
+    CHECK(normal(opposite(incidence)) == -normal(incidence));
+    CHECK(normal(incidence) != Vertex{0, 0, 0});
+  });
+}
+
+TEST_CASE("there are 6 axis, 12 diagonal and 8 corner incidences") {
+  int count[4] = {};
+  for_each_incidence([&](Incidence incidence) { ++count[squared_length(normal(incidence))]; });
+  CHECK(count[1] == 6);
+  CHECK(count[2] == 12);
+  CHECK(count[3] == 8);
+}
+
+TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all different") {
+  int diagonals = 0;
+  int axes = 0;
+  for (Link link = 0; link < link_codes; ++link) {
+    const Vertex& vector = links.vector[link];
+    diagonals += squared_length(vector) == 2 && odd_coordinates(vector) == 2;
+    axes += squared_length(vector) == 4 && odd_coordinates(vector) == 0;
+    CHECK(derive::link_of(links, vector) == link);
+  }
+  CHECK(diagonals == 12);
+  CHECK(axes == 6);
+}
+
+TEST_CASE("a link keeps the parity of the coordinate sum, so that it joins vertices") {
+  for (const Vertex& vector : links.vector) CHECK((vector.x + vector.y + vector.z) % 2 == 0);
+}
+
+TEST_CASE("the opposite of a link is opposite") {
+  for (Link link = 0; link < link_codes; ++link)
+    CHECK(links.vector[opposite_link(link)] == -links.vector[link]);
+}
+
+TEST_CASE("no link has a vector that is none") {
+  CHECK(derive::link_of(links, {0, 0, 0}) == link_codes);
+  CHECK(derive::link_of(links, {1, 1, 1}) == link_codes);
+  CHECK(derive::link_of(links, {2, 2, 0}) == link_codes);
+}
+
+TEST_CASE("axis planes have 8 directions, diagonal planes 4, corner planes 6") {
+  constexpr int by_squared_length[] = {0, 8, 4, 6};
+  for_each_incidence([&](Incidence incidence) {
+    const int expected = by_squared_length[squared_length(normal(incidence))];
+    CHECK(links.direction_count[incidence] == expected);
+  });
+}
+
+TEST_CASE("the directions of an incidence are the links in its planes, each once") {
+  for_each_incidence([](Incidence incidence) {
+    for (Link link = 0; link < link_codes; ++link) {
+      const Direction direction = links.direction[incidence][link];
+      const bool in_plane = dot(links.vector[link], normal(incidence)) == 0;
+      CHECK((direction != no_direction) == in_plane);
+      if (!in_plane) continue;
+      CHECK(direction < links.direction_count[incidence]);
+      CHECK(links.link[incidence][direction] == link);
+      CHECK(direction_vector(incidence, direction) == links.vector[link]);
+    }
+  });
+}
+
+TEST_CASE("directions go round counter-clockwise seen from the tip of the normal") {
+  for_each_incidence([](Incidence incidence) {
+    const Direction count = links.direction_count[incidence];
+    for (Direction direction = 0; direction < count; ++direction) {
+      const Vertex here = direction_vector(incidence, direction);
+      // The first half of the round from here is on the left, the second half on the right.
+      for (int steps = 1; steps < count; ++steps) {
+        const auto other = static_cast<Direction>((direction + steps) % count);
+        const int side = dot(cross(here, direction_vector(incidence, other)), normal(incidence));
+        CHECK((side > 0) == (2 * steps < count));
+        CHECK((side == 0) == (2 * steps == count));
+      }
+    }
+  });
+}
+
+TEST_CASE("half a round on, a direction is opposite") {
+  for_each_incidence([](Incidence incidence) {
+    for (Direction direction = 0; direction < links.direction_count[incidence]; ++direction)
+      CHECK(direction_vector(incidence, opposite_direction(incidence, direction)) ==
+            -direction_vector(incidence, direction));
+  });
+}
+
+TEST_CASE("a turn leads from one direction to the other, by the shorter way") {
+  for_each_turn([](Incidence incidence, Direction from, Direction to) {
+    const int count = links.direction_count[incidence];
+    const int turned = turn(incidence, from, to);
+    CHECK((from + turned + count) % count == to);
+    CHECK(turned >= -count / 2);
+    CHECK(turned < count / 2);
+  });
+}
+
+TEST_CASE("a turn is positive where the second direction is on the left of the first") {
+  for_each_turn([](Incidence incidence, Direction from, Direction to) {
+    const int side = dot(cross(direction_vector(incidence, from), direction_vector(incidence, to)),
+                         normal(incidence));
+    const int turned = turn(incidence, from, to);
+    CHECK((turned > 0) == (side > 0));
+    CHECK((turned == 0) == (from == to));
+  });
+}
+
+TEST_CASE("turning back is the opposite turn, but for the half turn, which is always negative") {
+  for_each_turn([](Incidence incidence, Direction from, Direction to) {
+    const bool half = to == opposite_direction(incidence, from);
+    const int turned = turn(incidence, from, to);
+    const int back = turn(incidence, to, from);
+    if (half)
+      CHECK((turned == -links.direction_count[incidence] / 2 && back == turned));
+    else
+      CHECK(back == -turned);
+  });
+}
+
+TEST_CASE("seen from the other side of a plane the directions go round the other way") {
+  for_each_turn([](Incidence incidence, Direction from, Direction to) {
+    if (to == opposite_direction(incidence, from)) return;
+    const auto there = [&](Direction direction) {
+      return links.direction[opposite(incidence)][links.link[incidence][direction]];
+    };
+    CHECK(turn(opposite(incidence), there(from), there(to)) == -turn(incidence, from, to));
+  });
+}
