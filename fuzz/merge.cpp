@@ -117,7 +117,7 @@ Scenario read_scenario(Bytes& bytes) {
   scenario.is_wide = (flags & 8) != 0;
   scenario.capacities = read_capacities(bytes, scenario.limits, scenario.is_wide);
   scenario.chunk = 1 + bytes.byte();
-  scenario.refusals = bytes.byte() % 250;
+  scenario.refusals = bytes.byte() % 200;
   scenario.refusal_seed = bytes.byte();
   const uint32_t pattern = bytes.word() * 2654435761U;
   size_t rows = size_t{size.height} * size.depth;

@@ -117,21 +117,35 @@ void check_adjacency(const Vertex& cell, Facet facet) {
   }
 }
 
-// The plane of a facet goes on in at most the facet that across_edge() names.
-void check_continuation(const BitVolume& block, const Vertex& cell, Facet facet) {
-  const std::vector<UnitLink> own = links_of(cell, facet_rings.ring[facet]);
-  for (int edge = 0; edge < facet_rings.ring[facet].count; ++edge) {
-    const UnitLink& shared = own[static_cast<size_t>(edge)];
-    const Neighbour named = across_edge(facet, edge);
-    for_each_cell(block, false, [&](const Vertex& other, Configuration configuration) {
-      for_each_facet(configuration, [&](Facet candidate) {
-        if (incidence_of(candidate) != incidence_of(facet)) return;
-        for (const UnitLink& link : links_of(other, facet_rings.ring[candidate]))
-          if (link.from == shared.to && link.to == shared.from)
-            require(candidate == named.facet && other == cell + named.cell,
-                    "a facet of the plane that across_edge() does not name");
-      });
+struct PlacedFacet {
+  Vertex cell;
+  Facet facet;
+};
+
+using FacetsByLink = std::map<UnitLink, std::vector<PlacedFacet>>;
+
+FacetsByLink facets_by_link(const BitVolume& block) {
+  FacetsByLink facets;
+  for_each_cell(block, false, [&](const Vertex& cell, Configuration configuration) {
+    for_each_facet(configuration, [&](Facet facet) {
+      for (const UnitLink& link : links_of(cell, facet_rings.ring[facet]))
+        facets[link].push_back({cell, facet});
     });
+  });
+  return facets;
+}
+
+// The plane of a facet goes on in at most the facet that across_edge() names.
+void check_continuation(const FacetsByLink& facets, const Vertex& cell, Facet facet) {
+  const std::vector<UnitLink> own = links_of(cell, facet_rings.ring[facet]);
+  for (size_t edge = 0; edge < own.size(); ++edge) {
+    const auto across = facets.find({own[edge].to, own[edge].from});
+    if (across == facets.end()) continue;
+    const Neighbour named = across_edge(facet, static_cast<int>(edge));
+    for (const PlacedFacet& other : across->second)
+      if (incidence_of(other.facet) == incidence_of(facet))
+        require(other.facet == named.facet && other.cell == cell + named.cell,
+                "a facet of the plane that across_edge() does not name");
   }
 }
 
@@ -219,10 +233,11 @@ void check_volume(const BitVolume& block) {
 void check(const BitVolume& block) {
   check_cancelling(block);
   check_volume(block);
+  const FacetsByLink facets = facets_by_link(block);
   for_each_cell(block, false, [&](const Vertex& cell, Configuration configuration) {
     for_each_facet(configuration, [&](Facet facet) {
       check_adjacency(cell, facet);
-      check_continuation(block, cell, facet);
+      check_continuation(facets, cell, facet);
     });
     check_patches(configuration);
     for (int axis = 0; axis < 3; ++axis) check_face(block, cell, axis);

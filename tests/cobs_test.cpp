@@ -1,6 +1,6 @@
 // The stuffing of frames: every length, every place of a zero, and bytes that nobody stuffed.
-#include <discmc/cobs.hpp>
 #include <doctest/doctest.h>
+#include <discmc/cobs.hpp>
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
-// The encoder alone: its packets, their heads, its slow outputs, flush(), and records at the limits.
+// The encoder alone: its packets, their heads, its slow outputs, flush(), and records at the
+// limits.
 #include <doctest/doctest.h>
 
 #include <algorithm>

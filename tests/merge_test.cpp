@@ -16,27 +16,26 @@ struct Named {
 };
 
 std::vector<Named> shapes() {
-  std::vector<Named> shapes = {
-      {"lone voxel", from_bits({1, 1, 1}, 1)},
-      {"all on", box({5, 4, 3}, {0, 0, 0}, {4, 3, 2})},
-      {"all off", BitVolume({5, 4, 3})},
-      {"box", box({7, 6, 5}, {1, 2, 1}, {5, 4, 3})},
-      {"box on the border", box({33, 9, 8}, {0, 0, 0}, {31, 7, 7})},
-      {"plate", box({40, 40, 1}, {3, 3, 0}, {36, 36, 0})},
-      {"ball", ball({17, 17, 17}, {16, 16, 16}, 50)},
-      {"ball at the border", ball({19, 9, 13}, {1, 3, 20}, 60)},
-      {"torus", torus({40, 40, 14}, 26, 9)},
-      {"checkerboard", checkerboard({11, 10, 9})},
-      {"columns", columns({10, 11, 6})},
-      {"tiling of 61", tiling_61({11, 10, 9})},
-      {"tiling of 105", tiling({10, 11, 9}, 105)},
-      {"tiling of 121", tiling({9, 11, 10}, 121)},
-      {"comb", comb({33, 17, 3})},
-      {"spiral", spiral({62, 62, 2})},
-      {"spiral in depth", spiral({26, 31, 5})},
-      {"sparse", random({36, 15, 14}, 20, 1)},
-      {"random", random({36, 15, 14}, 128, 2)},
-      {"dense", random({36, 15, 14}, 236, 3)}};
+  std::vector<Named> shapes = {{"lone voxel", from_bits({1, 1, 1}, 1)},
+                               {"all on", box({5, 4, 3}, {0, 0, 0}, {4, 3, 2})},
+                               {"all off", BitVolume({5, 4, 3})},
+                               {"box", box({7, 6, 5}, {1, 2, 1}, {5, 4, 3})},
+                               {"box on the border", box({33, 9, 8}, {0, 0, 0}, {31, 7, 7})},
+                               {"plate", box({40, 40, 1}, {3, 3, 0}, {36, 36, 0})},
+                               {"ball", ball({17, 17, 17}, {16, 16, 16}, 50)},
+                               {"ball at the border", ball({19, 9, 13}, {1, 3, 20}, 60)},
+                               {"torus", torus({40, 40, 14}, 26, 9)},
+                               {"checkerboard", checkerboard({11, 10, 9})},
+                               {"columns", columns({10, 11, 6})},
+                               {"tiling of 61", tiling_61({11, 10, 9})},
+                               {"tiling of 105", tiling({10, 11, 9}, 105)},
+                               {"tiling of 121", tiling({9, 11, 10}, 121)},
+                               {"comb", comb({33, 17, 3})},
+                               {"spiral", spiral({62, 62, 2})},
+                               {"spiral in depth", spiral({26, 31, 5})},
+                               {"sparse", random({36, 15, 14}, 20, 1)},
+                               {"random", random({36, 15, 14}, 128, 2)},
+                               {"dense", random({36, 15, 14}, 236, 3)}};
   for (const uint32_t length : {200U, 97U}) {
     shapes.push_back({"along x", random({length, 2, 2}, 150, length)});
     shapes.push_back({"along y", random({2, length, 2}, 150, length)});

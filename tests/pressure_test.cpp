@@ -61,10 +61,10 @@ class Pressed {
 };
 
 std::vector<BitVolume> small_volumes() {
-  std::vector<BitVolume> volumes = {checkerboard({6, 7, 5}), columns({7, 6, 5}),
-                                    tiling_61({7, 8, 6}),    tiling({6, 7, 6}, 105),
-                                    tiling({7, 6, 6}, 121),  comb({9, 8, 4}),
-                                    spiral({13, 13, 3}),     ball({13, 13, 13}, {12, 12, 12}, 30),
+  std::vector<BitVolume> volumes = {checkerboard({6, 7, 5}),  columns({7, 6, 5}),
+                                    tiling_61({7, 8, 6}),     tiling({6, 7, 6}, 105),
+                                    tiling({7, 6, 6}, 121),   comb({9, 8, 4}),
+                                    spiral({13, 13, 3}),      ball({13, 13, 13}, {12, 12, 12}, 30),
                                     random({9, 1, 9}, 170, 5)};
   for (uint32_t i = 0; i < 9; ++i)
     volumes.push_back(random({1 + i * 7 % 9, 1 + i * 5 % 8, 2 + i * 3 % 6}, 30 + i * 41 % 200, i));
@@ -150,9 +150,8 @@ TEST_CASE("any mixture of shortages keeps the surface") {
 TEST_CASE("every arena from the minimum to more than enough keeps the surface") {
   for_each_case([](const Pressed& pressed, bool) {
     const uint64_t least = minimum_bytes<uint16_t>(pressed.limits());
-    for_each_room(least, least + 12000, [&](uint64_t bytes) {
-      CHECK(pressed.fault<uint16_t>(bytes, true) == "");
-    });
+    for_each_room(least, least + 12000,
+                  [&](uint64_t bytes) { CHECK(pressed.fault<uint16_t>(bytes, true) == ""); });
     const uint64_t wide = minimum_bytes<uint32_t>(pressed.limits());
     for (uint64_t bytes = wide; bytes < wide + 12000; bytes += 797)
       CHECK(pressed.fault<uint32_t>(bytes, true) == "");
@@ -167,8 +166,8 @@ TEST_CASE("every single byte more than the minimum keeps the surface") {
 }
 
 TEST_CASE("with the least runs, and room for the rest, long rings come out whole by spills alone") {
-  for (const BitVolume& volume : {spiral({45, 45, 2}), comb({61, 40, 2}), columns({20, 21, 4}),
-                                  random({30, 30, 4}, 220, 1)})
+  for (const BitVolume& volume :
+       {spiral({45, 45, 2}), comb({61, 40, 2}), columns({20, 21, 4}), random({30, 30, 4}, 220, 1)})
     for (const Border border : {Border::closed, Border::open}) {
       const Limits limits = limits_of(volume, border);
       Capacities capacities = worst_case_capacities(limits);

@@ -1,6 +1,6 @@
 // The range coder alone: any bits under any probabilities, its length, its carries and its ends.
-#include <discmc/range_coder.hpp>
 #include <doctest/doctest.h>
+#include <discmc/range_coder.hpp>
 
 #include <cmath>
 
@@ -102,8 +102,8 @@ TEST_CASE("a carry runs through any number of bytes of 255, or stops before them
   int longest = 0;
   for (size_t run = 0; run < 40; ++run)
     for (size_t lead = 0; lead < 3; ++lead)
-      for (const Probability one : {Probability{1}, Probability{77}, Probability{128},
-                                    Probability{255}}) {
+      for (const Probability one :
+           {Probability{1}, Probability{77}, Probability{128}, Probability{255}}) {
         CAPTURE(run);
         Bytes target(lead, 0x5A);
         target.resize(lead + run, 0xFF);

@@ -121,9 +121,12 @@ void check_many_refusals(const Scenario& scenario) {
   const EventLog plain = run<uint16_t>(scenario);
   for (const Way way : ways) {
     // Each event once, each four times, all of them but every 7th, and at random.
-    CHECK(difference(scenario, plain, [](uint64_t i) { return i % 2 == 0; }, way) == "");
-    CHECK(difference(scenario, plain, [](uint64_t i) { return i % 5 != 4; }, way) == "");
-    CHECK(difference(scenario, plain, [](uint64_t i) { return i % 7 != 0; }, way) == "");
+    CHECK(difference(
+              scenario, plain, [](uint64_t i) { return i % 2 == 0; }, way) == "");
+    CHECK(difference(
+              scenario, plain, [](uint64_t i) { return i % 5 != 4; }, way) == "");
+    CHECK(difference(
+              scenario, plain, [](uint64_t i) { return i % 7 != 0; }, way) == "");
     for (uint32_t seed = 1; seed < 20; ++seed)
       CHECK(difference(
                 scenario, plain,
@@ -201,8 +204,8 @@ TEST_CASE("refusing everything once, again and again, or at random changes nothi
 TEST_CASE("the surface is right after refusals, not only the same as without") {
   for (uint64_t seed = 0; seed < 40; ++seed) {
     const Scenario scenario = spilling(seed, Border::closed);
-    const EventLog log =
-        run<uint32_t>(scenario, [seed](uint64_t i) { return i % (seed + 2) == 0; }, Way::again);
+    const EventLog log = run<uint32_t>(
+        scenario, [seed](uint64_t i) { return i % (seed + 2) == 0; }, Way::again);
     CHECK(log.collector().statistics().cuts == 0);
     CHECK(unlike_merge(log.regions(), scenario.volume, true) == "");
   }

@@ -1,6 +1,6 @@
 // The region model: whatever is told in decisions comes back, at the ends of every range as well.
-#include <discmc/record_encoding.hpp>
 #include <doctest/doctest.h>
+#include <discmc/record_encoding.hpp>
 
 #include <cmath>
 
@@ -105,8 +105,8 @@ TEST_CASE("bits without a context come back") {
         const auto bits = [&](int count, uint32_t value) {
           return int64_t{model.plain_bits(count, writes ? value : 0)};
         };
-        return Values{bits(8, 0), bits(8, 255), bits(8, 0x5A), bits(1, 0), bits(1, 1),
-                      bits(31, 0x7FFFFFFF)};
+        return Values{bits(8, 0), bits(8, 255), bits(8, 0x5A),
+                      bits(1, 0), bits(1, 1),   bits(31, 0x7FFFFFFF)};
       },
       expected);
 }

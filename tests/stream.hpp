@@ -8,7 +8,6 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <stdexcept>
-#include <tuple>
 #include <vector>
 
 #include "reference/scan.hpp"
@@ -52,33 +51,21 @@ class Told {
     return event;
   }
 
-  bool operator==(const Told& other) const { return all() == other.all(); }
+  bool operator==(const Told& other) const {
+    const Event& a = event_;
+    const Event& b = other.event_;
+    return a.kind == b.kind && a.incidence == b.incidence && a.hole == b.hole && a.run == b.run &&
+           a.repeated == b.repeated && a.abandoned == b.abandoned && a.number == b.number &&
+           a.slice == b.slice && a.row == b.row && a.start == b.start &&
+           (a.kind != Event::Kind::finish || counts() == other.counts());
+  }
   bool operator!=(const Told& other) const { return !(*this == other); }
 
  private:
-  std::array<uint64_t, 20> all() const {
-    const Event& e = event_;
-    const auto bits = [](int32_t value) { return uint64_t{static_cast<uint32_t>(value)}; };
-    return {static_cast<uint64_t>(e.kind),
-            e.incidence,
-            e.hole,
-            e.repeated,
-            e.abandoned,
-            e.run.code(),
-            e.number,
-            e.slice,
-            e.row,
-            bits(e.start.x) << 32 | bits(e.start.y),
-            bits(e.start.z),
-            totals_.cells,
-            totals_.facets,
-            totals_.classic_triangles,
-            totals_.regions,
-            totals_.rings,
-            totals_.links,
-            totals_.cuts,
-            totals_.spills,
-            totals_.skipped_rows};
+  std::array<uint64_t, 9> counts() const {
+    return {totals_.cells,   totals_.facets, totals_.classic_triangles,
+            totals_.regions, totals_.rings,  totals_.links,
+            totals_.cuts,    totals_.spills, totals_.skipped_rows};
   }
 
   Event event_{};
@@ -192,6 +179,7 @@ inline Bytes encode(const Events& events, const StreamHeader& header = any_heade
   Encoder encoder;
   reference::require_ok(encoder.start(header, line.output()));
   take_all(encoder, events);
+  while (!encoder.flush()) continue;
   if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
   return line.bytes;
 }

@@ -68,7 +68,8 @@ class Script {
   /// A square of this side across z.
   Script& square(Vertex corner, uint32_t side, bool hole = false) {
     ring(corner, hole);
-    for (uint32_t i = 0; i < 4; ++i) run(static_cast<Direction>((hole ? 8 - 2 * i : 2 * i) % 8), side);
+    for (uint32_t i = 0; i < 4; ++i)
+      run(static_cast<Direction>((hole ? 8 - 2 * i : 2 * i) % 8), side);
     return *this;
   }
 
@@ -187,8 +188,8 @@ inline std::vector<Sample> samples() {
   };
   all.push_back({"a ball in hardly any memory: cuts", header_of(round),
                  events_of(round, minimum_capacities())});
-  all.push_back({"noise with fragments", header_of(noise),
-                 events_of(noise, spilling_capacities(noise))});
+  all.push_back(
+      {"noise with fragments", header_of(noise), events_of(noise, spilling_capacities(noise))});
   all.push_back({"a spiral with fragments", header_of(winding),
                  events_of(winding, spilling_capacities(winding))});
   all.push_back({"rows that never came", header_of(noise), events_with_gaps(noise, 0)});

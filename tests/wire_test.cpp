@@ -143,9 +143,9 @@ TEST_CASE("random volumes in random memory come through") {
   Chance chance(1);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
-    const BitVolume volume = reference::random(
-        {1 + chance.below(20), 1 + chance.below(12), 1 + chance.below(9)}, chance.below(257),
-        chance.next());
+    const BitVolume volume =
+        reference::random({1 + chance.below(20), 1 + chance.below(12), 1 + chance.below(9)},
+                          chance.below(257), chance.next());
     reference::Plan plan;
     plan.border = chance.below(2) == 0 ? Border::open : Border::closed;
     plan.takes_fragments = chance.below(3) != 0;

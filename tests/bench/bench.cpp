@@ -67,7 +67,7 @@ struct Volume {
   Samples samples;
 
   Limits limits() const { return {width, height}; }
-  uint64_t voxels() const { return uint64_t{width} * height * depth; }
+  size_t voxels() const { return size_t{width} * height * depth; }
   uint32_t slice_voxels() const { return width * height; }
 };
 
@@ -106,10 +106,10 @@ std::optional<Number> parsed(std::string_view text) {
 
 // Samples of an integer type from the little-endian bytes of a file.
 template <class Sample>
-std::vector<Sample> samples_from(const std::vector<char>& bytes, size_t offset, uint64_t count) {
+std::vector<Sample> samples_from(const std::vector<char>& bytes, size_t offset, size_t count) {
   if (offset > bytes.size() || (bytes.size() - offset) / sizeof(Sample) < count)
     throw std::runtime_error("the file is shorter than its extents say");
-  std::vector<Sample> samples(static_cast<size_t>(count));
+  std::vector<Sample> samples(count);
   for (size_t i = 0; i < samples.size(); ++i) {
     unsigned value = 0;
     for (size_t byte = 0; byte < sizeof(Sample); ++byte)
@@ -228,7 +228,7 @@ class Course {
  public:
   explicit Course(Volume volume)
       : volume_(std::move(volume)),
-        bytes_(static_cast<size_t>(worst_case_bytes<uint32_t>(volume_.limits()))),
+        bytes_(worst_case_bytes<uint32_t>(volume_.limits())),
         arena_(new uint8_t[bytes_]) {}
 
   const Volume& volume() const { return volume_; }
@@ -338,11 +338,20 @@ void print_times(const char* unit, const std::vector<Row>& rows, uint64_t (*coun
   std::printf("\n");
 }
 
+// What extraction may cost beyond a scan; above it a ratio is marked.
+constexpr double max_ratio = 25;
+
 void print_ratios(const std::vector<Row>& rows) {
   std::printf("%-20s %13s %14s %15s\n", "ratios", "extract/pack", "extract/scan", "stream/extract");
-  for (const Row& row : rows)
-    std::printf("%-20s %13.2f %14.2f %15.2f\n", row.volume.name.c_str(), row.time[2] / row.time[0],
-                row.time[2] / row.time[1], row.time[3] / row.time[2]);
+  for (const Row& row : rows) {
+    const auto ratio = [&](Step step, Step to) {
+      return row.time[static_cast<size_t>(step)] / row.time[static_cast<size_t>(to)];
+    };
+    const double beyond_scan = ratio(Step::extract, Step::scan);
+    std::printf("%-20s %13.2f %14.2f %15.2f%s\n", row.volume.name.c_str(),
+                ratio(Step::extract, Step::pack), beyond_scan, ratio(Step::stream, Step::extract),
+                beyond_scan > max_ratio ? "  extract/scan is above 25" : "");
+  }
   std::printf("\n");
 }
 

@@ -13,9 +13,7 @@ namespace discmc::reference {
 
 /// Appends what an event says to a list of words: the members that its kind names and no others.
 inline void write_down(const Event& event, std::vector<uint64_t>& words) {
-  const auto add = [&](auto... values) {
-    (words.push_back(static_cast<uint64_t>(values)), ...);
-  };
+  const auto add = [&](auto... values) { (words.push_back(static_cast<uint64_t>(values)), ...); };
   add(event.kind);
   switch (event.kind) {
     case Event::Kind::region:

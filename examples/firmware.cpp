@@ -1,0 +1,40 @@
+// A scanner's firmware, complete: rows of samples in, the merged surface out of a UART.
+#include <stdio.h>
+#include <discmc/discmc.hpp>
+
+using namespace discmc;
+constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t threshold = 192;
+constexpr Limits limits{size, size};
+
+// All its RAM but the stack: 13.6 KiB. 9 merge this ball whole; 1.1, the minimum, cuts it up.
+static uint8_t memory[minimum_bytes<uint16_t>(limits) + 11 * 1024];
+static Extractor16 extractor;
+static Encoder encoder;
+
+// The UART takes what its FIFO has room for. Every other time it is busy and takes nothing.
+static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
+  static unsigned calls = 0;
+  return ++calls % 2 == 0 ? fwrite(bytes, 1, count < 16 ? count : 16, stdout) : 0;
+}
+
+static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle
+  const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
+  return static_cast<uint8_t>(255 - dot(v, v) / 26);
+}
+
+static bool succeeds(Status status) {
+  while (status == Status::more) status = extractor.resume();  // the UART is busy: sleep here
+  return status == Status::ok;
+}
+
+int main() {
+  bool good = succeeds(encoder.start({size, size, size, {}, threshold}, {nullptr, uart_write})) &&
+              succeeds(extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)));
+  for (int32_t i = 0; good && i < size * size; ++i) {
+    uint8_t row[size];
+    for (int32_t x = 0; x < size; ++x) row[x] = sample_at(x, i % size, i / size);
+    good = succeeds(extractor.push(row, size).status);
+  }
+  return good && succeeds(extractor.finish()) ? 0 : 1;
+}

@@ -1,0 +1,203 @@
+// The hash table: bounded windows, epochs that run out, and std::unordered_map to compare with.
+#include <doctest/doctest.h>
+#include <discmc/hash_table.hpp>
+
+#include <unordered_map>
+#include <vector>
+
+using namespace discmc;
+
+namespace {
+
+// A table in memory of exactly its size, filled with what an arena may hold.
+template <class Index>
+class Table : public HashTable<Index> {
+ public:
+  Table(uint32_t slots, uint32_t range) : stamps_(slots, 0xA5A5A5A5), values_(slots, 0x5A5A) {
+    this->start(stamps_.data(), values_.data(), slots, range);
+  }
+
+ private:
+  std::vector<uint32_t> stamps_;
+  std::vector<Index> values_;
+};
+
+uint32_t next_random(uint32_t& state) {
+  state = state * 1664525 + 1013904223;
+  return state >> 8;
+}
+
+// The frontier clears rarely; here it happens often.
+template <class Index>
+void check_random_operations(uint32_t slots, uint32_t range, uint32_t seed) {
+  Table<Index> table(slots, range);
+  std::unordered_map<uint32_t, Index> model;
+  uint32_t refused = 0;
+  for (uint32_t i = 0; i < 30000; ++i) {
+    const uint32_t roll = next_random(seed) % 1000;
+    const uint32_t key = next_random(seed) % range;
+    const auto value = static_cast<Index>(next_random(seed) % 0xFFFF);
+    if (roll < 2) {
+      table.clear();
+      model.clear();
+    } else if (roll < 500 && model.count(key) == 0) {
+      if (table.insert(key, value))
+        model.emplace(key, value);
+      else
+        ++refused;
+    } else {
+      const auto known = model.find(key);
+      const Index expected = known == model.end() ? table.none : known->second;
+      REQUIRE(table.take(key) == expected);
+      if (known != model.end()) model.erase(known);
+    }
+    REQUIRE(table.in_use() == model.size());
+    REQUIRE(table.in_use() <= table.high_water());
+  }
+  for (const auto& [key, value] : model) CHECK(table.take(key) == value);
+  CHECK(table.in_use() == 0);
+  if (slots >= range) CHECK(refused == 0);
+}
+
+}  // namespace
+
+TEST_CASE("what was inserted is taken once") {
+  Table<uint16_t> table(10, 100);
+  CHECK(table.take(7) == table.none);
+  CHECK(table.insert(7, 70));
+  CHECK(table.insert(0, 1));
+  CHECK(table.insert(99, 2));
+  CHECK(table.in_use() == 3);
+  CHECK(table.take(7) == 70);
+  CHECK(table.take(7) == table.none);
+  CHECK(table.take(0) == 1);
+  CHECK(table.take(99) == 2);
+  CHECK(table.in_use() == 0);
+  CHECK(table.high_water() == 3);
+}
+
+TEST_CASE("whatever the memory held, a new table is empty") {
+  for (const uint32_t filling : {0U, 1U, 17U, 0x80000000U, 0xFFFFFFFFU}) {
+    std::vector<uint32_t> stamps(16, filling);
+    std::vector<uint16_t> values(16, 3);
+    HashTable<uint16_t> table;
+    table.start(stamps.data(), values.data(), 16, 40);
+    for (uint32_t key = 0; key < 40; ++key) CHECK(table.take(key) == table.none);
+    CHECK(table.in_use() == 0);
+  }
+}
+
+TEST_CASE("a full table is a result, and changes nothing") {
+  for (const uint32_t slots : {1U, 2U, 31U, 32U}) {
+    Table<uint16_t> table(slots, 1000);
+    for (uint32_t key = 0; key < slots; ++key) CHECK(table.insert(3 * key, uint16_t{5}));
+    CHECK_FALSE(table.insert(999, 6));
+    CHECK(table.in_use() == slots);
+    CHECK(table.take(999) == table.none);
+    for (uint32_t key = 0; key < slots; ++key) CHECK(table.take(3 * key) == 5);
+    CHECK(table.insert(999, 6));
+    CHECK(table.take(999) == 6);
+  }
+}
+
+TEST_CASE("a full window is a result although the table has room, and no entry is lost") {
+  constexpr uint32_t slots = 400;
+  Table<uint32_t> table(slots, 1000000);
+  std::vector<uint32_t> kept;
+  uint32_t refused = 0;
+  for (uint32_t key = 0; table.in_use() < slots && key < 100000; ++key) {
+    if (!table.insert(key, key))
+      ++refused;
+    else
+      kept.push_back(key);
+    if (refused == 1 && kept.size() + 1 == key + 1) CHECK(table.in_use() < slots);
+  }
+  CHECK(refused > 0);
+  CHECK(kept.size() == table.in_use());
+  for (const uint32_t key : kept) CHECK(table.take(key) == key);
+}
+
+TEST_CASE("the window goes round the end of the table") {
+  // With a window as long as the table every slot can be reached from every key.
+  Table<uint16_t> table(HashTable<uint16_t>::window, 1000000);
+  for (uint32_t key = 0; key < 32; ++key)
+    CHECK(table.insert(999999 - 31337 * key, static_cast<uint16_t>(key)));
+  for (uint32_t key = 0; key < 32; ++key) CHECK(table.take(999999 - 31337 * key) == key);
+}
+
+TEST_CASE("with a slot for every key there is always room") {
+  for (const uint32_t slots : {50U, 51U, 1000U}) {
+    Table<uint16_t> table(slots, 50);
+    for (int round = 0; round < 3; ++round) {
+      for (uint32_t key = 0; key < 50; ++key)
+        CHECK(table.insert(key, static_cast<uint16_t>(key + 1)));
+      CHECK(table.in_use() == 50);
+      if (round == 1)
+        table.clear();
+      else
+        for (uint32_t key = 50; key-- > 0;) CHECK(table.take(key) == key + 1);
+      for (uint32_t key = 0; key < 50; ++key) CHECK(table.take(key) == table.none);
+    }
+  }
+}
+
+TEST_CASE("clearing empties the table and forgets the marks") {
+  Table<uint16_t> table(20, 60);
+  for (int round = 0; round < 1000; ++round) {
+    for (uint32_t key = 0; key < 60; key += 7)
+      CHECK(table.insert(key, static_cast<uint16_t>(round)));
+    CHECK(table.high_water() == 9);
+    table.clear();
+    CHECK(table.in_use() == 0);
+    CHECK(table.high_water() == 0);
+    for (uint32_t key = 0; key < 60; ++key) CHECK(table.take(key) == table.none);
+  }
+}
+
+TEST_CASE("nothing comes back when the epochs are used up") {
+  // Ranges that leave room for 1, 2, 3, 5 and 17 epochs in 32 bits, or just not for one more.
+  for (const uint32_t epochs : {1U, 2U, 3U, 5U, 17U})
+    for (const uint32_t less : {0U, 1U, 2U}) {
+      const uint32_t range = epochs == 1 ? 0x7FFFFFFFU - less : UINT32_MAX / epochs - less;
+      if (range > 0x7FFFFFFF) continue;
+      Table<uint32_t> table(64, range);
+      CAPTURE(range);
+      for (uint32_t round = 0; round < 60; ++round) {
+        const uint32_t keys[] = {0, 1, range / 2, range - 2, range - 1};
+        for (const uint32_t key : keys) CHECK(table.take(key) == table.none);
+        for (const uint32_t key : keys) CHECK(table.insert(key, key ^ round));
+        CHECK(table.in_use() == 5);
+        CHECK(table.take(range - 1) == ((range - 1) ^ round));
+        CHECK(table.take(0) == round);
+        if (round % 3 == 0)
+          for (const uint32_t key : {1U, range / 2, range - 2})
+            CHECK(table.take(key) == (key ^ round));
+        table.clear();
+      }
+    }
+}
+
+TEST_CASE("any operations give what std::unordered_map gives") {
+  uint32_t seed = 1;
+  for (const uint32_t slots : {1U, 5U, 31U, 32U, 33U, 64U, 100U, 1000U})
+    for (const uint32_t range : {1U, 4U, 33U, 64U, 200U, 0x30000000U, 0x7FFFFFFFU}) {
+      CAPTURE(slots);
+      CAPTURE(range);
+      check_random_operations<uint16_t>(slots, range, ++seed);
+      check_random_operations<uint32_t>(slots, range, ++seed);
+    }
+}
+
+TEST_CASE("the keys of a real layer fill a table to four fifths without a refusal") {
+  // Two keys a cell, in the cells along a curve: as a frontier has them.
+  constexpr uint32_t columns = 257;
+  Table<uint16_t> table(1250, 2 * columns * columns);
+  uint32_t refused = 0;
+  for (uint32_t i = 0; i < 500; ++i) {
+    const uint32_t row = 20 + i / 3;
+    const uint32_t column = 30 + i * i / 1500;
+    refused += !table.insert(2 * (row * columns + column) + i % 2, static_cast<uint16_t>(i));
+    refused += !table.insert(2 * ((row + 40) * columns + i % 251) + i % 2, uint16_t{1});
+  }
+  CHECK(refused == 0);
+}

@@ -1,0 +1,307 @@
+// The discmc command from end to end: what it reads, writes, says and returns.
+#include "command.hpp"
+
+#include "../reference/surface.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::host::check_mesh;
+using discmc::host::MeshReport;
+using discmc::reference::ball;
+using discmc::reference::box;
+using discmc::reference::checkerboard;
+using discmc::reference::Size;
+using discmc::reference::surface_of_cells;
+
+const std::vector<std::string> all_formats = {"dmc", "obj", "ply", "stl", "jsonl"};
+const std::vector<std::string> meshes = {"obj", "ply", "stl"};
+
+BitVolume small_ball() {
+  return ball({13, 12, 11}, {12, 11, 10}, 24);
+}
+
+BitVolume one_voxel() {
+  return box({1, 1, 1}, {0, 0, 0}, {0, 0, 0});
+}
+
+// Units: cubic voxels.
+double enclosed(const BitVolume& volume) {
+  return static_cast<double>(surface_of_cells(volume, true).six_volumes) / 48;
+}
+
+const std::string little_endian_u16 = [] {
+  std::string samples;
+  for (const std::uint8_t on : small_ball().on) samples += on != 0 ? "\1\2" : "\1\1";
+  return samples;
+}();
+
+const std::string layout = "--dims 13,12,11 --type u16 --iso 0x201 ";
+
+void check_failure(const Result& result, int code, const std::vector<std::string>& parts) {
+  INFO(result.error);
+  CHECK(result.code == code);
+  CHECK(result.out.empty());
+  for (const std::string& part : parts) CHECK(contains(result.error, part));
+}
+
+}  // namespace
+
+TEST_CASE("decode writes the same files from a stream as extract does from the volume") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  for (const std::string& format : all_formats) {
+    workshop.done("extract v.nrrd --iso 100 -q -o extracted." + format);
+    CHECK(workshop.done("decode v.dmc -o decoded." + format).empty());
+    CHECK(workshop.read("extracted." + format) == workshop.read("decoded." + format));
+    CHECK(!workshop.read("decoded." + format).empty());
+  }
+}
+
+TEST_CASE("a stream goes to standard output when no file is named, and the table elsewhere") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic MC triangles"));
+  for (const char* output : {"", " -o -"}) {
+    const Result result = workshop.run(std::string("extract v.nrrd --iso 100") + output);
+    CHECK(result.code == 0);
+    CHECK(result.out == workshop.read("v.dmc"));
+    CHECK(contains(result.error, "classic MC triangles"));
+  }
+  CHECK(workshop.done("decode v.dmc -o -") == workshop.read("v.dmc"));
+  const Result quiet = workshop.run("extract v.nrrd --iso 100 -q -o v.dmc");
+  CHECK(quiet.out.empty());
+  CHECK(quiet.error.empty());
+}
+
+TEST_CASE("meshes are closed and exact whatever the volume and the format") {
+  const Workshop workshop;
+  const bool has_admesh = workshop.shell("command -v admesh").code == 0;
+  const Size size = {9, 8, 7};
+  for (const BitVolume& volume :
+       {small_ball(), one_voxel(), checkerboard(size), box(size, {0, 0, 0}, {8, 7, 6}),
+        discmc::reference::random(size, 128, 1), discmc::reference::spiral({12, 12, 5})}) {
+    workshop.write("v.nrrd", volume);
+    for (const std::string& format : meshes) {
+      workshop.done("extract v.nrrd --iso 100 -o v." + format);
+      const Mesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      CHECK(mesh.face_count() > 0);
+      CHECK(check_mesh(mesh).closed());
+      CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
+    }
+    if (!has_admesh) continue;
+    const Result checked = workshop.shell("admesh -e v.stl");
+    INFO(checked.out);
+    const std::string disconnected = "Total disconnected facets        :";
+    CHECK(count_after(checked.out, disconnected) == 0);
+  }
+}
+
+TEST_CASE("an open border leaves the surface open where the volume ends") {
+  const Workshop workshop;
+  workshop.write("cut.nrrd", box({6, 6, 6}, {2, 2, 0}, {3, 3, 3}));
+  workshop.write("full.nrrd", box({3, 3, 3}, {0, 0, 0}, {2, 2, 2}));
+  workshop.done("extract cut.nrrd --iso 100 --border open -o v.obj");
+  const MeshReport report = check_mesh(mesh_of_obj(workshop.read("v.obj")));
+  CHECK(report.open_edges > 0);
+  CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);
+  workshop.done("extract full.nrrd --iso 100 --border open -o v.dmc");
+  CHECK(workshop.info("v.dmc")["regions"] == "0");
+  CHECK(workshop.info("v.dmc")["border"] == "open");
+  workshop.done("extract full.nrrd --iso 100 --border closed -o v.dmc");
+  CHECK(workshop.info("v.dmc")["regions"] == "26");
+}
+
+TEST_CASE("vertices are in millimetres, and faces look outside whichever way the axes run") {
+  const Workshop workshop;
+  const BitVolume volume = box({5, 5, 5}, {1, 2, 1}, {3, 2, 3});
+  for (const std::string signs : {"1 1 1", "-1 1 1", "-1 -1 1", "-1 -1 -1"}) {
+    std::istringstream words(signs);
+    Point spacing{};
+    words >> spacing[0] >> spacing[1] >> spacing[2];
+    std::ostringstream lines;
+    lines << "space dimension: 3\nspace directions: (" << 0.5 * spacing[0] << ",0,0) (0,"
+          << 2 * spacing[1] << ",0) (0,0," << 4 * spacing[2] << ")\n";
+    workshop.write("v.nrrd", volume, lines.str());
+    for (const std::string& format : meshes) {
+      workshop.done("extract v.nrrd --iso 100 -o v." + format);
+      const Mesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      CHECK(check_mesh(mesh).closed());
+      CHECK(volume_of(mesh) == doctest::Approx(4 * enclosed(volume)));
+      for (const Point& vertex : mesh.vertices_mm) {
+        CHECK(vertex[0] * spacing[0] >= 0.25);
+        CHECK(vertex[0] * spacing[0] <= 1.75);
+        CHECK(vertex[1] * spacing[1] >= 3);
+        CHECK(vertex[1] * spacing[1] <= 5);
+      }
+    }
+  }
+}
+
+TEST_CASE("lines of JSON hold the corners of polygons in half-steps") {
+  const Workshop workshop;
+  workshop.write("one.nrrd", one_voxel());
+  workshop.done("extract one.nrrd --iso 100 -o one.jsonl");
+  const std::string lines = workshop.read("one.jsonl");
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == 8);
+  CHECK(contains(lines, "{\"normal\":[1,1,1],\"rings\":[[[1,0,0],[0,1,0],[0,0,1]]]}\n"));
+  workshop.write("v.nrrd", small_ball());
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  workshop.done("decode v.dmc -o v.jsonl");
+  const std::string polygons = workshop.read("v.jsonl");
+  CHECK(std::to_string(std::count(polygons.begin(), polygons.end(), '\n')) ==
+        workshop.info("v.dmc")["regions"]);
+}
+
+TEST_CASE("without the vertices of neighbours meshes are smaller and enclose the same") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", discmc::reference::random({8, 8, 8}, 128, 3));
+  for (const std::string& format : meshes) {
+    workshop.done("extract v.nrrd --iso 100 -o full." + format);
+    workshop.done("extract v.nrrd --iso 100 --no-conforming -o corners." + format);
+    const Mesh full = mesh_of("full." + format, workshop.read("full." + format));
+    const Mesh corners = mesh_of("corners." + format, workshop.read("corners." + format));
+    CHECK(corners.corners.size() < full.corners.size());
+    CHECK(volume_of(corners) == doctest::Approx(volume_of(full)));
+  }
+}
+
+TEST_CASE("iso is in the units that the file declares") {
+  const Workshop workshop;
+  const std::string samples = volume_files::stored(volume_files::SampleType::u8);
+  workshop.write("v.nii", volume_files::Nifti().scale(2, -1000).file(samples));
+  for (const std::string iso : {"--iso -900", "--iso=-900.5", "--iso -901.999"}) {
+    workshop.done("extract v.nii " + iso + " -o v.dmc");
+    CHECK(workshop.info("v.dmc")["threshold"] == "50");
+  }
+}
+
+TEST_CASE("headerless samples of either byte order give the same stream") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  std::string big = little_endian_u16;
+  for (std::size_t i = 0; i < big.size(); i += 2) std::swap(big[i], big[i + 1]);
+  workshop.write("little.raw", little_endian_u16);
+  workshop.write("big.raw", big);
+  workshop.done("extract little.raw " + layout + "-o little.dmc");
+  workshop.done("extract big.raw --big-endian " + layout + "-o big.dmc");
+  CHECK(workshop.read("little.dmc") == workshop.read("big.dmc"));
+  workshop.done("extract v.nrrd --iso 100 -o v.jsonl");
+  workshop.done("decode big.dmc -o big.jsonl");
+  CHECK(workshop.read("v.jsonl") == workshop.read("big.jsonl"));
+  workshop.done("extract big.raw --spacing -0.5,1,2.25 " + layout + "-o big.dmc");
+  CHECK(workshop.info("big.dmc")["spacing"] == "-0.5 1 2.25");
+}
+
+TEST_CASE("what a file says of its place is dropped, and that is said") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", one_voxel(),
+                 "space: right-anterior-superior\nspace origin: (1,2,3)\n"
+                 "space directions: (0.8,0.6,0) (-0.6,0.8,0) (0,0,1)\n");
+  const Result result = workshop.run("extract v.nrrd --iso 100 -q -o v.dmc");
+  CHECK(result.code == 0);
+  CHECK(contains(result.error, "v.nrrd: rotation dropped"));
+  CHECK(contains(result.error, "v.nrrd: origin (1, 2, 3) dropped"));
+  CHECK(workshop.info("v.dmc").at("position") == "dropped");
+}
+
+TEST_CASE("a surface of nothing is valid in every format") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  for (const std::string iso : {"201", "1e9", "1e30"}) {
+    for (const std::string& format : all_formats) {
+      workshop.done("extract v.nrrd --iso " + iso + " -o v." + format);
+      if (format == "dmc" || format == "jsonl") continue;
+      const Mesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      CHECK(mesh.face_count() + mesh.vertices_mm.size() == 0);
+    }
+    CHECK(workshop.read("v.jsonl").empty());
+    CHECK(workshop.info("v.dmc")["regions"] == "0");
+    CHECK(workshop.info("v.dmc")["complete"] == "yes");
+    workshop.done("render v.dmc -o v.png --size 20,10");
+  }
+}
+
+TEST_CASE("little memory costs polygons and never the surface") {
+  const Workshop workshop;
+  const BitVolume volume = discmc::reference::random({16, 16, 16}, 128, 2);
+  workshop.write("v.nrrd", volume);
+  workshop.done("extract v.nrrd --iso 100 --memory 2M -o whole.dmc");
+  for (const std::string memory : {"1500", "2K", "8KiB", "1MB"}) {
+    workshop.done("extract v.nrrd --iso 100 --memory " + memory + " -o v.dmc");
+    workshop.done("decode v.dmc -o v.stl");
+    const Mesh mesh = mesh_of_stl(workshop.read("v.stl"));
+    CHECK(check_mesh(mesh).closed());
+    CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
+    CHECK((workshop.info("v.dmc")["cut"] == "0") ==
+          (workshop.read("v.dmc") == workshop.read("whole.dmc")));
+  }
+  check_failure(workshop.run("extract v.nrrd --iso 100 --memory 100 -o no.dmc"), 1,
+                {"--memory 100 ", "at least "});
+}
+
+TEST_CASE("names may hold blanks and any letters, and a file may be its own output") {
+  const Workshop workshop;
+  const std::string name = "ein Schädel; $x '* 頭";
+  workshop.write(name + ".nrrd", small_ball());
+  const std::string quoted = "\"ein Schädel; \\$x '* 頭";
+  workshop.done("extract " + quoted + ".nrrd\" --iso 100 -o " + quoted + ".dmc\"");
+  const std::string stream = workshop.read(name + ".dmc");
+  workshop.done("decode " + quoted + ".dmc\" -o " + quoted + ".dmc\"");
+  CHECK(workshop.read(name + ".dmc") == stream);
+  CHECK(workshop.names().size() == 2);
+}
+
+TEST_CASE("wrong usage exits with 2") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  workshop.write("v.raw", little_endian_u16);
+  for (const char* arguments : {"",
+                                "explode",
+                                "extract",
+                                "extract v.nrrd",
+                                "extract v.nrrd --iso",
+                                "extract --iso 1",
+                                "extract v.nrrd --iso much",
+                                "extract v.nrrd v.nrrd --iso 1",
+                                "extract v.nrrd --iso 1 -x",
+                                "extract v.nrrd --iso 1 --border ajar",
+                                "extract v.nrrd --iso 1 --memory some",
+                                "extract v.raw --iso 1 --dims 13,12,11",
+                                "extract v.raw --iso 1 --type u16",
+                                "extract v.raw --iso 1 --type u16 --dims 13,12",
+                                "extract v.nrrd --iso 1 --big-endian",
+                                "extract v.raw --iso 1 --type f32 --dims 13,12,11",
+                                "extract v.nrrd --iso 1 --spacing 1,1,1",
+                                "decode",
+                                "decode v.dmc",
+                                "info",
+                                "info a b",
+                                "render v.dmc",
+                                "render v.dmc -o v.png --size 5",
+                                "render v.dmc -o v.png --view 1,2"}) {
+    INFO(arguments);
+    const Result result = workshop.run(arguments);
+    CHECK(result.code == 2);
+    CHECK(result.out.empty());
+    CHECK(!result.error.empty());
+  }
+}
+
+TEST_CASE("a volume that cannot be read is told by its name, and nothing is written") {
+  const Workshop workshop;
+  workshop.write("float.nrrd", volume_files::nrrd("type: float\nencoding: raw\n") + "\n");
+  workshop.write("empty.nrrd", "");
+  workshop.write("v.raw", little_endian_u16.substr(0, little_endian_u16.size() - 1));
+  const auto names = workshop.names();
+  check_failure(workshop.run("extract none.nrrd --iso 1 -o v.dmc"), 1, {"none.nrrd", "check"});
+  check_failure(workshop.run("extract . --iso 1 -o v.dmc"), 1, {".: "});
+  check_failure(workshop.run("extract empty.nrrd --iso 1 -o v.dmc"), 1, {"empty.nrrd"});
+  check_failure(workshop.run("extract float.nrrd --iso 1 -o v.dmc"), 1,
+                {"float.nrrd", "'float'", "convert"});
+  for (const std::string& format : all_formats)
+    check_failure(workshop.run("extract v.raw " + layout + "-o v." + format), 1,
+                  {"v.raw: slice 10 ", "1 bytes of it are missing"});
+  CHECK(workshop.names() == names);
+}

@@ -1,0 +1,215 @@
+// The commands that take a stream, decode, info and render: whole, broken and hostile ones.
+#include "../stream.hpp"
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::reference::ball;
+using discmc::reference::box;
+using discmc::test::Bytes;
+
+Bytes bytes_of(const std::string& text) {
+  return Bytes(text.begin(), text.end());
+}
+
+std::string text_of(const Bytes& bytes) {
+  return std::string(bytes.begin(), bytes.end());
+}
+
+// Writes the stream of a volume of a few packets and returns it.
+std::string write_stream(const Workshop& workshop, const std::string& name) {
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81), "spacings: 0.5 1 2\n");
+  workshop.done("extract v.nrrd --iso 100 -o " + name);
+  return workshop.read(name);
+}
+
+std::uint32_t big_endian_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    value = value << 8 | static_cast<unsigned char>(bytes.at(at + i));
+  return value;
+}
+
+void check_size(const std::string& png, std::uint32_t width, std::uint32_t height) {
+  CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  CHECK(big_endian_at(png, 16) == width);
+  CHECK(big_endian_at(png, 20) == height);
+}
+
+}  // namespace
+
+TEST_CASE("info tells one key and value a line") {
+  const Workshop workshop;
+  const std::string stream = write_stream(workshop, "v.dmc");
+  auto info = workshop.info("v.dmc");
+  for (const char* key : {"dimensions", "spacing", "threshold", "border", "regions", "rings",
+                          "holes", "links", "corners", "three", "four", "more", "cut", "spilled",
+                          "skipped_rows", "lost_packets", "lost_regions", "bytes", "complete"}) {
+    INFO(key);
+    CHECK(info.count(key) == 1);
+    CHECK(!info[key].empty());
+  }
+  CHECK(info["dimensions"] == "20 20 20");
+  CHECK(info["spacing"] == "0.5 1 2");
+  CHECK(info["threshold"] == "100");
+  CHECK(info["border"] == "closed");
+  CHECK(info["bytes"] == std::to_string(stream.size()));
+  CHECK(info["complete"] == "yes");
+  CHECK(std::stoi(info["regions"]) + std::stoi(info["holes"]) == std::stoi(info["rings"]));
+  CHECK(std::stoi(info["three"]) + std::stoi(info["four"]) + std::stoi(info["more"]) ==
+        std::stoi(info["regions"]));
+}
+
+TEST_CASE("info counts simple rings and their corners") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", box({6, 4, 5}, {1, 1, 1}, {4, 2, 3}));
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  auto info = workshop.info("v.dmc");
+  CHECK(info["regions"] == "26");
+  CHECK(info["rings"] == "26");
+  CHECK(info["holes"] == "0");
+  CHECK(info["three"] == "8");
+  CHECK(info["four"] == "18");
+  CHECK(info["corners"] == "96");
+}
+
+TEST_CASE("decode, info and render read standard input, pipes too") {
+  const Workshop workshop;
+  write_stream(workshop, "v.dmc");
+  workshop.done("decode v.dmc -o v.stl");
+  workshop.done("render v.dmc -o v.png --size 30,20");
+  CHECK(workshop.shell("\"$discmc\" info - < v.dmc").out == workshop.done("info v.dmc"));
+  CHECK(workshop.shell("cat v.dmc | \"$discmc\" decode - -o piped.stl").code == 0);
+  CHECK(workshop.shell("cat v.dmc | \"$discmc\" render - -o piped.png --size 30,20").code == 0);
+  CHECK(workshop.read("piped.stl") == workshop.read("v.stl"));
+  CHECK(workshop.read("piped.png") == workshop.read("v.png"));
+  const Result result =
+      workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -q | \"$discmc\" decode - -o piped.stl");
+  CHECK(result.code == 0);
+  CHECK(workshop.read("piped.stl") == workshop.read("v.stl"));
+}
+
+TEST_CASE("render draws a picture of the size asked for") {
+  const Workshop workshop;
+  write_stream(workshop, "v.dmc");
+  workshop.done("render v.dmc -o plain.png --size 60,40");
+  workshop.done("render v.dmc -o edges.png --size 60,40 --edges");
+  workshop.done("render v.dmc -o side.png --size 60,40 --view -1,0,0");
+  workshop.done("render v.dmc -o above.png --size 1,7 --view 0,0,1");
+  for (const char* name : {"plain.png", "edges.png", "side.png"})
+    check_size(workshop.read(name), 60, 40);
+  check_size(workshop.read("above.png"), 1, 7);
+  CHECK(workshop.read("plain.png") != workshop.read("edges.png"));
+  CHECK(workshop.read("plain.png") != workshop.read("side.png"));
+  for (const char* wrong : {"--size 0,5", "--size 5,8193", "--size -5,5", "--view 0,0,0"}) {
+    INFO(wrong);
+    const int code = workshop.run("render v.dmc -o no.png " + std::string(wrong)).code;
+    CHECK(code != 0);
+    CHECK(code < 3);
+    CHECK(workshop.read("no.png").empty());
+  }
+}
+
+TEST_CASE("of an incomplete stream all that is whole is used, and the exit code is 3") {
+  const Workshop workshop;
+  const auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
+  REQUIRE(frames.size() > 5);
+  auto gap = frames, no_end = frames;
+  gap.erase(gap.begin() + 2);
+  no_end.resize(frames.size() - 2);
+  workshop.write("gap.dmc", text_of(discmc::test::joined(gap)));
+  workshop.write("no end.dmc", text_of(discmc::test::joined(no_end)));
+  const int whole = std::stoi(workshop.info("v.dmc")["regions"]);
+  for (const std::string name : {"gap", "'no end'"}) {
+    INFO(name);
+    const Result result = workshop.run("info " + name + ".dmc");
+    CHECK(result.code == 3);
+    CHECK(contains(result.error, ".dmc: the stream is incomplete"));
+    auto info = workshop.info(name + ".dmc");
+    CHECK(info["complete"] == "no");
+    CHECK(std::stoi(info["regions"]) > 0);
+    CHECK(std::stoi(info["regions"]) < whole);
+    if (name == "gap") {
+      CHECK(info["lost_packets"] == "1");
+      CHECK(std::stoi(info["regions"]) + std::stoi(info["lost_regions"]) == whole);
+    }
+    for (const std::string output : {"o.dmc", "o.stl", "o.obj", "o.ply", "o.jsonl"}) {
+      CHECK(workshop.run("decode " + name + ".dmc -o " + output).code == 3);
+      CHECK(!workshop.read(output).empty());
+    }
+    CHECK(workshop.info("o.dmc")["regions"] == info["regions"]);
+    CHECK(workshop.info("o.dmc")["complete"] == "no");
+    CHECK(workshop.run("render " + name + ".dmc -o o.png --size 9,9").code == 3);
+    check_size(workshop.read("o.png"), 9, 9);
+  }
+}
+
+TEST_CASE("what is no stream is refused by its name, and nothing is written") {
+  const Workshop workshop;
+  std::string noise;
+  discmc::test::Chance chance(3);
+  for (int i = 0; i < 5000; ++i) noise += static_cast<char>(chance.byte());
+  workshop.write("noise.dmc", noise);
+  workshop.write("empty.dmc", "");
+  const auto names = workshop.names();
+  for (const std::string file : {"noise.dmc", "empty.dmc", "none.dmc", "."})
+    for (const std::string& arguments :
+         {"info " + file, "decode " + file + " -o o.stl", "decode " + file + " -o o.dmc",
+          "render " + file + " -o o.png"}) {
+      INFO(arguments);
+      const Result result = workshop.run(arguments);
+      CHECK(result.code == 1);
+      CHECK(contains(result.error, "discmc: " + file + ": "));
+      CHECK(result.out.empty());
+    }
+  CHECK(workshop.names() == names);
+  CHECK(contains(workshop.run("info none.dmc").error, "check the name"));
+}
+
+TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") {
+  const Workshop workshop;
+  const std::string stream = write_stream(workshop, "v.dmc");
+  const auto frames = discmc::test::frames_of(bytes_of(stream));
+  discmc::test::Chance chance(4);
+  const auto below = [&chance](std::size_t limit) {
+    return chance.below(static_cast<std::uint32_t>(limit));
+  };
+  for (int round = 0; round < 25; ++round) {
+    std::string damaged = stream;
+    if (round % 2 == 0) {  // a flip the checksum sees
+      for (int i = 0; i < 3; ++i) damaged[below(damaged.size())] = static_cast<char>(chance.byte());
+    } else {  // one that it does not
+      auto mended = frames;
+      auto& frame = mended[1 + below(frames.size() - 1)];
+      auto packet = discmc::test::packet_of(frame);
+      packet.payload[below(packet.payload.size())] = chance.byte();
+      frame = discmc::test::frame_of(packet);
+      damaged = text_of(discmc::test::joined(mended));
+    }
+    workshop.write("d.dmc", damaged);
+    for (const char* arguments : {"info d.dmc", "decode d.dmc -o o.stl", "decode d.dmc -o o.dmc",
+                                  "render d.dmc -o o.png --size 16,16"}) {
+      const Result result = workshop.run(arguments);
+      INFO(round, " ", arguments, "\n", result.error);
+      CHECK(result.code < 4);
+      CHECK(result.code != 2);
+      CHECK((result.code == 0 || contains(result.error, "discmc: ")));
+      CHECK(!contains(result.error, "runtime error"));  // as sanitizers say it
+      CHECK(!contains(result.error, "Sanitizer"));
+    }
+  }
+}
+
+TEST_CASE("every command has a help of its own") {
+  const Workshop workshop;
+  const std::string help = workshop.done("--help");
+  for (const std::string name : {"extract", "decode", "info", "render"}) {
+    CHECK(contains(help, name));
+    const std::string own = workshop.done(name + " --help");
+    CHECK(contains(own, "Usage: discmc " + name));
+    CHECK(contains(own, "Exit codes"));
+    CHECK(std::all_of(own.begin(), own.end(), [](char c) { return c == '\n' || c >= ' '; }));
+  }
+  CHECK(!workshop.done("--version").empty());
+}

@@ -1,0 +1,118 @@
+// The pool: every record once, in an order that depends on the calls alone.
+#include <doctest/doctest.h>
+#include <discmc/pool.hpp>
+
+#include <cstddef>
+#include <set>
+#include <vector>
+
+using namespace discmc;
+
+namespace {
+
+template <class Index>
+struct Record {
+  Index next;
+  uint32_t payload;
+};
+
+template <class Index>
+void check_random_operations(uint32_t capacity, uint32_t seed) {
+  std::vector<Record<Index>> records(capacity);
+  Pool<Record<Index>, Index> pool;
+  pool.start(records.data(), capacity);
+  std::vector<Index> taken;
+  uint32_t high_water = 0;
+  for (uint32_t i = 0; i < 20000; ++i) {
+    seed = seed * 1664525 + 1013904223;
+    // Periods of growth and of shrinking.
+    const bool takes = (seed >> 20) % 100 < (i / 1000 % 2 == 0 ? 70U : 30U);
+    if (takes) {
+      const Index index = pool.take();
+      CHECK((index == pool.none) == (taken.size() == capacity));
+      if (index == pool.none) continue;
+      REQUIRE(index < capacity);
+      pool[index].payload = index * 3U;
+      taken.push_back(index);
+    } else if (!taken.empty()) {
+      const size_t place = (seed >> 8) % taken.size();
+      CHECK(pool[taken[place]].payload == taken[place] * 3U);
+      pool.give(taken[place]);
+      taken.erase(taken.begin() + static_cast<std::ptrdiff_t>(place));
+    }
+    high_water = taken.size() > high_water ? static_cast<uint32_t>(taken.size()) : high_water;
+    REQUIRE(pool.in_use() == taken.size());
+    REQUIRE(pool.available() == capacity - taken.size());
+    REQUIRE(pool.high_water() == high_water);
+  }
+  CHECK(std::set<Index>(taken.begin(), taken.end()).size() == taken.size());
+}
+
+}  // namespace
+
+TEST_CASE("a pool gives each record once, and then none") {
+  std::vector<Record<uint16_t>> records(5);
+  Pool<Record<uint16_t>, uint16_t> pool;
+  pool.start(records.data(), 5);
+  std::set<uint16_t> taken;
+  for (int i = 0; i < 5; ++i) taken.insert(pool.take());
+  CHECK(taken == std::set<uint16_t>{0, 1, 2, 3, 4});
+  CHECK(pool.take() == pool.none);
+  CHECK(pool.take() == pool.none);
+  CHECK(pool.in_use() == 5);
+  CHECK(pool.available() == 0);
+  pool.give(3);
+  CHECK(pool.take() == 3);
+  CHECK(pool.take() == pool.none);
+}
+
+TEST_CASE("the record given back last is taken first") {
+  std::vector<Record<uint32_t>> records(8);
+  Pool<Record<uint32_t>, uint32_t> pool;
+  pool.start(records.data(), 8);
+  for (uint32_t i = 0; i < 6; ++i) CHECK(pool.take() == i);
+  pool.give(1);
+  pool.give(4);
+  CHECK(pool.take() == 4);
+  CHECK(pool.take() == 1);
+  CHECK(pool.take() == 6);
+}
+
+TEST_CASE("clearing gives all records back and forgets the high-water mark") {
+  std::vector<Record<uint16_t>> records(4);
+  Pool<Record<uint16_t>, uint16_t> pool;
+  pool.start(records.data(), 4);
+  for (int i = 0; i < 4; ++i) pool.take();
+  pool.give(2);
+  CHECK(pool.high_water() == 4);
+  pool.clear();
+  CHECK(pool.in_use() == 0);
+  CHECK(pool.high_water() == 0);
+  for (uint16_t i = 0; i < 4; ++i) CHECK(pool.take() == i);
+  CHECK(pool.take() == pool.none);
+}
+
+TEST_CASE("a pool without records has none") {
+  Pool<Record<uint16_t>, uint16_t> pool;
+  CHECK(pool.take() == pool.none);
+  pool.start(nullptr, 0);
+  CHECK(pool.take() == pool.none);
+  CHECK(pool.capacity() == 0);
+  CHECK(pool.high_water() == 0);
+}
+
+TEST_CASE("an index that means none is never given") {
+  // As many records as a 16-bit index can name.
+  std::vector<Record<uint16_t>> records(65535);
+  Pool<Record<uint16_t>, uint16_t> pool;
+  pool.start(records.data(), 65535);
+  for (uint32_t i = 0; i < 65535; ++i) REQUIRE(pool.take() == i);
+  CHECK(pool.take() == pool.none);
+}
+
+TEST_CASE("whatever is taken and given, no record is out twice and none is lost") {
+  for (const uint32_t capacity : {1U, 2U, 7U, 100U, 1000U}) {
+    check_random_operations<uint16_t>(capacity, capacity);
+    check_random_operations<uint32_t>(capacity, capacity + 1);
+  }
+}
