@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "reference/agreement.hpp"
+#include "reference/sanitized.hpp"
 #include "reference/scan.hpp"
 
 using namespace discmc;
@@ -87,10 +88,10 @@ void for_each_case(Check check) {
   }
 }
 
-// Every value from `least` to `most`, dense at first; a step of 1 up to 32 above the least.
+// Values from `least` to `most`: every one up to 32 above the least, then ever fewer.
 template <class Check>
 void for_each_room(uint64_t least, uint64_t most, Check check) {
-  for (uint64_t room = least; room < most; room += 1 + (room - least) / 32) {
+  for (uint64_t room = least; room < most; room += step(23) * (1 + (room - least) / 32)) {
     CAPTURE(room);
     check(room);
   }
@@ -136,7 +137,7 @@ TEST_CASE("any mixture of shortages keeps the surface") {
   uint32_t mixture = 0;
   for_each_case([&](const Pressed& pressed, bool) {
     const Capacities least = minimum_capacities();
-    for (int i = 0; i < 100; ++i) {
+    for (uint32_t i = 0; i < 100; i += step(10)) {
       mixture = mixture * 1664525 + 1013904223;
       const Capacities capacities{
           least.edges + (mixture >> 8) % 60, least.runs + (mixture >> 12) % 90,
@@ -161,7 +162,7 @@ TEST_CASE("every arena from the minimum to more than enough keeps the surface") 
 TEST_CASE("every single byte more than the minimum keeps the surface") {
   const Pressed pressed(random({7, 6, 5}, 120, 3), Border::closed, true);
   const uint64_t least = minimum_bytes<uint16_t>(pressed.limits());
-  for (uint64_t bytes = least; bytes < least + 3000; ++bytes)
+  for (uint64_t bytes = least; bytes < least + 3000; bytes += step(17))
     CHECK(pressed.fault<uint16_t>(bytes, true) == "");
 }
 
@@ -181,7 +182,7 @@ TEST_CASE("with the least runs, and room for the rest, long rings come out whole
 }
 
 TEST_CASE("the worst-case capacities never cut, with either border, in no shape of slice") {
-  for (uint32_t i = 0; i < 17 * 17; ++i)
+  for (uint32_t i = 0; i < 17 * 17; i += step(10))
     for (const Border border : {Border::closed, Border::open})
       for (uint32_t kind = 0; kind < 8; ++kind) {
         const Size size{1 + i % 17, 1 + i / 17, 5};

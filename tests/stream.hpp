@@ -3,6 +3,7 @@
 #define DISCMC_TESTS_STREAM_HPP
 
 #include <array>
+#include <algorithm>
 #include <cstdint>
 #include <discmc/crc32.hpp>
 #include <discmc/decoder.hpp>
@@ -290,9 +291,12 @@ struct Packet {
 };
 
 inline Bytes frame_of(const Packet& packet) {
-  Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.regions),
-              static_cast<uint8_t>(packet.regions >> 8)};
-  frame.insert(frame.end(), packet.payload.begin(), packet.payload.end());
+  Bytes frame(5 + packet.payload.size());
+  frame[1] = packet.kind;
+  frame[2] = packet.number;
+  frame[3] = static_cast<uint8_t>(packet.regions);
+  frame[4] = static_cast<uint8_t>(packet.regions >> 8);
+  std::copy(packet.payload.begin(), packet.payload.end(), frame.begin() + 5);
   const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
   for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
   const size_t plain = frame.size() - 1;

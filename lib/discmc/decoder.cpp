@@ -5,9 +5,19 @@ namespace discmc {
 
 Status Decoder::start(const Sink& sink) {
   if (sink.take == nullptr) return Status::bad_sink;
-  *this = Decoder();
   sink_ = sink;
+  header_ = StreamHeader{};
+  report_ = StreamReport{};
   is_started_ = true;
+  is_refused_ = false;
+  has_number_ = false;
+  next_number_ = 0;
+  regions_passed_ = 0;
+  frame_bytes_ = 0;
+  frame_is_too_long_ = false;
+  stage_ = Stage::collect;
+  lost_is_untold_ = false;
+  is_open_ = false;
   return Status::ok;
 }
 
@@ -35,8 +45,7 @@ Status Decoder::finish() {
   if (!deliver()) return Status::more;
   if (frame_bytes_ > 0) ++report_.damaged_packets;
   frame_bytes_ = 0;
-  lost_is_untold_ = is_open_;
-  is_open_ = false;
+  lose_open();
   return deliver() ? Status::ok : Status::more;
 }
 
@@ -47,14 +56,18 @@ void Decoder::open_frame(size_t bytes) {
   if (bytes == 0 && !frame_is_too_long_) return;  // a spare delimiter
   const size_t plain = frame_is_too_long_ ? 0 : cobs::unstuff(frame_, bytes);
   const uint8_t* const packet = frame_ + 1;
-  if (plain < packet_head + packet_crc) return damage();
+  if (plain < packet_head + packet_crc || plain > max_packet) return damage();
   const size_t checked = plain - packet_crc;
   if (crc32(packet, checked) != ByteReader(packet + checked, packet_crc).get(4)) return damage();
   const uint8_t* const payload = packet + packet_head;
   const size_t payload_bytes = checked - packet_head;
   const PacketKind kind = static_cast<PacketKind>(packet[0]);
-  if (kind == PacketKind::header) read_header(payload, payload_bytes);
-  if (is_refused_ || !is_expected(packet)) return;
+  if (report_.has_trailer) {
+    ++report_.repeated_packets;
+    return;
+  }
+  if (kind == PacketKind::header && !read_header(payload, payload_bytes)) return;
+  if (!is_expected(packet)) return;
   ++report_.packets;
   if (kind == PacketKind::trailer) read_trailer(payload, payload_bytes);
   if (kind == PacketKind::records) {
@@ -67,15 +80,14 @@ void Decoder::damage() {
   ++report_.damaged_packets;
 }
 
-// Whether a packet is the next one or a later one; a gap before it is noted.
+// Whether a packet is the next one or a later one; a gap before it is noted. Half of the counts of
+// regions, and where these say nothing half of the numbers, lie behind.
 bool Decoder::is_expected(const uint8_t* packet) {
   const uint8_t number = packet[1];
   const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
   const uint16_t regions = static_cast<uint16_t>(low - regions_passed_);
-  const uint8_t gap = has_number_ ? static_cast<uint8_t>(number - next_number_) : 0;
-  // Half of the numbers lie behind; but a count of regions that has grown is no packet seen before.
-  const bool is_behind = gap >= 128 && (regions == 0 || regions >= 0x8000);
-  if (is_behind) {
+  const uint8_t gap = static_cast<uint8_t>(number - next_number_);
+  if (has_number_ && (regions >= 0x8000 || (regions == 0 && gap >= 128))) {
     ++report_.repeated_packets;
     return false;
   }
@@ -86,26 +98,28 @@ bool Decoder::is_expected(const uint8_t* packet) {
 }
 
 void Decoder::note_gap(uint64_t packets, uint64_t regions) {
+  if (packets == 0 && regions == 0) return;
   report_.lost_packets += packets;
   report_.lost_regions += regions;
   regions_passed_ += regions;
-  if (packets == 0) return;
-  lost_is_untold_ = is_open_;
+  lose_open();
+}
+
+// What is under way cannot be ended: the sink is told.
+void Decoder::lose_open() {
+  lost_is_untold_ = lost_is_untold_ || is_open_;
   is_open_ = false;
-  skips_parts_ = true;
 }
 
 // The header's own counts are whole numbers: they set right what the short ones could not tell.
-void Decoder::read_header(const uint8_t* payload, size_t bytes) {
+// False when nothing more is to be had of the packet.
+bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
   using namespace wire;
   ByteReader reader(payload, bytes);
-  uint32_t wrong = bytes < header_payload ? 1 : 0;
+  uint32_t wrong = 0;
   for (const uint8_t letter : magic) wrong |= static_cast<uint32_t>(reader.get(1)) ^ letter;
-  if (wrong != 0) return damage();
-  if (reader.get(1) != version) {
-    is_refused_ = true;
-    return;
-  }
+  is_refused_ = wrong == 0 && reader.get(1) != version;
+  if (is_refused_) return false;
   StreamHeader header;
   header.width = static_cast<uint32_t>(reader.get(2));
   header.height = static_cast<uint32_t>(reader.get(2));
@@ -116,16 +130,27 @@ void Decoder::read_header(const uint8_t* payload, size_t bytes) {
   header.border = reader.get(1) == 1 ? Border::open : Border::closed;
   const uint64_t packets_before = reader.get(4);
   const uint64_t regions_before = reader.get(8);
-  if (!Limits{header.width, header.height, header.border}.are_valid()) return damage();
+  const Limits limits{header.width, header.height, header.border};
+  if (wrong != 0 || bytes < header_payload || !limits.are_valid()) {
+    damage();
+    return false;
+  }
+  const uint64_t packets_passed = report_.packets + report_.lost_packets;
+  if (packets_before < packets_passed) {
+    ++report_.repeated_packets;
+    return false;
+  }
   header_ = header;
   report_.has_header = true;
-  const uint64_t packets_known = report_.packets + report_.lost_packets;
-  if (packets_before > packets_known || regions_before > regions_passed_) {
-    note_gap(packets_before > packets_known ? packets_before - packets_known : 0,
-             regions_before > regions_passed_ ? regions_before - regions_passed_ : 0);
-    has_number_ = true;
-    next_number_ = static_cast<uint8_t>(packets_before);
-  }
+  const uint64_t regions = regions_before > regions_passed_ ? regions_before - regions_passed_ : 0;
+  // A gap noted too small, by whole rounds of the short number, was before what is open.
+  const bool is_gap_here = static_cast<uint8_t>(packets_before) != next_number_ || regions > 0;
+  report_.lost_packets += packets_before - packets_passed;
+  if (is_gap_here) note_gap(0, regions);
+  if (is_gap_here) lose_open();
+  has_number_ = true;
+  next_number_ = static_cast<uint8_t>(packets_before);
+  return true;
 }
 
 void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
@@ -141,8 +166,7 @@ void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
       &totals.cuts,    &totals.spills, &totals.skipped_rows};
   for (uint64_t* count : counts) *count = reader.get(8);
   if (totals.regions > regions_passed_) note_gap(0, totals.regions - regions_passed_);
-  lost_is_untold_ = lost_is_untold_ || is_open_;
-  is_open_ = false;
+  lose_open();
   mark_ = Event{};
   mark_.kind = Event::Kind::finish;
   mark_.slice = report_.slices;
@@ -182,13 +206,10 @@ void Decoder::read_record() {
         is_good = false;
     }
   }
-  if (is_good && !model_.coder().range.is_exhausted()) {
-    if (stage_ == Stage::record) begin_record();
-    return;
-  }
+  is_good = is_good && !model_.coder().range.is_exhausted();
+  if (is_good && (stage_ != Stage::record || begin_record())) return;
   damage();
-  note_gap(1, 0);
-  --report_.lost_packets;  // it is damaged, not lost
+  lose_open();
   stage_ = Stage::collect;
 }
 
@@ -196,6 +217,7 @@ bool Decoder::read_region() {
   record_.begin(model_.incidence(no_incidence));
   record_.is_last = true;
   const uint32_t rings = model_.ring_count(1);
+  if (rings == 0) return false;
   for (uint32_t ring = 0; ring < rings; ++ring)
     if (!read_ring(ring > 0)) return false;
   return true;
@@ -273,6 +295,7 @@ bool Decoder::read_part() {
 }
 
 void Decoder::read_mark(OtherKind kind) {
+  lose_open();
   mark_ = Event{};
   if (kind == OtherKind::layer) {
     mark_.kind = Event::Kind::layer;
@@ -287,16 +310,39 @@ void Decoder::read_mark(OtherKind kind) {
 }
 
 // A part goes on with what the part before began; without that it is of no use.
-void Decoder::begin_record() {
+// False when the record breaks the grammar: a run that is in no ring, or a ring without a run.
+bool Decoder::begin_record() {
   told_ = 0;
-  begin_is_untold_ = !record_.continues;
-  if (!record_.continues) {
-    lost_is_untold_ = is_open_;
-    is_open_ = false;
-    skips_parts_ = false;
-  } else if (skips_parts_ || !is_open_) {
+  const bool goes_on = record_.continues && is_open_ && open_.incidence == record_.incidence &&
+                       open_.is_fragment == record_.is_fragment && open_.number == record_.number;
+  if (record_.continues && !goes_on) {
+    lose_open();
+    if (record_.is_last && !record_.is_fragment) {
+      ++report_.lost_regions;
+      ++regions_passed_;
+    }
     stage_ = Stage::records;
+    return true;
   }
+  if (!record_.continues) {
+    lose_open();
+    ring_is_empty_ = false;
+  }
+  if (!record_.is_fragment && !rings_are_whole()) return false;
+  begin_is_untold_ = !record_.continues;
+  return true;
+}
+
+bool Decoder::rings_are_whole() {
+  if (!record_.continues && (record_.count == 0 || record_.word[0] != Record::ring_mark))
+    return false;
+  for (uint32_t i = 0; i < record_.count;) {
+    const bool is_ring = record_.word[i] == Record::ring_mark;
+    if (is_ring && ring_is_empty_) return false;
+    ring_is_empty_ = is_ring;
+    i += is_ring ? Record::ring_words : 1;
+  }
+  return !record_.is_last || !ring_is_empty_;
 }
 
 // ---- delivery ----
@@ -337,6 +383,7 @@ bool Decoder::deliver_record() {
     event.kind = record_.is_fragment ? Event::Kind::fragment : Event::Kind::region;
     if (!offer(event)) return false;
     begin_is_untold_ = false;
+    open_ = {record_.incidence, record_.is_fragment, record_.number};
     is_open_ = true;
     is_first_ring_ = true;
   }

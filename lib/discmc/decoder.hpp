@@ -70,14 +70,16 @@ class Decoder {
   void open_frame(size_t bytes);
   bool is_expected(const uint8_t* packet);
   void note_gap(uint64_t packets, uint64_t regions);
-  void read_header(const uint8_t* payload, size_t bytes);
+  void lose_open();
+  bool read_header(const uint8_t* payload, size_t bytes);
   void read_trailer(const uint8_t* payload, size_t bytes);
   void read_record();
   bool read_region();
   bool read_ring(bool further);
   bool read_part();
   void read_mark(OtherKind kind);
-  void begin_record();
+  bool begin_record();
+  bool rings_are_whole();
   void damage();
 
   bool deliver();
@@ -104,8 +106,15 @@ class Decoder {
   bool begin_is_untold_ = false;
   bool lost_is_untold_ = false;
   bool is_first_ring_ = true;
-  bool is_open_ = false;      // the sink has begun a region or fragment that goes on
-  bool skips_parts_ = false;  // of a record whose beginning is lost
+  // What the sink has begun and waits for the next part of.
+  struct Open {
+    Incidence incidence;
+    bool is_fragment;
+    uint32_t number;
+  };
+  Open open_{};
+  bool is_open_ = false;
+  bool ring_is_empty_ = false;  // the record so far ends with a ring's start
   Event mark_{};
 };
 

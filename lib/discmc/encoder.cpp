@@ -21,6 +21,7 @@ Status Encoder::start(const StreamHeader& header, const ByteOutput& output) {
   regions_ = 0;
   packets_ = 0;
   trailer_is_sealed_ = false;
+  is_emptying_ = false;
   seal_header();
   return Status::ok;
 }
@@ -36,11 +37,11 @@ Answer Encoder::take(const Event& event) {
       record_.number = event.number;
       break;
     case Event::Kind::ring:
-      done = record_.has_room(Record::ring_words) || put_parts(false);
+      done = has_room(Record::ring_words) || put_parts(false);
       if (done) record_.add_ring(event.start);
       break;
     case Event::Kind::run:
-      done = record_.has_room(1) || put_parts(false);
+      done = has_room(1) || put_parts(false);
       if (done) record_.add_run(event.run);
       break;
     case Event::Kind::region_end:
@@ -55,6 +56,7 @@ Answer Encoder::take(const Event& event) {
       done = put_trailer(event);
       break;
     case Event::Kind::lost:
+      is_emptying_ = false;
       record_.begin(no_incidence);
       break;
   }
@@ -89,10 +91,11 @@ bool Encoder::put_record() {
 
 // Empties the record into one part, or into as many as there must be packets for them.
 bool Encoder::put_parts(bool is_last) {
+  is_emptying_ = true;
   for (;;) {
     const Model before = model_;
     const uint32_t words = encode_part(is_last);
-    const bool is_whole = words == record_.count;
+    const bool is_whole = words == record_.count && fits(end_reserve);
     if (!is_whole && !packet_is_empty_) {
       model_ = before;
     } else {
@@ -105,6 +108,7 @@ bool Encoder::put_parts(bool is_last) {
     seal_records();
     if (!drain()) return false;
   }
+  is_emptying_ = false;
   if (is_last && !record_.is_fragment) ++regions_;
   return true;
 }

@@ -43,6 +43,8 @@ class Encoder {
   };
   using Model = RegionModel<Coder>;
 
+  // While a record is being emptied it takes nothing, or the bytes would depend on the output.
+  bool has_room(uint32_t words) const { return !is_emptying_ && record_.has_room(words); }
   bool put_record();
   bool put_parts(bool is_last);
   uint32_t encode_part(bool is_last);
@@ -73,6 +75,7 @@ class Encoder {
   bool trailer_is_sealed_ = false;
 
   Record record_;
+  bool is_emptying_ = false;  // a record too long for a packet is on its way out in parts
 };
 
 }  // namespace discmc

@@ -86,7 +86,8 @@ class HashTable {
   // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
   uint32_t first_slot(uint32_t key) const {
     if (slots_ >= range_) return key;
-    return static_cast<uint32_t>(uint64_t{key * 0x9E3779B1U} * slots_ >> 32);
+    const uint32_t spread = key * 0x9E3779B1U;
+    return static_cast<uint32_t>(uint64_t{spread} * slots_ >> 32);
   }
 
   uint32_t after(uint32_t slot) const { return slot + 1 < slots_ ? slot + 1 : 0; }

@@ -68,8 +68,10 @@ constexpr uint32_t saturated(uint64_t value) {
 
 }  // namespace sizing
 
-/// Capacities with which no volume ever causes a cut, given a sink that takes fragments: two edges
-/// for every cell face ahead, and a hash table with a slot for every key.
+/// Capacities with which no volume ever cuts a region apart, given a sink that takes fragments: two
+/// edges for every cell face ahead, and a hash table with a slot for every key. Holes of a region
+/// that stays open keep their ring records: beyond their number, which no capacity can bound, they
+/// are joined by slits, which count as cuts and vanish when rings are made simple.
 constexpr Capacities worst_case_capacities(const Limits& limits) {
   const uint64_t keys = Frontier<uint32_t>::keys(limits.columns(), limits.cell_rows());
   // The places within the slice twice: the pool keeps as many back from edges that wait above.
@@ -128,7 +130,7 @@ constexpr uint64_t minimum_bytes(const Limits& limits) {
   return bytes_for<Index>(limits, minimum_capacities());
 }
 
-/// The memory with which no volume ever causes a cut, given a sink that takes fragments.
+/// The memory with which no volume ever cuts a region apart (see worst_case_capacities()).
 /// Far more than real volumes need: see default_capacities().
 template <class Index>
 constexpr uint64_t worst_case_bytes(const Limits& limits) {
@@ -146,9 +148,12 @@ constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
                         20 * (sizeof(uint32_t) + sizeof(Index));
   // Seven arrays lose at most three bytes each to alignment.
   const uint64_t taken = minimum_bytes<Index>(limits) + 7 * Arena::alignment;
-  uint64_t units = bytes > taken ? (bytes - taken) / unit : 0;
-  const uint64_t countable = (uint64_t{static_cast<Index>(~Index{0})} - 64) / 26;
-  if (units > countable) units = countable;
+  // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
+  constexpr uint32_t countable =
+      static_cast<uint32_t>((uint64_t{static_cast<Index>(~Index{0})} - 64) / 26);
+  const uint32_t spare = sizing::saturated(bytes > taken ? bytes - taken : 0);
+  const uint32_t affordable = spare / static_cast<uint32_t>(unit);
+  const uint64_t units = affordable < countable ? affordable : countable;
   const auto at_most = [](uint64_t value, uint32_t limit) {
     return value < limit ? static_cast<uint32_t>(value) : limit;
   };

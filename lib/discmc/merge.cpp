@@ -24,10 +24,7 @@ struct Merge<Index>::Walk {
       vertex = vertex + direction_vector(patch.incidence, patch.direction(l));
     return vertex;
   }
-  uint8_t turn_into(int i) const {
-    const int before = i > 0 ? i - 1 : patch.count - 1;
-    return static_cast<uint8_t>(turn(patch.incidence, patch.direction(before), patch.direction(i)));
-  }
+  uint8_t turn_into(int i) const { return static_cast<uint8_t>(patch.turn[i]); }
 };
 
 template <class Index>
@@ -154,9 +151,7 @@ void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
 template <class Index>
 void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) {
   const Patch& patch = walk.patch;
-  Vertex start = walk.cell.origin + position(patch.start);
   for (int i = 0; i < patch.count; ++i) {
-    const Link link = links.link[patch.incidence][patch.direction(i)];
     const Index edge = is_behind(patch.place(i)) ? behind[patch.place(i)] : none;
     walk.twin[i] = none;
     if (edge != none) {
@@ -172,10 +167,10 @@ void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) 
           walk.region = regions_.unite(walk.region, root);
       } else {
         if (incidence == patch.incidence) ++cuts_;
-        make_boundary(edge, links.direction[incidence][opposite_link(link)], start);
+        const Link link = opposite_link(links.link[patch.incidence][patch.direction(i)]);
+        make_boundary(edge, links.direction[incidence][link], walk.start_of(i));
       }
     }
-    start = start + links.vector[link];
   }
 }
 

@@ -49,12 +49,15 @@ constexpr Patch patch_of(Incidence incidence, const PointRing& ring) {
     start = i;
     break;
   }
-  Patch patch{incidence, ring.count, ring.point[start], {}};
+  Patch patch{incidence, ring.count, ring.point[start], {}, {}};
   for (int i = 0; i < ring.count; ++i) {
     const Point from = ring.point[(start + i) % ring.count];
     const Point to = ring.point[(start + i + 1) % ring.count];
     patch.link[i] = coded_link(incidence, from, to);
   }
+  for (int i = 0; i < ring.count; ++i)
+    patch.turn[i] = static_cast<int8_t>(discmc::turn(
+        incidence, patch.direction((i + ring.count - 1) % ring.count), patch.direction(i)));
   return patch;
 }
 

@@ -48,6 +48,7 @@ struct Patch {
   uint8_t count;
   Point start;              ///< where link 0 begins
   uint8_t link[max_links];  ///< place (upper 5 bits) and direction (lower 3 bits)
+  int8_t turn[max_links];   ///< from the link before into each link
 
   constexpr Place place(int i) const { return link[i] >> 3; }
   constexpr Direction direction(int i) const { return link[i] & 7; }

@@ -1,0 +1,66 @@
+// Fuzz target: any bytes, as they are, and as packets under a correct checksum, so that the decoder
+// of regions sees hostile bits. Nothing may fault or go on for ever, the events must keep to the
+// grammar, portions and refusals may not show, and an encoder must take whatever comes out.
+//
+//   fuzz_wire_decode -max_len=1200 corpus/wire_decode      with libFuzzer
+//   fuzz_wire_decode corpus/wire_decode                    with replay_main.cpp
+#include <cstdio>
+#include <cstdlib>
+
+#include "stream.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+
+namespace {
+
+void require(bool holds, const char* broken) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", broken);
+  std::abort();
+}
+
+// Cuts the bytes into packets, each led by its length, kind, number and count of regions.
+Bytes framed(const uint8_t* data, size_t size) {
+  Bytes stream;
+  for (size_t at = 0; at + 4 <= size;) {
+    Packet packet;
+    const size_t left = size - at - 4;
+    const size_t count = data[at] < left ? data[at] : left;
+    // Mostly what an encoder would say of a packet, so that its records are looked at.
+    packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 5;
+    packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
+    packet.regions = data[at + 3];
+    packet.payload.assign(data + at + 4, data + at + 4 + count);
+    if (count <= wire::max_payload) {
+      const Bytes frame = frame_of(packet);
+      stream.insert(stream.end(), frame.begin(), frame.end());
+    }
+    at += 4 + count;
+  }
+  return stream;
+}
+
+void check(const Bytes& stream, size_t portion) {
+  const Arrival arrival = decode(stream);
+  const std::vector<Events> regions = regions_of(arrival.events);
+  require(regions.size() == arrival.report.regions, "the report counts other regions");
+  const Arrival again = decode(stream, portion, true);
+  require(again.events == arrival.events, "portions or refusals show");
+  require(again.report.lost_regions == arrival.report.lost_regions, "the report depends on them");
+  const Bytes copy = encode(arrival.events);
+  for (const Bytes& frame : frames_of(copy))
+    require(frame.size() <= wire::max_frame, "a frame too long");
+  require(regions_of(decode(copy).events) == regions, "a copy has other regions");
+  require(encode(arrival.events, any_header(), portion) == copy, "the output's portions show");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  if (size == 0) return 0;
+  const size_t portion = size_t{1} + data[0] % 16;
+  check({data + 1, data + size}, portion);
+  check(framed(data + 1, size - 1), portion);
+  return 0;
+}

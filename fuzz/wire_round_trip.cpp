@@ -1,0 +1,162 @@
+// Fuzz target: any small volume in any memory, and any script of events within the limits of the
+// format, comes through the stream; with losses what arrives is a part of what was sent, and what
+// is missing is counted.
+//
+//   fuzz_wire_round_trip -max_len=400 corpus/wire_round_trip      with libFuzzer
+//   fuzz_wire_round_trip corpus/wire_round_trip                   with replay_main.cpp
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+
+namespace {
+
+void require(bool holds, const char* broken) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", broken);
+  std::abort();
+}
+
+/// Numbers out of the input; zeros once it is used up.
+class Input {
+ public:
+  Input(const uint8_t* data, size_t size) : data_(data), size_(size) {}
+  bool is_empty() const { return at_ == size_; }
+  uint32_t byte() { return is_empty() ? 0 : data_[at_++]; }
+  uint32_t below(uint32_t limit) { return byte() % limit; }
+  /// Small numbers as often as large ones.
+  uint32_t number(uint32_t most) {
+    const uint32_t bits = byte() % 32;
+    const uint32_t value = byte() | byte() << 8 | byte() << 16 | byte() << 24;
+    const uint32_t cut = value & ((uint32_t{1} << bits) - 1);
+    return cut <= most ? cut : most;
+  }
+
+ private:
+  const uint8_t* data_;
+  size_t size_;
+  size_t at_ = 0;
+};
+
+BitVolume read_volume(Input& input) {
+  BitVolume volume({1 + input.below(12), 1 + input.below(8), 1 + input.below(6)});
+  for (size_t i = 0; i < volume.on.size(); i += 8) {
+    const uint32_t bits = input.byte();
+    for (size_t k = i; k < i + 8 && k < volume.on.size(); ++k)
+      volume.on[k] = static_cast<uint8_t>(bits >> (k - i) & 1);
+  }
+  return volume;
+}
+
+Events read_scan(Input& input, StreamHeader& header) {
+  reference::Plan plan;
+  const uint32_t flags = input.byte();
+  plan.border = (flags & 1) != 0 ? Border::open : Border::closed;
+  plan.takes_fragments = (flags & 2) == 0;
+  Capacities capacities = minimum_capacities();
+  capacities.edges += input.byte();
+  capacities.runs += input.below(64);
+  capacities.rings += input.below(16);
+  capacities.regions += input.byte();
+  capacities.slots += input.byte();
+  const BitVolume volume = read_volume(input);
+  header = header_of(volume, plan.border);
+  return events_of(volume, capacities, plan);
+}
+
+void read_runs(Input& input, Script& script, Incidence incidence) {
+  const uint32_t count = 1 + (input.below(8) == 0 ? input.byte() : input.below(8));
+  const uint32_t directions = links.direction_count[incidence];
+  for (uint32_t i = 0; i < count; ++i) {
+    if (input.byte() > 240)
+      script.run(Run::fragment(input.number(Run::max_fragment)));
+    else
+      script.run(static_cast<Direction>(input.below(directions)),
+                 1 + input.number(Run::max_length - 1));
+  }
+}
+
+Vertex read_start(Input& input) {
+  Vertex start{static_cast<int32_t>(input.number(UINT32_MAX)),
+               static_cast<int32_t>(input.number(UINT32_MAX)),
+               -static_cast<int32_t>(input.number(INT32_MAX))};
+  if (((start.x ^ start.y ^ start.z) & 1) == 0) start.x ^= 1;
+  return start;
+}
+
+// Events that follow the grammar, whatever else they mean.
+Events read_script(Input& input) {
+  Script script;
+  uint32_t slice = 0;
+  while (!input.is_empty()) {
+    auto incidence = static_cast<Incidence>(input.below(26));
+    if (incidence >= no_incidence) ++incidence;
+    const uint32_t kind = input.below(8);
+    if (kind == 0) {
+      slice += input.number(1000000);
+      script.layer(slice);
+    } else if (kind == 1) {
+      script.skipped(input.number(UINT32_MAX - 1), input.number(UINT32_MAX - 1), kind % 2 == 1);
+    } else if (kind == 2) {
+      script.fragment(incidence, input.number(Run::max_fragment));
+      read_runs(input, script, incidence);
+      script.fragment_end();
+    } else if (kind == 3) {
+      script.region(up).square(read_start(input), 1 + input.number(70000)).region_end();
+    } else {
+      script.region(incidence);
+      const uint32_t rings = 1 + (input.below(4) == 0 ? input.below(40) : 0);
+      for (uint32_t ring = 0; ring < rings; ++ring) {
+        script.ring(read_start(input), ring > 0);
+        read_runs(input, script, incidence);
+      }
+      script.region_end();
+    }
+  }
+  return script.finish().events;
+}
+
+// What is left of a stream that loses packets is a part of it, and the rest is counted.
+void check_losses(const Bytes& stream, const std::vector<Events>& sent, uint32_t pattern) {
+  Bytes left;
+  uint32_t at = 0;
+  const std::vector<Bytes> frames = frames_of(stream);
+  for (const Bytes& frame : frames) {
+    ++at;
+    if ((pattern >> at % 8 & 1) != 0 && at != frames.size()) continue;
+    left.insert(left.end(), frame.begin(), frame.end());
+  }
+  const Arrival arrival = decode(left);
+  const std::vector<Events> arrived = regions_of(arrival.events);
+  size_t place = 0;
+  for (const Events& region : arrived) {
+    while (place < sent.size() && sent[place] != region) ++place;
+    require(place++ < sent.size(), "a region that was never sent");
+  }
+  require(arrival.report.lost_regions == sent.size() - arrived.size(), "lost regions not counted");
+  require(arrival.report.is_complete() == (left.size() == stream.size()), "a loss not noticed");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  Input input(data, size);
+  const uint32_t flags = input.byte();
+  const size_t portion = size_t{1} + input.below(32);
+  const uint32_t pattern = input.byte();
+  StreamHeader header = any_header();
+  const Events events = (flags & 1) != 0 ? read_script(input) : read_scan(input, header);
+  const Bytes stream = encode(events, header);
+  require(encode(events, header, portion) == stream, "the output's portions show");
+  const Arrival arrival = decode(stream);
+  require(arrival.events == events, "what comes out is not what went in");
+  require(arrival.report.is_complete(), "a whole stream is not complete");
+  require(decode(stream, portion, true).events == events, "the input's portions show");
+  check_losses(stream, regions_of(events), pattern);
+  return 0;
+}
