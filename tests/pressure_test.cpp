@@ -47,8 +47,7 @@ class Pressed {
   std::string fault_of(const Collector& collector, bool may_cut) const {
     const std::vector<Region>& swept = collector.regions();
     if (collector.split_sides() != 0) return "a straight side in more runs than it needs";
-    if (collector.statistics().cuts == 0)
-      return describe_difference(canonical(simple_rings(swept)), merged_);
+    if (collector.statistics().cuts == 0) return unlike_regions(swept, merged_);
     if (!may_cut) return "a cut";
     if (swept.size() < merged_.size()) return "fewer regions than there are";
     return unlike_surface(swept, volume_, closed_);

@@ -87,6 +87,8 @@ TEST_CASE("the rows around every row of cells are those of the volume, halo and 
             rows.rows.append(&volume.on[volume.index(0, y, z)], width, 1, 1);
             CHECK(rows.rows.row_is_complete());
             rows.rows.next_row();
+            // No samples: the old row whose place the next row takes is still in use.
+            if (y + 1 < height) rows.rows.append(volume.on.data(), 0, 1, 1);
             check_newest(rows, volume, limits, z, y + 1);
           }
           rows.rows.next_slice();

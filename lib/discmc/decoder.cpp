@@ -136,12 +136,13 @@ bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
     return false;
   }
   const uint64_t packets_passed = report_.packets + report_.lost_packets;
-  if (packets_before < packets_passed) {
+  const bool is_behind = packets_before < packets_passed;
+  if (!is_behind || !report_.has_header) header_ = header;
+  report_.has_header = true;
+  if (is_behind) {
     ++report_.repeated_packets;
     return false;
   }
-  header_ = header;
-  report_.has_header = true;
   const uint64_t regions = regions_before > regions_passed_ ? regions_before - regions_passed_ : 0;
   // A gap noted too small, by whole rounds of the short number, was before what is open.
   const bool is_gap_here = static_cast<uint8_t>(packets_before) != next_number_ || regions > 0;

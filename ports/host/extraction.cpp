@@ -61,7 +61,17 @@ class CrossingCounter {
 
 std::int32_t nanometres(double millimetres) {
   const double value = std::round(millimetres * 1e6);
-  return static_cast<std::int32_t>(std::clamp(value, -2147483647.0, 2147483647.0));
+  if (!(std::fabs(value) <= 2147483647.0))
+    throw std::invalid_argument("spacing " + std::to_string(millimetres) +
+                                " mm is more than the 2147 mm that a stream can hold: give the "
+                                "volume a smaller unit");
+  return static_cast<std::int32_t>(value);
+}
+
+// What the index width that goes with so little memory asks for at least. Units: bytes.
+std::uint64_t least_bytes(const Limits& limits) {
+  const std::uint64_t narrow = minimum_bytes<std::uint16_t>(limits);
+  return narrow < small_arena ? narrow : minimum_bytes<std::uint32_t>(limits);
 }
 
 template <class Index>
@@ -83,7 +93,7 @@ Extraction extract_samples(VolumeReader& volume, const Limits& limits,
     throw std::invalid_argument("--memory " + std::to_string(memory) +
                                 " is too little for slices of " + std::to_string(limits.width) +
                                 "x" + std::to_string(limits.height) + ": give at least " +
-                                std::to_string(minimum_bytes<Index>(limits)) + " bytes");
+                                std::to_string(least_bytes(limits)) + " bytes");
   if (started != Status::ok) throw std::invalid_argument(text(started));
   const VolumeInfo& info = volume.info();
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
@@ -133,10 +143,12 @@ StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& opti
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
   const VolumeInfo& info = volume.info();
   const Limits limits{info.dims[0], info.dims[1], options.border};
-  const std::uint64_t generous =
-      std::max(std::min(generous_bytes, worst_case_bytes<std::uint32_t>(limits)),
-               2 * minimum_bytes<std::uint32_t>(limits));
-  const std::uint64_t memory = options.memory > 0 ? options.memory : generous;
+  const std::uint64_t least = 2 * minimum_bytes<std::uint32_t>(limits);
+  const std::uint64_t most = std::max(worst_case_bytes<std::uint32_t>(limits), least);
+  const std::uint64_t generous = std::max(std::min(generous_bytes, most), least);
+  // More than the worst case needs is never touched.
+  const std::uint64_t memory =
+      options.memory > 0 ? std::min(options.memory, std::max(most, small_arena)) : generous;
   return options.memory > 0 && memory < small_arena
              ? extract_indexed<std::uint16_t>(volume, limits, options, memory, sink)
              : extract_indexed<std::uint32_t>(volume, limits, options, memory, sink);

@@ -2,6 +2,8 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <discmc/extractor.hpp>
 #include <exception>
 #include <filesystem>
@@ -78,6 +80,16 @@ void require(Status status) {
   if (status != Status::ok) throw std::runtime_error(text(status));
 }
 
+// Writes a surface to the file; what goes wrong is told with its name.
+void write_surface(const Surface& surface, Format format, bool conforming, OutputFile& file) {
+  try {
+    write_surface(surface, format, conforming, file.stream());
+  } catch (const std::runtime_error&) {
+    file.commit();  // throws
+    throw;
+  }
+}
+
 int run_extract(const ExtractArguments& arguments) {
   const Format format = format_of(arguments.output);
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
@@ -97,7 +109,7 @@ int run_extract(const ExtractArguments& arguments) {
   const Extraction extraction = extract(*volume, options, sink_to(tee));
   tee.builder.surface().spacing_mm = info.spacing_mm;
   if (format != Format::stream)
-    write_surface(tee.builder.surface(), format, arguments.conforming, file.stream());
+    write_surface(tee.builder.surface(), format, arguments.conforming, file);
   file.commit();
   if (!arguments.quiet)
     write_table(extraction, count(tee.builder.surface()), output.bytes(),
@@ -115,8 +127,12 @@ void decode_file(const std::string& path, const Sink& sink, Decoder& decoder) {
   }
   require(decoder.start(sink));
   Progress progress("bytes", 0);
-  read_stream(path == "-" ? std::cin : file, decoder,
-              [&progress](std::uint64_t bytes) { progress.show(bytes); });
+  try {
+    read_stream(path == "-" ? std::cin : file, decoder,
+                [&progress](std::uint64_t bytes) { progress.show(bytes); });
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
   if (!decoder.report().has_header)
     throw std::runtime_error(path + ": no header of a discmc stream in " +
                              std::to_string(decoder.report().bytes) +
@@ -134,7 +150,9 @@ DecodedStream decode_surface(const std::string& path) {
   Decoder decoder;
   decode_file(path, sink_to(builder), decoder);
   builder.surface().spacing_mm = spacing_mm(decoder.header());
-  return {decoder.header(), decoder.report(), std::move(builder.surface())};
+  StreamReport report = decoder.report();
+  report.lost_regions += builder.incomplete_regions();
+  return {decoder.header(), report, std::move(builder.surface())};
 }
 
 // What is missing is said, and told by the exit code, but what is there is used.
@@ -152,8 +170,15 @@ class Recoder {
   Recoder(const Decoder& decoder, const ByteOutput& output) : decoder_(decoder), output_(output) {}
 
   Answer take(const Event& event) {
-    if (!is_started_) require(encoder_.start(decoder_.header(), output_));
-    is_started_ = true;
+    if (!is_started_) {
+      if (!decoder_.report().has_header) {  // its first header is lost: wait for the next
+        early_.push_back(event);
+        return Answer::taken;
+      }
+      require(encoder_.start(decoder_.header(), output_));
+      is_started_ = true;
+      for (const Event& early : early_) encoder_.take(early);  // a file takes all
+    }
     return encoder_.take(event);
   }
   void flush() {
@@ -164,6 +189,7 @@ class Recoder {
   const Decoder& decoder_;
   ByteOutput output_;
   Encoder encoder_;
+  std::vector<Event> early_;  // before any header
   bool is_started_ = false;
 };
 
@@ -180,7 +206,7 @@ int run_decode(const StreamArguments& arguments) {
     report = decoder.report();
   } else {
     const DecodedStream decoded = decode_surface(arguments.stream);
-    write_surface(decoded.surface, format, arguments.conforming, file.stream());
+    write_surface(decoded.surface, format, arguments.conforming, file);
     report = decoded.report;
   }
   file.commit();
@@ -190,6 +216,7 @@ int run_decode(const StreamArguments& arguments) {
 int run_info(const StreamArguments& arguments) {
   const DecodedStream decoded = decode_surface(arguments.stream);
   write_info(decoded.header, decoded.report, count(decoded.surface), std::cout);
+  if (!std::cout.flush()) throw std::runtime_error("standard output: writing failed");
   return completeness(arguments.stream, decoded.report);
 }
 
@@ -205,6 +232,59 @@ int run_render(const StreamArguments& arguments) {
   return completeness(arguments.stream, decoded.report);
 }
 
+// Checks of single values; what they return is an error, and wrong usage.
+
+CLI::Validator finite() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const bool is_finite = !text.empty() && std::isfinite(std::strtod(text.c_str(), nullptr));
+        return is_finite ? std::string() : "'" + text + "' is no finite number";
+      },
+      "");
+}
+
+CLI::Validator usable_spacing() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const double size = std::fabs(std::strtod(text.c_str(), nullptr));
+        return size >= 1e-6 && size <= 2147 ? std::string()
+                                            : "'" + text + "' is not within 1e-6 to 2147 mm";
+      },
+      "");
+}
+
+CLI::Validator not_negative() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
+      },
+      "");
+}
+
+CLI::Validator known_format() {
+  return CLI::Validator(
+      [](std::string& text) {
+        try {
+          format_of(text);
+        } catch (const std::invalid_argument& error) {
+          return std::string(error.what());
+        }
+        return std::string();
+      },
+      "");
+}
+
+CLI::Validator png_name() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const std::string extension = std::filesystem::path(text).extension().string();
+        return text == "-" || extension == ".png" || extension == ".PNG"
+                   ? std::string()
+                   : text + ": pictures are PNG files: give a name that ends in .png";
+      },
+      "");
+}
+
 void add_extract(CLI::App& app, ExtractArguments& arguments) {
   CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
   extract
@@ -214,31 +294,44 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
   extract
       ->add_option("--iso", arguments.iso,
                    "on means value >= ISO, in the units that the file declares")
+      ->check(finite())
       ->required();
   extract
-      ->add_option("--border", arguments.border,
-                   "closed: off voxels all around; open: the surface ends at the outermost voxels")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Border>{{"closed", Border::closed}, {"open", Border::open}}))
+      ->add_option_function<std::string>(
+          "--border",
+          [&arguments](const std::string& name) {
+            arguments.border = name == "open" ? Border::open : Border::closed;
+          },
+          "closed: off voxels all around; open: the surface ends at the outermost voxels")
+      ->check(CLI::IsMember({"closed", "open"}))
       ->option_text("closed|open");
   extract
       ->add_option("--memory", arguments.memory,
                    "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)")
       ->transform(CLI::AsSizeValue(false))
+      ->transform(not_negative())  // which comes before the other
       ->option_text("BYTES");
-  extract->add_option("-o,--output", arguments.output,
-                      "by extension .dmc, .obj, .ply, .stl or .jsonl; - is the stream on standard "
-                      "output (default)");
+  extract
+      ->add_option("-o,--output", arguments.output,
+                   "by extension .dmc, .obj, .ply, .stl or .jsonl; - is the stream on standard "
+                   "output (default)")
+      ->check(known_format());
   CLI::Option* dims =
       extract->add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
           ->delimiter(',')
           ->expected(3)
           ->option_text("X,Y,Z");
-  CLI::Option* type =
-      extract->add_option("--type", arguments.type, "samples of a headerless file")
-          ->transform(CLI::CheckedTransformer(std::map<std::string, SampleType>{
-              {"u8", SampleType::u8}, {"u16", SampleType::u16}, {"i16", SampleType::i16}}))
-          ->option_text("u8|u16|i16");
+  CLI::Option* type = extract
+                          ->add_option_function<std::string>(
+                              "--type",
+                              [&arguments](const std::string& name) {
+                                arguments.type = name == "u8"    ? SampleType::u8
+                                                 : name == "u16" ? SampleType::u16
+                                                                 : SampleType::i16;
+                              },
+                              "samples of a headerless file")
+                          ->check(CLI::IsMember({"u8", "u16", "i16"}))
+                          ->option_text("u8|u16|i16");
   dims->needs(type);
   type->needs(dims);
   extract->add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
@@ -249,6 +342,7 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
       ->delimiter(',')
       ->expected(3)
       ->option_text("X,Y,Z")
+      ->check(usable_spacing())
       ->needs(dims);
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
@@ -270,19 +364,24 @@ void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
       ->add_option(
           "-o,--output", arguments.output,
           "by extension .dmc, .obj, .ply, .stl or .jsonl; - is a stream on standard output")
+      ->check(known_format())
       ->required();
   decode->add_flag("--conforming,!--no-conforming", arguments.conforming,
                    "a mesh without T-junctions (default), or corners alone");
   add_stream_command(app, "info", "Tell what a stream holds, one key and value a line", arguments);
   CLI::App* render = add_stream_command(app, "render", "Draw a stream as a PNG picture", arguments);
-  render->add_option("-o,--output", arguments.output, "the PNG file")->required();
+  render->add_option("-o,--output", arguments.output, "the PNG file; - is standard output")
+      ->check(png_name())
+      ->required();
   render->add_option("--view", arguments.view, "direction from the surface to the viewer")
       ->delimiter(',')
       ->expected(3)
+      ->check(finite())
       ->option_text("X,Y,Z");
   render->add_option("--size", arguments.size, "of the picture, in pixels (default: 1024,1024)")
       ->delimiter(',')
       ->expected(2)
+      ->check(CLI::Range(1, 8192))
       ->option_text("W,H");
   render->add_flag("--edges", arguments.outlines, "outline the merged polygons");
 }
@@ -315,6 +414,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return discmc::host::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr
+        << "discmc: the memory of this computer is not enough: take a smaller volume or stream\n";
+    return discmc::host::exit_failure;
   } catch (const std::exception& error) {
     std::cerr << "discmc: " << error.what() << '\n';
     return discmc::host::exit_failure;

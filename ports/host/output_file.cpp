@@ -1,5 +1,8 @@
 #include "output_file.hpp"
 
+#include <unistd.h>
+
+#include <csignal>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -8,9 +11,32 @@
 #include "mesh_files.hpp"
 
 namespace discmc::host {
+namespace {
+
+// What a signal that ends the program removes first; nothing when empty.
+char unfinished[4096] = "";
+
+void remove_unfinished(int signal) {
+  if (unfinished[0] != '\0') unlink(unfinished);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void set_unfinished(const std::string& file) {
+  unfinished[0] = '\0';
+  if (file.empty() || file.size() >= sizeof unfinished) return;
+  file.copy(unfinished + 1, file.size() - 1, 1);
+  unfinished[file.size()] = '\0';
+  unfinished[0] = file[0];
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+}  // namespace
 
 Format format_of(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (path == "-" || extension == ".dmc") return Format::stream;
   if (extension == ".obj") return Format::obj;
   if (extension == ".ply") return Format::ply;
@@ -20,20 +46,28 @@ Format format_of(const std::filesystem::path& path) {
                               "\": use .dmc, .obj, .ply, .stl or .jsonl");
 }
 
-OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
+OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   if (is_standard_output()) return;
-  temporary_ += ".part";
-  file_.open(temporary_, std::ios::binary);
+  const auto status = std::filesystem::status(path);
+  if (std::filesystem::is_directory(status))
+    throw std::runtime_error(path.string() + ": is a folder: give the name of a file");
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+    temporary_ = path;
+    temporary_ += ".part" + std::to_string(getpid());
+    set_unfinished(temporary_.string());
+  }
+  file_.open(is_in_place() ? path_ : temporary_, std::ios::binary);
   if (!file_)
     throw std::runtime_error(path.string() +
                              ": cannot be written: check the folder and its permissions");
 }
 
 OutputFile::~OutputFile() {
-  if (is_standard_output() || is_committed_) return;
+  if (is_standard_output() || is_committed_ || is_in_place()) return;
   file_.close();
   std::error_code ignored;
   std::filesystem::remove(temporary_, ignored);
+  set_unfinished({});
 }
 
 std::ostream& OutputFile::stream() {
@@ -45,8 +79,12 @@ void OutputFile::commit() {
   if (!stream()) throw std::runtime_error(path_.string() + ": writing failed: is the disk full?");
   if (is_standard_output()) return;
   file_.close();
-  std::filesystem::rename(temporary_, path_);
+  if (!file_) throw std::runtime_error(path_.string() + ": writing failed: is the disk full?");
+  std::error_code error;
+  if (!is_in_place()) std::filesystem::rename(temporary_, path_, error);
+  if (error) throw std::runtime_error(path_.string() + ": cannot be replaced: " + error.message());
   is_committed_ = true;
+  set_unfinished({});
 }
 
 void write_surface(const Surface& surface, Format format, bool conforming, std::ostream& out) {

@@ -17,8 +17,9 @@ enum class Format { stream, obj, ply, stl, jsonl };
 /// extensions that are known.
 Format format_of(const std::filesystem::path& path);
 
-/// A file that appears under its name only when commit() is reached: whatever fails before leaves
-/// no half-written file behind. "-" is standard output.
+/// A file that appears under its name only when commit() is reached: whatever fails before, and a
+/// signal that ends the program, leaves no half-written file behind. "-" is standard output; pipes
+/// and devices are written in place. Limit: one at a time.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -32,6 +33,7 @@ class OutputFile {
 
  private:
   bool is_standard_output() const { return path_ == "-"; }
+  bool is_in_place() const { return temporary_.empty(); }
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::ofstream file_;

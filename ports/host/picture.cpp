@@ -8,6 +8,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "output_file.hpp"
 
 namespace discmc::host {
 namespace {
@@ -28,8 +31,9 @@ Point cross(const Point& a, const Point& b) {
 }
 
 Point unit(const Point& a) {
-  const double length = std::sqrt(dot(a, a));
-  if (!(length > 0)) throw std::invalid_argument("direction of length zero");
+  const double length = std::hypot(a[0], a[1], a[2]);
+  if (!(length > 0) || !std::isfinite(length))
+    throw std::invalid_argument("a direction of no length: give one that is not 0,0,0");
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
@@ -291,8 +295,15 @@ void write_picture(const Mesh& mesh, const PictureOptions& options,
   image.width = static_cast<png_uint_32>(picture.width);
   image.height = static_cast<png_uint_32>(picture.height);
   image.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&image, path.c_str(), 0, picture.pixels.data(), 0, nullptr) == 0)
+  // Not png_image_write_to_file(): when that fails it removes whatever has the name.
+  png_alloc_size_t count = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<char> bytes(count);
+  if (png_image_write_to_memory(&image, bytes.data(), &count, 0, picture.pixels.data(), 0,
+                                nullptr) == 0)
     throw std::runtime_error(path.string() + ": " + image.message);
+  OutputFile file(path);
+  file.stream().write(bytes.data(), static_cast<std::streamsize>(count));
+  file.commit();
 }
 
 }  // namespace discmc::host

@@ -35,8 +35,8 @@ struct Picture {
 /// Throws std::invalid_argument when the options are out of range.
 Picture draw(const Mesh& mesh, const PictureOptions& options = {});
 
-/// Draws the mesh into a PNG file. Throws as draw() does, and std::runtime_error when the file
-/// cannot be written.
+/// Draws the mesh into a PNG file; "-" is standard output. Throws as draw() does, and
+/// std::runtime_error when the file cannot be written.
 void write_picture(const Mesh& mesh, const PictureOptions& options,
                    const std::filesystem::path& path);
 

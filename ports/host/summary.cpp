@@ -55,6 +55,7 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
 void write_info(const StreamHeader& header, const StreamReport& report, const Counts& counts,
                 std::ostream& out) {
   const auto spacing = spacing_mm(header);
+  const auto digits = out.precision(10);  // a nanometre of the largest spacing
   out << "dimensions " << header.width << ' ' << header.height << ' '
       << (report.has_trailer ? report.slices : header.depth) << '\n'
       << "spacing " << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2] << '\n'
@@ -78,6 +79,7 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << "bytes " << report.bytes << '\n'
       << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
       << "complete " << (report.is_complete() ? "yes" : "no") << '\n';
+  out.precision(digits);
 }
 
 }  // namespace discmc::host

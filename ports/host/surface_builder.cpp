@@ -1,6 +1,8 @@
 #include "surface_builder.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <discmc/polygon.hpp>
@@ -65,6 +67,34 @@ bool SurfaceBuilder::append(const std::vector<Run>& runs, std::vector<Run>& whol
   return true;
 }
 
+// Whether a chain closes, and within the coordinates that a scan can have: rings are unfolded in
+// 32 bits.
+bool SurfaceBuilder::is_sound(const OpenRing& ring, const std::vector<Run>& runs) {
+  constexpr std::int64_t least = -1, most = (std::int64_t{1} << 31) - 3;
+  std::int64_t x = ring.start.x, y = ring.start.y, z = ring.start.z;
+  const auto is_inside = [&] {
+    return std::min({x, y, z}) >= least && std::max({x, y, z}) <= most;
+  };
+  std::uint64_t links = 0;
+  bool is_always_inside = is_inside();
+  for (const Run& run : runs) {
+    const Vertex step = direction_vector(incidence_, run.direction());
+    const std::int64_t length = run.length();
+    x += step.x * length;
+    y += step.y * length;
+    z += step.z * length;
+    links += run.length();
+    is_always_inside = is_always_inside && is_inside();
+  }
+  const bool is_closed = x == ring.start.x && y == ring.start.y && z == ring.start.z;
+  if (!is_always_inside || !is_closed) return false;
+  links_ += links;
+  if (links_ > max_links)
+    throw std::runtime_error("more than " + std::to_string(max_links) +
+                             " links, more than is kept in memory: take the stream in parts");
+  return true;
+}
+
 void SurfaceBuilder::add_simple_rings(const OpenRing& ring, const std::vector<Run>& runs,
                                       Polygon& polygon) {
   const auto run_count = static_cast<std::uint32_t>(runs.size());
@@ -84,8 +114,7 @@ void SurfaceBuilder::end_region() {
   std::vector<Run> runs;
   for (const OpenRing& ring : rings_) {
     runs.clear();
-    is_whole = append(ring.runs, runs) && is_whole &&
-               is_closed(incidence_, runs.data(), static_cast<std::uint32_t>(runs.size()));
+    is_whole = append(ring.runs, runs) && is_whole && is_sound(ring, runs);
     if (is_whole) add_simple_rings(ring, runs, polygon);
   }
   const auto is_outer = [&](const Ring& ring) {

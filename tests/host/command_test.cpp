@@ -266,6 +266,13 @@ TEST_CASE("wrong usage exits with 2") {
                                 "extract v.nrrd --iso much",
                                 "extract v.nrrd v.nrrd --iso 1",
                                 "extract v.nrrd --iso 1 -x",
+                                "extract v.nrrd --iso nan",
+                                "extract v.nrrd --iso inf",
+                                "extract v.nrrd --iso ''",
+                                "extract v.nrrd --iso 1 --memory -5",
+                                "extract v.nrrd --iso 1 -o v.vtk",
+                                "extract v.raw --iso 1 --type u16 --dims 13,12,11 --spacing 0,1,1",
+                                "render v.dmc -o v.jpg",
                                 "extract v.nrrd --iso 1 --border ajar",
                                 "extract v.nrrd --iso 1 --memory some",
                                 "extract v.raw --iso 1 --dims 13,12,11",
@@ -304,4 +311,46 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
     check_failure(workshop.run("extract v.raw " + layout + "-o v." + format), 1,
                   {"v.raw: slice 10 ", "1 bytes of it are missing"});
   CHECK(workshop.names() == names);
+}
+
+TEST_CASE("a wrong word is answered with those that are known") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  check_failure(workshop.run("extract v.nrrd --iso 1 --border ajar"), 2, {"ajar", "closed,open"});
+  check_failure(workshop.run("extract v.nrrd --iso 1 --dims 1,1,1 --type f32"), 2,
+                {"f32", "u8,u16,i16"});
+}
+
+TEST_CASE("a spacing that a stream cannot hold is refused") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball(), "spacings: 5000 1 1\n");
+  check_failure(workshop.run("extract v.nrrd --iso 100 -o v.dmc"), 1, {"spacing 5000"});
+  CHECK(workshop.names().size() == 1);
+}
+
+TEST_CASE("more memory than any volume of the size needs is no burden") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  workshop.done("extract v.nrrd --iso 100 --memory 100000G -o more.dmc");
+  CHECK(workshop.read("v.dmc") == workshop.read("more.dmc"));
+}
+
+TEST_CASE("a run that is ended by a signal leaves no file") {
+  const Workshop workshop;
+  const Result result = workshop.shell(
+      "truncate -s 2000M v.raw; \"$discmc\" extract v.raw --dims 1000,1000,2000 --type u8 --iso 1 "
+      "-o v.dmc & while [ $(ls | wc -l) -lt 2 ]; do :; done; kill -TERM $!; wait $!");
+  CHECK(result.code == 128 + 15);
+  CHECK(workshop.names() == std::vector<std::string>{"v.raw"});
+}
+
+TEST_CASE("a pipe that is named as the output stays one") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  const Result result = workshop.shell(
+      "mkfifo p.dmc; timeout 10 cat p.dmc & \"$discmc\" extract v.nrrd --iso 100 -q -o p.dmc; "
+      "wait");
+  CHECK(result.out == workshop.read("v.dmc"));
 }

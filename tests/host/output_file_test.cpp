@@ -46,6 +46,7 @@ TEST_CASE("an output's format is told by its extension") {
   CHECK(format_of("folder.stl/a.ply") == Format::ply);
   CHECK(format_of("a b.stl") == Format::stl);
   CHECK(format_of("../a.jsonl") == Format::jsonl);
+  CHECK(format_of("A.STL") == Format::stl);
 }
 
 TEST_CASE("an unknown extension is refused by name, and those that are known are told") {

@@ -213,3 +213,32 @@ TEST_CASE("every command has a help of its own") {
   }
   CHECK(!workshop.done("--version").empty());
 }
+
+TEST_CASE("a picture that fails leaves what has its name as it was") {
+  const Workshop workshop;
+  write_stream(workshop, "v.dmc");
+  workshop.shell("mkdir p.png");
+  CHECK(workshop.run("render v.dmc -o p.png --size 9,9").code == 1);
+  CHECK(workshop.run("render v.dmc -o none/p.png --size 9,9").code == 1);
+  CHECK(workshop.names() == std::vector<std::string>{"p.png", "v.dmc", "v.nrrd"});
+  CHECK(workshop.done("render v.dmc -o - --size 9,9").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("a stream whose first header comes late is packed anew with all its regions") {
+  const Workshop workshop;
+  auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
+  std::swap(frames[0], frames[1]);
+  workshop.write("late.dmc", text_of(discmc::test::joined(frames)));
+  workshop.run("decode late.dmc -o late.jsonl");
+  workshop.run("decode late.dmc -o anew.dmc");
+  workshop.run("decode anew.dmc -o anew.jsonl");
+  CHECK(!workshop.read("late.jsonl").empty());
+  CHECK(workshop.read("late.jsonl") == workshop.read("anew.jsonl"));
+}
+
+TEST_CASE("what cannot be said is a failure") {
+  const Workshop workshop;
+  write_stream(workshop, "v.dmc");
+  if (workshop.shell("test -c /dev/full").code != 0) return;
+  CHECK(workshop.shell("\"$discmc\" info v.dmc >/dev/full").code == 1);
+}

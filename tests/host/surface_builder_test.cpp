@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <discmc/polygon.hpp>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -271,4 +272,28 @@ TEST_CASE("rings that do not close or enclose nothing are no regions") {
   const SurfaceBuilder builder = build(events);
   CHECK(builder.surface().polygons.empty());
   CHECK(builder.incomplete_regions() == 4);
+}
+
+TEST_CASE("rings beyond the coordinates of any scan are no regions") {
+  constexpr std::uint32_t most = Run::max_length;
+  Events events;
+  std::vector<Run> far(8, run(east, most));
+  far.insert(far.end(), 8, run(west, most));
+  add_region(events, {far});
+  add_region(events, {std::vector<Run>(16, run(east, 1U << 27))});  // once around 32 bits
+  add_region(events, {rectangle()}, {2147483647, 0, 0});
+  const SurfaceBuilder builder = build(events);
+  CHECK(builder.surface().polygons.empty());
+  CHECK(builder.incomplete_regions() == 3);
+}
+
+TEST_CASE("more links than memory should hold are refused before they are unfolded") {
+  constexpr std::uint32_t many = 1U << 27;
+  Events events;
+  add_region(events, {{run(east, many), run(west, many)}});
+  SurfaceBuilder builder;
+  const auto take_all = [&] {
+    for (const Event& event : events) builder.take(event);
+  };
+  CHECK_THROWS_AS(take_all(), std::runtime_error);
 }
