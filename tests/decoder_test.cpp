@@ -299,6 +299,13 @@ TEST_CASE("records that break the grammar are refused") {
     tell_run(model, 0, Run::max_length + 1);
     end_part(model, true);
   });
+  check_unreadable([](auto& model) {  // a number that no fragment can have
+    begin_part(model, false);
+    tell_ring(model, false);
+    model.item_kind(Item::fragment);
+    model.fragment_number(Run::max_fragment + 1, true);
+    end_part(model, true);
+  });
   check_unreadable([](auto& model) {  // a kind that version 1 does not have
     model.region_follows(false);
     model.other_kind(static_cast<OtherKind>(6));

@@ -134,6 +134,23 @@ TEST_CASE("of more packets dropped before the trailer the regions are still coun
   }
 }
 
+TEST_CASE("of any number of regions lost before the trailer it tells exactly how many") {
+  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
+  REQUIRE(frames.size() == 2);
+  for (const uint32_t regions : {1U, 65535U, 65536U, 65537U, 1000000U}) {
+    Packet trailer = packet_of(frames[1]);
+    trailer.regions = static_cast<uint16_t>(regions);
+    // After the slices, the flag and three totals.
+    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put(regions, 8);
+    frames[1] = frame_of(trailer);
+    const Arrival arrival = decode(joined(frames));
+    CHECK(arrival.report.totals.regions == regions);
+    CHECK(arrival.report.has_trailer == (static_cast<uint16_t>(regions) < 0x8000));
+    if (arrival.report.has_trailer) CHECK(arrival.report.lost_regions == regions);
+    CHECK_FALSE(arrival.report.is_complete());
+  }
+}
+
 TEST_CASE("a listener that joins late knows what was before him") {
   const Sent& sent = long_stream();
   for (size_t first = 1; first + wire::header_interval < sent.frames.size(); first += 11)
