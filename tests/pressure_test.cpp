@@ -132,6 +132,26 @@ TEST_CASE("a lack of slots cuts and keeps the surface") {
   press_pool<uint16_t>(&Capacities::slots, false);
 }
 
+TEST_CASE("a region whose many edges all become boundary at once finds the runs it needs") {
+  // A wall with teeth of many outlines on top, each of which leaves edges that wait for the layer
+  // above: without fragments all of them need runs of the pool when their time has come.
+  for (const uint32_t width : {24U, 48U})
+    for (uint64_t seed = 0; seed < 4; ++seed) {
+      BitVolume volume = random({width, 3, 7}, 150, seed);
+      for (size_t i = 0; i < size_t{2} * width * 3; ++i) volume.on[i] = 1;
+      for (size_t i = 2; i < 7 * 3; ++i)
+        for (size_t x = 0; seed < 2 && x < width; ++x)
+          volume.on[i * width + x] = i < 6 || x % (3 + i / 6) < 2 ? 1 : 0;
+      for (const Border border : {Border::closed, Border::open}) {
+        const Pressed pressed(volume, border, false);
+        Capacities capacities = pressed.ample();
+        const uint32_t least = minimum_capacities().runs;
+        for (capacities.runs = least; capacities.runs < least + 1200; capacities.runs += step(29))
+          REQUIRE(pressed.fault<uint16_t>(capacities, true) == "");
+      }
+    }
+}
+
 TEST_CASE("any mixture of shortages keeps the surface") {
   uint32_t mixture = 0;
   for_each_case([&](const Pressed& pressed, bool) {
