@@ -2,8 +2,8 @@
 #ifndef DISCMC_TESTS_STREAM_HPP
 #define DISCMC_TESTS_STREAM_HPP
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <discmc/crc32.hpp>
 #include <discmc/decoder.hpp>

@@ -157,6 +157,25 @@ TEST_CASE("a listener that joins late knows what was before him") {
     check_without(sent, 0, first);
 }
 
+TEST_CASE("a late listener hears all from the first packet on, whatever its count of regions") {
+  const Sample sample = samples()[4];
+  for (const uint32_t before : {1U, 32767U, 32768U, 65000U}) {
+    CAPTURE(before);
+    std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    frames.erase(frames.begin());
+    frames.pop_back();
+    for (Bytes& frame : frames) {
+      Packet packet = packet_of(frame);
+      packet.regions = static_cast<uint16_t>(packet.regions + before);
+      frame = frame_of(packet);
+    }
+    const Arrival arrival = decode(joined(frames));
+    CHECK(arrival.report.packets == frames.size());
+    CHECK(arrival.report.lost_regions == before);
+    CHECK(regions_of(arrival.events) == regions_of(sample.events));
+  }
+}
+
 TEST_CASE("any mixture of losses is counted") {
   Chance chance(1);
   const Sent& sent = long_stream();
