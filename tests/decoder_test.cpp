@@ -299,6 +299,17 @@ TEST_CASE("records that break the grammar are refused") {
     tell_run(model, 0, Run::max_length + 1);
     end_part(model, true);
   });
+  check_unreadable([](auto& model) {  // a fragment of such a number
+    model.region_follows(false);
+    model.other_kind(OtherKind::part);
+    Record record;
+    record.incidence = up;
+    record.is_fragment = true;
+    record.number = Run::max_fragment + 1;
+    model.part(record);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
   check_unreadable([](auto& model) {  // a number that no fragment can have
     begin_part(model, false);
     tell_ring(model, false);
@@ -315,6 +326,18 @@ TEST_CASE("records that break the grammar are refused") {
     model.incidence(up);
     model.ring_count(0);
   });
+}
+
+TEST_CASE(
+    "a stream with a packet that cannot be read is not complete, even if no region is missing") {
+  std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
+  Packet packet = packet_of(frames[1]);
+  packet.payload = payload_of([](auto& model) {
+    model.region_follows(false);
+    model.other_kind(static_cast<OtherKind>(6));
+  });
+  frames[1] = frame_of(packet);
+  CHECK_FALSE(decode(joined(frames)).report.is_complete());
 }
 
 TEST_CASE("a part of another incidence, kind or number does not go on with what is open") {

@@ -121,6 +121,15 @@ TEST_CASE("packets that are dropped just before the trailer are counted up to 12
     check_without(sent, sent.frames.size() - 1 - count, count);
 }
 
+TEST_CASE("of one huge region no 256 packets can be missing unnoticed") {
+  Script script;
+  Chance chance(1);
+  add_ragged_region(script, chance, 40000, 1000);
+  const Sent sent(script.finish().events);
+  REQUIRE(sent.frames.size() > 600);
+  for (const size_t count : {256U, 257U, 300U, 512U}) check_without(sent, 67, count);
+}
+
 TEST_CASE("of more packets dropped before the trailer the regions are still counted") {
   const Sent& sent = long_stream();
   for (size_t count = 128; count < sent.frames.size() - 1; count += 13) {
@@ -137,8 +146,7 @@ TEST_CASE("of more packets dropped before the trailer the regions are still coun
 TEST_CASE("of any number of regions lost before the trailer it tells exactly how many") {
   std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
   REQUIRE(frames.size() == 2);
-  // By the short count 32,768 to 65,535 would lie behind.
-  for (const uint32_t regions : {1U, 32767U, 65536U, 65537U, 1000000U}) {
+  for (const uint32_t regions : {1U, 32767U, 32768U, 40000U, 65535U, 65536U, 1000000U}) {
     Packet trailer = packet_of(frames[1]);
     trailer.regions = static_cast<uint16_t>(regions);
     // After the slices, the flag and three totals.

@@ -13,6 +13,7 @@ Status Decoder::start(const Sink& sink) {
   has_number_ = false;
   next_number_ = 0;
   regions_passed_ = 0;
+  gap_is_noted_ = true;
   frame_bytes_ = 0;
   frame_is_too_long_ = false;
   stage_ = Stage::collect;
@@ -87,18 +88,22 @@ bool Decoder::is_expected(const uint8_t* packet) {
   const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
   const uint16_t regions = static_cast<uint16_t>(low - regions_passed_);
   const uint8_t gap = static_cast<uint8_t>(number - next_number_);
-  if (has_number_ && (regions >= 0x8000 || (regions == 0 && gap >= 128))) {
+  const bool is_trailer = packet[0] == static_cast<uint8_t>(wire::PacketKind::trailer);
+  if (has_number_ && !is_trailer && (regions >= 0x8000 || (regions == 0 && gap >= 128))) {
     ++report_.repeated_packets;
     return false;
   }
+  // What half of the counts hide, a trailer tells in full.
+  const bool is_known = !has_number_ || regions < 0x8000;
   has_number_ = true;
   next_number_ = static_cast<uint8_t>(number + 1);
-  note_gap(gap, regions);
+  note_gap(gap, is_known ? regions : 0);
   return true;
 }
 
 void Decoder::note_gap(uint64_t packets, uint64_t regions) {
   if (packets == 0 && regions == 0) return;
+  gap_is_noted_ = true;
   report_.lost_packets += packets;
   report_.lost_regions += regions;
   regions_passed_ += regions;
@@ -145,12 +150,16 @@ bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
   }
   const uint64_t regions = regions_before > regions_passed_ ? regions_before - regions_passed_ : 0;
   // A gap noted too small, by whole rounds of the short number, was before what is open.
-  const bool is_gap_here = static_cast<uint8_t>(packets_before) != next_number_ || regions > 0;
+  const bool is_gap_here = static_cast<uint8_t>(packets_before) != next_number_ || regions > 0 ||
+                           (packets_before > packets_passed && !gap_is_noted_);
   report_.lost_packets += packets_before - packets_passed;
-  if (is_gap_here) note_gap(0, regions);
-  if (is_gap_here) lose_open();
+  if (is_gap_here) {
+    note_gap(0, regions);
+    lose_open();
+  }
   has_number_ = true;
   next_number_ = static_cast<uint8_t>(packets_before);
+  gap_is_noted_ = false;
   return true;
 }
 
@@ -210,6 +219,7 @@ void Decoder::read_record() {
   is_good = is_good && !model_.coder().range.is_exhausted();
   if (is_good && (stage_ != Stage::record || begin_record())) return;
   damage();
+  report_.is_unreadable = true;
   lose_open();
   stage_ = Stage::collect;
 }
@@ -269,6 +279,7 @@ bool Decoder::read_ring(bool further) {
 bool Decoder::read_part() {
   record_.begin(no_incidence);
   model_.part(record_);
+  if (record_.number > Run::max_fragment) return false;
   for (;;) {
     if (!record_.has_room(Record::ring_words) && !record_.has_room(1)) {
       if (model_.item_kind(Item::end) != Item::end) return false;

@@ -20,6 +20,7 @@ struct StreamReport {
   uint64_t packets = 0;  ///< whole ones, repeated ones not counted
   uint64_t repeated_packets = 0;
   uint64_t damaged_packets = 0;  ///< frames that are no packet, or fail their checksum
+  bool is_unreadable = false;    ///< a packet was whole, but its records are of no known kind
   uint64_t lost_packets = 0;     ///< missing by their numbers
   uint64_t regions = 0;          ///< delivered complete
   uint64_t lost_regions = 0;     ///< missing by the running count of regions
@@ -28,7 +29,7 @@ struct StreamReport {
 
   /// Nothing is missing from header to trailer.
   bool is_complete() const {
-    return has_header && has_trailer && lost_packets == 0 && lost_regions == 0;
+    return has_header && has_trailer && lost_packets == 0 && lost_regions == 0 && !is_unreadable;
   }
 };
 
@@ -94,6 +95,7 @@ class Decoder {
   bool has_number_ = false;
   uint8_t next_number_ = 0;
   uint64_t regions_passed_ = 0;  // complete regions sent before now, lost ones included
+  bool gap_is_noted_ = true;     // since the last header; what came before the start is a gap
 
   uint8_t frame_[wire::max_frame];
   size_t frame_bytes_ = 0;

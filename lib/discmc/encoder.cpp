@@ -27,7 +27,7 @@ Status Encoder::start(const StreamHeader& header, const ByteOutput& output) {
 }
 
 Answer Encoder::take(const Event& event) {
-  if (!drain()) return Answer::not_now;
+  if (output_.write == nullptr || !drain()) return Answer::not_now;
   bool done = true;
   switch (event.kind) {
     case Event::Kind::region:

@@ -23,7 +23,8 @@ class Encoder {
   /// Begins a stream; its header is the first packet. Errors: bad_limits, bad_sink (no write).
   [[nodiscard]] Status start(const StreamHeader& header, const ByteOutput& output);
 
-  /// Takes an event of the extractor (or of a decoder). Cost: a few decisions a run, and the bytes.
+  /// Takes an event of the extractor (or of a decoder); nothing before start().
+  /// Cost: a few decisions a run, and the bytes.
   Answer take(const Event& event);
 
   /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
