@@ -10,6 +10,7 @@
 //     patch_table.hpp       the same as the sweep works with them
 //     frontier.hpp          what waits for cells to come
 //     merge.hpp             patches become regions (regions.hpp, fragment_store.hpp)
+//     arena.hpp, pool.hpp, hash_table.hpp   where all of it is kept
 //   sink.hpp              the events that come out: regions, rings, runs
 //   chain.hpp, polygon.hpp  Freeman chains and the polygons they are
 //   encoder.hpp           a sink that writes the stream (wire.hpp, WIRE.md)

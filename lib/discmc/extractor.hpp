@@ -25,8 +25,8 @@ struct [[nodiscard]] Pushed {
   uint32_t samples;
 };
 
-/// Index is uint16_t (up to 65,534 records in all: firmware) or uint32_t (hosts). The events do not
-/// depend on it, given the same capacities.
+/// Index is uint16_t (edges and regions together, runs, and rings: fewer than 65,535 each;
+/// firmware) or uint32_t (hosts). The events do not depend on it, given the same capacities.
 template <class Index>
 class Extractor {
  public:
@@ -51,7 +51,8 @@ class Extractor {
   /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
   /// next, in samples. Errors: not_started, finished, too_deep.
   /// With Status::more all samples up to the end of the row that caused it have been taken.
-  /// Sample is uint8_t, uint16_t or int16_t.
+  /// Sample is uint8_t, uint16_t or int16_t. Cost: a comparison a sample; a completed row also
+  /// sweeps its row of cells (DESIGN.md, "Work").
   template <class Sample>
   Pushed push(const Sample* samples, uint32_t count, uint32_t stride = 1);
 

@@ -124,14 +124,16 @@ constexpr bool are_valid(const Capacities& capacities) {
          capacities.rings < most && capacities.slots <= 0x7FFFFFFF;
 }
 
-/// The least memory with which a scan works: every surface comes out right, but hardly merged.
+/// The least memory with which a scan works: every surface comes out right, not merged beyond
+/// cells.
 template <class Index>
 constexpr uint64_t minimum_bytes(const Limits& limits) {
   return bytes_for<Index>(limits, minimum_capacities());
 }
 
 /// The memory with which no volume ever cuts a region apart (see worst_case_capacities()).
-/// Far more than real volumes need: see default_capacities().
+/// Only with those capacities: the default split of as many bytes has fewer rings and regions. Far
+/// more than real volumes need: see default_capacities().
 template <class Index>
 constexpr uint64_t worst_case_bytes(const Limits& limits) {
   return bytes_for<Index>(limits, worst_case_capacities(limits));

@@ -6,6 +6,9 @@
 //   scan     = { region | fragment | skipped | layer } finish
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
 //   fragment = fragment { run } fragment_end              only when the sink takes fragments
+//
+// A decoder may put `lost` in place of the rest of a region or fragment, and a stream that breaks off
+// has no `finish`.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 

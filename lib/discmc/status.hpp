@@ -20,9 +20,8 @@ enum class Status : uint8_t {
   finished,           ///< finish() or abandon() was called; only reset() or start() go on from here
   row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
-  too_deep,  ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
-  packet_too_small,  ///< the encoder's packet is shorter than the format's minimum
-  wrong_version,     ///< the stream's version is not known to this decoder
+  too_deep,       ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
+  wrong_version,  ///< the stream's version is not known to this decoder
 };
 
 /// A short English text for a status. Owner: static storage.
@@ -50,8 +49,6 @@ constexpr const char* text(Status status) {
       return "the current row is not complete";
     case Status::too_deep:
       return "more slices than a z coordinate can count";
-    case Status::packet_too_small:
-      return "the packet buffer is too small";
     case Status::wrong_version:
       return "the stream's version is not known";
   }
