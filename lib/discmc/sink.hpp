@@ -7,8 +7,8 @@
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
 //   fragment = fragment { run } fragment_end              only when the sink takes fragments
 //
-// A decoder may put `lost` in place of the rest of a region or fragment, and a stream that breaks off
-// has no `finish`.
+// A decoder may put `lost` in place of the rest of a region or fragment, and a stream that breaks
+// off has no `finish`.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 

@@ -44,13 +44,16 @@ class Trainer {
         if (record_.has_room(1)) record_.add_run(event.run);
         break;
       case Kind::region_end:
-      case Kind::fragment_end: end_record(); break;
+      case Kind::fragment_end:
+        end_record();
+        break;
       case Kind::layer:
         model_.region_follows(false);
         model_.other_kind(discmc::OtherKind::layer);
         model_.layer(event.slice);
         break;
-      default: break;
+      default:
+        break;
     }
     return discmc::Answer::taken;
   }
@@ -89,8 +92,7 @@ Counts counts_of(const char* path) {
   Trainer trainer;
   discmc::Decoder decoder;
   const auto status = decoder.start(discmc::sink_to(trainer));
-  const auto decoded =
-      decoder.push(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
+  const auto decoded = decoder.push(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
   if (status != discmc::Status::ok || decoded.status != discmc::Status::ok ||
       !decoder.report().is_complete())
     std::fprintf(stderr, "%s: no complete stream\n", path);
