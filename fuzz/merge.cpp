@@ -4,23 +4,16 @@
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
-#include <cstdio>
-#include <cstdlib>
 
 #include "reference/agreement.hpp"
 #include "reference/event_log.hpp"
 #include "reference/scan.hpp"
+#include "require.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
 
 namespace {
-
-void require(bool holds, const char* broken) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", broken);
-  std::abort();
-}
 
 /// Numbers out of the input; zeros once it is used up.
 class Bytes {

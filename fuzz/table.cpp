@@ -4,24 +4,17 @@
 //   fuzz_table -max_len=64 corpus/table      with libFuzzer
 //   fuzz_table corpus/table                  with replay_main.cpp
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <discmc/patch_table.hpp>
 #include <map>
 #include <vector>
 
 #include "reference/surface.hpp"
+#include "require.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
 
 namespace {
-
-void require(bool holds, const char* broken) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", broken);
-  std::abort();
-}
 
 constexpr int32_t side = 4;  // voxels
 

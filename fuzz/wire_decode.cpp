@@ -4,21 +4,14 @@
 //
 //   fuzz_wire_decode -max_len=1200 corpus/wire_decode      with libFuzzer
 //   fuzz_wire_decode corpus/wire_decode                    with replay_main.cpp
-#include <cstdio>
-#include <cstdlib>
 
+#include "require.hpp"
 #include "stream.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
 
 namespace {
-
-void require(bool holds, const char* broken) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", broken);
-  std::abort();
-}
 
 // Cuts the bytes into packets, each led by its length, kind, number and count of regions.
 Bytes framed(const uint8_t* data, size_t size) {

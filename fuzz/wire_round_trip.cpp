@@ -5,9 +5,8 @@
 //   fuzz_wire_round_trip -max_len=400 corpus/wire_round_trip      with libFuzzer
 //   fuzz_wire_round_trip corpus/wire_round_trip                   with replay_main.cpp
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
+#include "require.hpp"
 #include "stream_samples.hpp"
 
 using namespace discmc;
@@ -15,12 +14,6 @@ using namespace discmc::test;
 using reference::BitVolume;
 
 namespace {
-
-void require(bool holds, const char* broken) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", broken);
-  std::abort();
-}
 
 /// Numbers out of the input; zeros once it is used up.
 class Input {

@@ -1,0 +1,15 @@
+// How a fuzz target says that a promise is broken.
+#ifndef DISCMC_FUZZ_REQUIRE_HPP
+#define DISCMC_FUZZ_REQUIRE_HPP
+
+#include <cstdio>
+#include <cstdlib>
+
+/// Ends the program with a message unless the promise holds: that is a finding.
+inline void require(bool holds, const char* broken) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", broken);
+  std::abort();
+}
+
+#endif
