@@ -64,7 +64,7 @@ Events read_scan(Input& input, StreamHeader& header) {
 
 void read_runs(Input& input, Script& script, Incidence incidence) {
   const uint32_t count = 1 + (input.below(8) == 0 ? input.byte() : input.below(8));
-  const uint32_t directions = links.direction_count[incidence];
+  const uint32_t directions = direction_count(incidence);
   for (uint32_t i = 0; i < count; ++i) {
     if (input.byte() > 240)
       script.run(Run::fragment(input.number(Run::max_fragment)));

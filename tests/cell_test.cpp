@@ -123,6 +123,7 @@ void for_each_pair(int axis, Check check) {
 
 TEST_CASE("a point and its position name each other") {
   for (Point point = 0; point < point_codes; ++point) CHECK(point_at(position(point)) == point);
+  CHECK(point_at({2, 2, 2}) == point_codes - 1);
   CHECK(position(centroid) == Vertex{1, 1, 1});
 }
 
@@ -139,9 +140,9 @@ TEST_CASE("the twelve edge midpoints are the points with one odd coordinate") {
   for (const CellEdge& edge : cell_edges())
     midpoints.insert(derive::midpoint(edge.corner_a, edge.corner_b));
   CHECK(midpoints.size() == 12);
-  for (Point point = 0; point < point_codes; ++point) {
-    const Vertex p = position(point);
-    CHECK((midpoints.count(point) == 1) == (p.x % 2 + p.y % 2 + p.z % 2 == 1));
+  for (int i = 0; i < 27; ++i) {
+    const Vertex p{i % 3, i / 3 % 3, i / 9};
+    CHECK((midpoints.count(point_at(p)) == 1) == (p.x % 2 + p.y % 2 + p.z % 2 == 1));
   }
 }
 

@@ -34,7 +34,7 @@ reference::Ring vertices_of(Incidence incidence, Vertex vertex, const std::vecto
 
 // A closed chain: there by some way, and back by the same links in another order.
 std::vector<Run> closed_chain(Incidence incidence, uint32_t seed) {
-  const int count = links.direction_count[incidence];
+  const int count = direction_count(incidence);
   std::vector<Run> runs;
   for (int i = 0; i < 6; ++i) {
     seed = seed * 1664525 + 1013904223;
@@ -119,7 +119,7 @@ TEST_CASE("an empty run does not swallow the first links of direction 0 of a cha
 
 TEST_CASE("there and back is closed, with no area; anything less is open") {
   for_each_incidence([](Incidence incidence) {
-    const int half = links.direction_count[incidence] / 2;
+    const int half = direction_count(incidence) / 2;
     for (int direction = 0; direction < half; ++direction) {
       const std::vector<Run> runs = runs_of({direction, 5, direction + half, 5});
       CHECK(is_closed(incidence, runs.data(), 2));
@@ -135,7 +135,7 @@ TEST_CASE("there and back is closed, with no area; anything less is open") {
 TEST_CASE("once round all directions of a plane encloses a positive area, the other way negative") {
   for_each_incidence([](Incidence incidence) {
     std::vector<Run> runs;
-    for (int i = 0; i < links.direction_count[incidence]; ++i)
+    for (int i = 0; i < direction_count(incidence); ++i)
       runs.push_back(Run::straight(static_cast<Direction>(i), 3));
     CHECK(is_closed(incidence, runs.data(), size_of(runs)));
     const int64_t area = twice_area(incidence, runs.data(), size_of(runs));

@@ -169,7 +169,7 @@ TEST_CASE("what lies across an edge is unique, among all shapes in all cells nea
     int found = 0;
     for (int c = 0; c < 27; ++c)
       for (Shape shape = 0; shape < 8; ++shape) {
-        const Vertex cell = position(static_cast<Point>(c)) - Vertex{1, 1, 1};
+        const Vertex cell{c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1};
         const Facet other = facet_of(incidence_of(facet), shape);
         if (edge_between(other, cell, to, from) < 0) continue;
         ++found;

@@ -25,16 +25,11 @@ void for_each_incidence(Check check) {
   }
 }
 
-Direction opposite_direction(Incidence incidence, Direction direction) {
-  const int count = links.direction_count[incidence];
-  return static_cast<Direction>((direction + count / 2) % count);
-}
-
 // All ways to step once from one direction to another in the planes of every incidence.
 template <typename Check>
 void for_each_turn(Check check) {
   for_each_incidence([&](Incidence incidence) {
-    const Direction count = links.direction_count[incidence];
+    const Direction count = direction_count(incidence);
     for (Direction from = 0; from < count; ++from)
       for (Direction to = 0; to < count; ++to) check(incidence, from, to);
   });
@@ -78,7 +73,7 @@ TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all differ
   int diagonals = 0;
   int axes = 0;
   for (Link link = 0; link < link_codes; ++link) {
-    const Vertex& vector = links.vector[link];
+    const Vertex vector = link_vector(link);
     diagonals += squared_length(vector) == 2 && odd_coordinates(vector) == 2;
     axes += squared_length(vector) == 4 && odd_coordinates(vector) == 0;
     CHECK(derive::link_of(links, vector) == link);
@@ -88,12 +83,15 @@ TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all differ
 }
 
 TEST_CASE("a link keeps the parity of the coordinate sum, so that it joins vertices") {
-  for (const Vertex& vector : links.vector) CHECK((vector.x + vector.y + vector.z) % 2 == 0);
+  for (Link link = 0; link < link_codes; ++link) {
+    const Vertex vector = link_vector(link);
+    CHECK((vector.x + vector.y + vector.z) % 2 == 0);
+  }
 }
 
 TEST_CASE("the opposite of a link is opposite") {
   for (Link link = 0; link < link_codes; ++link)
-    CHECK(links.vector[opposite_link(link)] == -links.vector[link]);
+    CHECK(link_vector(opposite_link(link)) == -link_vector(link));
 }
 
 TEST_CASE("no link has a vector that is none") {
@@ -106,27 +104,27 @@ TEST_CASE("axis planes have 8 directions, diagonal planes 4, corner planes 6") {
   constexpr int by_squared_length[] = {0, 8, 4, 6};
   for_each_incidence([&](Incidence incidence) {
     const int expected = by_squared_length[squared_length(normal(incidence))];
-    CHECK(links.direction_count[incidence] == expected);
+    CHECK(direction_count(incidence) == expected);
   });
 }
 
 TEST_CASE("the directions of an incidence are the links in its planes, each once") {
   for_each_incidence([](Incidence incidence) {
     for (Link link = 0; link < link_codes; ++link) {
-      const Direction direction = links.direction[incidence][link];
-      const bool in_plane = dot(links.vector[link], normal(incidence)) == 0;
+      const Direction direction = direction_of(incidence, link);
+      const bool in_plane = dot(link_vector(link), normal(incidence)) == 0;
       CHECK((direction != no_direction) == in_plane);
       if (!in_plane) continue;
-      CHECK(direction < links.direction_count[incidence]);
-      CHECK(links.link[incidence][direction] == link);
-      CHECK(direction_vector(incidence, direction) == links.vector[link]);
+      CHECK(direction < direction_count(incidence));
+      CHECK(link_of(incidence, direction) == link);
+      CHECK(direction_vector(incidence, direction) == link_vector(link));
     }
   });
 }
 
 TEST_CASE("directions go round counter-clockwise seen from the tip of the normal") {
   for_each_incidence([](Incidence incidence) {
-    const Direction count = links.direction_count[incidence];
+    const Direction count = direction_count(incidence);
     for (Direction direction = 0; direction < count; ++direction) {
       const Vertex here = direction_vector(incidence, direction);
       // The first half of the round from here is on the left, the second half on the right.
@@ -142,7 +140,7 @@ TEST_CASE("directions go round counter-clockwise seen from the tip of the normal
 
 TEST_CASE("half a round on, a direction is opposite") {
   for_each_incidence([](Incidence incidence) {
-    for (Direction direction = 0; direction < links.direction_count[incidence]; ++direction)
+    for (Direction direction = 0; direction < direction_count(incidence); ++direction)
       CHECK(direction_vector(incidence, opposite_direction(incidence, direction)) ==
             -direction_vector(incidence, direction));
   });
@@ -150,7 +148,7 @@ TEST_CASE("half a round on, a direction is opposite") {
 
 TEST_CASE("a turn leads from one direction to the other, by the shorter way") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
-    const int count = links.direction_count[incidence];
+    const int count = direction_count(incidence);
     const int turned = turn(incidence, from, to);
     CHECK((from + turned + count) % count == to);
     CHECK(turned >= -count / 2);
@@ -174,7 +172,7 @@ TEST_CASE("turning back is the opposite turn, but for the half turn, which is al
     const int turned = turn(incidence, from, to);
     const int back = turn(incidence, to, from);
     if (half)
-      CHECK((turned == -links.direction_count[incidence] / 2 && back == turned));
+      CHECK((turned == -direction_count(incidence) / 2 && back == turned));
     else
       CHECK(back == -turned);
   });
@@ -184,7 +182,7 @@ TEST_CASE("seen from the other side of a plane the directions go round the other
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
     if (to == opposite_direction(incidence, from)) return;
     const auto there = [&](Direction direction) {
-      return links.direction[opposite(incidence)][links.link[incidence][direction]];
+      return direction_of(opposite(incidence), link_of(incidence, direction));
     };
     CHECK(turn(opposite(incidence), there(from), there(to)) == -turn(incidence, from, to));
   });

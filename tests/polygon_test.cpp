@@ -180,7 +180,7 @@ TEST_CASE("unfolding a chain gives a vertex for every link, the start first") {
   const Run runs[] = {Run::straight(0, 3), Run::straight(2, 2), Run::straight(4, 3),
                       Run::straight(6, 2)};
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
-    if (links.direction_count[incidence] != 8) continue;
+    if (direction_count(incidence) != 8) continue;
     CHECK(link_count(runs, 4) == 10);
     Ring vertices(10);
     unfold(incidence, {5, 6, 8}, runs, 4, vertices.data());

@@ -29,9 +29,10 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
     const bool takes = (seed >> 20) % 100 < (i / 1000 % 2 == 0 ? 70U : 30U);
     if (takes) {
       const Index index = pool.take();
-      CHECK((index == pool.none) == (taken.size() == capacity));
-      if (index == pool.none) continue;
-      REQUIRE(index < capacity);
+      CHECK((index == no_record) == (taken.size() == capacity));
+      if (index == no_record) continue;
+      REQUIRE(index >= 1);
+      REQUIRE(index <= capacity);
       pool[index].payload = index * 3U;
       taken.push_back(index);
     } else if (!taken.empty()) {
@@ -56,26 +57,26 @@ TEST_CASE("a pool gives each record once, and then none") {
   pool.start(records.data(), 5);
   std::set<uint16_t> taken;
   for (int i = 0; i < 5; ++i) taken.insert(pool.take());
-  CHECK(taken == std::set<uint16_t>{0, 1, 2, 3, 4});
-  CHECK(pool.take() == pool.none);
-  CHECK(pool.take() == pool.none);
+  CHECK(taken == std::set<uint16_t>{1, 2, 3, 4, 5});
+  CHECK(pool.take() == no_record);
+  CHECK(pool.take() == no_record);
   CHECK(pool.in_use() == 5);
   CHECK(pool.available() == 0);
   pool.give(3);
   CHECK(pool.take() == 3);
-  CHECK(pool.take() == pool.none);
+  CHECK(pool.take() == no_record);
 }
 
 TEST_CASE("the record given back last is taken first") {
   std::vector<Record<uint32_t>> records(8);
   Pool<Record<uint32_t>, uint32_t> pool;
   pool.start(records.data(), 8);
-  for (uint32_t i = 0; i < 6; ++i) CHECK(pool.take() == i);
+  for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.take() == i);
   pool.give(1);
   pool.give(4);
   CHECK(pool.take() == 4);
   CHECK(pool.take() == 1);
-  CHECK(pool.take() == 6);
+  CHECK(pool.take() == 7);
 }
 
 TEST_CASE("clearing gives all records back and forgets the high-water mark") {
@@ -88,26 +89,26 @@ TEST_CASE("clearing gives all records back and forgets the high-water mark") {
   pool.clear();
   CHECK(pool.in_use() == 0);
   CHECK(pool.high_water() == 0);
-  for (uint16_t i = 0; i < 4; ++i) CHECK(pool.take() == i);
-  CHECK(pool.take() == pool.none);
+  for (uint16_t i = 1; i <= 4; ++i) CHECK(pool.take() == i);
+  CHECK(pool.take() == no_record);
 }
 
 TEST_CASE("a pool without records has none") {
   Pool<Record<uint16_t>, uint16_t> pool;
-  CHECK(pool.take() == pool.none);
+  CHECK(pool.take() == no_record);
   pool.start(nullptr, 0);
-  CHECK(pool.take() == pool.none);
+  CHECK(pool.take() == no_record);
   CHECK(pool.capacity() == 0);
   CHECK(pool.high_water() == 0);
 }
 
-TEST_CASE("an index that means none is never given") {
+TEST_CASE("index 0, which means none, is never given, and every other one is") {
   // As many records as a 16-bit index can name.
   std::vector<Record<uint16_t>> records(65535);
   Pool<Record<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 65535);
-  for (uint32_t i = 0; i < 65535; ++i) REQUIRE(pool.take() == i);
-  CHECK(pool.take() == pool.none);
+  for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.take() == i);
+  CHECK(pool.take() == no_record);
 }
 
 TEST_CASE("whatever is taken and given, no record is out twice and none is lost") {

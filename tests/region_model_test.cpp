@@ -188,7 +188,7 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
 
 TEST_CASE("directions come back after every other direction, in first and in further rings") {
   for_each_incidence([&](Incidence incidence) {
-    const uint32_t count = links.direction_count[incidence];
+    const uint32_t count = direction_count(incidence);
     for (const bool further : {false, true}) {
       Values expected;
       for (uint32_t a = 0; a < count; ++a)
@@ -239,7 +239,7 @@ TEST_CASE("a ring is closed by any two directions and lengths, and by nothing el
   Chance chance(2);
   int closed = 0;
   for_each_incidence([&](Incidence incidence) {
-    const uint32_t count = links.direction_count[incidence];
+    const uint32_t count = direction_count(incidence);
     for (uint32_t a = 0; a < count; ++a)
       for (uint32_t b = 0; b < count; ++b)
         for (const uint32_t most : {uint32_t{3}, max_compact_length}) {

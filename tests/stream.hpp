@@ -270,7 +270,7 @@ inline std::vector<Events> regions_of(const Events& events) {
       if (told.is(Kind::fragment)) place = Place::fragment;
       if (told.is(Kind::finish)) place = Place::over;
       if (place == Place::region || place == Place::fragment)
-        directions = links.direction_count[event.incidence];
+        directions = direction_count(event.incidence);
       open.clear();
     }
     open.push_back(told);

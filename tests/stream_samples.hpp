@@ -109,7 +109,7 @@ inline Events monstrous_events() {
     }
   for (const uint32_t number : {0U, 1U, 77U, Run::max_fragment, 5U}) {
     script.fragment(static_cast<Incidence>(number % 13), number);
-    const uint32_t count = links.direction_count[number % 13];
+    const uint32_t count = direction_count(static_cast<Incidence>(number % 13));
     for (uint32_t i = 0; i < 200; ++i) {
       script.run(static_cast<Direction>(chance.below(count)), 1 + chance.below(70000));
       if (i % 50 == 7) script.run(Run::fragment(chance.below(Run::max_fragment)));

@@ -61,7 +61,7 @@ std::string text_of(const Vertex& vertex) {
 
 std::string row_of(Incidence incidence) {
   std::string row = "| " + std::to_string(incidence) + " | " + text_of(normal(incidence)) + " |";
-  for (uint8_t d = 0; d < links.direction_count[incidence]; ++d)
+  for (uint8_t d = 0; d < direction_count(incidence); ++d)
     row += (d == 0 ? " " : ", ") + text_of(direction_vector(incidence, d));
   return row + " |";
 }

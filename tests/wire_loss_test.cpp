@@ -150,7 +150,7 @@ TEST_CASE("of any number of regions lost before the trailer it tells exactly how
     Packet trailer = packet_of(frames[1]);
     trailer.regions = static_cast<uint16_t>(regions);
     // After the slices, the flag and three totals.
-    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put(regions, 8);
+    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(regions);
     frames[1] = frame_of(trailer);
     const Arrival arrival = decode(joined(frames));
     CHECK(arrival.report.totals.regions == regions);

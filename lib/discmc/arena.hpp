@@ -31,31 +31,39 @@ class Arena {
   }
 
   explicit Arena(Memory memory)
-      : begin_(static_cast<uint8_t*>(memory.data)),
-        used_(misalignment(memory.data)),
-        bytes_(memory.bytes) {}
+      : begin_(static_cast<uint8_t*>(memory.data)), next_(begin_), left_(memory.bytes) {
+    const size_t skipped = misalignment(memory.data);
+    if (skipped > memory.bytes) begin_ = next_ = nullptr;
+    if (next_ == nullptr) return;
+    next_ += skipped;
+    left_ -= skipped;
+  }
 
   /// The next array, or null when it does not fit; then nothing is taken.
   template <class T>
   T* take(uint32_t count) {
-    const uint64_t bytes = bytes_of(count, sizeof(T));
-    if (used_ > bytes_ || bytes > bytes_ - used_) return nullptr;
-    uint8_t* place = begin_ + used_;
-    used_ += static_cast<size_t>(bytes);
-    return reinterpret_cast<T*>(place);
+    return reinterpret_cast<T*>(take_bytes(bytes_of(count, sizeof(T))));
   }
 
   /// High-water mark: the bytes taken, alignment of the first array included.
-  size_t used() const { return used_; }
+  size_t used() const { return static_cast<size_t>(next_ - begin_); }
 
  private:
+  uint8_t* take_bytes(uint64_t bytes) {
+    if (next_ == nullptr || bytes > left_) return nullptr;
+    uint8_t* const place = next_;
+    left_ -= bytes;
+    next_ += bytes;
+    return place;
+  }
+
   static size_t misalignment(const void* data) {
     return (alignment - reinterpret_cast<uintptr_t>(data) % alignment) % alignment;
   }
 
   uint8_t* begin_;
-  size_t used_;
-  size_t bytes_;
+  uint8_t* next_;
+  uint64_t left_;
 };
 
 }  // namespace discmc

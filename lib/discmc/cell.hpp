@@ -24,19 +24,23 @@ using Configuration = uint8_t;
 
 constexpr int configurations = 256;
 
-/// A lattice point of a cell as a number, x + 3 y + 9 z with coordinates 0 to 2.
-/// Edge midpoints have one odd coordinate; 13 is the centroid.
+/// A lattice point of a cell as a number, x + 4 y + 16 z with coordinates 0 to 2.
+/// Edge midpoints have one odd coordinate; 21 is the centroid.
 using Point = uint8_t;
 
-constexpr int point_codes = 27;
-constexpr Point centroid = 13;
+constexpr int point_codes = 43;
+constexpr Point centroid = 21;
 constexpr Point no_point = 0xFF;
 
 constexpr Vertex position(Point point) {
-  return {point % 3, point / 3 % 3, point / 9};
+  return {point & 3, point >> 2 & 3, point >> 4};
 }
 constexpr Point point_at(const Vertex& position) {
-  return static_cast<Point>(position.x + 3 * position.y + 9 * position.z);
+  return static_cast<Point>(position.x + 4 * position.y + 16 * position.z);
+}
+/// The point at the other end of a link. Limit: it lies in the cell.
+constexpr Point point_after(Point point, Link link) {
+  return static_cast<Point>(point + point_at(link_vector(link)));
 }
 
 /// The faces of a cell. The first three look back at cells that a sweep in x, y, z order has

@@ -73,15 +73,11 @@ constexpr bool is_closed(Incidence incidence, const Run* runs, uint32_t count) {
 /// Turns the chain round in place: the same vertices from the end to the start.
 /// Limit: straight runs only. Cost: one pass.
 constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
-  const int half = links.direction_count[incidence] / 2;
   for (uint32_t i = 0; i < (count + 1) / 2; ++i) {
     const Run first = runs[i];
     const Run last = runs[count - 1 - i];
-    const auto turned = [half](Run run) {
-      const int direction = run.direction();
-      return Run::straight(
-          static_cast<Direction>(direction < half ? direction + half : direction - half),
-          run.length());
+    const auto turned = [incidence](Run run) {
+      return Run::straight(opposite_direction(incidence, run.direction()), run.length());
     };
     runs[i] = turned(last);
     runs[count - 1 - i] = turned(first);

@@ -241,7 +241,6 @@ bool Decoder::read_ring(bool further) {
   if (count < 2 || count > Record::max_words || !record_.has_room(Record::ring_words + count))
     return false;
   record_.add_ring(start);
-  const uint32_t turns = links.direction_count[record_.incidence];
   Direction direction[2] = {0, 0};
   uint32_t length[2] = {0, 0};
   Vertex way{0, 0, 0};
@@ -261,13 +260,13 @@ bool Decoder::read_ring(bool further) {
   if (is_parallelogram) {
     for (int i = 0; i < 2; ++i)
       record_.add_run(
-          Run::straight(static_cast<Direction>((direction[i] + turns / 2) % turns), length[i]));
+          Run::straight(opposite_direction(record_.incidence, direction[i]), length[i]));
     return true;
   }
   const Vertex u = direction_vector(record_.incidence, direction[0]);
   const Vertex v = direction_vector(record_.incidence, direction[1]);
   uint32_t told = 0;
-  if (are_parallel(u, v)) told = model_.length(1);
+  if (are_parallel(record_.incidence, direction[0], direction[1])) told = model_.length(1);
   if (told > max_compact_length) return false;
   const Closure closure = close_ring(u, v, way, told);
   if (!closure.is_valid) return false;

@@ -168,7 +168,7 @@ bool Encoder::put_trailer(const Event& event) {
         totals.cells,   totals.facets, totals.classic_triangles,
         totals.regions, totals.rings,  totals.links,
         totals.cuts,    totals.spills, totals.skipped_rows};
-    for (const uint64_t count : counts) writer.put(count, 8);
+    for (const uint64_t count : counts) writer.put_long(count);
     seal(wire::PacketKind::trailer, wire::trailer_payload);
     trailer_is_sealed_ = true;
   }
@@ -206,7 +206,7 @@ void Encoder::seal_header() {
   writer.put(static_cast<uint32_t>(header_.threshold), 4);
   writer.put(header_.border == Border::open ? 1 : 0, 1);
   writer.put(packets_, 4);
-  writer.put(regions_, 8);
+  writer.put_long(regions_);
   packets_since_header_ = 0;
   regions_before_ = regions_;
   seal(wire::PacketKind::header, wire::header_payload);
@@ -217,7 +217,7 @@ void Encoder::seal(wire::PacketKind kind, size_t payload_bytes) {
   wire::ByteWriter head(packet);
   head.put(static_cast<uint8_t>(kind), 1);
   head.put(packets_, 1);
-  head.put(regions_before_, 2);
+  head.put(static_cast<uint32_t>(regions_before_), 2);
   const size_t checked = wire::packet_head + payload_bytes;
   wire::ByteWriter(packet + checked).put(crc32(packet, checked), wire::packet_crc);
   frame_bytes_ = cobs::stuff(frame_, checked + wire::packet_crc);

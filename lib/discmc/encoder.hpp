@@ -68,11 +68,11 @@ class Encoder {
   uint32_t packets_ = 0;
   uint32_t packets_since_header_ = 0;
 
-  uint8_t frame_[wire::max_frame];
+  uint8_t frame_[wire::max_frame] = {};
   size_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
   size_t drained_ = 0;
-  Model model_{Coder{}};
-  bool packet_is_empty_ = true;
+  Model model_;
+  bool packet_is_empty_ = false;
   bool trailer_is_sealed_ = false;
 
   Record record_;

@@ -6,8 +6,6 @@ namespace discmc {
 template <class Index>
 Status Extractor<Index>::start(const Limits& limits, int32_t threshold, Memory memory,
                                const Sink& sink, const PatchTable& table) {
-  if (!limits.are_valid()) return Status::bad_limits;
-  if (memory.bytes < minimum_bytes<Index>(limits)) return Status::too_little_memory;
   return start(limits, default_capacities<Index>(limits, memory.bytes), threshold, memory, sink,
                table);
 }
@@ -208,39 +206,48 @@ bool Extractor<Index>::sweep_row() {
 template <class Index>
 void Extractor<Index>::visit(uint32_t column, Configuration configuration) {
   const int32_t halo = static_cast<int32_t>(limits_.halo());
+  const bool seals = is_last_layer() && limits_.border == Border::open;
   const Cell cell{
       {2 * (static_cast<int32_t>(column) - halo), 2 * (static_cast<int32_t>(cell_row_) - halo),
        2 * (static_cast<int32_t>(rows_.slices()) - 1)},
       column,
       cell_row_,
+      column > 0 && !seals,
+      cell_row_ > 0 && !seals,
       column + 1 < limits_.columns(),
       cell_row_ + 1 < limits_.cell_rows(),
+      seals,
       configuration};
-  if (is_last_layer() && limits_.border == Border::open) return merge_.seal_cell(cell);
-  ++statistics_.cells;
-  statistics_.facets += cell_facts.facets[configuration];
-  statistics_.classic_triangles += cell_facts.classic_triangles[configuration];
   merge_.take_cell(cell);
+  if (seals) return;
+  ++statistics_.cells;
+  statistics_.facets += cell_counts.facets(configuration);
+  statistics_.classic_triangles += cell_counts.classic_triangles(configuration);
+}
+
+// Offers an event that tells of rows and slices.
+template <class Index>
+bool Extractor<Index>::tell(Event::Kind kind) {
+  Event event{};
+  event.kind = kind;
+  event.slice = rows_.slices();
+  event.row = rows_.rows() - 1;
+  event.repeated = skip_repeated_;
+  event.abandoned = abandoned_;
+  event.statistics = &statistics_;
+  return sink_.take(sink_.context, event) == Answer::taken;
 }
 
 template <class Index>
 bool Extractor<Index>::tell_skipped() {
-  Event event{};
-  event.kind = Event::Kind::skipped;
-  event.slice = rows_.slices();
-  event.row = rows_.rows() - 1;
-  event.repeated = skip_repeated_;
-  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  if (!tell(Event::Kind::skipped)) return false;
   skip_untold_ = false;
   return true;
 }
 
 template <class Index>
 bool Extractor<Index>::end_slice() {
-  Event event{};
-  event.kind = Event::Kind::layer;
-  event.slice = rows_.slices();
-  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  if (!tell(Event::Kind::layer)) return false;
   rows_.next_slice();
   cell_row_ = 0;
   return true;
@@ -248,13 +255,8 @@ bool Extractor<Index>::end_slice() {
 
 template <class Index>
 bool Extractor<Index>::end_scan() {
-  const Statistics totals = statistics();
-  Event event{};
-  event.kind = Event::Kind::finish;
-  event.slice = rows_.slices();
-  event.abandoned = abandoned_;
-  event.statistics = &totals;
-  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  statistics_.cuts = merge_.cuts();
+  if (!tell(Event::Kind::finish)) return false;
   state_ = State::finished;
   return true;
 }

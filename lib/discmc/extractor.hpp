@@ -105,13 +105,14 @@ class Extractor {
   bool end_slice();
   bool end_scan();
   bool is_last_layer() const;
+  bool tell(Event::Kind kind);
   bool tell_skipped();
 
   Merge<Index> merge_;
   BitRows rows_;
   Limits limits_{};
   Capacities capacities_{};
-  Sink sink_;
+  Sink sink_{nullptr, nullptr, false};
   Statistics statistics_{};
   size_t bytes_used_ = 0;
   int32_t threshold_ = 0;

@@ -20,17 +20,13 @@ constexpr Incidence ring_incidence(const FacetRing& ring) {
   return incidence_of(Vertex{sign(n.x), sign(n.y), sign(n.z)});
 }
 
-constexpr Direction direction_of(Incidence incidence, Point from, Point to) {
-  const Link link = derive::link_of(links, position(to) - position(from));
-  return links.direction[incidence][link];
-}
-
 constexpr Shape ring_shape(Incidence incidence, const FacetRing& ring) {
   const Vertex n = normal(incidence);
   const Shape side = dot(n, position(ring.point[0]) - position(centroid)) > 0 ? 1 : 0;
   if (!contains(ring, centroid)) return side;
   // A fan's triangle is listed centroid first, so its outer link runs from point 1 to point 2.
-  const Direction outer = direction_of(incidence, ring.point[1], ring.point[2]);
+  const Direction outer =
+      direction_of(incidence, position(ring.point[2]) - position(ring.point[1]));
   return static_cast<Shape>(dot(n, n) == 1 ? outer / 2 : 2 + outer);
 }
 
@@ -61,7 +57,8 @@ constexpr FacetList facets_of(const Loop& loop) {
 struct Derived {
   FacetTable table;
   FacetRings rings;
-  CellFacts facts;
+  CellCounts counts;
+  EnclosedVolumes enclosed;
 };
 
 // Twice the area of a face's on part, in square half-steps, by the bits of its corners in ring
@@ -113,9 +110,9 @@ constexpr Derived derive_all() {
         enclosed += six_volumes(list.ring[i]);
       }
     }
-    derived.facts.facets[c] = static_cast<uint8_t>(total - derived.table.first[c]);
-    derived.facts.classic_triangles[c] = static_cast<uint8_t>(triangles);
-    derived.facts.enclosed[c] = static_cast<uint8_t>(enclosed);
+    derived.counts.code[c] =
+        static_cast<uint8_t>(triangles << 4 | (total - derived.table.first[c]));
+    derived.enclosed.of[c] = static_cast<uint8_t>(enclosed);
   }
   derived.table.first[configurations] = static_cast<uint16_t>(total);
   return derived;
@@ -125,7 +122,7 @@ constexpr Derived derived = derive_all();
 
 constexpr int configurations_with(int facets) {
   int count = 0;
-  for (const uint8_t n : derived.facts.facets) count += n == facets;
+  for (int c = 0; c < configurations; ++c) count += derived.counts.facets(c) == facets;
   return count;
 }
 
@@ -156,15 +153,16 @@ static_assert(occurs(1, 44), "every axis incidence occurs 44 times");
 static_assert(occurs(2, 5), "every diagonal incidence occurs 5 times");
 static_assert(occurs(3, 93), "every corner incidence occurs 93 times");
 static_assert(facets_with_ring() == 6 * 4 + 12 * 2 + 8 * 8, "every shape occurs");
-static_assert(derived.facts.enclosed[0] == 0 && derived.facts.enclosed[255] == 48 &&
-                  derived.facts.enclosed[1] == 1 && derived.facts.enclosed[254] == 47,
+static_assert(derived.enclosed.of[0] == 0 && derived.enclosed.of[255] == 48 &&
+                  derived.enclosed.of[1] == 1 && derived.enclosed.of[254] == 47,
               "the enclosed volume counts 48ths of a cell");
 
 }  // namespace
 
 const FacetTable facet_table = derived.table;
 const FacetRings facet_rings = derived.rings;
-const CellFacts cell_facts = derived.facts;
+const CellCounts cell_counts = derived.counts;
+const EnclosedVolumes enclosed_volumes = derived.enclosed;
 
 namespace {
 

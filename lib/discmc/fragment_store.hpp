@@ -11,8 +11,6 @@ namespace discmc {
 template <class Index>
 class FragmentStore {
  public:
-  static constexpr Index none = static_cast<Index>(~Index{0});
-
   void start(RunNode<Index>* nodes, uint32_t capacity) { nodes_.start(nodes, capacity); }
   void clear() { nodes_.clear(); }
 
@@ -31,10 +29,10 @@ class FragmentStore {
   void join(Fragment<Index>& fragment, const Fragment<Index>& other) {
     if (other.is_empty()) return;
     if (fragment.is_empty()) return fragment.move_from(other);
-    if (other.last == none) return append(fragment, other.tail);
+    if (other.last == no_record) return append(fragment, other.tail);
     absorb_or_push(fragment, other);
     const Index first = nodes_[other.last].next;
-    if (fragment.last == none) {
+    if (fragment.last == no_record) {
       fragment.last = other.last;
     } else {
       nodes_[other.last].next = nodes_[fragment.last].next;
@@ -46,7 +44,7 @@ class FragmentStore {
 
   /// Gives the fragment's nodes back; the run in place stays. Cost: one step a node.
   void give_nodes(Fragment<Index>& fragment) {
-    if (fragment.last == none) return;
+    if (fragment.last == no_record) return;
     Index node = nodes_[fragment.last].next;
     for (;;) {
       const Index next = nodes_[node].next;
@@ -55,23 +53,23 @@ class FragmentStore {
       if (was_last) break;
       node = next;
     }
-    fragment.last = none;
+    fragment.last = no_record;
   }
 
   /// Whether a fragment has more than `count` nodes. Cost: at most that many steps.
   bool is_longer(const Fragment<Index>& fragment, uint32_t count) const {
     Index node = first(fragment);
-    for (; node != none && count > 0; --count) node = after(fragment, node);
-    return node != none;
+    for (; node != no_record && count > 0; --count) node = after(fragment, node);
+    return node != no_record;
   }
 
   /// The first node of a fragment, or none when its only run is the one in place.
   Index first(const Fragment<Index>& fragment) const {
-    return fragment.last == none ? none : nodes_[fragment.last].next;
+    return fragment.last == no_record ? no_record : nodes_[fragment.last].next;
   }
   /// The node after `node`, or none after the last.
   Index after(const Fragment<Index>& fragment, Index node) const {
-    return node == fragment.last ? none : nodes_[node].next;
+    return node == fragment.last ? no_record : nodes_[node].next;
   }
   Run run(Index node) const { return nodes_[node].run(); }
 
@@ -79,7 +77,7 @@ class FragmentStore {
   void push(Fragment<Index>& fragment, Run run) {
     const Index node = nodes_.take();
     nodes_[node].set(run);
-    if (fragment.last == none) {
+    if (fragment.last == no_record) {
       nodes_[node].next = node;
     } else {
       nodes_[node].next = nodes_[fragment.last].next;

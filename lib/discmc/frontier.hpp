@@ -32,14 +32,13 @@ struct RunNode {
 /// The run in place is what makes a spill possible when the pool of runs is empty.
 template <class Index>
 struct Fragment {
-  static constexpr Index none = static_cast<Index>(~Index{0});
-  Run tail;
-  Index last;
   Index next;  ///< of the record that holds the fragment
+  Index last;
+  Run tail;
 
   void clear() {
     tail = Run();
-    last = none;
+    last = no_record;
   }
   void move_from(const Fragment& other) {
     tail = other.tail;
@@ -70,7 +69,7 @@ template <class Index>
 struct RegionNode {
   union {
     Index parent;
-    Index next;  ///< in the pool's free list and in the queue of complete regions
+    Index next;  ///< in the queue of complete regions
   };
   Index rings;  ///< the last of the root's circular list of closed rings
   Index references;
@@ -85,12 +84,21 @@ static_assert(sizeof(ClosedRing<uint16_t>) == 20 && sizeof(ClosedRing<uint32_t>)
 static_assert(sizeof(RegionNode<uint16_t>) == 8 && sizeof(RegionNode<uint32_t>) == 16,
               "as laid out");
 
+/// A cell as the sweep meets it.
+struct Cell {
+  Vertex origin;  ///< of corner 0; Units: half-steps
+  uint32_t column, row;
+  bool has_left, has_front;  ///< false on the first column or row: nothing waits there
+  bool has_right, has_back;  ///< false on the last column or row: links there are boundary
+  bool seals;  ///< above the last slice of an open volume: what waits below becomes boundary, no
+               ///< more
+  Configuration configuration;
+};
+
 /// The edges that wait for a neighbour, by place.
 template <class Index>
 class Frontier {
  public:
-  static constexpr Index none = static_cast<Index>(~Index{0});
-
   void start(Index* row_places, uint32_t columns) {
     waiting_back_ = row_places;
     columns_ = columns;
@@ -106,38 +114,33 @@ class Frontier {
 
   /// The edges that wait on the faces behind a cell, by place. Only the places that the cell's
   /// patches use have a meaning. `below` tells which of the links on face_below exist.
-  void gather(uint32_t column, uint32_t row, uint8_t below, Index (&behind)[behind_places]) {
-    const bool has_left = column > 0;
-    const bool has_front = row > 0;
+  void gather(const Cell& cell, uint8_t below, Index (&behind)[behind_places]) {
+    const Index* const front = waiting_back_ + 2 * cell.column;
+    const uint32_t key = key_of(cell);
     for (uint32_t slot = 0; slot < 2; ++slot) {
-      behind[slot] = has_left ? waiting_right_[slot] : none;
-      behind[2 + slot] = has_front ? waiting_back_[2 * column + slot] : none;
+      behind[slot] = cell.has_left ? waiting_right_[slot] : Index{no_record};
+      behind[2 + slot] = cell.has_front ? front[slot] : Index{no_record};
+      behind[4 + slot] = below >> slot & 1 ? table_.take(key + slot) : Index{no_record};
     }
-    const uint32_t key = key_of(column, row);
-    behind[4] = below & 1 ? table_.take(key) : none;
-    behind[5] = below & 2 ? table_.take(key + 1) : none;
   }
 
-  /// Lets an edge (or `none`, for one that was cut) wait on the right or back face of a cell.
-  void wait_in_slice(Place place, uint32_t column, Index edge) {
-    const int slot = place & 1;
-    if (place / 2 == face_right)
-      waiting_right_[slot] = edge;
-    else
-      waiting_back_[2 * column + static_cast<uint32_t>(slot)] = edge;
+  /// The edge that waits on the right or back face of a cell: no_record for one that was cut.
+  Index& in_slice(Place place, uint32_t column) {
+    Index* const waiting = place / 2 == face_right ? waiting_right_ : waiting_back_ + 2 * column;
+    return waiting[place & 1];
   }
 
   /// Lets an edge wait on the upper face for the next layer; false when the table has no room.
-  bool wait_above(Place place, uint32_t column, uint32_t row, Index edge) {
-    return table_.insert(key_of(column, row) + (place & 1), edge);
+  bool wait_above(Place place, const Cell& cell, Index edge) {
+    return table_.insert(key_of(cell) + (place & 1), edge);
   }
 
  private:
-  uint32_t key_of(uint32_t column, uint32_t row) const { return 2 * (row * columns_ + column); }
+  uint32_t key_of(const Cell& cell) const { return 2 * (cell.row * columns_ + cell.column); }
 
   HashTable<Index> table_;
   Index* waiting_back_ = nullptr;
-  Index waiting_right_[2] = {none, none};
+  Index waiting_right_[2] = {};
   uint32_t columns_ = 0;
 };
 

@@ -7,7 +7,7 @@
 #ifndef DISCMC_HASH_TABLE_HPP
 #define DISCMC_HASH_TABLE_HPP
 
-#include <stdint.h>
+#include <discmc/pool.hpp>
 
 namespace discmc {
 
@@ -17,7 +17,6 @@ template <class Index>
 class HashTable {
  public:
   static constexpr uint32_t window = 32;  ///< the bound on probes of every call
-  static constexpr Index none = static_cast<Index>(~Index{0});
 
   /// A slot's key and value stand in two arrays, so that a slot is 6 bytes with 16-bit indices.
   /// Limit: slots >= 1, 1 <= range < 2^31. Cost: writes all slots once.
@@ -54,7 +53,7 @@ class HashTable {
     return false;
   }
 
-  /// Removes a key and returns its value, or `none` when it is not in the table.
+  /// Removes a key and returns its value, or no_record when it is not in the table.
   Index take(uint32_t key) {
     uint32_t slot = first_slot(key);
     for (uint32_t probes = probe_count(); probes > 0; --probes, slot = after(slot)) {
@@ -63,7 +62,7 @@ class HashTable {
       --in_use_;
       return values_[slot];
     }
-    return none;
+    return no_record;
   }
 
   uint32_t capacity() const { return slots_; }
@@ -100,8 +99,8 @@ class HashTable {
   uint32_t* stamps_ = nullptr;
   Index* values_ = nullptr;
   uint32_t slots_ = 0;
-  uint32_t range_ = 1;
-  uint32_t epoch_ = 1;
+  uint32_t range_ = 0;
+  uint32_t epoch_ = 0;
   uint32_t in_use_ = 0;
   uint32_t high_water_ = 0;
 };

@@ -75,19 +75,23 @@ using Direction = uint8_t;
 constexpr int max_directions = 8;
 constexpr Direction no_direction = 0xFF;
 
-/// The 18 links, and which of them lie in the planes of each incidence.
+/// The 18 links, and which of them lie in the planes of each incidence. Kept small, since firmware
+/// carries it: read it through the functions below.
 struct LinkTable {
-  Vertex vector[link_codes];
-  uint8_t direction_count[incidence_codes];          ///< 8 axis, 4 diagonal, 6 corner
-  Link link[incidence_codes][max_directions];        ///< by incidence and direction
-  Direction direction[incidence_codes][link_codes];  ///< by incidence and link, or none
+  int8_t vector[link_codes][3];
+  uint8_t direction_count[incidence_codes];        ///< 8 axis, 4 diagonal, 6 corner
+  Link link[incidence_codes][max_directions / 2];  ///< of the first half of the directions
 };
 
 namespace derive {
 
+constexpr Vertex link_vector(const LinkTable& table, Link link) {
+  return {table.vector[link][0], table.vector[link][1], table.vector[link][2]};
+}
+
 constexpr Link link_of(const LinkTable& table, const Vertex& vector) {
   for (Link link = 0; link < link_codes; ++link)
-    if (table.vector[link] == vector) return link;
+    if (link_vector(table, link) == vector) return link;
   return link_codes;
 }
 
@@ -95,41 +99,40 @@ constexpr Link link_of(const LinkTable& table, const Vertex& vector) {
 constexpr Link next_link(const LinkTable& table, const Vertex& normal, Link from) {
   Link best = link_codes;
   for (Link link = 0; link < link_codes; ++link) {
-    const Vertex& candidate = table.vector[link];
+    const Vertex candidate = link_vector(table, link);
     if (dot(candidate, normal) != 0) continue;
-    if (dot(cross(table.vector[from], candidate), normal) <= 0) continue;
-    if (best == link_codes || dot(cross(candidate, table.vector[best]), normal) > 0) best = link;
+    if (dot(cross(link_vector(table, from), candidate), normal) <= 0) continue;
+    if (best == link_codes || dot(cross(candidate, link_vector(table, best)), normal) > 0)
+      best = link;
   }
   return best;
 }
 
 constexpr void add_plane(LinkTable& table, Incidence incidence) {
   const Vertex n = normal(incidence);
-  Link link = 0;
-  while (dot(table.vector[link], n) != 0) ++link;
-  const Link first = link;
-  uint8_t count = 0;
-  do {
-    table.link[incidence][count] = link;
-    table.direction[incidence][link] = count++;
-    link = next_link(table, n, link);
-  } while (link != first);
-  table.direction_count[incidence] = count;
+  Link first = 0;
+  while (dot(link_vector(table, first), n) != 0) ++first;
+  uint8_t half = 0;
+  for (Link link = first; link != opposite_link(first); link = next_link(table, n, link))
+    table.link[incidence][half++] = link;
+  table.direction_count[incidence] = static_cast<uint8_t>(2 * half);
 }
 
 constexpr LinkTable link_table() {
   LinkTable table{};
   int count = 0;
-  for (int z = -2; z <= 2; ++z)
-    for (int y = -2; y <= 2; ++y)
-      for (int x = -2; x <= 2; ++x) {
+  for (int8_t z = -2; z <= 2; ++z)
+    for (int8_t y = -2; y <= 2; ++y)
+      for (int8_t x = -2; x <= 2; ++x) {
         const int length_squared = x * x + y * y + z * z;
         const bool diagonal = length_squared == 2;
         const bool axis = length_squared == 4 && x % 2 == 0 && y % 2 == 0 && z % 2 == 0;
-        if (diagonal || axis) table.vector[count++] = Vertex{x, y, z};
+        if (!diagonal && !axis) continue;
+        table.vector[count][0] = x;
+        table.vector[count][1] = y;
+        table.vector[count][2] = z;
+        ++count;
       }
-  for (auto& row : table.direction)
-    for (Direction& direction : row) direction = no_direction;
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
     if (incidence != no_incidence) add_plane(table, incidence);
   return table;
@@ -139,26 +142,64 @@ constexpr LinkTable link_table() {
 
 inline constexpr LinkTable links = derive::link_table();
 
+/// The number of directions in the planes of an incidence: 8 axis, 4 diagonal, 6 corner.
+constexpr uint8_t direction_count(Incidence incidence) {
+  return links.direction_count[incidence];
+}
+
+/// The vector of a link. Units: half-steps.
+constexpr Vertex link_vector(Link link) {
+  return derive::link_vector(links, link);
+}
+
+/// The link of a direction in the planes of an incidence.
+constexpr Link link_of(Incidence incidence, Direction direction) {
+  const int half = direction_count(incidence) / 2;
+  const Link* first_half = links.link[incidence];
+  return direction < half ? first_half[direction] : opposite_link(first_half[direction - half]);
+}
+
+/// The direction of a link in the planes of an incidence, or no_direction when it lies in none.
+constexpr Direction direction_of(Incidence incidence, Link link) {
+  const int half = direction_count(incidence) / 2;
+  for (int i = 0; i < half; ++i) {
+    if (links.link[incidence][i] == link) return static_cast<Direction>(i);
+    if (links.link[incidence][i] == opposite_link(link)) return static_cast<Direction>(i + half);
+  }
+  return no_direction;
+}
+
+/// The same for a link vector. Cost: a search; for tables and references.
+constexpr Direction direction_of(Incidence incidence, const Vertex& vector) {
+  return direction_of(incidence, derive::link_of(links, vector));
+}
+
 /// The vector of a direction in the planes of an incidence. Units: half-steps.
 constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
-  return links.vector[links.link[incidence][direction]];
+  return link_vector(link_of(incidence, direction));
+}
+
+/// The direction half a round on.
+constexpr Direction opposite_direction(Incidence incidence, Direction direction) {
+  const int half = direction_count(incidence) / 2;
+  return static_cast<Direction>(direction < half ? direction + half : direction - half);
 }
 
 /// The turn from one direction to the next as a count of directions, from -n/2 (a half turn counts
 /// as negative) to n/2 - 1, where n is the incidence's direction_count. Counter-clockwise is
 /// positive.
 constexpr int turn(Incidence incidence, Direction from, Direction to) {
-  const int count = links.direction_count[incidence];
+  const int count = direction_count(incidence);
   int difference = to - from;
   if (difference < -count / 2) difference += count;
   if (difference >= count / 2) difference -= count;
   return difference;
 }
 
-static_assert(links.direction_count[incidence_of({0, 0, 1})] == 8, "axis planes have 8 directions");
-static_assert(links.direction_count[incidence_of({1, 1, 0})] == 4, "diagonal planes have 4");
-static_assert(links.direction_count[incidence_of({1, 1, 1})] == 6, "corner planes have 6");
-static_assert(links.vector[opposite_link(3)] == -links.vector[3],
+static_assert(direction_count(incidence_of({0, 0, 1})) == 8, "axis planes have 8 directions");
+static_assert(direction_count(incidence_of({1, 1, 0})) == 4, "diagonal planes have 4");
+static_assert(direction_count(incidence_of({1, 1, 1})) == 6, "corner planes have 6");
+static_assert(link_vector(opposite_link(3)) == -link_vector(3),
               "links are numbered by point symmetry");
 
 }  // namespace discmc

@@ -62,8 +62,9 @@ constexpr Capacities minimum_capacities() {
 
 namespace sizing {
 
-constexpr uint32_t saturated(uint64_t value) {
-  return value < UINT32_MAX ? static_cast<uint32_t>(value) : UINT32_MAX;
+// Twice a number and some more, or the largest number below.
+constexpr uint32_t twice(uint32_t number, uint32_t more) {
+  return number <= (UINT32_MAX - more) / 2 ? 2 * number + more : UINT32_MAX;
 }
 
 }  // namespace sizing
@@ -73,41 +74,34 @@ constexpr uint32_t saturated(uint64_t value) {
 /// that stays open keep their ring records: beyond their number, which no capacity can bound, they
 /// are joined by slits, which count as cuts and vanish when rings are made simple.
 constexpr Capacities worst_case_capacities(const Limits& limits) {
-  const uint64_t keys = Frontier<uint32_t>::keys(limits.columns(), limits.cell_rows());
+  const uint32_t keys = Frontier<uint32_t>::keys(limits.columns(), limits.cell_rows());
   // The places within the slice twice: the pool keeps as many back from edges that wait above.
-  const uint64_t edges = keys + 2 * (2 * uint64_t{limits.columns()} + 4);
-  return {sizing::saturated(edges), sizing::saturated(2 * edges + CellReserve::runs),
-          sizing::saturated(edges + CellReserve::rings),
-          sizing::saturated(2 * edges + CellReserve::regions),
-          sizing::saturated(keys + (keys == 0))};
+  const uint32_t edges = keys + 2 * (2 * limits.columns() + 4);
+  return {edges, sizing::twice(edges, CellReserve::runs), edges + CellReserve::rings,
+          sizing::twice(edges, CellReserve::regions), keys + (keys == 0)};
 }
-
-namespace sizing {
-
-constexpr uint64_t row_bytes(const Limits& limits) {
-  // The rows of a slice and two more, and one row of halo.
-  return Arena::bytes_of(uint64_t{limits.row_words()} * (limits.height + 3), sizeof(uint32_t));
-}
-
-template <class Index>
-constexpr uint64_t fixed_bytes(const Limits& limits) {
-  const uint32_t places = Frontier<Index>::row_places(limits.columns());
-  return row_bytes(limits) + Arena::bytes_of(places, sizeof(Index)) + Arena::alignment - 1;
-}
-
-}  // namespace sizing
 
 /// The bytes that a scan with these limits and capacities takes from the caller's memory.
 template <class Index>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
-  return sizing::fixed_bytes<Index>(limits) +
-         Arena::bytes_of(capacities.edges, sizeof(Edge<Index>)) +
-         Arena::bytes_of(capacities.edges, sizeof(uint8_t)) +
-         Arena::bytes_of(capacities.runs, sizeof(RunNode<Index>)) +
-         Arena::bytes_of(capacities.rings, sizeof(ClosedRing<Index>)) +
-         Arena::bytes_of(capacities.regions, sizeof(RegionNode<Index>)) +
-         Arena::bytes_of(capacities.slots, sizeof(uint32_t)) +
-         Arena::bytes_of(capacities.slots, sizeof(Index));
+  struct Array {
+    uint32_t count;
+    uint32_t record_bytes;
+  };
+  const Array arrays[] = {
+      {limits.row_words() * (limits.height + 3), sizeof(uint32_t)},  // see BitRows
+      {Frontier<Index>::row_places(limits.columns()), sizeof(Index)},
+      {capacities.edges, sizeof(Edge<Index>)},
+      {capacities.edges, sizeof(uint8_t)},
+      {capacities.runs, sizeof(RunNode<Index>)},
+      {capacities.rings, sizeof(ClosedRing<Index>)},
+      {capacities.regions, sizeof(RegionNode<Index>)},
+      {capacities.slots, sizeof(uint32_t)},
+      {capacities.slots, sizeof(Index)},
+  };
+  uint64_t sum = Arena::alignment - 1;
+  for (const Array& array : arrays) sum += Arena::bytes_of(array.count, array.record_bytes);
+  return sum;
 }
 
 /// Whether an index of this width can count the records.
@@ -145,22 +139,19 @@ template <class Index>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();
   const Capacities most = worst_case_capacities(limits);
-  const uint64_t unit = 16 * (sizeof(Edge<Index>) + 1) + 20 * sizeof(RunNode<Index>) +
-                        10 * sizeof(RegionNode<Index>) + sizeof(ClosedRing<Index>) +
-                        20 * (sizeof(uint32_t) + sizeof(Index));
+  constexpr uint32_t unit = 16 * (sizeof(Edge<Index>) + 1) + 20 * sizeof(RunNode<Index>) +
+                            10 * sizeof(RegionNode<Index>) + sizeof(ClosedRing<Index>) +
+                            20 * (sizeof(uint32_t) + sizeof(Index));
   // Seven arrays lose at most three bytes each to alignment.
   const uint64_t taken = minimum_bytes<Index>(limits) + 7 * Arena::alignment;
   // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
-  constexpr uint32_t countable =
-      static_cast<uint32_t>((uint64_t{static_cast<Index>(~Index{0})} - 64) / 26);
-  const uint32_t spare = sizing::saturated(bytes > taken ? bytes - taken : 0);
-  const uint32_t affordable = spare / static_cast<uint32_t>(unit);
-  const uint64_t units = affordable < countable ? affordable : countable;
-  const auto at_most = [](uint64_t value, uint32_t limit) {
-    return value < limit ? static_cast<uint32_t>(value) : limit;
-  };
-  return {at_most(least.edges + 16 * units, most.edges),
-          at_most(least.runs + 20 * units, UINT32_MAX), at_most(least.rings + units, most.rings),
+  constexpr uint32_t countable = (static_cast<Index>(~Index{0}) - 64U) / 26;
+  const uint64_t spare = bytes > taken ? bytes - taken : 0;
+  const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) / unit;
+  const uint32_t units = affordable < countable ? affordable : countable;
+  const auto at_most = [](uint32_t value, uint32_t limit) { return value < limit ? value : limit; };
+  return {at_most(least.edges + 16 * units, most.edges), least.runs + 20 * units,
+          at_most(least.rings + units, most.rings),
           at_most(least.regions + 10 * units, most.regions),
           at_most(least.slots + 20 * units, most.slots)};
 }

@@ -9,22 +9,19 @@ template <class Index>
 struct Merge<Index>::Walk {
   const Cell& cell;
   const Patch& patch;
-  int half_turn;
-  bool may_open;
-  bool has_marker;
-  Index region;
-  Index first;
-  Index current;
-  Index twin[Patch::max_links];  // by link: the edge to splice with, or none
-  bool joins[Patch::max_links];  // whether that edge is on a boundary not spliced before
+  Point at;  // where the next link begins
+  bool may_open = true;
+  bool has_marker = false;
+  uint8_t joins = 0;  // by link, a bit: its twin is on a boundary not spliced before
+  Index region = no_record;
+  Index first = no_record;
+  Index current = no_record;
+  Index twin[Patch::max_links];  // by link: the edge to splice with, or no_record
 
-  Vertex start_of(int i) const {
-    Vertex vertex = cell.origin + position(patch.start);
-    for (int l = 0; l < i; ++l)
-      vertex = vertex + direction_vector(patch.incidence, patch.direction(l));
-    return vertex;
-  }
-  uint8_t turn_into(int i) const { return static_cast<uint8_t>(patch.turn[i]); }
+  Walk(const Cell& walked, const Patch& added) : cell(walked), patch(added), at(added.start()) {}
+
+  Vertex vertex() const { return cell.origin + position(at); }
+  void step(int i) { at = point_after(at, link_of(patch.incidence, patch.direction(i))); }
 };
 
 template <class Index>
@@ -36,7 +33,7 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   spills_ = spills;
   frontier_.start(arena.take<Index>(Frontier<Index>::row_places(columns)), columns);
   edges_.start(arena.take<Edge<Index>>(capacities.edges), capacities.edges);
-  turns_ = arena.take<uint8_t>(capacities.edges);
+  turns_ = counted_from_one(arena.take<uint8_t>(capacities.edges));
   fragments_.start(arena.take<RunNode<Index>>(capacities.runs), capacities.runs);
   ClosedRing<Index>* rings = arena.take<ClosedRing<Index>>(capacities.rings);
   regions_.start(arena.take<RegionNode<Index>>(capacities.regions), capacities.regions, rings,
@@ -63,7 +60,7 @@ void Merge<Index>::clear() {
   splits_ = 0;
   touched_edges_ = 0;
   touched_rings_ = 0;
-  stage_ = Stage::begin;
+  is_delivering_ = false;
   next_fragment_ = 0;
 }
 
@@ -81,69 +78,23 @@ void Merge<Index>::take_cell(const Cell& cell) {
   touched_rings_ = 0;
   // Without spills every edge that waits keeps two runs in reserve for the day it becomes boundary.
   const uint32_t waiting = edges_.in_use() + static_cast<uint32_t>(cell_bounds.ahead_links);
-  boundary_only_ = !spills_ && fragments_.available() < 2 * (CellReserve::runs + waiting);
+  boundary_only_ =
+      cell.seals || (!spills_ && fragments_.available() < 2 * (CellReserve::runs + waiting));
   Index behind[behind_places];
-  frontier_.gather(cell.column, cell.row, table_->below[cell.configuration & 15], behind);
-  const uint32_t end = table_->first[cell.configuration + 1];
-  for (uint32_t i = table_->first[cell.configuration]; i < end; ++i)
-    take_patch(cell, table_->patch[table_->index[i]], behind);
-}
-
-template <class Index>
-void Merge<Index>::seal_cell(const Cell& cell) {
-  touched_edges_ = 0;
-  touched_rings_ = 0;
-  Index behind[behind_places];
-  frontier_.gather(cell.column, cell.row, table_->below[cell.configuration & 15], behind);
-  const uint32_t end = table_->first[cell.configuration + 1];
-  for (uint32_t i = table_->first[cell.configuration]; i < end; ++i) {
-    const Patch& patch = table_->patch[table_->index[i]];
-    Vertex position = cell.origin + discmc::position(patch.start);
-    for (int l = 0; l < patch.count; ++l) {
-      const Link link = links.link[patch.incidence][patch.direction(l)];
-      const Index edge = patch.place(l) / 2 == face_below ? behind[patch.place(l)] : none;
-      if (edge != none) {
-        const Incidence incidence = regions_.incidence(edges_[edge].region);
-        make_boundary(edge, links.direction[incidence][opposite_link(link)], position);
-      }
-      position = position + links.vector[link];
-    }
-  }
+  frontier_.gather(cell, table_->below[cell.configuration & 15], behind);
+  const uint32_t end = table_->first(cell.configuration + 1);
+  for (uint32_t i = table_->first(cell.configuration); i < end; ++i)
+    take_patch(cell, table_->at(i), behind);
 }
 
 template <class Index>
 void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
                               const Index (&behind)[behind_places]) {
-  Walk walk{cell,
-            patch,
-            links.direction_count[patch.incidence] / 2,
-            !boundary_only_,
-            false,
-            none,
-            none,
-            none,
-            {},
-            {}};
+  Walk walk(cell, patch);
   meet_twins(walk, behind);
-  if (walk.region == none) {
-    // The reserve is for regions that are complete within the cell.
-    if (regions_.nodes().available() <= CellReserve::regions) walk.may_open = false;
-    walk.region = regions_.create(patch.incidence);
-  } else {
-    regions_.refer(walk.region);
-  }
-  walk.first = is_ahead(patch.place(0)) ? open_edge(walk, patch.place(0)) : none;
-  walk.has_marker = walk.first == none;
-  if (walk.has_marker) walk.first = new_edge(walk.region);
-  walk.current = walk.first;
-  link(walk.first, walk.first);
-  if (walk.has_marker) {
-    if (walk.twin[0] != none && may_splice(walk, 0))
-      splice(walk, 0);
-    else
-      append(walk.current, patch.direction(0));
-  }
-  for (int i = 1; i < patch.count; ++i) walk_link(walk, i);
+  if (cell.seals) return;
+  begin_walk(walk);
+  for (int i = walk.has_marker ? 0 : 1; i < patch.count(); ++i) walk_link(walk, i);
   finish_walk(walk);
 }
 
@@ -151,44 +102,64 @@ void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
 template <class Index>
 void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) {
   const Patch& patch = walk.patch;
-  for (int i = 0; i < patch.count; ++i) {
-    const Index edge = is_behind(patch.place(i)) ? behind[patch.place(i)] : none;
-    walk.twin[i] = none;
-    if (edge != none) {
-      const Index node = edges_[edge].region;
-      const Incidence incidence = regions_.incidence(node);
-      if (incidence == patch.incidence && !boundary_only_) {
-        const Index root = regions_.root(node);
-        walk.twin[i] = edge;
-        walk.joins[i] = root != walk.region;
-        if (walk.region == none)
-          walk.region = root;
-        else if (root != walk.region)
-          walk.region = regions_.unite(walk.region, root);
-      } else {
-        if (incidence == patch.incidence) ++cuts_;
-        const Link link = opposite_link(links.link[patch.incidence][patch.direction(i)]);
-        make_boundary(edge, links.direction[incidence][link], walk.start_of(i));
-      }
+  for (int i = 0; i < patch.count(); walk.step(i), ++i) {
+    walk.twin[i] = no_record;
+    const Index edge = is_behind(patch.place(i)) ? behind[patch.place(i)] : Index{no_record};
+    if (edge == no_record) continue;
+    const Index node = edges_[edge].region;
+    const Incidence incidence = regions_.incidence(node);
+    if (incidence == patch.incidence && !boundary_only_) {
+      const Index root = regions_.root(node);
+      walk.twin[i] = edge;
+      if (root == walk.region) continue;
+      walk.joins = static_cast<uint8_t>(walk.joins | 1 << i);
+      walk.region = walk.region == no_record ? root : regions_.unite(walk.region, root);
+    } else {
+      if (incidence == patch.incidence && !walk.cell.seals) ++cuts_;
+      const Link link = opposite_link(link_of(patch.incidence, patch.direction(i)));
+      make_boundary(edge, direction_of(incidence, link), walk.vertex());
     }
   }
 }
 
+// The walk is round the patch, so it stands at link 0 again. Where that is left open, it is done.
+template <class Index>
+void Merge<Index>::begin_walk(Walk& walk) {
+  walk.may_open = !boundary_only_;
+  if (walk.region == no_record) {
+    // The reserve is for regions that are complete within the cell.
+    if (regions_.nodes().available() <= CellReserve::regions) walk.may_open = false;
+    walk.region = regions_.create(walk.patch.incidence);
+  } else {
+    regions_.refer(walk.region);
+  }
+  const Place place = walk.patch.place(0);
+  walk.first = is_ahead(place) ? open_edge(walk, place) : Index{no_record};
+  walk.has_marker = walk.first == no_record;
+  if (walk.has_marker)
+    walk.first = new_edge(walk.region);
+  else
+    walk.step(0);
+  walk.current = walk.first;
+  link(walk.first, walk.first);
+}
+
 template <class Index>
 void Merge<Index>::walk_link(Walk& walk, int i) {
-  turns_[walk.current] = static_cast<uint8_t>(turns_[walk.current] + walk.turn_into(i));
-  if (walk.twin[i] != none) {
-    if (may_splice(walk, i)) return splice(walk, i);
-  } else if (is_ahead(walk.patch.place(i))) {
-    const Index edge = open_edge(walk, walk.patch.place(i));
-    if (edge != none) {
-      link(walk.current, edge);
-      link(edge, walk.first);
-      walk.current = edge;
-      return;
-    }
+  const Patch& patch = walk.patch;
+  if (i > 0) turn_by(walk.current, patch.turn_into(i));
+  const Place place = patch.place(i);
+  Index edge = no_record;
+  if (walk.twin[i] != no_record && may_splice(walk, i)) {
+    splice(walk, i);
+  } else if (i > 0 && is_ahead(place) && (edge = open_edge(walk, place)) != no_record) {
+    link(walk.current, edge);
+    link(edge, walk.first);
+    walk.current = edge;
+  } else {
+    append(walk.current, patch.direction(i));
   }
-  append(walk.current, walk.patch.direction(i));
+  walk.step(i);
 }
 
 // A splice within one boundary splits it in two, and each will need a ring record in the end. When
@@ -197,15 +168,15 @@ template <class Index>
 bool Merge<Index>::may_splice(Walk& walk, int i) {
   const Index twin = walk.twin[i];
   const bool vanishes = twin == walk.current && edges_[twin].is_empty();
-  if (walk.joins[i] || vanishes) return true;
+  if (vanishes || (walk.joins >> i & 1) != 0) return true;
   if (splits_ + CellReserve::rings < regions_.rings().capacity()) {
     ++splits_;
     return true;
   }
   ++cuts_;
   if (twin == walk.current) walk.current = edges_[twin].previous;
-  const Link link = opposite_link(links.link[walk.patch.incidence][walk.patch.direction(i)]);
-  make_boundary(twin, links.direction[walk.patch.incidence][link], walk.start_of(i));
+  const Incidence incidence = walk.patch.incidence;
+  make_boundary(twin, opposite_direction(incidence, walk.patch.direction(i)), walk.vertex());
   return false;
 }
 
@@ -216,39 +187,35 @@ void Merge<Index>::splice(Walk& walk, int i) {
   const Index twin = walk.twin[i];
   const Edge<Index>& edge = edges_[twin];
   const Index previous = edge.previous;
-  const uint8_t turn = static_cast<uint8_t>(turns_[twin] - walk.half_turn);
+  const int half_turn = direction_count(walk.patch.incidence) / 2;
+  turn_by(twin, -half_turn);
   if (twin == walk.current) {
-    if (!edge.is_empty()) close_ring(walk.region, edge, turn, walk.start_of(i));
+    if (!edge.is_empty()) close_ring(twin, walk.vertex());
+  } else {
+    join(walk.current, twin);
+    if (previous != twin) link(walk.current, edge.next);
+  }
+  if (previous != twin) {
     link(previous, walk.first);
     walk.current = previous;
-  } else {
-    turns_[walk.current] = static_cast<uint8_t>(turns_[walk.current] + turn);
-    join(walk.current, edge);
-    if (previous != twin) {
-      link(walk.current, edge.next);
-      link(previous, walk.first);
-      walk.current = previous;
-    }
   }
-  turns_[walk.current] = static_cast<uint8_t>(turns_[walk.current] - walk.half_turn);
+  turn_by(walk.current, -half_turn);
   remove(twin);
 }
 
 template <class Index>
 void Merge<Index>::finish_walk(Walk& walk) {
   const Index current = walk.current;
-  turns_[current] = static_cast<uint8_t>(turns_[current] + walk.turn_into(0));
+  turn_by(current, walk.patch.turn_into(0));
   if (walk.has_marker) {
     const Index marker = walk.first;
-    Edge<Index>& edge = edges_[marker];
     if (current != marker) {
-      turns_[current] = static_cast<uint8_t>(turns_[current] + turns_[marker]);
-      join(current, edge);
-      link(current, edge.next);
-    } else if (edge.is_empty()) {
+      join(current, marker);
+      link(current, edges_[marker].next);
+    } else if (edges_[marker].is_empty()) {
       --splits_;  // this boundary has vanished inside the region
     } else {
-      close_ring(walk.region, edge, turns_[marker], walk.start_of(0));
+      close_ring(marker, walk.vertex());
     }
     remove(marker);
   }
@@ -267,23 +234,23 @@ Index Merge<Index>::new_edge(Index region) {
   return edge;
 }
 
-// Leaves a link open for the neighbour to come, or cuts it for lack of room and returns none.
+// Leaves a link open for the neighbour to come, or cuts it for lack of room and returns no_record.
 template <class Index>
 Index Merge<Index>::open_edge(const Walk& walk, Place place) {
   const Cell& cell = walk.cell;
-  if (place / 2 == face_right && !cell.has_right) return none;
-  if (place / 2 == face_back && !cell.has_back) return none;
+  if (place / 2 == face_right && !cell.has_right) return no_record;
+  if (place / 2 == face_back && !cell.has_back) return no_record;
   const bool above = place / 2 == face_above;
   const uint32_t kept = 1 + (above ? edges_kept_short_ : 0);  // one for a marker
-  Index edge = none;
+  Index edge = no_record;
   if (walk.may_open && edges_.available() > kept) edge = new_edge(walk.region);
   if (!above) {
-    frontier_.wait_in_slice(place, cell.column, edge);
-  } else if (edge != none && !frontier_.wait_above(place, cell.column, cell.row, edge)) {
+    frontier_.in_slice(place, cell.column) = edge;
+  } else if (edge != no_record && !frontier_.wait_above(place, cell, edge)) {
     remove(edge);
-    edge = none;
+    edge = no_record;
   }
-  if (edge == none) ++cuts_;
+  if (edge == no_record) ++cuts_;
   return edge;
 }
 
@@ -295,44 +262,56 @@ void Merge<Index>::remove(Index edge) {
   regions_.release(region);
 }
 
+template <class Index>
+void Merge<Index>::link(Index edge, Index next) {
+  edges_[edge].next = next;
+  edges_[next].previous = edge;
+}
+
 // Puts the link of a waiting edge into its boundary. `end` is where that link ends.
 template <class Index>
 void Merge<Index>::make_boundary(Index edge, Direction direction, const Vertex& end) {
-  Edge<Index>& record = edges_[edge];
-  const Index previous = record.previous;
+  const Index previous = edges_[edge].previous;
   append(previous, direction);
   if (previous == edge) {
-    close_ring(record.region, record, turns_[edge], end);
+    close_ring(edge, end);
   } else {
-    turns_[previous] = static_cast<uint8_t>(turns_[previous] + turns_[edge]);
-    join(previous, record);
-    link(previous, record.next);
+    join(previous, edge);
+    link(previous, edges_[edge].next);
   }
   remove(edge);
 }
 
 template <class Index>
 void Merge<Index>::append(Index edge, Direction direction) {
-  Edge<Index>& record = edges_[edge];
-  fragments_.append(record, Run::straight(direction, 1));
-  if (record.last != none)
-    touched_edge_[touched_edges_++] = {edge, regions_.incidence(record.region)};
+  fragments_.append(edges_[edge], Run::straight(direction, 1));
+  touch(edge);
+}
+
+// Puts the fragment and the turn of `other` behind those of `edge`; the fragment of `other` is then
+// void.
+template <class Index>
+void Merge<Index>::join(Index edge, Index other) {
+  turn_by(edge, turns_[other]);
+  fragments_.join(edges_[edge], edges_[other]);
+  touch(edge);
 }
 
 template <class Index>
-void Merge<Index>::join(Index edge, const Fragment<Index>& other) {
-  Edge<Index>& record = edges_[edge];
-  fragments_.join(record, other);
-  if (record.last != none)
+void Merge<Index>::touch(Index edge) {
+  const Edge<Index>& record = edges_[edge];
+  if (record.last != no_record)
     touched_edge_[touched_edges_++] = {edge, regions_.incidence(record.region)};
 }
 
+// The fragment of an edge that is its own successor is a whole boundary.
 template <class Index>
-void Merge<Index>::close_ring(Index region, const Fragment<Index>& fragment, uint8_t turn,
-                              const Vertex& start) {
+void Merge<Index>::close_ring(Index edge, const Vertex& start) {
   constexpr uint8_t negative = 0x80;
-  const Index ring = regions_.add_ring(region, fragment, start, (turn & negative) != 0);
-  touched_ring_[touched_rings_++] = {ring, regions_.incidence(region)};
+  const Edge<Index>& record = edges_[edge];
+  const Index ring =
+      regions_.add_ring(record.region, record, start, (turns_[edge] & negative) != 0);
+  touched_ring_[touched_rings_++] = {ring, regions_.incidence(record.region)};
 }
 
 template class Merge<uint16_t>;

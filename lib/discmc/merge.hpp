@@ -19,14 +19,6 @@
 
 namespace discmc {
 
-/// A cell as the merge is given it.
-struct Cell {
-  Vertex origin;  ///< of corner 0; Units: half-steps
-  uint32_t column, row;
-  bool has_right, has_back;  ///< false on the last column or row: links there are boundary
-  Configuration configuration;
-};
-
 /// High-water marks of the pools, in records.
 struct HighWater {
   uint32_t edges, runs, rings, regions, slots;
@@ -35,8 +27,6 @@ struct HighWater {
 template <class Index>
 class Merge {
  public:
-  static constexpr Index none = static_cast<Index>(~Index{0});
-
   /// Lays the pools out in the arena. The arena must have room (see bytes_for()).
   void start(Arena& arena, const Limits& limits, const Capacities& capacities,
              const PatchTable& table, bool spills);
@@ -45,12 +35,10 @@ class Merge {
   /// Takes a cell's patches in. Limit: settled(). Cost: bounded by the cell's links.
   void take_cell(const Cell& cell);
 
-  /// Makes boundary of what waits on the lower face of a cell above the last slice.
-  void seal_cell(const Cell& cell);
-
   /// Whether the next cell may be taken: no region waits for the sink, and runs are not short.
   bool settled() const {
-    return !regions_.has_complete() && (!spills_ || fragments_.available() >= runs_kept_);
+    return !is_delivering_ && !regions_.has_complete() &&
+           (!spills_ || fragments_.available() >= runs_kept_);
   }
 
   /// Delivers what is complete, and spills when runs are short. Then the next cell may be taken.
@@ -65,6 +53,7 @@ class Merge {
 
   void take_patch(const Cell& cell, const Patch& patch, const Index (&behind)[behind_places]);
   void meet_twins(Walk& walk, const Index (&behind)[behind_places]);
+  void begin_walk(Walk& walk);
   void walk_link(Walk& walk, int i);
   bool may_splice(Walk& walk, int i);
   void splice(Walk& walk, int i);
@@ -74,20 +63,18 @@ class Merge {
   Index new_edge(Index region);
   void make_boundary(Index edge, Direction direction, const Vertex& end);
   void append(Index edge, Direction direction);
-  void join(Index edge, const Fragment<Index>& other);
-  void close_ring(Index region, const Fragment<Index>& fragment, uint8_t turn, const Vertex& start);
+  void join(Index edge, Index other);
+  void touch(Index edge);
+  void close_ring(Index edge, const Vertex& start);
   void remove(Index edge);
-  void link(Index edge, Index next) {
-    edges_[edge].next = next;
-    edges_[next].previous = edge;
-  }
+  void link(Index edge, Index next);
+  void turn_by(Index edge, int turn) { turns_[edge] = static_cast<uint8_t>(turns_[edge] + turn); }
 
-  bool deliver_region(const Sink& sink, Statistics& statistics);
-  bool deliver_runs(const Sink& sink, const Fragment<Index>& fragment, Statistics& statistics);
-  bool spill(const Sink& sink, Fragment<Index>& fragment, Incidence incidence,
-             Statistics& statistics);
-  bool spill_touched(const Sink& sink, Statistics& statistics);
+  bool begin_delivery();
+  bool begin_spill(Fragment<Index>& fragment, Incidence incidence);
   bool should_spill(const Fragment<Index>& fragment) const;
+  void go_on(Run run, Statistics& statistics);
+  void end_runs();
 
   const PatchTable* table_ = nullptr;
   Pool<Edge<Index>, Index> edges_;
@@ -100,7 +87,7 @@ class Merge {
   uint32_t splits_ = 0;            // boundaries that will each need one more ring record
   uint32_t edges_kept_short_ = 0;  // of the pool, for edges that do not wait a whole layer
   uint32_t runs_kept_ = 0;         // of the pool: with fewer available, long fragments are spilled
-  bool spills_ = true;
+  bool spills_ = false;
   bool boundary_only_ = false;  // this cell opens and splices nothing
 
   // The fragments that the last cell may have lengthened: the candidates for a spill.
@@ -108,16 +95,19 @@ class Merge {
     Index index;
     Incidence incidence;
   };
-  Touched touched_edge_[CellReserve::runs];
-  Touched touched_ring_[CellReserve::rings + cell_bounds.behind_links];
+  Touched touched_edge_[CellReserve::runs] = {};
+  Touched touched_ring_[CellReserve::rings + cell_bounds.behind_links] = {};
   uint32_t touched_edges_ = 0;
   uint32_t touched_rings_ = 0;
 
-  // Where the delivery of a region or a fragment was suspended.
-  enum class Stage : uint8_t { begin, ring, runs, end };
-  Stage stage_ = Stage::begin;
-  Index ring_ = none;
-  Index node_ = none;
+  // The region or fragment that is being delivered: the next event, and what it tells of.
+  bool is_delivering_ = false;
+  Event::Kind next_event_ = Event::Kind::region;
+  Incidence incidence_ = 0;
+  Index ring_ = no_record;  // of the region; no_record for a fragment
+  Index last_ring_ = no_record;
+  Index node_ = no_record;  // of the next run; no_record for the one in place
+  Fragment<Index>* fragment_ = nullptr;
   uint32_t next_fragment_ = 0;
 };
 

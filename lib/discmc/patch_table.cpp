@@ -5,8 +5,8 @@ namespace discmc {
 namespace {
 
 constexpr bool operator==(const Patch& a, const Patch& b) {
-  if (a.incidence != b.incidence || a.count != b.count || a.start != b.start) return false;
-  for (int i = 0; i < a.count; ++i)
+  if (a.incidence != b.incidence || a.count_and_start != b.count_and_start) return false;
+  for (int i = 0; i < a.count(); ++i)
     if (a.link[i] != b.link[i]) return false;
   return true;
 }
@@ -34,10 +34,10 @@ constexpr bool is_flat(const Loop& loop) {
 }
 
 constexpr uint8_t coded_link(Incidence incidence, Point from, Point to) {
-  const Link link = derive::link_of(links, position(to) - position(from));
+  const Direction direction = direction_of(incidence, position(to) - position(from));
   const int face = face_of(from, to);
   const int place = face == faces ? spoke : 2 * face + place_in_face(from, to);
-  return static_cast<uint8_t>(place << 3 | links.direction[incidence][link]);
+  return static_cast<uint8_t>(place << 3 | direction);
 }
 
 // Starts the ring at a link ahead where there is one, so that the merge begins with an open edge.
@@ -49,15 +49,14 @@ constexpr Patch patch_of(Incidence incidence, const PointRing& ring) {
     start = i;
     break;
   }
-  Patch patch{incidence, ring.count, ring.point[start], {}, {}};
+  Patch patch{incidence,
+              static_cast<uint8_t>((ring.count - Patch::min_links) << 6 | ring.point[start]),
+              {}};
   for (int i = 0; i < ring.count; ++i) {
     const Point from = ring.point[(start + i) % ring.count];
     const Point to = ring.point[(start + i + 1) % ring.count];
     patch.link[i] = coded_link(incidence, from, to);
   }
-  for (int i = 0; i < ring.count; ++i)
-    patch.turn[i] = static_cast<int8_t>(discmc::turn(
-        incidence, patch.direction((i + ring.count - 1) % ring.count), patch.direction(i)));
   return patch;
 }
 
@@ -112,11 +111,11 @@ constexpr void measure_cell(Derived& derived, int first) {
   int links = 0, behind = 0, ahead = 0;
   uint32_t incidences = 0;
   for (int i = first; i < derived.total; ++i) {
-    const Patch& patch = derived.table.patch[derived.table.index[i]];
+    const Patch& patch = derived.table.at(static_cast<uint32_t>(i));
     if (incidences >> patch.incidence & 1) derived.one_patch_an_incidence = false;
     incidences |= uint32_t{1} << patch.incidence;
-    links += patch.count;
-    for (int l = 0; l < patch.count; ++l) {
+    links += patch.count();
+    for (int l = 0; l < patch.count(); ++l) {
       behind += is_behind(patch.place(l));
       ahead += is_ahead(patch.place(l));
     }
@@ -128,12 +127,18 @@ constexpr void measure_cell(Derived& derived, int first) {
 
 constexpr uint8_t below_links(const Derived& derived, int lower) {
   int found = 0;
-  for (int i = derived.table.first[lower]; i < derived.table.first[lower + 1]; ++i) {
-    const Patch& patch = derived.table.patch[derived.table.index[i]];
-    for (int l = 0; l < patch.count; ++l)
+  for (uint32_t i = derived.table.first(lower); i < derived.table.first(lower + 1); ++i) {
+    const Patch& patch = derived.table.at(i);
+    for (int l = 0; l < patch.count(); ++l)
       if (patch.place(l) / 2 == face_below) found |= 1 << patch.place(l) % 2;
   }
   return static_cast<uint8_t>(found);
+}
+
+constexpr void begin_configuration(Derived& derived, int c) {
+  uint16_t& block = derived.table.block[c / PatchTable::block_size];
+  if (c % PatchTable::block_size == 0) block = static_cast<uint16_t>(derived.total);
+  derived.table.within[c] = static_cast<uint8_t>(derived.total - block);
 }
 
 constexpr Derived derive_all() {
@@ -141,12 +146,12 @@ constexpr Derived derive_all() {
   derived.one_patch_an_incidence = true;
   for (int c = 0; c < configurations; ++c) {
     const int first = derived.total;
-    derived.table.first[c] = static_cast<uint16_t>(first);
+    begin_configuration(derived, c);
     const Loops loops = derive::loops(static_cast<Configuration>(c));
     for (int l = 0; l < loops.count; ++l) add_loop(derived, loops.loop[l]);
     measure_cell(derived, first);
   }
-  derived.table.first[configurations] = static_cast<uint16_t>(derived.total);
+  begin_configuration(derived, configurations);
   for (int lower = 0; lower < 16; ++lower) derived.table.below[lower] = below_links(derived, lower);
   return derived;
 }

@@ -41,29 +41,40 @@ constexpr int place_in_face(Point from, Point to) {
 }
 
 /// A ring of links, counter-clockwise seen from the tip of the normal. If any link is ahead, link 0
-/// is.
+/// is. Eight bytes, since firmware carries 222 of them.
 struct Patch {
+  static constexpr int min_links = 3;
   static constexpr int max_links = 6;
   Incidence incidence;
-  uint8_t count;
-  Point start;              ///< where link 0 begins
+  uint8_t count_and_start;  ///< count - min_links (upper 2 bits) and start (lower 6 bits)
   uint8_t link[max_links];  ///< place (upper 5 bits) and direction (lower 3 bits)
-  int8_t turn[max_links];   ///< from the link before into each link
 
+  constexpr int count() const { return min_links + (count_and_start >> 6); }
+  /// Where link 0 begins.
+  constexpr Point start() const { return count_and_start & 63; }
   constexpr Place place(int i) const { return link[i] >> 3; }
   constexpr Direction direction(int i) const { return link[i] & 7; }
+  /// From the link before into link i, as turn() counts.
+  constexpr int turn_into(int i) const {
+    return turn(incidence, direction(i > 0 ? i - 1 : count() - 1), direction(i));
+  }
 };
 
-/// The patches of every configuration: those of c are patch[index[first[c]]] to
-/// patch[index[first[c + 1] - 1]].
+/// The patches of every configuration, each stored once: those of c are at(first(c)) to
+/// at(first(c + 1) - 1).
 struct PatchTable {
   static constexpr int total = 610;
   static constexpr int distinct = 222;
-  uint16_t first[configurations + 1];
+  static constexpr int block_size = 32;  ///< configurations whose patches one byte can count
+  uint16_t block[configurations / block_size + 1];
+  uint8_t within[configurations + 1];
   uint8_t index[total];
   Patch patch[distinct];
   uint8_t
       below[16];  ///< by the four lower corner bits: bits 0 and 1 tell which links face_below has
+
+  constexpr uint32_t first(int c) const { return uint32_t{block[c / block_size]} + within[c]; }
+  constexpr const Patch& at(uint32_t i) const { return patch[index[i]]; }
 };
 
 extern const PatchTable patch_table;

@@ -1,63 +1,91 @@
-// A pool of records with a free list through their own `next` member.
+// A pool of records with a free list through their first member.
 #ifndef DISCMC_POOL_HPP
 #define DISCMC_POOL_HPP
 
+#include <stddef.h>
 #include <stdint.h>
 
 namespace discmc {
 
-/// Records named by index. Which index a record gets depends on nothing but the order of the calls.
-/// Owner: the records lie in the arena. Cost of take() and give(): a few instructions.
-template <class Record, class Index>
-class Pool {
+/// What stands for no record. Records are counted from 1, so that memory that is all zero names
+/// nothing, and the test costs one instruction.
+constexpr uint8_t no_record = 0;
+
+/// The pointer that makes `first` the array's element 1. There is no element 0 behind it.
+template <class T>
+T* counted_from_one(T* first) {
+  return reinterpret_cast<T*>(reinterpret_cast<uintptr_t>(first) - sizeof(T));
+}
+
+/// Keeps account of which records of an array are in use, whatever they are: apart from Pool, so
+/// that there is one copy of it for all of them. A record begins with an Index, which names the
+/// next free one while it is not in use.
+template <class Index>
+class RecordAccount {
  public:
-  static constexpr Index none = static_cast<Index>(~Index{0});
-
-  void start(Record* records, uint32_t capacity) {
-    records_ = records;
-    capacity_ = capacity;
-    clear();
-  }
-
   /// Gives all records back at once and forgets the high-water mark.
   void clear() {
-    free_ = none;
+    free_ = no_record;
     fresh_ = 0;
     in_use_ = 0;
     high_water_ = 0;
   }
-
-  /// A record, its members undefined, or `none` when all are in use.
-  Index take() {
-    if (free_ == none && fresh_ == capacity_) return none;
-    if (++in_use_ > high_water_) high_water_ = in_use_;
-    if (free_ == none) return static_cast<Index>(fresh_++);
-    const Index index = free_;
-    free_ = records_[index].next;
-    return index;
-  }
-
-  void give(Index index) {
-    records_[index].next = free_;
-    free_ = index;
-    --in_use_;
-  }
-
-  Record& operator[](Index index) { return records_[index]; }
-  const Record& operator[](Index index) const { return records_[index]; }
 
   uint32_t capacity() const { return capacity_; }
   uint32_t in_use() const { return in_use_; }
   uint32_t available() const { return capacity_ - in_use_; }
   uint32_t high_water() const { return high_water_; }
 
- private:
-  Record* records_ = nullptr;
+ protected:
+  Index take(uint32_t record_bytes) {
+    if (in_use_ == capacity_) return no_record;
+    if (++in_use_ > high_water_) high_water_ = in_use_;
+    if (free_ == no_record) return static_cast<Index>(++fresh_);
+    const Index index = free_;
+    free_ = next(index, record_bytes);
+    return index;
+  }
+
+  void give(Index index, uint32_t record_bytes) {
+    next(index, record_bytes) = free_;
+    free_ = index;
+    --in_use_;
+  }
+
+  uint8_t* records_ = nullptr;  // counted from one
   uint32_t capacity_ = 0;
-  uint32_t fresh_ = 0;  // records from here on have never been taken
+
+ private:
+  Index& next(Index index, uint32_t record_bytes) {
+    return *reinterpret_cast<Index*>(records_ + size_t{index} * record_bytes);
+  }
+
+  uint32_t fresh_ = 0;  // records after this one have never been taken
   uint32_t in_use_ = 0;
   uint32_t high_water_ = 0;
-  Index free_ = none;
+  Index free_ = no_record;
+};
+
+/// Records named by index, from 1 on. Which index a record gets depends on nothing but the order of
+/// the calls. Record: trivial, begins with an Index. Owner: the records lie in the arena.
+/// Cost of take() and give(): a few instructions.
+template <class Record, class Index>
+class Pool : public RecordAccount<Index> {
+ public:
+  void start(Record* records, uint32_t capacity) {
+    this->records_ = reinterpret_cast<uint8_t*>(counted_from_one(records));
+    this->capacity_ = capacity;
+    this->clear();
+  }
+
+  /// A record, its members undefined, or no_record when all are in use.
+  Index take() { return RecordAccount<Index>::take(sizeof(Record)); }
+  void give(Index index) { RecordAccount<Index>::give(index, sizeof(Record)); }
+
+  Record& operator[](Index index) { return reinterpret_cast<Record*>(this->records_)[index]; }
+  const Record& operator[](Index index) const {
+    return reinterpret_cast<const Record*>(this->records_)[index];
+  }
 };
 
 }  // namespace discmc

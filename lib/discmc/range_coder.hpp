@@ -18,7 +18,8 @@ using Probability = uint8_t;
 class RangeEncoder {
  public:
   RangeEncoder() = default;
-  RangeEncoder(uint8_t* buffer, size_t capacity) : buffer_(buffer), capacity_(capacity) {}
+  RangeEncoder(uint8_t* buffer, size_t capacity)
+      : buffer_(buffer), capacity_(capacity), range_(UINT32_MAX) {}
 
   void encode(bool bit, Probability one) {
     const uint32_t bound = (range_ >> 8) * one;
@@ -90,7 +91,7 @@ class RangeEncoder {
   size_t capacity_ = 0;
   size_t count_ = 0;
   uint32_t low_ = 0;
-  uint32_t range_ = UINT32_MAX;
+  uint32_t range_ = 0;
   uint32_t cache_ = 0;
   uint32_t pending_ = 0;
   bool has_cache_ = false;

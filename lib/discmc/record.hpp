@@ -14,13 +14,13 @@ struct Record {
   static constexpr uint32_t ring_mark = 0;
   static constexpr uint32_t ring_words = 4;
 
-  Incidence incidence = no_incidence;
+  Incidence incidence = 0;
   bool is_fragment = false;
   bool continues = false;  ///< not the first part
   bool is_last = false;    ///< no part follows
   uint32_t number = 0;     ///< of a fragment
   uint32_t count = 0;
-  uint32_t word[max_words];
+  uint32_t word[max_words] = {};
 
   /// Empties the record and makes it the first part of a region.
   void begin(Incidence of) {

@@ -17,8 +17,7 @@ inline uint32_t runs_after(const Record& record, uint32_t mark) {
 }
 
 inline bool is_opposite(Incidence incidence, Run a, Run b) {
-  const uint32_t count = links.direction_count[incidence];
-  return a.length() == b.length() && (a.direction() + count / 2) % count == b.direction();
+  return a.length() == b.length() && opposite_direction(incidence, a.direction()) == b.direction();
 }
 
 inline bool is_parallelogram(const Record& record, uint32_t first, uint32_t count) {
@@ -27,34 +26,20 @@ inline bool is_parallelogram(const Record& record, uint32_t first, uint32_t coun
          is_opposite(record.incidence, run_at(record, first + 1), run_at(record, first + 3));
 }
 
-// Whether the last two lengths follow from the others, and all are short and straight.
-inline bool is_compact_ring(const Record& record, uint32_t first, uint32_t count) {
-  if (count < 2) return false;
-  Vertex way{0, 0, 0};
-  for (uint32_t i = 0; i < count; ++i) {
-    const Run run = run_at(record, first + i);
-    if (run.is_fragment() || run.length() > max_compact_length) return false;
-    const Vertex step = direction_vector(record.incidence, run.direction());
-    const int32_t length = static_cast<int32_t>(run.length());
-    if (i + 2 < count) way = way - Vertex{length * step.x, length * step.y, length * step.z};
-  }
-  const Run last_but_one = run_at(record, first + count - 2);
-  const Run last = run_at(record, first + count - 1);
-  const Closure closure =
-      close_ring(direction_vector(record.incidence, last_but_one.direction()),
-                 direction_vector(record.incidence, last.direction()), way, last_but_one.length());
-  return closure.is_valid && closure.first == last_but_one.length() &&
-         closure.second == last.length();
-}
-
-/// Whether encode_region() can tell the record: a whole region of closed straight chains.
+/// Whether encode_region() can tell the record: a whole region of closed chains, all runs short and
+/// straight. Then the last two lengths of each follow from the others.
 inline bool is_compact(const Record& record) {
-  if (record.is_fragment || record.continues || record.count == 0) return false;
-  for (uint32_t mark = 0; mark < record.count;) {
-    if (record.word[mark] != Record::ring_mark) return false;
-    const uint32_t count = runs_after(record, mark);
-    if (!is_compact_ring(record, mark + Record::ring_words, count)) return false;
-    mark += Record::ring_words + count;
+  if (record.is_fragment || record.continues) return false;
+  if (record.count == 0 || record.word[0] != Record::ring_mark) return false;
+  for (uint32_t i = 0; i < record.count;) {
+    const uint32_t first = i + Record::ring_words;
+    Vertex way{0, 0, 0};
+    for (i = first; i < record.count && record.word[i] != Record::ring_mark; ++i) {
+      const Run run = run_at(record, i);
+      if (run.is_fragment() || run.length() > max_compact_length) return false;
+      way = way + displacement(record.incidence, &run, 1);
+    }
+    if (i < first + 2 || way != Vertex{0, 0, 0}) return false;
   }
   return true;
 }
@@ -72,8 +57,7 @@ void encode_ring(Model& model, const Record& record, uint32_t first, uint32_t co
   if (parallelogram) return;
   const Run last_but_one = run_at(record, first + count - 2);
   const Run last = run_at(record, first + count - 1);
-  if (are_parallel(direction_vector(record.incidence, last_but_one.direction()),
-                   direction_vector(record.incidence, last.direction())))
+  if (are_parallel(record.incidence, last_but_one.direction(), last.direction()))
     model.length(last_but_one.length());
 }
 

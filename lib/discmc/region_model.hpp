@@ -65,13 +65,15 @@ constexpr int32_t wrapped_sum(int32_t a, int32_t b) {
 template <class Coder>
 class RegionModel {
  public:
-  explicit RegionModel(const Coder& coder) : coder_(coder) {}
+  RegionModel() = default;
+  /// The state that every packet begins with.
+  explicit RegionModel(const Coder& coder) : coder_(coder), incidence_(no_incidence) {}
 
   Coder& coder() { return coder_; }
   const Coder& coder() const { return coder_; }
 
   bool region_follows(bool follows) {
-    return bit(context::region_follows + (after_mark_ ? 1U : 0U), follows);
+    return bit(context::region_follows + (after_region_ ? 0U : 1U), follows);
   }
   OtherKind other_kind(OtherKind kind) {
     return static_cast<OtherKind>(tree(context::other_kind, 3, static_cast<uint32_t>(kind)));
@@ -79,7 +81,7 @@ class RegionModel {
 
   /// A layer mark's slice.
   uint32_t layer(uint32_t slice) {
-    after_mark_ = true;
+    after_region_ = false;
     return slice_ += number(context::even, slice - slice_);
   }
   /// A number or some bits without a context.
@@ -133,8 +135,8 @@ class RegionModel {
     further_ = further;
   }
   uint32_t link_class() const {
-    const Vertex n = normal(incidence_);
-    return static_cast<uint32_t>(dot(n, n) - 1);
+    const uint32_t count = direction_count(incidence_);
+    return count == 8 ? 0 : count / 2 - 1;  // axis, diagonal, corner
   }
 
   Coder coder_;
@@ -142,17 +144,17 @@ class RegionModel {
   uint32_t slice_ = 0;
   uint32_t fragment_ = 0;
   uint32_t length_ = 0;
-  uint32_t turn_ = no_turn;
-  Incidence incidence_ = no_incidence;
+  uint32_t turn_ = 0;
+  Incidence incidence_ = 0;
   Direction direction_ = 0;
   bool has_direction_ = false;
   bool further_ = false;
-  bool after_mark_ = true;
+  bool after_region_ = false;
 };
 
 /// Whether a decoded direction is one of the incidence's.
 constexpr bool is_direction(Incidence incidence, Direction direction) {
-  return direction < links.direction_count[incidence];
+  return direction < direction_count(incidence);
 }
 
 /// The lengths of the two last runs of a ring, which follow from the way that is left.
@@ -165,8 +167,8 @@ struct Closure {
 /// `told`. Invalid where no two lengths of 1 to max_compact_length do it.
 Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t told);
 
-constexpr bool are_parallel(const Vertex& u, const Vertex& v) {
-  return cross(u, v) == Vertex{0, 0, 0};
+constexpr bool are_parallel(Incidence incidence, Direction a, Direction b) {
+  return a == b || a == opposite_direction(incidence, b);
 }
 
 /// Longer runs, and rings with fragments in them, are told in parts.
@@ -210,21 +212,30 @@ int32_t RegionModel<Coder>::delta(uint32_t first, int32_t value) {
 // Component by component, z first, each guessed from the region before.
 template <class Coder>
 Incidence RegionModel<Coder>::incidence(Incidence incidence) {
-  const Vertex n = normal(incidence);
-  const Vertex before = normal(incidence_);
-  const int component[3] = {n.z, n.y, n.x};
-  const int guess[3] = {before.z, before.y, before.x};
-  int coded[3] = {};
+  // The components plus one are the digits to base 3.
+  constexpr uint8_t weights[3] = {9, 3, 1};
+  const auto take_digit = [](uint32_t& number, uint32_t weight) {
+    uint32_t digit = 0;
+    for (; number >= weight; number -= weight) ++digit;
+    return digit;
+  };
+  uint32_t told = incidence;
+  uint32_t before = incidence_;
+  uint32_t coded = 0;
   uint32_t zeros = 0;
-  for (uint32_t i = 0; i < 3; ++i) {
-    const uint32_t at = 9 * i + 3 * static_cast<uint32_t>(guess[i] + 1) + zeros;
-    const bool is_zero = zeros < 2 && bit(context::component_zero + at, component[i] == 0);
-    if (is_zero)
+  uint32_t at = 0;
+  for (const uint8_t weight : weights) {
+    const uint32_t digit = take_digit(told, weight);
+    const uint32_t by = at + 3 * take_digit(before, weight) + zeros;
+    uint32_t component = 1;
+    if (zeros < 2 && bit(context::component_zero + by, digit == 1))
       ++zeros;
     else
-      coded[i] = bit(context::component_sign + at, component[i] < 0) ? -1 : 1;
+      component = bit(context::component_sign + by, digit == 0) ? 0 : 2;
+    coded = 3 * coded + component;
+    at += 9;
   }
-  incidence_ = incidence_of(Vertex{coded[2], coded[1], coded[0]});
+  incidence_ = static_cast<Incidence>(coded);
   return incidence_;
 }
 
@@ -237,7 +248,7 @@ uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
 template <class Coder>
 Vertex RegionModel<Coder>::start(const Vertex& start, bool further) {
   using namespace context;
-  const uint32_t by_class = link_class() + (after_mark_ ? 3U : 0U);
+  const uint32_t by_class = link_class() + (after_region_ ? 0U : 3U);
   const int32_t dz =
       delta(further ? start_hole : start_z + by_class * size_of_delta,
             wrapped_difference(static_cast<uint32_t>(start.z), static_cast<uint32_t>(start_.z)));
@@ -257,7 +268,7 @@ Vertex RegionModel<Coder>::start(const Vertex& start, bool further) {
   const uint32_t x = static_cast<uint32_t>(wrapped_sum(start_.x >> 1, half)) << 1;
   const uint32_t parity = static_cast<uint32_t>(start_.y ^ start_.z ^ 1) & 1;
   start_.x = static_cast<int32_t>(x | parity);
-  after_mark_ = false;
+  after_region_ = true;
   begin_chain(further);
   return start_;
 }
@@ -266,7 +277,7 @@ Vertex RegionModel<Coder>::start(const Vertex& start, bool further) {
 // them.
 template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
-  const uint32_t count = links.direction_count[incidence_];
+  const uint32_t count = direction_count(incidence_);
   if (!has_direction_) {
     const uint32_t first =
         further_ ? uint32_t{context::even} : context::first_direction + uint32_t{incidence_} * 8;
@@ -275,14 +286,16 @@ Direction RegionModel<Coder>::direction(Direction direction) {
     return direction_;
   }
   const uint32_t first = context::next_turn + (9 * link_class() + turn_) * 8;
-  turn_ = tree(first, 3, (direction + count - direction_) % count);
-  direction_ = static_cast<Direction>((direction_ + turn_) % count);
+  const uint32_t back = direction < direction_ ? count : 0;
+  turn_ = tree(first, 3, direction + back - direction_);
+  const uint32_t sum = direction_ + turn_;
+  direction_ = static_cast<Direction>(sum < count ? sum : sum - count);
   return direction_;
 }
 
 template <class Coder>
 uint32_t RegionModel<Coder>::length(uint32_t length) {
-  const bool is_axis_link = links.direction_count[incidence_] == 8 && direction_ % 2 == 0;
+  const bool is_axis_link = direction_count(incidence_) == 8 && direction_ % 2 == 0;
   const uint32_t before = length_ < 3 ? length_ : 3;
   const uint32_t by = 8 * link_class() + (is_axis_link ? 4U : 0U) + before;
   length_ = 1 + number(context::run_length + by * context::size_of_number, length - 1);

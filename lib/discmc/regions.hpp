@@ -12,8 +12,6 @@ namespace discmc {
 template <class Index>
 class Regions {
  public:
-  static constexpr Index none = static_cast<Index>(~Index{0});
-
   void start(RegionNode<Index>* nodes, uint32_t node_capacity, ClosedRing<Index>* rings,
              uint32_t ring_capacity) {
     nodes_.start(nodes, node_capacity);
@@ -24,14 +22,14 @@ class Regions {
   void clear() {
     nodes_.clear();
     rings_.clear();
-    first_complete_ = none;
-    last_complete_ = none;
+    first_complete_ = no_record;
+    last_complete_ = no_record;
   }
 
   /// A new region with one reference.
   Index create(Incidence incidence) {
     const Index node = nodes_.take();
-    nodes_[node] = {{node}, none, 1, incidence, 0};
+    nodes_[node] = {{node}, no_record, 1, incidence, 0};
     return node;
   }
 
@@ -84,7 +82,7 @@ class Regions {
     return ring;
   }
 
-  bool has_complete() const { return first_complete_ != none; }
+  bool has_complete() const { return first_complete_ != no_record; }
   /// The region that has been complete for the longest. Limit: has_complete().
   Index first_complete() const { return first_complete_; }
 
@@ -109,7 +107,7 @@ class Regions {
   /// rings it had.
   uint32_t remove_first_complete() {
     const Index node = first_complete_;
-    first_complete_ = nodes_[node].next == node ? none : nodes_[node].next;
+    first_complete_ = nodes_[node].next == node ? no_record : nodes_[node].next;
     uint32_t count = 0;
     Index ring = rings_[nodes_[node].rings].next;
     for (bool more = true; more; ++count) {
@@ -128,7 +126,7 @@ class Regions {
  private:
   // A complete root is in the queue; the last one names itself.
   void enqueue(Index node) {
-    if (first_complete_ == none)
+    if (first_complete_ == no_record)
       first_complete_ = node;
     else
       nodes_[last_complete_].next = node;
@@ -137,8 +135,8 @@ class Regions {
   }
 
   Index joined_rings(Index a, Index b) {
-    if (a == none) return b;
-    if (b == none) return a;
+    if (a == no_record) return b;
+    if (b == no_record) return a;
     const Index first = rings_[a].next;
     rings_[a].next = rings_[b].next;
     rings_[b].next = first;
@@ -147,8 +145,8 @@ class Regions {
 
   Pool<RegionNode<Index>, Index> nodes_;
   Pool<ClosedRing<Index>, Index> rings_;
-  Index first_complete_ = none;
-  Index last_complete_ = none;
+  Index first_complete_ = no_record;
+  Index last_complete_ = no_record;
 };
 
 }  // namespace discmc

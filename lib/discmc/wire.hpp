@@ -44,10 +44,13 @@ constexpr uint8_t magic[3] = {'D', 'M', 'C'};
 class ByteWriter {
  public:
   explicit ByteWriter(uint8_t* place) : place_(place) {}
-  void put(uint64_t value, int bytes) {
+  void put(uint32_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) *place_++ = static_cast<uint8_t>(value >> 8 * i);
   }
-  uint8_t* place() const { return place_; }
+  void put_long(uint64_t value) {
+    put(static_cast<uint32_t>(value), 4);
+    put(static_cast<uint32_t>(value >> 32), 4);
+  }
 
  private:
   uint8_t* place_;

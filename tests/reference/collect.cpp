@@ -138,7 +138,7 @@ void Collector::add_run(const Run& run) {
     put_back(run.fragment_number());
   } else {
     require(run.length() > 0, "a run of no links");
-    require(run.direction() < links.direction_count[region_.incidence],
+    require(run.direction() < direction_count(region_.incidence),
             "a direction that the plane does not have");
     Run both = last_run_;
     if (!last_run_.is_empty() && both.absorb(run)) ++split_sides_;

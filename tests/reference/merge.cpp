@@ -106,15 +106,11 @@ std::vector<UnitLink> without_connecting_links(std::vector<UnitLink> stops) {
   return boundary;
 }
 
-Direction direction_of(Incidence incidence, const Vertex& vector) {
-  return links.direction[incidence][derive::link_of(links, vector)];
-}
-
 // The place in `boundary`, which is sorted, of the link that a simple ring goes on with: the first
 // counter-clockwise from the way one came. boundary.size() if there is none, which no true table
 // brings about.
 size_t next_link(Incidence incidence, const std::vector<UnitLink>& boundary, const UnitLink& link) {
-  const int directions = links.direction_count[incidence];
+  const int directions = direction_count(incidence);
   const int way_back = direction_of(incidence, link.from - link.to);
   size_t next = boundary.size();
   int smallest_turn = directions;
