@@ -26,8 +26,8 @@ class Arena {
   static constexpr size_t alignment = 4;
 
   /// The bytes that an array of `count` records of `record_bytes` takes.
-  static constexpr uint64_t bytes_of(uint64_t count, size_t record_bytes) {
-    return (count * record_bytes + alignment - 1) / alignment * alignment;
+  static constexpr uint64_t bytes_of(uint32_t count, uint32_t record_bytes) {
+    return (uint64_t{count} * record_bytes + alignment - 1) / alignment * alignment;
   }
 
   explicit Arena(Memory memory)
@@ -42,14 +42,15 @@ class Arena {
   /// The next array, or null when it does not fit; then nothing is taken.
   template <class T>
   T* take(uint32_t count) {
-    return reinterpret_cast<T*>(take_bytes(bytes_of(count, sizeof(T))));
+    return reinterpret_cast<T*>(take_records(count, sizeof(T)));
   }
 
   /// High-water mark: the bytes taken, alignment of the first array included.
   size_t used() const { return static_cast<size_t>(next_ - begin_); }
 
  private:
-  uint8_t* take_bytes(uint64_t bytes) {
+  uint8_t* take_records(uint32_t count, uint32_t record_bytes) {
+    const uint64_t bytes = bytes_of(count, record_bytes);
     if (next_ == nullptr || bytes > left_) return nullptr;
     uint8_t* const place = next_;
     left_ -= bytes;

@@ -170,11 +170,7 @@ void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
   report_.slices = static_cast<uint32_t>(reader.get(4));
   report_.abandoned = reader.get(1) != 0;
   Statistics& totals = report_.totals;
-  uint64_t* const counts[wire::trailer_totals] = {
-      &totals.cells,   &totals.facets, &totals.classic_triangles,
-      &totals.regions, &totals.rings,  &totals.links,
-      &totals.cuts,    &totals.spills, &totals.skipped_rows};
-  for (uint64_t* count : counts) *count = reader.get(8);
+  for (const auto total : wire::trailer_totals) totals.*total = reader.get(8);
   if (totals.regions > regions_passed_) note_gap(0, totals.regions - regions_passed_);
   lose_open();
   mark_ = Event{};

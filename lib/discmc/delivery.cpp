@@ -8,8 +8,8 @@ namespace discmc {
 
 template <class Index>
 bool Merge<Index>::settle(const Sink& sink, Statistics& statistics) {
+  Event event{};
   while (is_delivering_ || begin_delivery()) {
-    Event event{};
     event.kind = next_event_;
     event.incidence = incidence_;
     event.number = next_fragment_;
@@ -39,7 +39,7 @@ bool Merge<Index>::begin_delivery() {
     is_delivering_ = true;
     return true;
   }
-  if (!spills_) return false;
+  if (!runs_are_short()) return false;
   while (touched_edges_ > 0) {
     const Touched& touched = touched_edge_[--touched_edges_];
     if (begin_spill(edges_[touched.index], touched.incidence)) return true;
@@ -70,7 +70,6 @@ bool Merge<Index>::should_spill(const Fragment<Index>& fragment) const {
   if (fragment.last == no_record) return false;
   const uint32_t available = fragments_.available();
   if (available < 2 * CellReserve::runs) return true;
-  if (available >= runs_kept_) return false;
   return fragments_.is_longer(fragment, available / (fragments_.capacity() / 128 + 1));
 }
 

@@ -46,11 +46,11 @@ Answer Encoder::take(const Event& event) {
       break;
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
-      done = put_record();
+      done = is_compact(record_) ? put_whole(event) : put_parts(true);
       break;
     case Event::Kind::layer:
     case Event::Kind::skipped:
-      done = put_mark(event);
+      done = put_whole(event);
       break;
     case Event::Kind::finish:
       done = put_trailer(event);
@@ -71,22 +71,34 @@ bool Encoder::flush() {
 
 // ---- records ----
 
-bool Encoder::put_record() {
-  if (is_compact(record_)) {
-    for (;;) {
-      const Model before = model_;
-      encode_region(model_, record_);
-      if (fits(end_reserve)) break;
-      model_ = before;
-      if (packet_is_empty_) return put_parts(true);
-      seal_records();
-      if (!drain()) return false;
-    }
-    packet_is_empty_ = false;
-    ++regions_;
-    return true;
+// Puts a mark, or the record when it is compact, into this packet or else into the next.
+bool Encoder::put_whole(const Event& event) {
+  for (;;) {
+    const Model before = model_;
+    encode_whole(event);
+    if (fits(end_reserve)) break;
+    model_ = before;
+    if (packet_is_empty_) return put_parts(true);  // no mark is as long as a packet
+    seal_records();
+    if (!drain()) return false;
   }
-  return put_parts(true);
+  packet_is_empty_ = false;
+  if (event.kind == Event::Kind::region_end) ++regions_;
+  return true;
+}
+
+void Encoder::encode_whole(const Event& event) {
+  if (event.kind == Event::Kind::region_end) return encode_region(model_, record_);
+  model_.region_follows(false);
+  if (event.kind == Event::Kind::layer) {
+    model_.other_kind(OtherKind::layer);
+    model_.layer(event.slice);
+  } else {
+    model_.other_kind(OtherKind::skipped);
+    model_.plain_number(event.slice);
+    model_.plain_number(event.row);
+    model_.plain_bits(1, event.repeated ? 1 : 0);
+  }
 }
 
 // Empties the record into one part, or into as many as there must be packets for them.
@@ -133,27 +145,6 @@ uint32_t Encoder::encode_part(bool is_last) {
   return words;
 }
 
-bool Encoder::put_mark(const Event& event) {
-  for (;;) {
-    const Model before = model_;
-    model_.region_follows(false);
-    if (event.kind == Event::Kind::layer) {
-      model_.other_kind(OtherKind::layer);
-      model_.layer(event.slice);
-    } else {
-      model_.other_kind(OtherKind::skipped);
-      model_.plain_number(event.slice);
-      model_.plain_number(event.row);
-      model_.plain_bits(1, event.repeated ? 1 : 0);
-    }
-    packet_is_empty_ = false;
-    if (fits(end_reserve)) return true;
-    model_ = before;
-    seal_records();
-    if (!drain()) return false;
-  }
-}
-
 bool Encoder::put_trailer(const Event& event) {
   if (!trailer_is_sealed_) {
     if (!packet_is_empty_) {
@@ -163,12 +154,7 @@ bool Encoder::put_trailer(const Event& event) {
     wire::ByteWriter writer(payload());
     writer.put(event.slice, 4);
     writer.put(event.abandoned ? 1 : 0, 1);
-    const Statistics& totals = *event.statistics;
-    const uint64_t counts[wire::trailer_totals] = {
-        totals.cells,   totals.facets, totals.classic_triangles,
-        totals.regions, totals.rings,  totals.links,
-        totals.cuts,    totals.spills, totals.skipped_rows};
-    for (const uint64_t count : counts) writer.put_long(count);
+    for (const auto total : wire::trailer_totals) writer.put_long(event.statistics->*total);
     seal(wire::PacketKind::trailer, wire::trailer_payload);
     trailer_is_sealed_ = true;
   }

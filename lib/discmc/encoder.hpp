@@ -46,10 +46,10 @@ class Encoder {
 
   // While a record is being emptied it takes nothing, or the bytes would depend on the output.
   bool has_room(uint32_t words) const { return !is_emptying_ && record_.has_room(words); }
-  bool put_record();
+  bool put_whole(const Event& event);
+  void encode_whole(const Event& event);
   bool put_parts(bool is_last);
   uint32_t encode_part(bool is_last);
-  bool put_mark(const Event& event);
   bool put_trailer(const Event& event);
 
   bool fits(size_t reserve) const;
@@ -60,23 +60,22 @@ class Encoder {
   bool drain();
   uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
 
-  StreamHeader header_;
+  // Small members stand first, where they are reached by short instructions.
+  bool packet_is_empty_ = false;
+  bool trailer_is_sealed_ = false;
+  bool is_emptying_ = false;  // a record too long for a packet is on its way out in parts
   ByteOutput output_;
-  uint64_t bytes_ = 0;
-  uint64_t regions_ = 0;         // complete ones so far
-  uint64_t regions_before_ = 0;  // complete ones before the open packet
-  uint32_t packets_ = 0;
-  uint32_t packets_since_header_ = 0;
-
-  uint8_t frame_[wire::max_frame] = {};
   size_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
   size_t drained_ = 0;
   Model model_;
-  bool packet_is_empty_ = false;
-  bool trailer_is_sealed_ = false;
-
+  uint32_t packets_ = 0;
+  uint32_t packets_since_header_ = 0;
   Record record_;
-  bool is_emptying_ = false;  // a record too long for a packet is on its way out in parts
+  uint64_t bytes_ = 0;
+  uint64_t regions_ = 0;         // complete ones so far
+  uint64_t regions_before_ = 0;  // complete ones before the open packet
+  StreamHeader header_;
+  uint8_t frame_[wire::max_frame] = {};
 };
 
 }  // namespace discmc

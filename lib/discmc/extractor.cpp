@@ -182,7 +182,15 @@ template <class Index>
 bool Extractor<Index>::sweep_row() {
   const uint32_t words = rows_.words();
   const uint32_t columns = limits_.columns();
-  const RowQuad quad = rows_.around(int64_t{cell_row_} - limits_.halo());
+  const int32_t halo = static_cast<int32_t>(limits_.halo());
+  const int32_t y = static_cast<int32_t>(cell_row_) - halo;
+  const RowQuad quad = rows_.around(y);
+  Cell cell{};
+  cell.seals = is_last_layer() && limits_.border == Border::open;
+  cell.origin = {0, 2 * y, 2 * (static_cast<int32_t>(rows_.slices()) - 1)};
+  cell.row = cell_row_;
+  cell.has_front = cell_row_ > 0 && !cell.seals;
+  cell.has_back = cell_row_ + 1 < limits_.cell_rows();
   for (; word_ * 32 < columns; ++word_) {
     if (!word_begun_) {
       const uint32_t cells = columns - word_ * 32;
@@ -194,7 +202,12 @@ bool Extractor<Index>::sweep_row() {
       if (!merge_.settled() && !merge_.settle(sink_, statistics_)) return false;
       const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(active_));
       active_ &= active_ - 1;
-      visit(word_ * 32 + bit, configuration_at(quad, word_, bit, words));
+      cell.column = word_ * 32 + bit;
+      cell.origin.x = 2 * (static_cast<int32_t>(cell.column) - halo);
+      cell.has_left = cell.column > 0 && !cell.seals;
+      cell.has_right = cell.column + 1 < columns;
+      cell.configuration = configuration_at(quad, word_, bit, words);
+      visit(cell);
     }
     word_begun_ = false;
   }
@@ -204,25 +217,12 @@ bool Extractor<Index>::sweep_row() {
 }
 
 template <class Index>
-void Extractor<Index>::visit(uint32_t column, Configuration configuration) {
-  const int32_t halo = static_cast<int32_t>(limits_.halo());
-  const bool seals = is_last_layer() && limits_.border == Border::open;
-  const Cell cell{
-      {2 * (static_cast<int32_t>(column) - halo), 2 * (static_cast<int32_t>(cell_row_) - halo),
-       2 * (static_cast<int32_t>(rows_.slices()) - 1)},
-      column,
-      cell_row_,
-      column > 0 && !seals,
-      cell_row_ > 0 && !seals,
-      column + 1 < limits_.columns(),
-      cell_row_ + 1 < limits_.cell_rows(),
-      seals,
-      configuration};
+void Extractor<Index>::visit(const Cell& cell) {
   merge_.take_cell(cell);
-  if (seals) return;
+  if (cell.seals) return;
   ++statistics_.cells;
-  statistics_.facets += cell_counts.facets(configuration);
-  statistics_.classic_triangles += cell_counts.classic_triangles(configuration);
+  statistics_.facets += cell_counts.facets(cell.configuration);
+  statistics_.classic_triangles += cell_counts.classic_triangles(cell.configuration);
 }
 
 // Offers an event that tells of rows and slices.

@@ -100,7 +100,7 @@ class Extractor {
   bool work();
   bool sweep_ready_rows();
   bool sweep_row();
-  void visit(uint32_t column, Configuration configuration);
+  void visit(const Cell& cell);
   uint32_t ready_rows() const;
   bool end_slice();
   bool end_scan();
@@ -108,26 +108,26 @@ class Extractor {
   bool tell(Event::Kind kind);
   bool tell_skipped();
 
-  Merge<Index> merge_;
-  BitRows rows_;
-  Limits limits_{};
-  Capacities capacities_{};
-  Sink sink_{nullptr, nullptr, false};
-  Statistics statistics_{};
-  size_t bytes_used_ = 0;
-  int32_t threshold_ = 0;
-
+  // What the sweep works with stands first, where it is reached by short instructions.
   State state_ = State::idle;
   bool abandoned_ = false;
   bool skip_untold_ = false;
   bool skip_repeated_ = false;
-
   // Where the sweep of the current layer is: the next row of cells, the word of its bits, and the
   // active cells of that word still to visit.
+  bool word_begun_ = false;
   uint32_t cell_row_ = 0;
   uint32_t word_ = 0;
   uint32_t active_ = 0;
-  bool word_begun_ = false;
+
+  int32_t threshold_ = 0;
+  Limits limits_{};
+  Sink sink_{nullptr, nullptr, false};
+  BitRows rows_;
+  Statistics statistics_{};
+  Merge<Index> merge_;
+  Capacities capacities_{};
+  size_t bytes_used_ = 0;
 };
 
 extern template class Extractor<uint16_t>;

@@ -9,7 +9,6 @@ template <class Index>
 struct Merge<Index>::Walk {
   const Cell& cell;
   const Patch& patch;
-  Point at;  // where the next link begins
   bool may_open = true;
   bool has_marker = false;
   uint8_t joins = 0;  // by link, a bit: its twin is on a boundary not spliced before
@@ -18,10 +17,7 @@ struct Merge<Index>::Walk {
   Index current = no_record;
   Index twin[Patch::max_links];  // by link: the edge to splice with, or no_record
 
-  Walk(const Cell& walked, const Patch& added) : cell(walked), patch(added), at(added.start()) {}
-
-  Vertex vertex() const { return cell.origin + position(at); }
-  void step(int i) { at = point_after(at, link_of(patch.incidence, patch.direction(i))); }
+  Walk(const Cell& walked, const Patch& added) : cell(walked), patch(added) {}
 };
 
 template <class Index>
@@ -102,7 +98,7 @@ void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
 template <class Index>
 void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) {
   const Patch& patch = walk.patch;
-  for (int i = 0; i < patch.count(); walk.step(i), ++i) {
+  for (int i = 0; i < patch.count(); ++i) {
     walk.twin[i] = no_record;
     const Index edge = is_behind(patch.place(i)) ? behind[patch.place(i)] : Index{no_record};
     if (edge == no_record) continue;
@@ -117,12 +113,12 @@ void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) 
     } else {
       if (incidence == patch.incidence && !walk.cell.seals) ++cuts_;
       const Link link = opposite_link(link_of(patch.incidence, patch.direction(i)));
-      make_boundary(edge, direction_of(incidence, link), walk.vertex());
+      make_boundary(walk, i, edge, direction_of(incidence, link));
     }
   }
 }
 
-// The walk is round the patch, so it stands at link 0 again. Where that is left open, it is done.
+// Where link 0 is left open, it is done with.
 template <class Index>
 void Merge<Index>::begin_walk(Walk& walk) {
   walk.may_open = !boundary_only_;
@@ -136,10 +132,7 @@ void Merge<Index>::begin_walk(Walk& walk) {
   const Place place = walk.patch.place(0);
   walk.first = is_ahead(place) ? open_edge(walk, place) : Index{no_record};
   walk.has_marker = walk.first == no_record;
-  if (walk.has_marker)
-    walk.first = new_edge(walk.region);
-  else
-    walk.step(0);
+  if (walk.has_marker) walk.first = new_edge(walk.region);
   walk.current = walk.first;
   link(walk.first, walk.first);
 }
@@ -159,7 +152,6 @@ void Merge<Index>::walk_link(Walk& walk, int i) {
   } else {
     append(walk.current, patch.direction(i));
   }
-  walk.step(i);
 }
 
 // A splice within one boundary splits it in two, and each will need a ring record in the end. When
@@ -175,8 +167,8 @@ bool Merge<Index>::may_splice(Walk& walk, int i) {
   }
   ++cuts_;
   if (twin == walk.current) walk.current = edges_[twin].previous;
-  const Incidence incidence = walk.patch.incidence;
-  make_boundary(twin, opposite_direction(incidence, walk.patch.direction(i)), walk.vertex());
+  const Patch& patch = walk.patch;
+  make_boundary(walk, i, twin, opposite_direction(patch.incidence, patch.direction(i)));
   return false;
 }
 
@@ -190,7 +182,7 @@ void Merge<Index>::splice(Walk& walk, int i) {
   const int half_turn = direction_count(walk.patch.incidence) / 2;
   turn_by(twin, -half_turn);
   if (twin == walk.current) {
-    if (!edge.is_empty()) close_ring(twin, walk.vertex());
+    if (!edge.is_empty()) close_ring(walk, i, twin);
   } else {
     join(walk.current, twin);
     if (previous != twin) link(walk.current, edge.next);
@@ -215,7 +207,7 @@ void Merge<Index>::finish_walk(Walk& walk) {
     } else if (edges_[marker].is_empty()) {
       --splits_;  // this boundary has vanished inside the region
     } else {
-      close_ring(marker, walk.vertex());
+      close_ring(walk, 0, marker);
     }
     remove(marker);
   }
@@ -268,13 +260,13 @@ void Merge<Index>::link(Index edge, Index next) {
   edges_[next].previous = edge;
 }
 
-// Puts the link of a waiting edge into its boundary. `end` is where that link ends.
+// Puts the link of a waiting edge, the twin of the walk's link i, into its boundary.
 template <class Index>
-void Merge<Index>::make_boundary(Index edge, Direction direction, const Vertex& end) {
+void Merge<Index>::make_boundary(const Walk& walk, int i, Index edge, Direction direction) {
   const Index previous = edges_[edge].previous;
   append(previous, direction);
   if (previous == edge) {
-    close_ring(edge, end);
+    close_ring(walk, i, edge);
   } else {
     join(previous, edge);
     link(previous, edges_[edge].next);
@@ -304,13 +296,18 @@ void Merge<Index>::touch(Index edge) {
     touched_edge_[touched_edges_++] = {edge, regions_.incidence(record.region)};
 }
 
-// The fragment of an edge that is its own successor is a whole boundary.
+// The fragment of an edge that is its own successor is a whole boundary, which begins and ends
+// where the walk's link i begins.
 template <class Index>
-void Merge<Index>::close_ring(Index edge, const Vertex& start) {
+void Merge<Index>::close_ring(const Walk& walk, int i, Index edge) {
   constexpr uint8_t negative = 0x80;
+  const Patch& patch = walk.patch;
+  Point point = patch.start();
+  for (int l = 0; l < i; ++l)
+    point = point_after(point, link_of(patch.incidence, patch.direction(l)));
   const Edge<Index>& record = edges_[edge];
-  const Index ring =
-      regions_.add_ring(record.region, record, start, (turns_[edge] & negative) != 0);
+  const Index ring = regions_.add_ring(record.region, record, walk.cell.origin + position(point),
+                                       (turns_[edge] & negative) != 0);
   touched_ring_[touched_rings_++] = {ring, regions_.incidence(record.region)};
 }
 

@@ -36,10 +36,7 @@ class Merge {
   void take_cell(const Cell& cell);
 
   /// Whether the next cell may be taken: no region waits for the sink, and runs are not short.
-  bool settled() const {
-    return !is_delivering_ && !regions_.has_complete() &&
-           (!spills_ || fragments_.available() >= runs_kept_);
-  }
+  bool settled() const { return !is_delivering_ && !regions_.has_complete() && !runs_are_short(); }
 
   /// Delivers what is complete, and spills when runs are short. Then the next cell may be taken.
   /// False when the sink said "not now": call again.
@@ -61,44 +58,25 @@ class Merge {
 
   Index open_edge(const Walk& walk, Place place);
   Index new_edge(Index region);
-  void make_boundary(Index edge, Direction direction, const Vertex& end);
+  void make_boundary(const Walk& walk, int i, Index edge, Direction direction);
   void append(Index edge, Direction direction);
   void join(Index edge, Index other);
   void touch(Index edge);
-  void close_ring(Index edge, const Vertex& start);
+  void close_ring(const Walk& walk, int i, Index edge);
   void remove(Index edge);
   void link(Index edge, Index next);
   void turn_by(Index edge, int turn) { turns_[edge] = static_cast<uint8_t>(turns_[edge] + turn); }
 
+  bool runs_are_short() const { return spills_ && fragments_.available() < runs_kept_; }
   bool begin_delivery();
   bool begin_spill(Fragment<Index>& fragment, Incidence incidence);
   bool should_spill(const Fragment<Index>& fragment) const;
   void go_on(Run run, Statistics& statistics);
   void end_runs();
 
-  const PatchTable* table_ = nullptr;
-  Pool<Edge<Index>, Index> edges_;
-  uint8_t* turns_ = nullptr;  // by edge
-  FragmentStore<Index> fragments_;
-  Regions<Index> regions_;
-  Frontier<Index> frontier_;
-
-  uint64_t cuts_ = 0;
-  uint32_t splits_ = 0;            // boundaries that will each need one more ring record
-  uint32_t edges_kept_short_ = 0;  // of the pool, for edges that do not wait a whole layer
-  uint32_t runs_kept_ = 0;         // of the pool: with fewer available, long fragments are spilled
+  // Small members stand first, where they are reached by short instructions.
   bool spills_ = false;
   bool boundary_only_ = false;  // this cell opens and splices nothing
-
-  // The fragments that the last cell may have lengthened: the candidates for a spill.
-  struct Touched {
-    Index index;
-    Incidence incidence;
-  };
-  Touched touched_edge_[CellReserve::runs] = {};
-  Touched touched_ring_[CellReserve::rings + cell_bounds.behind_links] = {};
-  uint32_t touched_edges_ = 0;
-  uint32_t touched_rings_ = 0;
 
   // The region or fragment that is being delivered: the next event, and what it tells of.
   bool is_delivering_ = false;
@@ -109,6 +87,28 @@ class Merge {
   Index node_ = no_record;  // of the next run; no_record for the one in place
   Fragment<Index>* fragment_ = nullptr;
   uint32_t next_fragment_ = 0;
+
+  const PatchTable* table_ = nullptr;
+  uint8_t* turns_ = nullptr;  // by edge
+  Pool<Edge<Index>, Index> edges_;
+  FragmentStore<Index> fragments_;
+  Regions<Index> regions_;
+  Frontier<Index> frontier_;
+
+  uint32_t splits_ = 0;            // boundaries that will each need one more ring record
+  uint32_t edges_kept_short_ = 0;  // of the pool, for edges that do not wait a whole layer
+  uint32_t runs_kept_ = 0;         // of the pool: with fewer available, long fragments are spilled
+  uint64_t cuts_ = 0;
+
+  // The fragments that the last cell may have lengthened: the candidates for a spill.
+  struct Touched {
+    Index index;
+    Incidence incidence;
+  };
+  uint32_t touched_edges_ = 0;
+  uint32_t touched_rings_ = 0;
+  Touched touched_edge_[CellReserve::runs] = {};
+  Touched touched_ring_[CellReserve::rings + cell_bounds.behind_links] = {};
 };
 
 extern template class Merge<uint16_t>;

@@ -37,6 +37,12 @@ class RecordAccount {
   uint32_t high_water() const { return high_water_; }
 
  protected:
+  void start(uint8_t* records, uint32_t capacity) {
+    records_ = records;
+    capacity_ = capacity;
+    clear();
+  }
+
   Index take(uint32_t record_bytes) {
     if (in_use_ == capacity_) return no_record;
     if (++in_use_ > high_water_) high_water_ = in_use_;
@@ -73,9 +79,7 @@ template <class Record, class Index>
 class Pool : public RecordAccount<Index> {
  public:
   void start(Record* records, uint32_t capacity) {
-    this->records_ = reinterpret_cast<uint8_t*>(counted_from_one(records));
-    this->capacity_ = capacity;
-    this->clear();
+    RecordAccount<Index>::start(reinterpret_cast<uint8_t*>(counted_from_one(records)), capacity);
   }
 
   /// A record, its members undefined, or no_record when all are in use.

@@ -19,7 +19,7 @@ class RangeEncoder {
  public:
   RangeEncoder() = default;
   RangeEncoder(uint8_t* buffer, size_t capacity)
-      : buffer_(buffer), capacity_(capacity), range_(UINT32_MAX) {}
+      : range_(UINT32_MAX), buffer_(buffer), capacity_(capacity) {}
 
   void encode(bool bit, Probability one) {
     const uint32_t bound = (range_ >> 8) * one;
@@ -78,7 +78,7 @@ class RangeEncoder {
       const uint32_t carry = carry_ ? 1 : 0;
       if (has_cache_) put(cache_ + carry);
       for (; pending_ > 0; --pending_) put(0xFF + carry);
-      cache_ = low_ >> 24;
+      cache_ = static_cast<uint8_t>(low_ >> 24);
       has_cache_ = true;
       carry_ = false;
     } else {
@@ -87,15 +87,15 @@ class RangeEncoder {
     low_ <<= 8;
   }
 
+  bool has_cache_ = false;
+  bool carry_ = false;
+  uint8_t cache_ = 0;
+  uint32_t low_ = 0;
+  uint32_t range_ = 0;
+  uint32_t pending_ = 0;
   uint8_t* buffer_ = nullptr;
   size_t capacity_ = 0;
   size_t count_ = 0;
-  uint32_t low_ = 0;
-  uint32_t range_ = 0;
-  uint32_t cache_ = 0;
-  uint32_t pending_ = 0;
-  bool has_cache_ = false;
-  bool carry_ = false;
 };
 
 /// Reads what a RangeEncoder wrote. Any bytes are safe: beyond the end zeros are read.

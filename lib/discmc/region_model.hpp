@@ -67,7 +67,7 @@ class RegionModel {
  public:
   RegionModel() = default;
   /// The state that every packet begins with.
-  explicit RegionModel(const Coder& coder) : coder_(coder), incidence_(no_incidence) {}
+  explicit RegionModel(const Coder& coder) : incidence_(no_incidence), coder_(coder) {}
 
   Coder& coder() { return coder_; }
   const Coder& coder() const { return coder_; }
@@ -139,17 +139,17 @@ class RegionModel {
     return count == 8 ? 0 : count / 2 - 1;  // axis, diagonal, corner
   }
 
+  Incidence incidence_ = 0;
+  Direction direction_ = 0;
+  bool has_direction_ = false;
+  bool further_ = false;
+  bool after_region_ = false;
   Coder coder_;
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
   uint32_t fragment_ = 0;
   uint32_t length_ = 0;
   uint32_t turn_ = 0;
-  Incidence incidence_ = 0;
-  Direction direction_ = 0;
-  bool has_direction_ = false;
-  bool further_ = false;
-  bool after_region_ = false;
 };
 
 /// Whether a decoded direction is one of the incidence's.

@@ -90,19 +90,19 @@ void BitRows::next_row() {
 
 void BitRows::next_slice() {
   old_start_ = new_start_;
-  new_start_ = (new_start_ + height_) % ring_rows_;
+  new_start_ += height_;
+  if (new_start_ >= ring_rows_) new_start_ -= ring_rows_;
   rows_ = 0;
   ++slices_;
 }
 
-RowQuad BitRows::around(int64_t y) const {
-  RowQuad quad{};
+RowQuad BitRows::around(int32_t y) const {
+  RowQuad quad;
   for (uint32_t i = 0; i < 2; ++i) {
-    const int64_t at = y + i;
-    const bool inside = at >= 0 && at < height_;
-    const uint32_t index = inside ? static_cast<uint32_t>(at) : 0;
-    quad.row[i] = inside && slices_ > 0 ? row(old_start_, index) : off_;
-    quad.row[i + 2] = inside && index < rows_ ? row(new_start_, index) : off_;
+    const uint32_t at =
+        static_cast<uint32_t>(y) + i;  // beyond the height for a row before the first
+    quad.row[i] = at < height_ && slices_ > 0 ? row(old_start_, at) : off_;
+    quad.row[i + 2] = at < rows_ ? row(new_start_, at) : off_;
   }
   return quad;
 }

@@ -76,7 +76,7 @@ class BitRows {
 
   /// The rows around the row of cells that starts at row y (which may be -1). Rows outside the
   /// slice are off, and so is the old slice before the first and the new one after the last.
-  RowQuad around(int64_t y) const;
+  RowQuad around(int32_t y) const;
 
  private:
   uint32_t* row(uint32_t start, uint32_t y) const {

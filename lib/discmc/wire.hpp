@@ -78,8 +78,14 @@ class ByteReader {
 };
 
 constexpr size_t header_payload = 3 + 1 + 2 + 2 + 4 + 3 * 4 + 4 + 1 + 4 + 8;
-constexpr size_t trailer_totals = 9;
-constexpr size_t trailer_payload = 4 + 1 + trailer_totals * 8;
+
+/// The totals of the trailer in their order. A reader must know all of them.
+constexpr uint64_t Statistics::*trailer_totals[] = {
+    &Statistics::cells,   &Statistics::facets, &Statistics::classic_triangles,
+    &Statistics::regions, &Statistics::rings,  &Statistics::links,
+    &Statistics::cuts,    &Statistics::spills, &Statistics::skipped_rows};
+constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics);
+static_assert(sizeof(Statistics) == 9 * 8, "every total is told");
 
 }  // namespace wire
 

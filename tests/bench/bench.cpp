@@ -185,7 +185,7 @@ void pack(const Volume& volume, const std::vector<Sample>& samples, std::vector<
 // Facets of a row of cells.
 uint64_t scan_row(const BitRows& rows, int64_t y, uint32_t columns) {
   const uint32_t words = rows.words();
-  const RowQuad quad = rows.around(y);
+  const RowQuad quad = rows.around(static_cast<int32_t>(y));
   uint64_t facets = 0;
   for (uint32_t word = 0; word * 32 < columns; ++word) {
     uint32_t active = active_cells(quad, word, words);
