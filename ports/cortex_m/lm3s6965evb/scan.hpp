@@ -1,0 +1,17 @@
+// What is scanned on this board, and in how much memory.
+#ifndef DISCMC_PORTS_SCAN_HPP
+#define DISCMC_PORTS_SCAN_HPP
+
+#include <discmc/limits.hpp>
+
+namespace scan {
+
+using Sample = uint16_t;
+constexpr discmc::Limits limits{128, 128};
+constexpr uint32_t depth = 80;  // slices; the receiver is told
+constexpr int32_t threshold = 2000;
+constexpr size_t arena_bytes = 60 * 1024;
+
+}  // namespace scan
+
+#endif

@@ -1,0 +1,17 @@
+// What is scanned on this board, and in how much memory.
+#ifndef DISCMC_PORTS_SCAN_HPP
+#define DISCMC_PORTS_SCAN_HPP
+
+#include <discmc/limits.hpp>
+
+namespace scan {
+
+using Sample = uint8_t;
+constexpr discmc::Limits limits{96, 96};
+constexpr uint32_t depth = 216;  // slices; the receiver is told
+constexpr int32_t threshold = 128;
+constexpr size_t arena_bytes = 13 * 1024;
+
+}  // namespace scan
+
+#endif

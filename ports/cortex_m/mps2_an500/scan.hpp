@@ -1,0 +1,17 @@
+// What is scanned on this board, and in how much memory.
+#ifndef DISCMC_PORTS_SCAN_HPP
+#define DISCMC_PORTS_SCAN_HPP
+
+#include <discmc/limits.hpp>
+
+namespace scan {
+
+using Sample = uint8_t;
+constexpr discmc::Limits limits{321, 101, discmc::Border::open};
+constexpr uint32_t depth = 60;  // slices; the receiver is told
+constexpr int32_t threshold = 100;
+constexpr size_t arena_bytes = 240 * 1024;
+
+}  // namespace scan
+
+#endif

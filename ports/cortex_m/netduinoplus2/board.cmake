@@ -1,0 +1,4 @@
+# Netduino Plus 2: STM32F405, Cortex-M4, 192 KB of RAM.
+set(discmc_board_processor "-mcpu=cortex-m4 -mthumb -mfloat-abi=soft")
+set(discmc_board_uart stm32)
+set(discmc_board_machine qemu-system-arm -M netduinoplus2)

@@ -1,0 +1,17 @@
+// What is scanned on this board, and in how much memory.
+#ifndef DISCMC_PORTS_SCAN_HPP
+#define DISCMC_PORTS_SCAN_HPP
+
+#include <discmc/limits.hpp>
+
+namespace scan {
+
+using Sample = int16_t;
+constexpr discmc::Limits limits{256, 256};
+constexpr uint32_t depth = 108;  // slices; the receiver is told
+constexpr int32_t threshold = 300;
+constexpr size_t arena_bytes = 187 * 1024;
+
+}  // namespace scan
+
+#endif

@@ -1,0 +1,1 @@
+#include "../virt_rv32/hardware.hpp"
