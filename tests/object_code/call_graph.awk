@@ -1,5 +1,10 @@
 # Reads GCC's call graphs (-fcallgraph-info=su) of several files as one. Fails on recursion and on a
-# frame without a bound, else prints the deepest stack of every function that nothing calls.
+# frame without a bound, else prints of every function the bytes of stack that it takes at most, with
+# all that it calls, and its name as the linker knows it.
+#
+# What is called by a pointer, as a sink is, counts as nothing, or as the bytes given with
+# -v called_by_pointer=BYTES. The helpers of libgcc and the memory functions, whose frames are not
+# known either, count as the deepest of them.
 
 # A local function carries its file in its title. Without it functions of one name fall together,
 # which can show a circle that is not there but never hide one.
@@ -26,14 +31,18 @@ function visit(f,    count, called, i) {
   mark[f] = 2
 }
 
-BEGIN { FS = "\"" }
+BEGIN {
+  FS = "\""
+  helper_frame = 32  # __aeabi_lmul of the Cortex-M0+: 28
+}
 
 $1 ~ /^node/ {
   f = plain($2)
   if (split($4, part, /\\n/) == 3) {  # defined here: signature, place, "8 bytes (static)"
     label[f] = part[1]
     bytes = part[3] + 0
-    if (bytes > frame[f]) frame[f] = bytes
+    if (!is_defined[f] || bytes > frame[f]) frame[f] = bytes
+    is_defined[f] = 1
     if (part[3] ~ /dynamic\)/) {
       print "not bounded: " part[1]
       bad = 1
@@ -41,13 +50,13 @@ $1 ~ /^node/ {
     defined++
   } else if (!(f in label)) {
     label[f] = f
+    frame[f] = f == "__indirect_call" ? called_by_pointer + 0 : helper_frame
   }
 }
 
 $1 ~ /^edge/ {
   f = plain($2)
   calls[f] = calls[f] " " plain($4)
-  called_at_all[plain($4)] = 1
 }
 
 END {
@@ -58,6 +67,5 @@ END {
   for (f in label)
     if (!mark[f]) visit(f)
   if (bad) exit 1
-  for (f in label)
-    if (!(f in called_at_all)) printf "%5d bytes  %s\n", deepest[f], label[f] | "sort -rn"
+  for (f in is_defined) print deepest[f] "\t" f
 }

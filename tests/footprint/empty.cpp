@@ -1,0 +1,2 @@
+// Flash: nothing, which the other programs are compared with.
+extern "C" void run() {}

@@ -1,0 +1,15 @@
+// Flash: the table, an extractor of 8-bit samples and an encoder that is its sink: a scanner.
+#include <discmc/encoder.hpp>
+#include <discmc/extractor.hpp>
+
+using namespace discmc;
+
+extern "C" Status run(Extractor16& extractor, Encoder& encoder, const ByteOutput& output,
+                      const StreamHeader& header, const Limits& limits, Memory memory,
+                      const uint8_t* row) {
+  Status status = encoder.start(header, output);
+  if (status == Status::ok) status = extractor.start(limits, 128, memory, sink_to(encoder));
+  if (status == Status::ok) status = extractor.push(row, limits.width).status;
+  if (status == Status::more) status = extractor.resume();
+  return status == Status::ok ? extractor.finish() : status;
+}

@@ -1,0 +1,17 @@
+# Instructions a voxel, an active cell and a link, from what the counted work (work.cpp) says of
+# itself and what was counted, in the order in which it tells.
+
+NF == 2 { of[$1] = $2 }
+NF == 1 { count[++counts] = $1 }
+
+END {
+  if (counts != 5 || !of["cells"] || !of["links"]) {
+    print "the counted work is not complete" > "/dev/stderr"
+    exit 1
+  }
+  OFS = "\t"
+  print "a voxel, empty rows of 256, 8 bits", sprintf("%.2f", count[1] / of["wide_voxels"])
+  print "a voxel, empty rows of 256, 16 bits", sprintf("%.2f", count[2] / of["wide_voxels"])
+  print "an active cell: extraction", sprintf("%.0f", (count[4] - count[3]) / of["cells"])
+  print "a link of the result: encoding", sprintf("%.1f", (count[5] - count[4]) / of["links"])
+}

@@ -1,0 +1,24 @@
+// RAM: arrays as large as what they are named after, to be read from the symbols of the object
+// file.
+#include <discmc/decoder.hpp>
+#include <discmc/encoder.hpp>
+#include <discmc/extractor.hpp>
+
+using namespace discmc;
+
+#define DISCMC_OBJECT(Class) uint8_t object_##Class[sizeof(Class)];
+#define DISCMC_ARENA(size)                                     \
+  uint8_t least_##size[minimum_bytes<uint16_t>({size, size})]; \
+  uint8_t worst_##size[worst_case_bytes<uint32_t>({size, size})];
+
+extern "C" {
+DISCMC_OBJECT(Extractor16)
+DISCMC_OBJECT(Encoder)
+DISCMC_OBJECT(Decoder)
+
+DISCMC_ARENA(32)
+DISCMC_ARENA(64)
+DISCMC_ARENA(128)
+DISCMC_ARENA(256)
+DISCMC_ARENA(512)
+}

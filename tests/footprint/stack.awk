@@ -1,0 +1,33 @@
+# Of the stack of all functions (call_graph.awk) and their names (c++filt -p) that of the public
+# ones, the deepest of those that share a name. Fails when one of them is not there.
+
+function want(class, names,    count, name, i) {
+  count = split(names, name, " ")
+  for (i = 1; i <= count; i++) wanted[++functions] = class name[i]
+}
+
+BEGIN {
+  FS = OFS = "\t"
+  want("Extractor16::", "start reset push push_bits skip_row resume finish abandon")
+  want("Encoder::", "start take flush")
+  want("Decoder::", "start push finish")
+  want("", "unfold twice_area split_ring is_corner")
+}
+
+{
+  name = $2
+  sub(/^discmc::/, "", name)
+  sub(/Extractor<unsigned short>/, "Extractor16", name)
+  sub(/<.*$/, "", name)
+  if (!(name in most) || $1 > most[name]) most[name] = $1
+}
+
+END {
+  for (i = 1; i <= functions; i++) {
+    if (!(wanted[i] in most)) {
+      print "no function " wanted[i] > "/dev/stderr"
+      exit 1
+    }
+    print wanted[i] "()", most[wanted[i]]
+  }
+}

@@ -1,0 +1,83 @@
+// The work whose instructions are counted, the same on every target and on the host, and what came
+// of it, in words that must be the same everywhere.
+#include <board.hpp>
+#include <discmc/encoder.hpp>
+#include <discmc/extractor.hpp>
+
+#include "marks.hpp"
+
+using namespace discmc;
+
+// All of it fits the 16 KiB of a small microcontroller.
+constexpr Limits wide{256, 256};
+constexpr Limits ball{48, 48};
+static uint8_t memory[11 * 1024];
+static_assert(sizeof memory >= minimum_bytes<uint16_t>(wide), "the least for 256 x 256 voxels");
+static Extractor16 extractor;
+static Encoder encoder;
+
+static Answer take_event(void*, const Event&) {
+  return Answer::taken;
+}
+constexpr Sink no_sink{nullptr, take_event};
+
+static size_t take_bytes(void*, const uint8_t*, size_t count) {
+  return count;
+}
+
+// ---- volumes ----
+
+constexpr int32_t threshold = 192;
+
+static uint8_t outside(int32_t, int32_t, int32_t) {
+  return 0;
+}
+
+static uint8_t inside_ball(int32_t x, int32_t y, int32_t z) {
+  constexpr int32_t size = ball.width;
+  const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
+  return static_cast<uint8_t>(255 - dot(v, v) / 26);
+}
+
+static void report(const char* name, uint64_t value) {
+  board::report(name, static_cast<uint32_t>(value));
+}
+
+// Counts the instructions of all calls of push(); a row a call.
+template <class Sample>
+static bool scan(const Limits& limits, uint32_t slices,
+                 uint8_t (*sample)(int32_t, int32_t, int32_t), const Sink& sink) {
+  static Sample row[wide.width];
+  if (extractor.start(limits, threshold, memory_of(memory), sink) != Status::ok) return false;
+  for (uint32_t i = 0; i < limits.height * slices; ++i) {
+    for (uint32_t x = 0; x < limits.width; ++x)
+      row[x] = sample(static_cast<int32_t>(x), static_cast<int32_t>(i % limits.height),
+                      static_cast<int32_t>(i / limits.height));
+    count_on();
+    const Pushed pushed = extractor.push(row, limits.width);
+    count_off();
+    if (pushed.status != Status::ok) return false;
+  }
+  count_tell();
+  return extractor.finish() == Status::ok;
+}
+
+int main() {
+  // In this order instructions.awk reads the counts.
+  bool good = scan<uint8_t>(wide, 2, outside, no_sink) &&
+              scan<uint16_t>(wide, 2, outside, no_sink) &&
+              scan<uint8_t>(ball, ball.width, outside, no_sink) &&
+              scan<uint8_t>(ball, ball.width, inside_ball, no_sink);
+  const StreamHeader header{ball.width, ball.height, ball.width, {}, threshold};
+  good = good && encoder.start(header, {nullptr, take_bytes}) == Status::ok &&
+         scan<uint8_t>(ball, ball.width, inside_ball, sink_to(encoder));
+  const Statistics statistics = extractor.statistics();
+  report("wide_voxels", wide.width * wide.height * 2);
+  report("cells", statistics.cells);
+  report("facets", statistics.facets);
+  report("regions", statistics.regions);
+  report("links", statistics.links);
+  report("cuts", statistics.cuts);
+  report("stream_bytes", encoder.bytes());
+  board::stop(good);
+}
