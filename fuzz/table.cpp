@@ -156,11 +156,11 @@ void check_patches(Configuration configuration) {
   unsigned below = 0;
   for_each_patch(configuration, [&](const Patch& patch) {
     ++patches;
-    links_in_all += patch.count();
+    links_in_all += patch.count;
     require(by_patches.count(patch.incidence) == 0, "two patches of one incidence");
     LinkSum& sum = by_patches[patch.incidence];
-    Vertex from = position(patch.start());
-    for (int i = 0; i < patch.count(); ++i) {
+    Vertex from = position(patch.start);
+    for (int i = 0; i < patch.count; ++i) {
       const Vertex to = from + direction_vector(patch.incidence, patch.direction(i));
       sum.add({from, to});
       const int face = face_of(point_at(from), point_at(to));
@@ -170,9 +170,9 @@ void check_patches(Configuration configuration) {
       if (face == face_below) below |= 1U << (place & 1);
       from = to;
     }
-    require(from == position(patch.start()), "a patch that is not closed");
+    require(from == position(patch.start), "a patch that is not closed");
     bool has_ahead = false;
-    for (int i = 0; i < patch.count(); ++i) has_ahead = has_ahead || is_ahead(patch.place(i));
+    for (int i = 0; i < patch.count; ++i) has_ahead = has_ahead || is_ahead(patch.place(i));
     require(!has_ahead || is_ahead(patch.place(0)), "a patch does not begin with a link ahead");
   });
   require(by_facets == by_patches, "patches are not the union of the facets");
@@ -185,8 +185,8 @@ void check_patches(Configuration configuration) {
 std::map<int, UnitLink> links_on(Configuration configuration, int face, const Vertex& cell) {
   std::map<int, UnitLink> result;
   for_each_patch(configuration, [&](const Patch& patch) {
-    Vertex from = cell + cell + position(patch.start());
-    for (int i = 0; i < patch.count(); ++i) {
+    Vertex from = cell + cell + position(patch.start);
+    for (int i = 0; i < patch.count; ++i) {
       const Vertex to = from + direction_vector(patch.incidence, patch.direction(i));
       if (patch.place(i) != spoke && patch.place(i) / 2 == face)
         require(result.try_emplace(patch.place(i) & 1, UnitLink{from, to}).second,
@@ -216,7 +216,7 @@ void check_face(const BitVolume& block, const Vertex& cell, int axis) {
 void check_volume(const BitVolume& block) {
   int64_t enclosed = 0;
   for_each_cell(block, true, [&](const Vertex&, Configuration configuration) {
-    enclosed += enclosed_volumes.of[configuration];
+    enclosed += cell_facts.enclosed[configuration];
   });
   const Surface surface = surface_of_cells(block, true);
   require(surface.six_volumes == enclosed, "facets and cells enclose different volumes");

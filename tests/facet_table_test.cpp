@@ -141,7 +141,7 @@ TEST_CASE("1068 facets: 2/40/50/8/8/48/68/32 configurations have 0/1/2/3/4/5/6/7
   for_each_configuration([&](int c) {
     REQUIRE(facet_table.first[c] <= facet_table.first[c + 1]);
     ++configurations_with.at(facets_of(c).size());
-    CHECK(facets_of(c).size() == cell_counts.facets(c));
+    CHECK(facets_of(c).size() == cell_facts.facets[c]);
   });
   CHECK(facet_table.first[configurations] == FacetTable::total);
   CHECK(configurations_with == std::array<int, 8>{2, 40, 50, 8, 8, 48, 68, 32});
@@ -291,7 +291,7 @@ TEST_CASE("classic Marching Cubes makes two triangles less than a loop has links
   for_each_configuration([](int c) {
     size_t triangles = 0;
     for (const std::vector<Point>& loop : loops_of(c)) triangles += loop.size() - 2;
-    CHECK(cell_counts.classic_triangles(c) == triangles);
+    CHECK(cell_facts.classic_triangles[c] == triangles);
   });
 }
 
@@ -301,15 +301,15 @@ TEST_CASE("the enclosed volume follows from the facets by way of any point, say 
     // The three faces at corner 0 have no height over it; the others have 2 half-steps.
     for (const int face : {face_right, face_back, face_above}) sum += 2 * twice_on_area(c, face);
     for (const Facet facet : facets_of(c)) sum += six_volumes(facet);
-    CHECK(enclosed_volumes.of[c] == sum);
+    CHECK(cell_facts.enclosed[c] == sum);
   });
 }
 
 TEST_CASE("a lone corner encloses a 48th, and the off side of a surface what the on side leaves") {
-  CHECK(enclosed_volumes.of[0] == 0);
-  CHECK(enclosed_volumes.of[1] == 1);
+  CHECK(cell_facts.enclosed[0] == 0);
+  CHECK(cell_facts.enclosed[1] == 1);
   for_each_configuration([](int c) {
-    const int both = enclosed_volumes.of[c] + enclosed_volumes.of[255 - c];
+    const int both = cell_facts.enclosed[c] + cell_facts.enclosed[255 - c];
     // On ambiguous faces both would be separated and leave room between them.
     CHECK((both == 48) == !has_ambiguous_face(c));
     CHECK(both <= 48);

@@ -50,7 +50,7 @@ void for_each_new_row_of_cells(const Limits& limits, uint32_t rows_so_far, Check
 void check_newest(const Rows& rows, const BitVolume& volume, const Limits& limits, int64_t z,
                   uint32_t rows_so_far) {
   for_each_new_row_of_cells(limits, rows_so_far, [&](int64_t y) {
-    const RowQuad quad = rows.rows.around(y);
+    const RowQuad quad = rows.rows.around(static_cast<int32_t>(y));
     for (uint32_t i = 0; i < 4; ++i)
       for (uint32_t bit = 0; bit < 32 * limits.row_words(); ++bit)
         if (rows.bit(quad.row[i], bit) !=
@@ -61,7 +61,7 @@ void check_newest(const Rows& rows, const BitVolume& volume, const Limits& limit
 
 void check_cells(const Rows& rows, const BitVolume& volume, const Limits& limits, int64_t y,
                  int64_t z) {
-  const RowQuad quad = rows.rows.around(y);
+  const RowQuad quad = rows.rows.around(static_cast<int32_t>(y));
   const uint32_t words = limits.row_words();
   for (uint32_t column = 0; column < limits.columns(); ++column) {
     const auto x = static_cast<int32_t>(column) - static_cast<int32_t>(limits.halo());

@@ -1,5 +1,4 @@
 #include <discmc/extractor.hpp>
-#include <discmc/facet_table.hpp>
 
 namespace discmc {
 
@@ -218,11 +217,11 @@ bool Extractor<Index>::sweep_row() {
 
 template <class Index>
 void Extractor<Index>::visit(const Cell& cell) {
-  merge_.take_cell(cell);
+  const CellCounts counts = merge_.take_cell(cell);
   if (cell.seals) return;
   ++statistics_.cells;
-  statistics_.facets += cell_counts.facets(cell.configuration);
-  statistics_.classic_triangles += cell_counts.classic_triangles(cell.configuration);
+  statistics_.facets += counts.facets;
+  statistics_.classic_triangles += counts.classic_triangles;
 }
 
 // Offers an event that tells of rows and slices.

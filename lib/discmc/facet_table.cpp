@@ -57,8 +57,7 @@ constexpr FacetList facets_of(const Loop& loop) {
 struct Derived {
   FacetTable table;
   FacetRings rings;
-  CellCounts counts;
-  EnclosedVolumes enclosed;
+  CellFacts facts;
 };
 
 // Twice the area of a face's on part, in square half-steps, by the bits of its corners in ring
@@ -110,9 +109,9 @@ constexpr Derived derive_all() {
         enclosed += six_volumes(list.ring[i]);
       }
     }
-    derived.counts.code[c] =
-        static_cast<uint8_t>(triangles << 4 | (total - derived.table.first[c]));
-    derived.enclosed.of[c] = static_cast<uint8_t>(enclosed);
+    derived.facts.facets[c] = static_cast<uint8_t>(total - derived.table.first[c]);
+    derived.facts.classic_triangles[c] = static_cast<uint8_t>(triangles);
+    derived.facts.enclosed[c] = static_cast<uint8_t>(enclosed);
   }
   derived.table.first[configurations] = static_cast<uint16_t>(total);
   return derived;
@@ -122,7 +121,7 @@ constexpr Derived derived = derive_all();
 
 constexpr int configurations_with(int facets) {
   int count = 0;
-  for (int c = 0; c < configurations; ++c) count += derived.counts.facets(c) == facets;
+  for (const uint8_t n : derived.facts.facets) count += n == facets;
   return count;
 }
 
@@ -153,16 +152,15 @@ static_assert(occurs(1, 44), "every axis incidence occurs 44 times");
 static_assert(occurs(2, 5), "every diagonal incidence occurs 5 times");
 static_assert(occurs(3, 93), "every corner incidence occurs 93 times");
 static_assert(facets_with_ring() == 6 * 4 + 12 * 2 + 8 * 8, "every shape occurs");
-static_assert(derived.enclosed.of[0] == 0 && derived.enclosed.of[255] == 48 &&
-                  derived.enclosed.of[1] == 1 && derived.enclosed.of[254] == 47,
+static_assert(derived.facts.enclosed[0] == 0 && derived.facts.enclosed[255] == 48 &&
+                  derived.facts.enclosed[1] == 1 && derived.facts.enclosed[254] == 47,
               "the enclosed volume counts 48ths of a cell");
 
 }  // namespace
 
 const FacetTable facet_table = derived.table;
 const FacetRings facet_rings = derived.rings;
-const CellCounts cell_counts = derived.counts;
-const EnclosedVolumes enclosed_volumes = derived.enclosed;
+const CellFacts cell_facts = derived.facts;
 
 namespace {
 

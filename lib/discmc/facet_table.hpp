@@ -52,24 +52,16 @@ struct FacetRings {
   FacetRing ring[facet_codes];
 };
 
-/// How many facets a configuration has, 0 to 7, and how many triangles classic Marching Cubes would
-/// make of it: the sum of loop length - 2. A byte each, since firmware carries it.
-struct CellCounts {
-  uint8_t code[configurations];  ///< triangles (upper 4 bits) and facets (lower 4 bits)
-
-  constexpr uint8_t facets(int c) const { return code[c] & 15; }
-  constexpr uint8_t classic_triangles(int c) const { return code[c] >> 4; }
-};
-
-/// The volume on the on side of each configuration's surface. Units: 48ths of a cell.
-struct EnclosedVolumes {
-  uint8_t of[configurations];
+/// Numbers known of each configuration.
+struct CellFacts {
+  uint8_t facets[configurations];             ///< 0 to 7
+  uint8_t classic_triangles[configurations];  ///< of classic Marching Cubes: loop lengths less 2
+  uint8_t enclosed[configurations];           ///< volume on the on side; Units: 48ths of a cell
 };
 
 extern const FacetTable facet_table;
 extern const FacetRings facet_rings;
-extern const CellCounts cell_counts;
-extern const EnclosedVolumes enclosed_volumes;
+extern const CellFacts cell_facts;
 
 /// What lies on the other side of a facet's edge when it belongs to the same plane.
 struct Neighbour {

@@ -18,6 +18,12 @@ struct Merge<Index>::Walk {
   Index twin[Patch::max_links];  // by link: the edge to splice with, or no_record
 
   Walk(const Cell& walked, const Patch& added) : cell(walked), patch(added) {}
+
+  // From the link before into link i.
+  int turn_into(int i) const {
+    return turn(patch.incidence, patch.direction(i > 0 ? i - 1 : patch.count - 1),
+                patch.direction(i));
+  }
 };
 
 template <class Index>
@@ -69,7 +75,7 @@ HighWater Merge<Index>::high_water() const {
 // ---- one cell ----
 
 template <class Index>
-void Merge<Index>::take_cell(const Cell& cell) {
+CellCounts Merge<Index>::take_cell(const Cell& cell) {
   touched_edges_ = 0;
   touched_rings_ = 0;
   // Without spills every edge that waits keeps two runs in reserve for the day it becomes boundary.
@@ -78,9 +84,19 @@ void Merge<Index>::take_cell(const Cell& cell) {
       cell.seals || (!spills_ && fragments_.available() < 2 * (CellReserve::runs + waiting));
   Index behind[behind_places];
   frontier_.gather(cell, table_->below[cell.configuration & 15], behind);
+  CellCounts counts{0, 0};
+  bool has_sectors = false;
   const uint32_t end = table_->first(cell.configuration + 1);
-  for (uint32_t i = table_->first(cell.configuration); i < end; ++i)
-    take_patch(cell, table_->at(i), behind);
+  for (uint32_t i = table_->first(cell.configuration); i < end; ++i) {
+    const Patch patch = table_->at(i);
+    take_patch(cell, patch, behind);
+    counts.facets += patch.facets();
+    counts.classic_triangles += patch.count - 2U;
+    if (patch.kind == Patch::Kind::sectors) has_sectors = true;
+  }
+  // A loop of n links makes n - 2 triangles, but there are n sectors about the centroid.
+  if (has_sectors) counts.classic_triangles -= 2;
+  return counts;
 }
 
 template <class Index>
@@ -90,7 +106,7 @@ void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
   meet_twins(walk, behind);
   if (cell.seals) return;
   begin_walk(walk);
-  for (int i = walk.has_marker ? 0 : 1; i < patch.count(); ++i) walk_link(walk, i);
+  for (int i = walk.has_marker ? 0 : 1; i < patch.count; ++i) walk_link(walk, i);
   finish_walk(walk);
 }
 
@@ -98,7 +114,7 @@ void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
 template <class Index>
 void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) {
   const Patch& patch = walk.patch;
-  for (int i = 0; i < patch.count(); ++i) {
+  for (int i = 0; i < patch.count; ++i) {
     walk.twin[i] = no_record;
     const Index edge = is_behind(patch.place(i)) ? behind[patch.place(i)] : Index{no_record};
     if (edge == no_record) continue;
@@ -140,7 +156,7 @@ void Merge<Index>::begin_walk(Walk& walk) {
 template <class Index>
 void Merge<Index>::walk_link(Walk& walk, int i) {
   const Patch& patch = walk.patch;
-  if (i > 0) turn_by(walk.current, patch.turn_into(i));
+  if (i > 0) turn_by(walk.current, walk.turn_into(i));
   const Place place = patch.place(i);
   Index edge = no_record;
   if (walk.twin[i] != no_record && may_splice(walk, i)) {
@@ -198,7 +214,7 @@ void Merge<Index>::splice(Walk& walk, int i) {
 template <class Index>
 void Merge<Index>::finish_walk(Walk& walk) {
   const Index current = walk.current;
-  turn_by(current, walk.patch.turn_into(0));
+  turn_by(current, walk.turn_into(0));
   if (walk.has_marker) {
     const Index marker = walk.first;
     if (current != marker) {
@@ -302,7 +318,7 @@ template <class Index>
 void Merge<Index>::close_ring(const Walk& walk, int i, Index edge) {
   constexpr uint8_t negative = 0x80;
   const Patch& patch = walk.patch;
-  Point point = patch.start();
+  Point point = patch.start;
   for (int l = 0; l < i; ++l)
     point = point_after(point, link_of(patch.incidence, patch.direction(l)));
   const Edge<Index>& record = edges_[edge];

@@ -19,6 +19,12 @@
 
 namespace discmc {
 
+/// What a cell is made of: facets, and what classic Marching Cubes would make instead.
+struct CellCounts {
+  uint32_t facets;
+  uint32_t classic_triangles;
+};
+
 /// High-water marks of the pools, in records.
 struct HighWater {
   uint32_t edges, runs, rings, regions, slots;
@@ -32,8 +38,8 @@ class Merge {
              const PatchTable& table, bool spills);
   void clear();
 
-  /// Takes a cell's patches in. Limit: settled(). Cost: bounded by the cell's links.
-  void take_cell(const Cell& cell);
+  /// Takes a cell's patches in and counts. Limit: settled(). Cost: bounded by the cell's links.
+  CellCounts take_cell(const Cell& cell);
 
   /// Whether the next cell may be taken: no region waits for the sink, and runs are not short.
   bool settled() const { return !is_delivering_ && !regions_.has_complete() && !runs_are_short(); }

@@ -4,9 +4,18 @@ namespace discmc {
 
 namespace {
 
-constexpr bool operator==(const Patch& a, const Patch& b) {
-  if (a.incidence != b.incidence || a.count_and_start != b.count_and_start) return false;
-  for (int i = 0; i < a.count(); ++i)
+// A patch on its way into the table.
+struct LinkRing {
+  Patch::Kind kind;
+  Incidence incidence;
+  Point start;
+  uint8_t count;
+  uint8_t link[Patch::max_links];
+};
+
+constexpr bool operator==(const LinkRing& a, const LinkRing& b) {
+  if (a.incidence != b.incidence || a.start != b.start || a.count != b.count) return false;
+  for (int i = 0; i < a.count; ++i)
     if (a.link[i] != b.link[i]) return false;
   return true;
 }
@@ -40,8 +49,17 @@ constexpr uint8_t coded_link(Incidence incidence, Point from, Point to) {
   return static_cast<uint8_t>(place << 3 | direction);
 }
 
+// Of the flat loops the corner triangle and the rectangle are one facet each.
+constexpr Patch::Kind kind_of(Incidence incidence, const PointRing& ring) {
+  for (int i = 0; i < ring.count; ++i)
+    if (ring.point[i] == centroid) return Patch::Kind::sectors;
+  const Vertex n = normal(incidence);
+  const bool is_rectangle = ring.count == 4 && dot(n, n) == 2;
+  return ring.count == 3 || is_rectangle ? Patch::Kind::facet : Patch::Kind::fan;
+}
+
 // Starts the ring at a link ahead where there is one, so that the merge begins with an open edge.
-constexpr Patch patch_of(Incidence incidence, const PointRing& ring) {
+constexpr LinkRing patch_of(Incidence incidence, const PointRing& ring) {
   int start = 0;
   for (int i = 0; i < ring.count; ++i) {
     const uint8_t link = coded_link(incidence, ring.point[i], ring.point[(i + 1) % ring.count]);
@@ -49,9 +67,7 @@ constexpr Patch patch_of(Incidence incidence, const PointRing& ring) {
     start = i;
     break;
   }
-  Patch patch{incidence,
-              static_cast<uint8_t>((ring.count - Patch::min_links) << 6 | ring.point[start]),
-              {}};
+  LinkRing patch{kind_of(incidence, ring), incidence, ring.point[start], ring.count, {}};
   for (int i = 0; i < ring.count; ++i) {
     const Point from = ring.point[(start + i) % ring.count];
     const Point to = ring.point[(start + i + 1) % ring.count];
@@ -62,16 +78,18 @@ constexpr Patch patch_of(Incidence incidence, const PointRing& ring) {
 
 struct Derived {
   PatchTable table;
+  LinkRing patch[PatchTable::distinct];
   CellBounds bounds;
   int total;
   int distinct;
   bool one_patch_an_incidence;
+  bool one_fan_a_cell;
 };
 
-constexpr void add_patch(Derived& derived, const Patch& patch) {
+constexpr void add_patch(Derived& derived, const LinkRing& patch) {
   int index = 0;
-  while (index < derived.distinct && !(derived.table.patch[index] == patch)) ++index;
-  if (index == derived.distinct) derived.table.patch[derived.distinct++] = patch;
+  while (index < derived.distinct && !(derived.patch[index] == patch)) ++index;
+  if (index == derived.distinct) derived.patch[derived.distinct++] = patch;
   derived.table.index[derived.total++] = static_cast<uint8_t>(index);
 }
 
@@ -107,29 +125,31 @@ constexpr int larger(int a, int b) {
   return a > b ? a : b;
 }
 
-constexpr void measure_cell(Derived& derived, int first) {
+constexpr void measure_cell(Derived& derived, int c) {
+  const uint32_t first = derived.table.first(c);
+  const uint32_t end = derived.table.first(c + 1);
   int links = 0, behind = 0, ahead = 0;
   uint32_t incidences = 0;
-  for (int i = first; i < derived.total; ++i) {
-    const Patch& patch = derived.table.at(static_cast<uint32_t>(i));
+  for (uint32_t i = first; i < end; ++i) {
+    const Patch patch = derived.table.at(i);
     if (incidences >> patch.incidence & 1) derived.one_patch_an_incidence = false;
     incidences |= uint32_t{1} << patch.incidence;
-    links += patch.count();
-    for (int l = 0; l < patch.count(); ++l) {
+    links += patch.count;
+    for (int l = 0; l < patch.count; ++l) {
       behind += is_behind(patch.place(l));
       ahead += is_ahead(patch.place(l));
     }
   }
   CellBounds& bounds = derived.bounds;
-  bounds = {larger(bounds.patches, derived.total - first), larger(bounds.links, links),
+  bounds = {larger(bounds.patches, static_cast<int>(end - first)), larger(bounds.links, links),
             larger(bounds.behind_links, behind), larger(bounds.ahead_links, ahead)};
 }
 
 constexpr uint8_t below_links(const Derived& derived, int lower) {
   int found = 0;
   for (uint32_t i = derived.table.first(lower); i < derived.table.first(lower + 1); ++i) {
-    const Patch& patch = derived.table.at(i);
-    for (int l = 0; l < patch.count(); ++l)
+    const Patch patch = derived.table.at(i);
+    for (int l = 0; l < patch.count; ++l)
       if (patch.place(l) / 2 == face_below) found |= 1 << patch.place(l) % 2;
   }
   return static_cast<uint8_t>(found);
@@ -141,17 +161,43 @@ constexpr void begin_configuration(Derived& derived, int c) {
   derived.table.within[c] = static_cast<uint8_t>(derived.total - block);
 }
 
+// Numbers the distinct patches by their counts of links and lays them out in this order.
+constexpr void pack(Derived& derived) {
+  PatchTable& table = derived.table;
+  uint8_t number[PatchTable::distinct] = {};
+  uint8_t numbered = 0;
+  int bytes = 0;
+  for (int count = Patch::min_links; count <= Patch::max_links; ++count)
+    for (int i = 0; i < derived.distinct; ++i) {
+      const LinkRing& patch = derived.patch[i];
+      if (patch.count != count) continue;
+      number[i] = numbered++;
+      ++table.of_count[count - Patch::min_links];
+      table.patch[bytes++] =
+          static_cast<uint8_t>(static_cast<int>(patch.kind) << 5 | patch.incidence);
+      table.patch[bytes++] = patch.start;
+      for (int l = 0; l < count; ++l) table.patch[bytes++] = patch.link[l];
+    }
+  for (uint8_t& index : table.index) index = number[index];
+}
+
 constexpr Derived derive_all() {
   Derived derived{};
   derived.one_patch_an_incidence = true;
+  derived.one_fan_a_cell = true;
   for (int c = 0; c < configurations; ++c) {
-    const int first = derived.total;
     begin_configuration(derived, c);
     const Loops loops = derive::loops(static_cast<Configuration>(c));
-    for (int l = 0; l < loops.count; ++l) add_loop(derived, loops.loop[l]);
-    measure_cell(derived, first);
+    int fans = 0;
+    for (int l = 0; l < loops.count; ++l) {
+      add_loop(derived, loops.loop[l]);
+      fans += !is_flat(loops.loop[l]);
+    }
+    if (fans > 1) derived.one_fan_a_cell = false;
   }
   begin_configuration(derived, configurations);
+  pack(derived);
+  for (int c = 0; c < configurations; ++c) measure_cell(derived, c);
   for (int lower = 0; lower < 16; ++lower) derived.table.below[lower] = below_links(derived, lower);
   return derived;
 }
@@ -161,6 +207,7 @@ constexpr Derived derived = derive_all();
 static_assert(derived.total == PatchTable::total, "patches of all configurations");
 static_assert(derived.distinct == PatchTable::distinct, "222 different patches");
 static_assert(derived.one_patch_an_incidence, "a cell has at most one patch an incidence");
+static_assert(derived.one_fan_a_cell, "a cell has at most one fan");
 static_assert(derived.bounds.patches == cell_bounds.patches, "at most five patches a cell");
 static_assert(derived.bounds.links == cell_bounds.links, "links of a cell");
 static_assert(derived.bounds.behind_links == cell_bounds.behind_links,

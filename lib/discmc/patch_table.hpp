@@ -41,40 +41,58 @@ constexpr int place_in_face(Point from, Point to) {
 }
 
 /// A ring of links, counter-clockwise seen from the tip of the normal. If any link is ahead, link 0
-/// is. Eight bytes, since firmware carries 222 of them.
+/// is. Owner: the links are the table's.
 struct Patch {
   static constexpr int min_links = 3;
   static constexpr int max_links = 6;
+  enum class Kind : uint8_t {
+    facet,    ///< one facet: a triangle or the rectangle
+    fan,      ///< a flat fan: as many facets as links
+    sectors,  ///< of a fan that is not flat: two links are spokes, and each other has a facet
+  };
+  Kind kind;
   Incidence incidence;
-  uint8_t count_and_start;  ///< count - min_links (upper 2 bits) and start (lower 6 bits)
-  uint8_t link[max_links];  ///< place (upper 5 bits) and direction (lower 3 bits)
+  Point start;  ///< where link 0 begins
+  uint8_t count;
+  const uint8_t* link;  ///< place (upper 5 bits) and direction (lower 3 bits)
 
-  constexpr int count() const { return min_links + (count_and_start >> 6); }
-  /// Where link 0 begins.
-  constexpr Point start() const { return count_and_start & 63; }
   constexpr Place place(int i) const { return link[i] >> 3; }
   constexpr Direction direction(int i) const { return link[i] & 7; }
-  /// From the link before into link i, as turn() counts.
-  constexpr int turn_into(int i) const {
-    return turn(incidence, direction(i > 0 ? i - 1 : count() - 1), direction(i));
+  constexpr uint32_t facets() const {
+    return kind == Kind::facet ? 1 : kind == Kind::fan ? count : count - 2U;
   }
 };
 
-/// The patches of every configuration, each stored once: those of c are at(first(c)) to
-/// at(first(c + 1) - 1).
+/// The patches of every configuration, each stored once, in as many bytes as it has links and two:
+/// firmware carries them. Those of c are at(first(c)) to at(first(c + 1) - 1).
 struct PatchTable {
   static constexpr int total = 610;
   static constexpr int distinct = 222;
+  static constexpr int distinct_links = 888;
   static constexpr int block_size = 32;  ///< configurations whose patches one byte can count
+  static constexpr int counts = Patch::max_links - Patch::min_links + 1;
   uint16_t block[configurations / block_size + 1];
   uint8_t within[configurations + 1];
   uint8_t index[total];
-  Patch patch[distinct];
+  uint8_t of_count[counts];  ///< how many have 3, 4, 5, 6 links, in this order
+  uint8_t
+      patch[2 * distinct + distinct_links];  ///< kind (upper 3 bits) and incidence, start, links
   uint8_t
       below[16];  ///< by the four lower corner bits: bits 0 and 1 tell which links face_below has
 
   constexpr uint32_t first(int c) const { return uint32_t{block[c / block_size]} + within[c]; }
-  constexpr const Patch& at(uint32_t i) const { return patch[index[i]]; }
+  constexpr Patch at(uint32_t i) const {
+    const uint8_t* place = patch;
+    uint8_t count = Patch::min_links;
+    int number = index[i];
+    for (const uint8_t* same = of_count; number >= *same; ++same, ++count) {
+      number -= *same;
+      place += *same * (2 + count);
+    }
+    place += number * (2 + count);
+    return {static_cast<Patch::Kind>(place[0] >> 5), static_cast<Incidence>(place[0] & 31),
+            place[1], count, place + 2};
+  }
 };
 
 extern const PatchTable patch_table;

@@ -100,9 +100,9 @@ int64_t signed_area(Incidence incidence, const Ring& ring) {
 Counts counts(const BitVolume& volume, bool closed, const std::vector<Region>& regions) {
   Counts counts{};
   for_each_cell(volume, closed, [&](const Vertex&, Configuration configuration) {
-    counts.facets += cell_counts.facets(configuration);
-    counts.classic_triangles += cell_counts.classic_triangles(configuration);
-    counts.enclosed += enclosed_volumes.of[configuration];
+    counts.facets += cell_facts.facets[configuration];
+    counts.classic_triangles += cell_facts.classic_triangles[configuration];
+    counts.enclosed += cell_facts.enclosed[configuration];
   });
   for (const Region& region : regions) {
     ++counts.regions;
