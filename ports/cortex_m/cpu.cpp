@@ -48,6 +48,8 @@ constexpr Vectors vectors_of_all() {
 
 [[gnu::section(".vectors"), gnu::used]] constexpr Vectors vectors = vectors_of_all();
 
+volatile bool was_interrupted = false;
+
 }  // namespace
 
 void start() {
@@ -76,10 +78,12 @@ void fault() {
 }
 
 void on_request() {
+  was_interrupted = true;
   source::on_request();
 }
 
 void on_interrupt() {
+  was_interrupted = true;
   uart::on_interrupt();
   source::on_interrupt();
 }
@@ -92,9 +96,13 @@ void cpu::enable_interrupt(uint32_t number) {
   register_at(nvic_enable + number / 32 * 4) = uint32_t{1} << number % 32;
 }
 
-// An interrupt that came before this instruction is remembered, and ends it at once.
+// With interrupts off none comes between the look and the sleep; a pending one ends it all the
+// same.
 void board::wait() {
-  __asm__ volatile("wfe" ::: "memory");
+  __asm__ volatile("cpsid i" ::: "memory");
+  if (!was_interrupted) __asm__ volatile("wfi" ::: "memory");
+  was_interrupted = false;
+  __asm__ volatile("cpsie i" ::: "memory");
 }
 
 size_t cpu::stack_used() {

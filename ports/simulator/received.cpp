@@ -1,0 +1,66 @@
+#include "received.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace discmc::simulator {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Where the first frame of the bytes comes again, looking from `from` on; the end when it does not.
+Bytes::const_iterator second_beginning(const Bytes& bytes, std::size_t from) {
+  const auto end_of_frame = std::find(bytes.begin(), bytes.end(), 0);
+  if (end_of_frame == bytes.end()) return bytes.end();
+  const auto begin = std::max(end_of_frame + 1, bytes.begin() + static_cast<std::ptrdiff_t>(from));
+  return std::search(begin, bytes.end(), bytes.begin(), end_of_frame + 1);
+}
+
+}  // namespace
+
+ReceivedStream::ReceivedStream() {
+  if (decoder_.start(sink_to(*this)) != Status::ok) throw std::logic_error("the sink is no sink");
+}
+
+void ReceivedStream::push(const std::uint8_t* bytes, std::size_t count) {
+  bytes_.insert(bytes_.end(), bytes, bytes + count);
+  const Status status = decoder_.push(bytes, count).status;
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+void ReceivedStream::finish() {
+  const Status status = decoder_.finish();
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+Answer ReceivedStream::take(const Event& event) {
+  if (event.kind == Event::Kind::layer || event.kind == Event::Kind::finish)
+    final_slices_ = event.slice;
+  if (event.kind == Event::Kind::skipped)
+    skipped_[event.slice * header().height + event.row] =
+        event.repeated ? Substitute::previous_row : Substitute::off;
+  return Answer::taken;
+}
+
+Received::Received() {
+  streams_.push_back(std::make_unique<ReceivedStream>());
+}
+
+void Received::push(const std::uint8_t* bytes, std::size_t count) {
+  ReceivedStream& current = *streams_.back();
+  const std::size_t seen = current.bytes().size();
+  current.push(bytes, count);
+  const auto beginning = second_beginning(current.bytes(), seen - std::min(seen, wire::max_frame));
+  if (beginning == current.bytes().end()) return;
+
+  // The decoder of the old stream has seen bytes of the new one: both begin anew.
+  const Bytes before(current.bytes().begin(), beginning);
+  const Bytes after(beginning, current.bytes().end());
+  streams_.back() = std::make_unique<ReceivedStream>();
+  streams_.back()->push(before.data(), before.size());
+  streams_.back()->finish();
+  streams_.push_back(std::make_unique<ReceivedStream>());
+  streams_.back()->push(after.data(), after.size());
+}
+
+}  // namespace discmc::simulator

@@ -1,0 +1,17 @@
+// What the simulator's firmware scans: little, for a UART in QEMU moves some 30 kB a second.
+#ifndef DISCMC_PORTS_SCAN_HPP
+#define DISCMC_PORTS_SCAN_HPP
+
+#include <discmc/limits.hpp>
+
+namespace scan {
+
+using Sample = uint8_t;
+constexpr discmc::Limits limits{32, 32};
+constexpr uint32_t depth = 12;  // slices; the receiver is told
+constexpr int32_t threshold = 128;
+constexpr size_t arena_bytes = 8 * 1024;
+
+}  // namespace scan
+
+#endif
