@@ -244,7 +244,7 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
   require(unlike.empty(), unlike.c_str());
   uint64_t facets = 0;
   for_each_cell(scenario.volume, closed, [&](const Vertex&, Configuration configuration) {
-    facets += cell_counts.facets(configuration);
+    facets += cell_facts.facets[configuration];
   });
   require(statistics.facets == facets, "statistics count other facets");
   if (statistics.cuts != 0) return;

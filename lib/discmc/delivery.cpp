@@ -40,26 +40,18 @@ bool Merge<Index>::begin_delivery() {
     return true;
   }
   if (!runs_are_short()) return false;
-  while (touched_edges_ > 0) {
-    const Touched& touched = touched_edge_[--touched_edges_];
-    if (begin_spill(edges_[touched.index], touched.incidence)) return true;
+  while (touched_count_ > 0 && !is_delivering_) {
+    const Touched& touched = touched_[--touched_count_];
+    if ((touched.incidence & is_ring) != 0)
+      fragment_ = &regions_.ring(touched.index);
+    else
+      fragment_ = &edges_[touched.index];
+    ring_ = no_record;
+    incidence_ = touched.incidence & (is_ring - 1);
+    next_event_ = Event::Kind::fragment;
+    is_delivering_ = should_spill(*fragment_);
   }
-  while (touched_rings_ > 0) {
-    const Touched& touched = touched_ring_[--touched_rings_];
-    if (begin_spill(regions_.ring(touched.index), touched.incidence)) return true;
-  }
-  return false;
-}
-
-template <class Index>
-bool Merge<Index>::begin_spill(Fragment<Index>& fragment, Incidence incidence) {
-  if (!should_spill(fragment)) return false;
-  fragment_ = &fragment;
-  ring_ = no_record;
-  incidence_ = incidence;
-  next_event_ = Event::Kind::fragment;
-  is_delivering_ = true;
-  return true;
+  return is_delivering_;
 }
 
 // The fewer runs are available, the shorter a fragment may be to be spilled: down to any that has

@@ -190,9 +190,9 @@ constexpr Direction opposite_direction(Incidence incidence, Direction direction)
 /// positive.
 constexpr int turn(Incidence incidence, Direction from, Direction to) {
   const int count = direction_count(incidence);
-  int difference = to - from;
-  if (difference < -count / 2) difference += count;
-  if (difference >= count / 2) difference -= count;
+  const int difference = to - from;
+  if (difference < -count / 2) return difference + count;
+  if (difference >= count / 2) return difference - count;
   return difference;
 }
 

@@ -9,6 +9,7 @@ template <class Index>
 struct Merge<Index>::Walk {
   const Cell& cell;
   const Patch& patch;
+  Direction before;  // of the link walked last
   bool may_open = true;
   bool has_marker = false;
   uint8_t joins = 0;  // by link, a bit: its twin is on a boundary not spliced before
@@ -17,12 +18,14 @@ struct Merge<Index>::Walk {
   Index current = no_record;
   Index twin[Patch::max_links];  // by link: the edge to splice with, or no_record
 
-  Walk(const Cell& walked, const Patch& added) : cell(walked), patch(added) {}
+  Walk(const Cell& walked, const Patch& added)
+      : cell(walked), patch(added), before(added.direction(0)) {}
 
-  // From the link before into link i.
-  int turn_into(int i) const {
-    return turn(patch.incidence, patch.direction(i > 0 ? i - 1 : patch.count - 1),
-                patch.direction(i));
+  // From the link walked last into link i.
+  int turn_into(int i) {
+    const Direction from = before;
+    before = patch.direction(i);
+    return turn(patch.incidence, from, before);
   }
 };
 
@@ -60,8 +63,7 @@ void Merge<Index>::clear() {
   frontier_.table().clear();
   cuts_ = 0;
   splits_ = 0;
-  touched_edges_ = 0;
-  touched_rings_ = 0;
+  touched_count_ = 0;
   is_delivering_ = false;
   next_fragment_ = 0;
 }
@@ -76,8 +78,7 @@ HighWater Merge<Index>::high_water() const {
 
 template <class Index>
 CellCounts Merge<Index>::take_cell(const Cell& cell) {
-  touched_edges_ = 0;
-  touched_rings_ = 0;
+  touched_count_ = 0;
   // Without spills every edge that waits keeps two runs in reserve for the day it becomes boundary.
   const uint32_t waiting = edges_.in_use() + static_cast<uint32_t>(cell_bounds.ahead_links);
   boundary_only_ =
@@ -292,8 +293,9 @@ void Merge<Index>::make_boundary(const Walk& walk, int i, Index edge, Direction 
 
 template <class Index>
 void Merge<Index>::append(Index edge, Direction direction) {
-  fragments_.append(edges_[edge], Run::straight(direction, 1));
-  touch(edge);
+  Edge<Index>& record = edges_[edge];
+  fragments_.append(record, Run::straight(direction, 1));
+  touch(edge, record, record.region, 0);
 }
 
 // Puts the fragment and the turn of `other` behind those of `edge`; the fragment of `other` is then
@@ -301,15 +303,15 @@ void Merge<Index>::append(Index edge, Direction direction) {
 template <class Index>
 void Merge<Index>::join(Index edge, Index other) {
   turn_by(edge, turns_[other]);
-  fragments_.join(edges_[edge], edges_[other]);
-  touch(edge);
+  Edge<Index>& record = edges_[edge];
+  fragments_.join(record, edges_[other]);
+  touch(edge, record, record.region, 0);
 }
 
 template <class Index>
-void Merge<Index>::touch(Index edge) {
-  const Edge<Index>& record = edges_[edge];
-  if (record.last != no_record)
-    touched_edge_[touched_edges_++] = {edge, regions_.incidence(record.region)};
+void Merge<Index>::touch(Index index, const Fragment<Index>& fragment, Index region, uint8_t kind) {
+  if (fragment.last == no_record) return;
+  touched_[touched_count_++] = {index, static_cast<uint8_t>(regions_.incidence(region) | kind)};
 }
 
 // The fragment of an edge that is its own successor is a whole boundary, which begins and ends
@@ -324,7 +326,7 @@ void Merge<Index>::close_ring(const Walk& walk, int i, Index edge) {
   const Edge<Index>& record = edges_[edge];
   const Index ring = regions_.add_ring(record.region, record, walk.cell.origin + position(point),
                                        (turns_[edge] & negative) != 0);
-  touched_ring_[touched_rings_++] = {ring, regions_.incidence(record.region)};
+  touch(ring, record, record.region, is_ring);
 }
 
 template class Merge<uint16_t>;

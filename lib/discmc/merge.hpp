@@ -67,7 +67,7 @@ class Merge {
   void make_boundary(const Walk& walk, int i, Index edge, Direction direction);
   void append(Index edge, Direction direction);
   void join(Index edge, Index other);
-  void touch(Index edge);
+  void touch(Index index, const Fragment<Index>& fragment, Index region, uint8_t kind);
   void close_ring(const Walk& walk, int i, Index edge);
   void remove(Index edge);
   void link(Index edge, Index next);
@@ -75,7 +75,6 @@ class Merge {
 
   bool runs_are_short() const { return spills_ && fragments_.available() < runs_kept_; }
   bool begin_delivery();
-  bool begin_spill(Fragment<Index>& fragment, Incidence incidence);
   bool should_spill(const Fragment<Index>& fragment) const;
   void go_on(Run run, Statistics& statistics);
   void end_runs();
@@ -109,12 +108,11 @@ class Merge {
   // The fragments that the last cell may have lengthened: the candidates for a spill.
   struct Touched {
     Index index;
-    Incidence incidence;
+    uint8_t incidence;  // and is_ring
   };
-  uint32_t touched_edges_ = 0;
-  uint32_t touched_rings_ = 0;
-  Touched touched_edge_[CellReserve::runs] = {};
-  Touched touched_ring_[CellReserve::rings + cell_bounds.behind_links] = {};
+  static constexpr uint8_t is_ring = 0x80;
+  uint32_t touched_count_ = 0;
+  Touched touched_[CellReserve::runs + CellReserve::rings + cell_bounds.behind_links] = {};
 };
 
 extern template class Merge<uint16_t>;
