@@ -181,15 +181,9 @@ template <class Index>
 bool Extractor<Index>::sweep_row() {
   const uint32_t words = rows_.words();
   const uint32_t columns = limits_.columns();
-  const int32_t halo = static_cast<int32_t>(limits_.halo());
-  const int32_t y = static_cast<int32_t>(cell_row_) - halo;
-  const RowQuad quad = rows_.around(y);
-  Cell cell{};
-  cell.seals = is_last_layer() && limits_.border == Border::open;
-  cell.origin = {0, 2 * y, 2 * (static_cast<int32_t>(rows_.slices()) - 1)};
-  cell.row = cell_row_;
-  cell.has_front = cell_row_ > 0 && !cell.seals;
-  cell.has_back = cell_row_ + 1 < limits_.cell_rows();
+  const RowQuad quad = rows_.around(static_cast<int32_t>(cell_row_ - limits_.halo()));
+  const int32_t z = 2 * (static_cast<int32_t>(rows_.slices()) - 1);
+  Cell cell{0, cell_row_, z, is_last_layer() && limits_.border == Border::open, 0};
   for (; word_ * 32 < columns; ++word_) {
     if (!word_begun_) {
       const uint32_t cells = columns - word_ * 32;
@@ -202,9 +196,6 @@ bool Extractor<Index>::sweep_row() {
       const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(active_));
       active_ &= active_ - 1;
       cell.column = word_ * 32 + bit;
-      cell.origin.x = 2 * (static_cast<int32_t>(cell.column) - halo);
-      cell.has_left = cell.column > 0 && !cell.seals;
-      cell.has_right = cell.column + 1 < columns;
       cell.configuration = configuration_at(quad, word_, bit, words);
       visit(cell);
     }

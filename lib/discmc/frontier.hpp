@@ -86,12 +86,9 @@ static_assert(sizeof(RegionNode<uint16_t>) == 8 && sizeof(RegionNode<uint32_t>) 
 
 /// A cell as the sweep meets it.
 struct Cell {
-  Vertex origin;  ///< of corner 0; Units: half-steps
   uint32_t column, row;
-  bool has_left, has_front;  ///< false on the first column or row: nothing waits there
-  bool has_right, has_back;  ///< false on the last column or row: links there are boundary
-  bool seals;  ///< above the last slice of an open volume: what waits below becomes boundary, no
-               ///< more
+  int32_t z;   ///< of corner 0; Units: half-steps
+  bool seals;  ///< above the last slice of an open volume: what waits below becomes boundary
   Configuration configuration;
 };
 
@@ -99,9 +96,10 @@ struct Cell {
 template <class Index>
 class Frontier {
  public:
-  void start(Index* row_places, uint32_t columns) {
+  void start(Index* row_places, uint32_t columns, uint32_t rows) {
     waiting_back_ = row_places;
     columns_ = columns;
+    rows_ = rows;
   }
 
   HashTable<Index>& table() { return table_; }
@@ -115,13 +113,21 @@ class Frontier {
   /// The edges that wait on the faces behind a cell, by place. Only the places that the cell's
   /// patches use have a meaning. `below` tells which of the links on face_below exist.
   void gather(const Cell& cell, uint8_t below, Index (&behind)[behind_places]) {
+    const bool has_left = cell.column > 0 && !cell.seals;
+    const bool has_front = cell.row > 0 && !cell.seals;
     const Index* const front = waiting_back_ + 2 * cell.column;
     const uint32_t key = key_of(cell);
     for (uint32_t slot = 0; slot < 2; ++slot) {
-      behind[slot] = cell.has_left ? waiting_right_[slot] : Index{no_record};
-      behind[2 + slot] = cell.has_front ? front[slot] : Index{no_record};
+      behind[slot] = has_left ? waiting_right_[slot] : Index{no_record};
+      behind[2 + slot] = has_front ? front[slot] : Index{no_record};
       behind[4 + slot] = below >> slot & 1 ? table_.take(key + slot) : Index{no_record};
     }
+  }
+
+  /// Whether no cell follows beyond the right or back face of this one: links there are boundary.
+  bool is_border(Place place, const Cell& cell) const {
+    return place / 2 == face_right ? cell.column + 1 == columns_
+                                   : place / 2 == face_back && cell.row + 1 == rows_;
   }
 
   /// The edge that waits on the right or back face of a cell: no_record for one that was cut.
@@ -142,6 +148,7 @@ class Frontier {
   Index* waiting_back_ = nullptr;
   Index waiting_right_[2] = {};
   uint32_t columns_ = 0;
+  uint32_t rows_ = 0;
 };
 
 }  // namespace discmc

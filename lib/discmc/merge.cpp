@@ -33,10 +33,12 @@ template <class Index>
 void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& capacities,
                          const PatchTable& table, bool spills) {
   const uint32_t columns = limits.columns();
-  const uint32_t keys = Frontier<Index>::keys(columns, limits.cell_rows());
+  const uint32_t rows = limits.cell_rows();
+  const uint32_t keys = Frontier<Index>::keys(columns, rows);
+  halo_ = limits.halo();
   table_ = &table;
   spills_ = spills;
-  frontier_.start(arena.take<Index>(Frontier<Index>::row_places(columns)), columns);
+  frontier_.start(arena.take<Index>(Frontier<Index>::row_places(columns)), columns, rows);
   edges_.start(arena.take<Edge<Index>>(capacities.edges), capacities.edges);
   turns_ = counted_from_one(arena.take<uint8_t>(capacities.edges));
   fragments_.start(arena.take<RunNode<Index>>(capacities.runs), capacities.runs);
@@ -247,8 +249,7 @@ Index Merge<Index>::new_edge(Index region) {
 template <class Index>
 Index Merge<Index>::open_edge(const Walk& walk, Place place) {
   const Cell& cell = walk.cell;
-  if (place / 2 == face_right && !cell.has_right) return no_record;
-  if (place / 2 == face_back && !cell.has_back) return no_record;
+  if (frontier_.is_border(place, cell)) return no_record;
   const bool above = place / 2 == face_above;
   const uint32_t kept = 1 + (above ? edges_kept_short_ : 0);  // one for a marker
   Index edge = no_record;
@@ -323,8 +324,11 @@ void Merge<Index>::close_ring(const Walk& walk, int i, Index edge) {
   Point point = patch.start;
   for (int l = 0; l < i; ++l)
     point = point_after(point, link_of(patch.incidence, patch.direction(l)));
+  const Cell& cell = walk.cell;
+  const Vertex origin{2 * static_cast<int32_t>(cell.column - halo_),
+                      2 * static_cast<int32_t>(cell.row - halo_), cell.z};
   const Edge<Index>& record = edges_[edge];
-  const Index ring = regions_.add_ring(record.region, record, walk.cell.origin + position(point),
+  const Index ring = regions_.add_ring(record.region, record, origin + position(point),
                                        (turns_[edge] & negative) != 0);
   touch(ring, record, record.region, is_ring);
 }

@@ -93,6 +93,7 @@ class Merge {
   Fragment<Index>* fragment_ = nullptr;
   uint32_t next_fragment_ = 0;
 
+  uint32_t halo_ = 0;
   const PatchTable* table_ = nullptr;
   uint8_t* turns_ = nullptr;  // by edge
   Pool<Edge<Index>, Index> edges_;
