@@ -84,16 +84,13 @@ void Merge<Index>::go_on(Run run, Statistics& statistics) {
       if (node_ != no_record)
         node_ = fragments_.after(*fragment_, node_);
       else
-        end_runs();
+        end_runs(statistics);
       break;
-    case Event::Kind::region_end: {
-      const uint32_t rings = regions_.remove_first_complete();
-      splits_ -= rings - 1;
-      statistics.rings += rings;
+    case Event::Kind::region_end:
+      regions_.remove_first_complete();
       ++statistics.regions;
       is_delivering_ = false;
       break;
-    }
     default:  // fragment_end
       fragment_->tail = Run::fragment(next_fragment_);
       next_fragment_ = next_fragment_ < Run::max_fragment ? next_fragment_ + 1 : 0;
@@ -104,14 +101,20 @@ void Merge<Index>::go_on(Run run, Statistics& statistics) {
 
 // All runs of a ring or fragment are gone; what held them goes back to the pool.
 template <class Index>
-void Merge<Index>::end_runs() {
+void Merge<Index>::end_runs(Statistics& statistics) {
   fragments_.give_nodes(*fragment_);
   if (ring_ == no_record) {
     next_event_ = Event::Kind::fragment_end;
     return;
   }
-  next_event_ = ring_ == last_ring_ ? Event::Kind::region_end : Event::Kind::ring;
-  ring_ = regions_.ring(ring_).next;
+  ++statistics.rings;
+  if (ring_ == last_ring_) {
+    next_event_ = Event::Kind::region_end;
+  } else {
+    next_event_ = Event::Kind::ring;
+    --splits_;
+  }
+  ring_ = regions_.give_ring(ring_);
 }
 
 template class Merge<uint16_t>;

@@ -77,7 +77,7 @@ class Merge {
   bool begin_delivery();
   bool should_spill(const Fragment<Index>& fragment) const;
   void go_on(Run run, Statistics& statistics);
-  void end_runs();
+  void end_runs(Statistics& statistics);
 
   // Small members stand first, where they are reached by short instructions.
   bool spills_ = false;

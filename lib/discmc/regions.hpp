@@ -103,21 +103,20 @@ class Regions {
     return {int32_t{ring.x} - 1, int32_t{ring.y} - 1, ring.z};
   }
 
-  /// Removes the first complete region; its rings' runs must have been given back. Returns how many
-  /// rings it had.
-  uint32_t remove_first_complete() {
+  /// Gives a ring of the first complete region back, whose runs were given back before. Returns the
+  /// ring after it.
+  Index give_ring(Index ring) {
+    const Index next = rings_[ring].next;
+    rings_.give(ring);
+    return next;
+  }
+
+  /// Removes the first complete region, whose rings were given back before.
+  void remove_first_complete() {
     const Index node = first_complete_;
-    first_complete_ = nodes_[node].next == node ? no_record : nodes_[node].next;
-    uint32_t count = 0;
-    Index ring = rings_[nodes_[node].rings].next;
-    for (bool more = true; more; ++count) {
-      const Index next = rings_[ring].next;
-      more = ring != nodes_[node].rings;
-      rings_.give(ring);
-      ring = next;
-    }
+    const Index next = nodes_[node].next;
+    first_complete_ = next == node ? Index{no_record} : next;
     nodes_.give(node);
-    return count;
   }
 
   const Pool<RegionNode<Index>, Index>& nodes() const { return nodes_; }
