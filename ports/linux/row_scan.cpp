@@ -1,0 +1,103 @@
+#include "row_scan.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace discmc::device {
+namespace {
+
+constexpr std::uint64_t small_arena = std::uint64_t{1} << 20;
+
+void require(Status status) {
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+std::string least_memory(const Limits& limits) {
+  const std::uint64_t narrow = minimum_bytes<std::uint16_t>(limits);
+  return std::to_string(narrow < small_arena ? narrow : minimum_bytes<std::uint32_t>(limits));
+}
+
+}  // namespace
+
+RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
+    : plan_(plan), memory_(plan.options.memory) {
+  if (memory_.size() < small_arena)
+    extractor_.emplace<Extractor16>();
+  else
+    extractor_.emplace<Extractor32>();
+  const Limits limits{plan.volume.dims[0], plan.volume.dims[1], plan.options.border};
+  const Status started = std::visit(
+      [&](auto& extractor) {
+        return extractor.start(limits, plan.options.threshold, {memory_.data(), memory_.size()},
+                               sink_to(encoder_));
+      },
+      extractor_);
+  if (started == Status::too_little_memory)
+    throw std::invalid_argument("--memory " + std::to_string(memory_.size()) +
+                                " is too little for slices of " + std::to_string(limits.width) +
+                                "x" + std::to_string(limits.height) + ": give at least " +
+                                least_memory(limits) + " bytes");
+  require(started);
+  require(encoder_.start(stream_header(plan.volume, plan.options), output));
+}
+
+template <class Sample>
+Status RowScan::push_samples(const std::uint8_t* row) {
+  std::vector<Sample> samples(plan_.volume.dims[0]);
+  wire::ByteReader bytes(row, plan_.row_bytes());
+  for (Sample& sample : samples) sample = static_cast<Sample>(bytes.get(sizeof(Sample)));
+  const auto count = static_cast<std::uint32_t>(samples.size());
+  return std::visit([&](auto& extractor) { return extractor.push(samples.data(), count).status; },
+                    extractor_);
+}
+
+void RowScan::push(const std::uint8_t* row) {
+  switch (plan_.volume.type) {
+    case host::SampleType::u8:
+      require(push_samples<std::uint8_t>(row));
+      break;
+    case host::SampleType::u16:
+      require(push_samples<std::uint16_t>(row));
+      break;
+    case host::SampleType::i16:
+      require(push_samples<std::int16_t>(row));
+      break;
+  }
+  ++rows_;
+}
+
+void RowScan::skip(std::uint32_t rows) {
+  const std::uint32_t count = std::min(rows, plan_.rows() - rows_);
+  for (std::uint32_t i = 0; i < count; ++i)
+    require(std::visit(
+        [](auto& extractor) { return extractor.skip_row(Substitute::previous_row).status; },
+        extractor_));
+  rows_ += count;
+}
+
+void RowScan::finish() {
+  const bool slice_is_whole = rows_ % plan_.volume.dims[1] == 0;
+  if (!slice_is_whole) return abandon();
+  require(std::visit([](auto& extractor) { return extractor.finish(); }, extractor_));
+}
+
+void RowScan::abandon() {
+  require(std::visit([](auto& extractor) { return extractor.abandon(); }, extractor_));
+}
+
+Statistics RowScan::statistics() const {
+  return std::visit([](const auto& extractor) { return extractor.statistics(); }, extractor_);
+}
+
+void RowScan::report(std::ostream& out) const {
+  const Statistics statistics = this->statistics();
+  out << "rows " << rows_ << '\n'
+      << "rows_planned " << plan_.rows() << '\n'
+      << "rows_skipped " << statistics.skipped_rows << '\n'
+      << "slices " << rows_ / plan_.volume.dims[1] << '\n'
+      << "regions " << statistics.regions << '\n'
+      << "stream_bytes " << encoder_.bytes() << '\n';
+}
+
+}  // namespace discmc::device

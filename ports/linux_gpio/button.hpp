@@ -1,0 +1,38 @@
+// A button that bounces: what presses it tells, and for how long.
+#ifndef DISCMC_LINUX_GPIO_BUTTON_HPP
+#define DISCMC_LINUX_GPIO_BUTTON_HPP
+
+#include <cstdint>
+
+namespace discmc::device {
+
+class Button {
+ public:
+  enum class Press : std::uint8_t { none, brief, lengthy };
+
+  /// Changes that follow another so soon are bouncing. Units: nanoseconds.
+  static constexpr std::uint64_t bounce_ns = 20'000'000;
+  /// A press of this length is a lengthy one. Units: nanoseconds.
+  static constexpr std::uint64_t lengthy_ns = 1'000'000'000;
+
+  /// Takes a change of the contact. A press is told when the button is let go.
+  Press take(bool is_pressed, std::uint64_t time_ns) {
+    if (has_changed_ && time_ns - changed_ns_ < bounce_ns) return Press::none;
+    const bool is_release = is_pressed_ && !is_pressed;
+    const std::uint64_t held_ns = time_ns - changed_ns_;
+    has_changed_ = true;
+    is_pressed_ = is_pressed;
+    changed_ns_ = time_ns;
+    if (!is_release) return Press::none;
+    return held_ns >= lengthy_ns ? Press::lengthy : Press::brief;
+  }
+
+ private:
+  bool has_changed_ = false;
+  bool is_pressed_ = false;
+  std::uint64_t changed_ns_ = 0;
+};
+
+}  // namespace discmc::device
+
+#endif

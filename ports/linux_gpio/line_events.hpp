@@ -1,0 +1,64 @@
+// The lines of a scanner on a GPIO chip, and what the kernel tells of them.
+//
+// libgpiod has two interfaces that have nothing in common; each has a file of its own behind this
+// one, line_events_v1.cpp and line_events_v2.cpp, of which CMake takes the one that fits.
+#ifndef DISCMC_LINUX_GPIO_LINE_EVENTS_HPP
+#define DISCMC_LINUX_GPIO_LINE_EVENTS_HPP
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace discmc::device {
+
+enum class LineRole : std::uint8_t { sync, button, end_stop };
+
+/// A change of a line. Of the sync line and the end-stop only changes to active are told.
+struct LineEvent {
+  LineRole role;
+  bool is_active;
+  std::uint64_t time_ns;  ///< of a clock that is never set
+  /// Counts the edges of the line from 1, lost ones included, where the kernel says (2.x).
+  std::optional<std::uint32_t> number{};
+  /// Where it does not (1.x): edges may have been dropped since the event before.
+  bool may_follow_loss = false;
+};
+
+/// Which lines, by offset or name.
+struct Wiring {
+  std::string chip;  ///< by name, path or label
+  std::string sync;
+  std::string button;    ///< empty: none
+  std::string end_stop;  ///< empty: none
+  bool sync_is_falling = false;
+  bool contacts_to_ground = false;  ///< button and end-stop: active is low, with a pull-up
+};
+
+/// Whether a line is told by its offset on the chip, else by its name.
+inline bool is_offset(const std::string& line) {
+  return line.find_first_not_of("0123456789") == std::string::npos && line.size() < 6;
+}
+
+class LineEvents {
+ public:
+  /// Takes the lines. Throws std::runtime_error with the line or chip that cannot be had.
+  explicit LineEvents(const Wiring& wiring);
+  ~LineEvents();
+  LineEvents(const LineEvents&) = delete;
+  LineEvents& operator=(const LineEvents&) = delete;
+
+  /// Waits for events and returns them in the order of their times; none when the timeout is over
+  /// or a signal came. Throws DeviceGone when the chip is no longer there.
+  std::vector<LineEvent> wait(std::chrono::milliseconds timeout);
+
+ private:
+  struct Lines;
+  std::unique_ptr<Lines> lines_;
+};
+
+}  // namespace discmc::device
+
+#endif

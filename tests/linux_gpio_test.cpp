@@ -1,0 +1,304 @@
+// A scan that lines drive: an edge is a row, a missed edge is a skipped one, and nothing is
+// shifted.
+#include <doctest/doctest.h>
+#include <unistd.h>
+#include <triggered_scan.hpp>
+
+#include <cstdio>
+#include <fstream>
+
+#include "linux_scan.hpp"
+
+using namespace discmc;
+using namespace discmc::device;
+using namespace discmc::test;
+
+namespace {
+
+constexpr std::uint64_t ms = 1'000'000;
+
+LineEvent edge_at(std::uint64_t time_ns, bool may_follow_loss = false) {
+  LineEvent edge{LineRole::sync, true, time_ns};
+  edge.may_follow_loss = may_follow_loss;
+  return edge;
+}
+LineEvent numbered_edge(std::uint32_t number) {
+  LineEvent edge{LineRole::sync, true, number * ms};
+  edge.number = number;
+  return edge;
+}
+
+// The queue that Linux has for the events of a line without numbers: while 16 wait, what comes is
+// dropped. Edges come at the given times; the reader comes when it likes and takes what is there.
+class KernelQueue {
+ public:
+  explicit KernelQueue(std::vector<std::uint64_t> times) : times_(std::move(times)) {}
+
+  /// Units: nanoseconds.
+  std::vector<LineEvent> read(std::uint64_t now) {
+    while (next_ < times_.size() && times_[next_] <= now) {
+      if (waiting_.size() < 16) waiting_.push_back(next_);
+      ++next_;
+    }
+    std::vector<LineEvent> events;
+    if (waiting_.empty()) return events;
+    for (const std::size_t edge : waiting_) {
+      seen.push_back(edge);
+      events.push_back(edge_at(times_[edge], was_full_));
+    }
+    was_full_ = waiting_.size() == 16;
+    waiting_.clear();
+    return events;
+  }
+  std::size_t arrived() const { return next_; }
+  bool is_over() const { return next_ == times_.size() && waiting_.empty(); }
+
+  std::vector<std::size_t> seen;
+
+ private:
+  std::vector<std::uint64_t> times_;
+  std::size_t next_ = 0;
+  std::vector<std::size_t> waiting_;
+  bool was_full_ = false;
+};
+
+struct Stage {
+  explicit Stage(const ScanPlan& plan, bool has_button = false)
+      : recording(plan),
+        source(simulated_rows(plan.volume)),
+        triggered(recording.scan, *source, plan.row_bytes(), has_button) {}
+
+  void edges(std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      now += 2 * ms;
+      triggered.take(edge_at(now));
+    }
+  }
+  void press(std::uint64_t length_ns = 200 * ms) {
+    now += 50 * ms;
+    triggered.take({LineRole::button, true, now});
+    now += length_ns;
+    triggered.take({LineRole::button, false, now});
+  }
+  const Bytes& stream() {
+    recording.scan.finish();
+    return recording.line.bytes;
+  }
+
+  Recording recording;
+  std::unique_ptr<RowSource> source;
+  TriggeredScan triggered;
+  std::uint64_t now = 0;
+};
+
+using State = TriggeredScan::State;
+
+}  // namespace
+
+TEST_CASE("gaps in the numbers of edges are the missed edges") {
+  EdgeCounter counter;
+  CHECK(counter.missed_before(numbered_edge(1)) == 0);
+  CHECK(counter.missed_before(numbered_edge(2)) == 0);
+  CHECK(counter.missed_before(numbered_edge(6)) == 3);
+  CHECK(counter.missed_before(numbered_edge(7)) == 0);
+}
+
+TEST_CASE("edges that are missed before the first one seen count as well") {
+  EdgeCounter counter;
+  CHECK(counter.missed_before(numbered_edge(4)) == 3);
+}
+
+TEST_CASE("the numbers of edges may run over") {
+  EdgeCounter counter;
+  (void)counter.missed_before(numbered_edge(0xFFFFFFFE));
+  CHECK(counter.missed_before(numbered_edge(1)) == 2);
+}
+
+TEST_CASE("a long interval is a loss after a full queue, else a stage that stood still") {
+  EdgeCounter counter;
+  for (std::uint64_t i = 0; i < 20; ++i) CHECK(counter.missed_before(edge_at(i * 2 * ms)) == 0);
+  CHECK(counter.missed_before(edge_at(60 * ms)) == 0);
+  CHECK(counter.long_intervals() == 1);
+  CHECK(counter.missed_before(edge_at(82 * ms, true)) == 10);
+  CHECK(counter.long_intervals() == 1);
+}
+
+TEST_CASE("after a full queue an interval of one period is no loss") {
+  EdgeCounter counter;
+  for (std::uint64_t i = 0; i < 16; ++i) (void)counter.missed_before(edge_at(i * 2 * ms));
+  CHECK(counter.missed_before(edge_at(32 * ms, true)) == 0);
+}
+
+TEST_CASE("edges dropped by a full queue are counted, whatever the pace, its jitter, and pauses") {
+  Chance chance(1);
+  for (int round = 0; round < 300; ++round) {
+    const std::uint64_t period = 20'000 + chance.next() % (20 * ms);
+    std::vector<std::uint64_t> times;
+    std::uint64_t time = ms;
+    for (int i = 0; i < 400; ++i) {
+      const std::uint64_t jitter = chance.next() % (period / 5);
+      times.push_back(time + jitter);
+      time += period;
+      if (i % 90 == 80) time += 50 * period;  // the stage turns round
+    }
+    KernelQueue queue(times);
+    EdgeCounter counter;
+    std::vector<std::size_t> rows;  // the edge that each row is taken for
+    std::size_t row = 0;
+    // Up to 30 periods late, but never over a turn: there no clock can tell what happened.
+    for (std::uint64_t now = 0; !queue.is_over();) {
+      now += period / 2;
+      const std::size_t at = queue.arrived() % 90;
+      if (chance.below(20) == 0 && at > 10 && at < 45) now += chance.below(30) * period;
+      for (const LineEvent& event : queue.read(now)) {
+        row += counter.missed_before(event);
+        rows.push_back(row++);
+      }
+    }
+    CHECK(rows == queue.seen);
+  }
+}
+
+TEST_CASE("a press is told when the button is let go, as brief or lengthy") {
+  Button button;
+  CHECK(button.take(true, 100 * ms) == Button::Press::none);
+  CHECK(button.take(false, 300 * ms) == Button::Press::brief);
+  CHECK(button.take(true, 2000 * ms) == Button::Press::none);
+  CHECK(button.take(false, 3000 * ms) == Button::Press::lengthy);
+  CHECK(button.take(true, 4000 * ms) == Button::Press::none);
+  CHECK(button.take(false, 4999 * ms) == Button::Press::brief);
+}
+
+TEST_CASE("a button that bounces is pressed once") {
+  Button button;
+  CHECK(button.take(true, 100 * ms) == Button::Press::none);
+  CHECK(button.take(false, 101 * ms) == Button::Press::none);
+  CHECK(button.take(true, 103 * ms) == Button::Press::none);
+  CHECK(button.take(false, 300 * ms) == Button::Press::brief);
+  CHECK(button.take(true, 302 * ms) == Button::Press::none);
+  CHECK(button.take(false, 303 * ms) == Button::Press::none);
+}
+
+TEST_CASE("1,000 edges are 1,000 rows, and the scan ends") {
+  const ScanPlan plan = plan_of(30, 20, 50);
+  Stage stage(plan);
+  stage.edges(999);
+  CHECK(stage.triggered.state() == State::running);
+  stage.edges(10);
+  CHECK(stage.triggered.state() == State::ended);
+  CHECK(stage.recording.scan.is_whole());
+  CHECK(stage.stream() == expected_stream(plan, 1000));
+}
+
+TEST_CASE("the row of a missed edge is skipped, and no other row is shifted") {
+  const ScanPlan plan = plan_of(30, 20, 50);
+  Stage stage(plan);
+  std::set<std::uint32_t> missed;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    if (i % 100 > 96 || i == 0)
+      missed.insert(i);
+    else
+      stage.triggered.take(numbered_edge(i + 1));
+  }
+  // The edges after the last one seen are missed without a trace: only the rows tell.
+  CHECK(stage.recording.scan.rows() == 997);
+  CHECK(stage.triggered.missed() == missed.size() - 3);
+  CHECK(stage.triggered.first_missed_row() == 0);
+  stage.triggered.take({LineRole::end_stop, true, 2000 * ms});
+  CHECK(!stage.recording.scan.is_whole());
+  const Bytes& stream = stage.stream();
+  CHECK(stream == expected_stream(plan, 997, missed));
+  CHECK(decode(stream).report.abandoned);
+}
+
+TEST_CASE("more missed edges than the scan has rows left end it") {
+  const ScanPlan plan = plan_of(10, 5, 4);
+  Stage stage(plan);
+  stage.edges(10);
+  stage.triggered.take(edge_at(10'000 * ms, true));
+  CHECK(stage.triggered.state() == State::ended);
+  CHECK(stage.recording.scan.rows() == 20);
+}
+
+TEST_CASE("a button starts, pauses and ends a scan, and edges in between are no rows") {
+  const ScanPlan plan = plan_of(30, 20, 50);
+  Stage stage(plan, true);
+  stage.edges(7);
+  CHECK(stage.triggered.state() == State::waiting);
+  stage.press();
+  stage.edges(400);
+  stage.press();
+  CHECK(stage.triggered.state() == State::paused);
+  stage.edges(9);
+  CHECK(stage.recording.scan.rows() == 400);
+  stage.press();
+  stage.edges(200);
+  stage.press(1500 * ms);
+  CHECK(stage.triggered.state() == State::ended);
+  stage.edges(1);
+  CHECK(stage.recording.scan.rows() == 600);
+  CHECK(stage.stream() == expected_stream(plan, 600));
+}
+
+TEST_CASE("an end-stop between slices leaves a whole stream, one within a slice an abandoned one") {
+  const ScanPlan plan = plan_of(30, 20, 50);
+  for (const std::uint32_t rows : {0U, 40U, 41U}) {
+    CAPTURE(rows);
+    Stage stage(plan);
+    stage.edges(rows);
+    stage.triggered.take({LineRole::end_stop, true, stage.now + 1});
+    CHECK(stage.triggered.state() == State::ended);
+    const Bytes& stream = stage.stream();
+    CHECK(stream == expected_stream(plan, rows));
+    const StreamReport report = decode(stream).report;
+    CHECK(report.is_complete());
+    CHECK(report.abandoned == (rows == 41));
+  }
+}
+
+TEST_CASE("samples of 16 bits have their low byte first") {
+  for (const auto type : {host::SampleType::u16, host::SampleType::i16}) {
+    ScanPlan plan = plan_of(2, 1, 1, type);
+    plan.options.threshold = 0x0100;
+    Recording recording(plan);
+    const std::uint8_t row[] = {0xFF, 0x00, 0x00, 0x01};
+    recording.scan.push(row);
+    recording.scan.finish();
+    CHECK(recording.scan.statistics().cells == 8);  // around one voxel
+  }
+}
+
+TEST_CASE("too little memory is refused with what is needed") {
+  ScanPlan plan = plan_of(30, 20, 50);
+  plan.options.memory = 100;
+  const std::string least = std::to_string(minimum_bytes<std::uint16_t>({30, 20}));
+  CHECK_THROWS_WITH_AS(Recording{plan}, doctest::Contains(least.c_str()), std::invalid_argument);
+}
+
+TEST_CASE("a file gives rows by their numbers, a pipe the next one") {
+  char name[] = "/tmp/discmc_rows_XXXXXX";
+  REQUIRE(close(mkstemp(name)) == 0);
+  std::ofstream(name) << "aabbccdd";
+  Bytes row(2);
+  const auto text = [&row] { return std::string(row.begin(), row.end()); };
+
+  const auto file = open_rows(name);
+  CHECK(file->read(2, row));
+  CHECK(text() == "cc");
+  CHECK(file->read(0, row));
+  CHECK(text() == "aa");
+  CHECK(!file->read(4, row));
+
+  int ends[2];
+  REQUIRE(pipe(ends) == 0);
+  REQUIRE(write(ends[1], "aabbc", 5) == 5);
+  close(ends[1]);
+  const auto device = open_rows("/dev/fd/" + std::to_string(ends[0]));
+  CHECK(device->read(2, row));
+  CHECK(text() == "aa");
+  CHECK(device->read(7, row));
+  CHECK(text() == "bb");
+  CHECK(!device->read(8, row));  // half a row is none
+  close(ends[0]);
+  std::remove(name);
+}
