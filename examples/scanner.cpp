@@ -58,6 +58,8 @@ void rows::end_of_scan(uint32_t count, bool was_broken_off) {
 namespace {
 
 uint8_t arena[scan::arena_bytes];
+// Known at compile time, so that the firmware need not carry the code that works them out.
+constexpr Capacities capacities = default_capacities<uint16_t>(scan::limits, sizeof arena);
 Extractor16 extractor;
 Encoder encoder;
 uint32_t next_row = 0;
@@ -76,8 +78,8 @@ bool start() {
   const StreamHeader header{scan::limits.width, scan::limits.height, scan::depth, {},
                             scan::threshold,    scan::limits.border};
   return succeeds(encoder.start(header, {nullptr, board::uart_write})) &&
-         succeeds(
-             extractor.start(scan::limits, scan::threshold, memory_of(arena), sink_to(encoder)));
+         succeeds(extractor.start(scan::limits, capacities, scan::threshold, memory_of(arena),
+                                  sink_to(encoder)));
 }
 
 // Stands in for rows that were lost, up to the one with this number.

@@ -4,6 +4,8 @@
 #include <discmc/slice.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <random>
 #include <vector>
 
 #include "reference/volume.hpp"
@@ -71,6 +73,21 @@ void check_cells(const Rows& rows, const BitVolume& volume, const Limits& limits
     const bool is_active = (active_cells(quad, column / 32, words) >> column % 32 & 1) != 0;
     CHECK(is_active == (expected != 0 && expected != 255));
   }
+}
+
+constexpr int32_t thresholds_at_ends[] = {
+    INT32_MIN, INT32_MIN + 1, -32769, -32768, -32767, -1,    0,     1,
+    32767,     32768,         32769,  65535,  65536,  65537, 98304, INT32_MAX};
+
+// Appends the samples as a row and compares every voxel with the definition.
+template <class Sample>
+void check_comparison(const std::vector<Sample>& samples, int32_t threshold) {
+  const auto width = static_cast<uint32_t>(samples.size());
+  Rows rows({width, 1, Border::open});
+  rows.rows.append(samples.data(), width, 1, threshold);
+  for (uint32_t i = 0; i < width; ++i)
+    if (rows.bit(rows.words.data(), i) != (int32_t{samples[i]} >= threshold))
+      FAIL("sample ", samples[i], " and threshold ", threshold, " at ", i);
 }
 
 }  // namespace
@@ -204,21 +221,81 @@ TEST_CASE("the very first row repeats the nothing before it, after clear too") {
   }
 }
 
-TEST_CASE("a threshold compares beyond the range of every type") {
-  const Limits limits{2, 1, Border::open};
-  const auto on = [&](auto sample, int32_t threshold) {
-    Rows rows(limits);
-    const decltype(sample) samples[2] = {sample, sample};
-    rows.rows.append(samples, 2, 1, threshold);
-    rows.rows.next_row();
-    return rows.words[0] == 3;
-  };
-  CHECK(on(uint8_t{0}, INT32_MIN));
-  CHECK(on(uint8_t{255}, 255));
-  CHECK_FALSE(on(uint8_t{255}, 256));
-  CHECK(on(uint16_t{65535}, 65535));
-  CHECK_FALSE(on(uint16_t{65535}, INT32_MAX));
-  CHECK(on(int16_t{-32768}, -32768));
-  CHECK_FALSE(on(int16_t{-32768}, -32767));
-  CHECK_FALSE(on(int16_t{-1}, 0));
+TEST_CASE("every sample of 8 bits compares with every threshold, whatever lies beside it") {
+  for (int32_t threshold = -1; threshold <= 257; ++threshold)
+    for (uint32_t lane = 0; lane < 4; ++lane)
+      for (const uint8_t beside : {uint8_t{0}, uint8_t{255}}) {
+        std::vector<uint8_t> samples(4 * 256, beside);
+        for (uint32_t value = 0; value < 256; ++value)
+          samples[4 * value + lane] = static_cast<uint8_t>(value);
+        check_comparison(samples, threshold);
+      }
+}
+
+TEST_CASE_TEMPLATE("samples of 16 bits compare with the thresholds at the ends of all ranges",
+                   Sample, uint16_t, int16_t) {
+  for (const int32_t threshold : thresholds_at_ends)
+    for (const uint32_t odd : {0U, 1U})
+      for (const uint32_t beside : {0U, 0x7FFFU, 0x8000U, 0xFFFFU})
+        for (uint32_t begin = 0; begin < 0x10000; begin += 0x2000) {
+          std::vector<Sample> samples(2 * 0x2000, static_cast<Sample>(beside));
+          for (uint32_t i = 0; i < 0x2000; ++i)
+            samples[2 * i + odd] = static_cast<Sample>(begin + i);
+          check_comparison(samples, threshold);
+        }
+}
+
+TEST_CASE_TEMPLATE("a row of equal samples is on as a whole or off as a whole", Sample, uint8_t,
+                   uint16_t, int16_t) {
+  for (int32_t threshold = -1; threshold <= 257; ++threshold)
+    for (int32_t value = 0; value < 256; ++value)
+      check_comparison(std::vector<Sample>(64, static_cast<Sample>(value)), threshold);
+  for (const int32_t threshold : thresholds_at_ends)
+    for (const uint32_t value : {0U, 1U, 0x7FFEU, 0x7FFFU, 0x8000U, 0x8001U, 0xFFFEU, 0xFFFFU})
+      check_comparison(std::vector<Sample>(64, static_cast<Sample>(value)), threshold);
+}
+
+TEST_CASE_TEMPLATE("samples may lie anywhere in memory and go anywhere in a row", Sample, uint8_t,
+                   uint16_t, int16_t) {
+  std::mt19937 random(1);
+  for (uint32_t place = 0; place < sizeof(uint32_t); ++place)
+    for (uint32_t column = 0; column < 32; ++column)
+      for (uint32_t count = 0; count <= 70; ++count)
+        for (uint32_t stride = 1; stride <= 3; ++stride) {
+          // Not a sample more than are read, so that sanitizers notice; few of them are on.
+          const uint32_t span = count == 0 ? 0 : (count - 1) * stride + 1;
+          const auto memory = std::make_unique<Sample[]>(place + span);
+          Sample* const samples = memory.get() + place;
+          for (uint32_t i = 0; i < span; ++i)
+            samples[i] = static_cast<Sample>(random() % 64 == 0 ? 100 : random() % 64);
+
+          std::vector<bool> expected(100, false);
+          for (uint32_t i = 0; i < count && column + i < 100; ++i)
+            expected[column + i] = samples[i * stride] >= 100;
+          const std::vector<uint8_t> off(column, 0);
+          Rows rows({102, 1, Border::open});
+          rows.rows.append(off.data(), column, 1, 1);
+          rows.rows.append(samples, count, stride, 100);
+          CHECK(rows.rows.column() == column + count);
+          if (column + count == 0) continue;
+          for (uint32_t i = 0; i < 100; ++i)
+            if (rows.bit(rows.words.data(), i) != expected[i])
+              FAIL("voxel ", i, " of ", count, " from ", column, ", place ", place, ", stride ",
+                   stride);
+        }
+}
+
+TEST_CASE("the cells that are skipped are not active") {
+  constexpr uint32_t words = 4;
+  for (uint32_t on = 0; on <= 4 * 32 * words; ++on) {
+    uint32_t bits[4][words] = {};
+    if (on < 4 * 32 * words) bits[on % 4][on / 128] = uint32_t{1} << on / 4 % 32;
+    const RowQuad quad = {{bits[0], bits[1], bits[2], bits[3]}};
+    for (uint32_t begin = 0; begin <= words; ++begin) {
+      const uint32_t found = skip_off(quad, begin, words);
+      for (uint32_t word = begin; word < found; ++word) CHECK(active_cells(quad, word, words) == 0);
+      // And no word is found in vain but the one before a word that is on.
+      if (found < words) CHECK((on / 128 == found || on / 128 == found + 1));
+    }
+  }
 }

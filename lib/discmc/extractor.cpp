@@ -46,7 +46,6 @@ void Extractor<Index>::begin() {
   abandoned_ = false;
   skip_untold_ = false;
   cell_row_ = 0;
-  word_ = 0;
   word_begun_ = false;
 }
 
@@ -180,29 +179,28 @@ bool Extractor<Index>::sweep_ready_rows() {
 template <class Index>
 bool Extractor<Index>::sweep_row() {
   const uint32_t words = rows_.words();
-  const uint32_t columns = limits_.columns();
   const RowQuad quad = rows_.around(static_cast<int32_t>(cell_row_ - limits_.halo()));
+  if (!word_begun_) word_ = skip_off(quad, 0, words);
+  if (word_ == words) return true;
+  const uint32_t columns = limits_.columns();
   const int32_t z = 2 * (static_cast<int32_t>(rows_.slices()) - 1);
-  Cell cell{0, cell_row_, z, is_last_layer() && limits_.border == Border::open, 0};
-  for (; word_ * 32 < columns; ++word_) {
+  const bool seals = is_last_layer() && limits_.border == Border::open;
+  for (; word_ * 32 < columns; word_ = skip_off(quad, word_ + 1, words)) {
     if (!word_begun_) {
       const uint32_t cells = columns - word_ * 32;
       active_ = active_cells(quad, word_, words);
       if (cells < 32) active_ &= (uint32_t{1} << cells) - 1;
       word_begun_ = true;
     }
-    while (active_ != 0) {
+    for (;;) {
       if (!merge_.settled() && !merge_.settle(sink_, statistics_)) return false;
+      if (active_ == 0) break;
       const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(active_));
       active_ &= active_ - 1;
-      cell.column = word_ * 32 + bit;
-      cell.configuration = configuration_at(quad, word_, bit, words);
-      visit(cell);
+      visit({word_ * 32 + bit, cell_row_, z, seals, configuration_at(quad, word_, bit, words)});
     }
     word_begun_ = false;
   }
-  if (!merge_.settled() && !merge_.settle(sink_, statistics_)) return false;
-  word_ = 0;
   return true;
 }
 

@@ -1,4 +1,5 @@
 #include <discmc/slice.hpp>
+#include <discmc/threshold.hpp>
 
 namespace discmc {
 
@@ -32,18 +33,34 @@ uint32_t* BitRows::arriving() {
   return words;
 }
 
+// Turns voxels on: bit i is that of column() + i.
+void BitRows::place(uint32_t* words, uint32_t bits) const {
+  const uint32_t bit = column_ + halo_;
+  words[bit / 32] |= bits << bit % 32;
+  const uint32_t beyond = bits >> 1 >> (31 - bit % 32);
+  if (beyond != 0) words[bit / 32 + 1] |= beyond;
+}
+
 template <class Sample>
 void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold) {
   if (count == 0) return;
+  const Threshold<Sample> on(threshold);
   uint32_t* const words = arriving();
   while (count > 0) {
-    const uint32_t bit = column_ + halo_;
-    const uint32_t room = 32 - bit % 32;
-    const uint32_t taken = count < room ? count : room;
+    uint32_t taken = 0;
     uint32_t bits = 0;
-    for (uint32_t i = 0; i < taken; ++i)
-      bits |= static_cast<uint32_t>(int32_t{samples[size_t{i} * stride]} >= threshold) << i;
-    words[bit / 32] |= bits << bit % 32;
+    if (stride == 1 && count >= on.lanes && on.reads_words(samples)) {
+      taken = on.leading_off(samples, count);
+      if (taken == 0) {
+        taken = (count < 32 ? count : 32) / on.lanes * on.lanes;
+        bits = on.words_reached(samples, taken);
+      }
+    } else {
+      const uint32_t most = stride == 1 ? on.samples_to_word(samples) : 32;
+      for (; taken < most && taken < count; ++taken)
+        bits |= static_cast<uint32_t>(on.reached(samples[size_t{taken} * stride])) << taken;
+    }
+    if (bits != 0) place(words, bits);
     column_ += taken;
     count -= taken;
     if (count > 0) samples += size_t{taken} * stride;
@@ -56,15 +73,8 @@ template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
 
 void BitRows::append_bits(const uint8_t* bits) {
   uint32_t* const words = arriving();
-  for (uint32_t i = 0; i < width_; i += 8) {
-    const uint32_t left = width_ - i;
-    const uint32_t mask = left < 8 ? (uint32_t{1} << left) - 1 : 0xFF;
-    const uint32_t byte = bits[i / 8] & mask;
-    const uint32_t bit = i + halo_;
-    words[bit / 32] |= byte << bit % 32;
-    if (bit % 32 > 24 && byte >> (32 - bit % 32) != 0)
-      words[bit / 32 + 1] |= byte >> (32 - bit % 32);
-  }
+  for (; column_ + 8 <= width_; column_ += 8) place(words, *bits++);
+  if (column_ < width_) place(words, *bits & ((uint32_t{1} << (width_ - column_)) - 1));
   column_ = width_;
 }
 
@@ -98,10 +108,11 @@ void BitRows::next_slice() {
 
 RowQuad BitRows::around(int32_t y) const {
   RowQuad quad;
+  const uint32_t old_rows = slices_ > 0 ? height_ : 0;
   for (uint32_t i = 0; i < 2; ++i) {
-    const uint32_t at =
-        static_cast<uint32_t>(y) + i;  // beyond the height for a row before the first
-    quad.row[i] = at < height_ && slices_ > 0 ? row(old_start_, at) : off_;
+    // Beyond the height for a row before the first.
+    const uint32_t at = static_cast<uint32_t>(y) + i;
+    quad.row[i] = at < old_rows ? row(old_start_, at) : off_;
     quad.row[i + 2] = at < rows_ ? row(new_start_, at) : off_;
   }
   return quad;

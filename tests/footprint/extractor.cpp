@@ -7,9 +7,12 @@ static Answer take(void*, const Event&) {
   return Answer::taken;
 }
 
-extern "C" Status run(Extractor16& extractor, const Limits& limits, Memory memory,
-                      const uint8_t* row) {
-  Status status = extractor.start(limits, 128, memory, {nullptr, take});
+// What a firmware knows at compile time.
+constexpr Limits limits{64, 64};
+constexpr Capacities capacities = default_capacities<uint16_t>(limits, 12 * 1024);
+
+extern "C" Status run(Extractor16& extractor, Memory memory, const uint8_t* row) {
+  Status status = extractor.start(limits, capacities, 128, memory, {nullptr, take});
   if (status == Status::ok) status = extractor.push(row, limits.width).status;
   if (status == Status::more) status = extractor.resume();
   return status == Status::ok ? extractor.finish() : status;

@@ -47,7 +47,7 @@ static void report(const char* name, uint64_t value) {
 template <class Sample>
 static bool scan(const Limits& limits, uint32_t slices,
                  uint8_t (*sample)(int32_t, int32_t, int32_t), const Sink& sink) {
-  static Sample row[wide.width];
+  alignas(4) static Sample row[wide.width];
   if (extractor.start(limits, threshold, memory_of(memory), sink) != Status::ok) return false;
   for (uint32_t i = 0; i < limits.height * slices; ++i) {
     for (uint32_t x = 0; x < limits.width; ++x)
