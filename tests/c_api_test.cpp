@@ -1,0 +1,388 @@
+// The C functions do what the C++ functions do, event for event and byte for byte.
+#include <discmc/discmc.h>
+#include <doctest/doctest.h>
+
+#include <discmc/discmc.hpp>
+#include <tuple>
+#include <vector>
+
+using namespace discmc;
+
+namespace {
+
+constexpr uint32_t width = 21, height = 17, depth = 13;
+constexpr int32_t threshold = 100;
+
+// Blobs and noise, so that there are holes, cuts and spills.
+template <class Sample>
+std::vector<Sample> make_samples() {
+  std::vector<Sample> samples(width * height * depth);
+  uint32_t seed = 7;
+  for (size_t i = 0; i < samples.size(); ++i) {
+    seed = seed * 1664525 + 1013904223;
+    const size_t x = i % width, y = i / width % height;
+    const bool is_wall = x > 4 && x < 17 && y > 3 && y < 14;
+    samples[i] = static_cast<Sample>((is_wall ? 90 : 20) + (seed >> 24) / 8);
+  }
+  return samples;
+}
+
+// What an event tells, and nothing of the members that mean nothing in its kind.
+using Told = std::tuple<int, uint32_t, uint32_t, uint32_t, int32_t, int32_t, int32_t, uint64_t>;
+
+template <class Event>
+Told told(int kind, const Event& event, uint32_t run) {
+  switch (kind) {
+    case DISCMC_REGION:
+      return {kind, event.incidence, 0, 0, 0, 0, 0, 0};
+    case DISCMC_RING:
+      return {kind, event.hole, 0, 0, event.start.x, event.start.y, event.start.z, 0};
+    case DISCMC_RUN:
+      return {kind, run, 0, 0, 0, 0, 0, 0};
+    case DISCMC_FRAGMENT:
+      return {kind, event.incidence, event.number, 0, 0, 0, 0, 0};
+    case DISCMC_SKIPPED:
+      return {kind, event.slice, event.row, event.repeated, 0, 0, 0, 0};
+    case DISCMC_LAYER:
+      return {kind, event.slice, 0, 0, 0, 0, 0, 0};
+    case DISCMC_FINISH:
+      return {kind, event.slice, event.abandoned, 0, 0, 0, 0, event.statistics->links};
+    default:
+      return {kind, 0, 0, 0, 0, 0, 0, 0};
+  }
+}
+
+// Takes events, and refuses every so often.
+struct Listener {
+  std::vector<Told> events;
+  uint32_t refuses_every = 0;
+  uint32_t calls = 0;
+
+  bool refuses() { return refuses_every != 0 && ++calls % refuses_every == 0; }
+  Answer take(const Event& event) {
+    if (refuses()) return Answer::not_now;
+    events.push_back(told(static_cast<int>(event.kind), event, event.run.code()));
+    return Answer::taken;
+  }
+  static discmc_answer take_c(void* context, const discmc_event* event) {
+    Listener& listener = *static_cast<Listener*>(context);
+    if (listener.refuses()) return DISCMC_NOT_NOW;
+    listener.events.push_back(told(event->kind, *event, event->run));
+    return DISCMC_TAKEN;
+  }
+};
+
+// The functions of one width of index, under one name.
+struct Index16 {
+  using Object = discmc_extractor16;
+  using Cpp = Extractor16;
+  static constexpr auto start = discmc_extractor16_start;
+  static constexpr auto resume = discmc_extractor16_resume;
+  static constexpr auto finish = discmc_extractor16_finish;
+  static constexpr auto skip_row = discmc_extractor16_skip_row;
+  static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
+    return discmc_extractor16_push_u8(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const uint16_t* s, uint32_t n) {
+    return discmc_extractor16_push_u16(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const int16_t* s, uint32_t n) {
+    return discmc_extractor16_push_i16(o, s, n, 1);
+  }
+};
+struct Index32 {
+  using Object = discmc_extractor32;
+  using Cpp = Extractor32;
+  static constexpr auto start = discmc_extractor32_start;
+  static constexpr auto resume = discmc_extractor32_resume;
+  static constexpr auto finish = discmc_extractor32_finish;
+  static constexpr auto skip_row = discmc_extractor32_skip_row;
+  static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
+    return discmc_extractor32_push_u8(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const uint16_t* s, uint32_t n) {
+    return discmc_extractor32_push_u16(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const int16_t* s, uint32_t n) {
+    return discmc_extractor32_push_i16(o, s, n, 1);
+  }
+};
+
+template <class Index>
+bool succeeds(typename Index::Object& extractor, discmc_status status) {
+  while (status == DISCMC_MORE) status = Index::resume(&extractor);
+  return status == DISCMC_OK;
+}
+template <class Extractor>
+bool succeeds(Extractor& extractor, Status status) {
+  while (status == Status::more) status = extractor.resume();
+  return status == Status::ok;
+}
+
+// A scan whose row 40 never comes.
+template <class Index, class Sample>
+void scan_in_c(const std::vector<Sample>& samples, uint8_t border, size_t bytes,
+               discmc_sink& sink) {
+  std::vector<uint8_t> memory(bytes);
+  typename Index::Object extractor = {};
+  const discmc_limits limits = {width, height, border};
+  REQUIRE(succeeds<Index>(extractor, Index::start(&extractor, &limits, nullptr, threshold,
+                                                  {memory.data(), memory.size()}, &sink)));
+  for (uint32_t row = 0; row < height * depth; ++row) {
+    const discmc_pushed pushed =
+        row == 40 ? Index::skip_row(&extractor, DISCMC_PREVIOUS_ROW)
+                  : Index::push(&extractor, samples.data() + size_t{row} * width, width);
+    REQUIRE(pushed.samples == width);
+    REQUIRE(succeeds<Index>(extractor, pushed.status));
+  }
+  REQUIRE(succeeds<Index>(extractor, Index::finish(&extractor)));
+}
+
+template <class Index, class Sample>
+void scan_in_cpp(const std::vector<Sample>& samples, Border border, size_t bytes,
+                 const Sink& sink) {
+  std::vector<uint8_t> memory(bytes);
+  typename Index::Cpp extractor;
+  REQUIRE(succeeds(extractor, extractor.start({width, height, border}, threshold,
+                                              {memory.data(), memory.size()}, sink)));
+  for (uint32_t row = 0; row < height * depth; ++row) {
+    const Pushed pushed = row == 40 ? extractor.skip_row(Substitute::previous_row)
+                                    : extractor.push(samples.data() + size_t{row} * width, width);
+    REQUIRE(succeeds(extractor, pushed.status));
+  }
+  REQUIRE(succeeds(extractor, extractor.finish()));
+}
+
+template <class Index, class Sample>
+void check_scans() {
+  const std::vector<Sample> samples = make_samples<Sample>();
+  for (const Border border : {Border::closed, Border::open})
+    for (const size_t bytes : {size_t{2000}, size_t{6000}, size_t{200000}})
+      for (const uint32_t refuses_every : {0U, 3U}) {
+        CAPTURE(bytes);
+        Listener in_c, in_cpp;
+        in_c.refuses_every = refuses_every;
+        discmc_sink sink = {&in_c, Listener::take_c, 1};
+        scan_in_c<Index>(samples, static_cast<uint8_t>(border), bytes, sink);
+        scan_in_cpp<Index>(samples, border, bytes, sink_to(in_cpp));
+        CHECK(in_c.events.size() > 100);
+        CHECK(in_c.events == in_cpp.events);
+      }
+}
+
+size_t write_bytes(void* context, const uint8_t* bytes, size_t count) {
+  auto& stream = *static_cast<std::vector<uint8_t>*>(context);
+  stream.insert(stream.end(), bytes, bytes + count);
+  return count;
+}
+
+std::vector<uint8_t> stream_in_c(const std::vector<uint8_t>& samples) {
+  std::vector<uint8_t> stream;
+  discmc_encoder encoder = {};
+  const discmc_stream_header header = {width,     height,       depth, {1000, -2000, 3000},
+                                       threshold, DISCMC_CLOSED};
+  REQUIRE(discmc_encoder_start(&encoder, &header, {&stream, write_bytes}) == DISCMC_OK);
+  discmc_sink sink = {&encoder, discmc_encoder_take, 1};
+  scan_in_c<Index16>(samples, DISCMC_CLOSED, 6000, sink);
+  CHECK(discmc_encoder_bytes(&encoder) == stream.size());
+  CHECK(discmc_encoder_flush(&encoder) == 1);
+  return stream;
+}
+
+}  // namespace
+
+TEST_CASE("a scan through C makes the same events, whatever the samples, the memory, the sink") {
+  check_scans<Index16, uint8_t>();
+  check_scans<Index16, uint16_t>();
+  check_scans<Index16, int16_t>();
+  check_scans<Index32, uint8_t>();
+  check_scans<Index32, uint16_t>();
+  check_scans<Index32, int16_t>();
+}
+
+TEST_CASE("a sink that takes no fragments is given none, through C as well") {
+  Listener listener;
+  discmc_sink sink = {&listener, Listener::take_c, 0};
+  scan_in_c<Index16>(make_samples<uint8_t>(), DISCMC_CLOSED, 3000, sink);
+  for (const Told& event : listener.events) CHECK(std::get<0>(event) != DISCMC_FRAGMENT);
+}
+
+TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the same events") {
+  const std::vector<uint8_t> samples = make_samples<uint8_t>();
+  const std::vector<uint8_t> stream = stream_in_c(samples);
+  std::vector<uint8_t> expected;
+  Encoder encoder;
+  REQUIRE(encoder.start({width, height, depth, {1000, -2000, 3000}, threshold},
+                        {&expected, write_bytes}) == Status::ok);
+  scan_in_cpp<Index16>(samples, Border::closed, 6000, sink_to(encoder));
+  CHECK(stream == expected);
+
+  Listener in_c, in_cpp;
+  in_c.refuses_every = 5;
+  discmc_decoder decoder = {};
+  const discmc_sink sink = {&in_c, Listener::take_c, 1};
+  REQUIRE(discmc_decoder_start(&decoder, &sink) == DISCMC_OK);
+  for (size_t done = 0; done < stream.size();) {
+    const discmc_decoded decoded =
+        discmc_decoder_push(&decoder, stream.data() + done, stream.size() - done);
+    done += decoded.bytes;
+  }
+  while (discmc_decoder_finish(&decoder) == DISCMC_MORE) {
+  }
+  Decoder reference;
+  REQUIRE(reference.start(sink_to(in_cpp)) == Status::ok);
+  REQUIRE(reference.push(stream.data(), stream.size()).status == Status::ok);
+  REQUIRE(reference.finish() == Status::ok);
+  CHECK(in_c.events == in_cpp.events);
+
+  const discmc_stream_report report = discmc_decoder_report(&decoder);
+  CHECK(report.is_complete == 1);
+  CHECK(report.has_trailer == 1);
+  CHECK(report.bytes == stream.size());
+  CHECK(report.slices == depth);
+  CHECK(report.regions == reference.report().regions);
+  CHECK(report.totals.skipped_rows == 1);
+  CHECK(report.totals.links == reference.report().totals.links);
+  const discmc_stream_header header = discmc_decoder_header(&decoder);
+  CHECK(header.width == width);
+  CHECK(header.height == height);
+  CHECK(header.depth == depth);
+  CHECK(header.spacing_nm[1] == -2000);
+  CHECK(header.threshold == threshold);
+  CHECK(header.border == DISCMC_CLOSED);
+}
+
+TEST_CASE("what a start refuses it refuses through C, and an object of zeros is not started") {
+  discmc_extractor16 extractor = {};
+  discmc_decoder decoder = {};
+  discmc_encoder encoder = {};
+  Listener listener;
+  discmc_sink sink = {&listener, Listener::take_c, 1};
+  const discmc_sink none = {};
+  std::vector<uint8_t> memory(2000);
+  const discmc_memory all = {memory.data(), memory.size()};
+  const discmc_memory little = {memory.data(), 100};
+  const discmc_limits good = {9, 9, DISCMC_CLOSED};
+  const discmc_limits bad = {0, 9, DISCMC_CLOSED};
+  const discmc_capacities too_few = {1, 1, 1, 1, 1};
+  const uint8_t samples[9] = {};
+  CHECK(discmc_extractor16_push_u8(&extractor, samples, 9, 1).status == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_resume(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_abandon(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_reset(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_decoder_push(&decoder, samples, 9).status == DISCMC_NOT_STARTED);
+  CHECK(discmc_decoder_start(&decoder, &none) == DISCMC_BAD_SINK);
+  const discmc_stream_header header = {0, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
+  CHECK(discmc_encoder_start(&encoder, &header, {nullptr, write_bytes}) == DISCMC_BAD_LIMITS);
+  CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, 1, all, &sink) == DISCMC_BAD_LIMITS);
+  CHECK(discmc_extractor16_start(&extractor, &good, nullptr, 1, all, &none) == DISCMC_BAD_SINK);
+  CHECK(discmc_extractor16_start(&extractor, &good, &too_few, 1, all, &sink) ==
+        DISCMC_BAD_CAPACITIES);
+  CHECK(discmc_extractor16_start(&extractor, &good, nullptr, 1, little, &sink) ==
+        DISCMC_TOO_LITTLE_MEMORY);
+  REQUIRE(discmc_extractor16_start(&extractor, &good, nullptr, 1, all, &sink) == DISCMC_OK);
+  CHECK(discmc_extractor16_push_u8(&extractor, samples, 4, 1).samples == 4);
+  CHECK(discmc_extractor16_push_bits(&extractor, samples).status == DISCMC_ROW_IN_PROGRESS);
+  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_SLICE_IN_PROGRESS);
+  CHECK(discmc_extractor16_abandon(&extractor) == DISCMC_OK);
+  CHECK(discmc_extractor16_push_u8(&extractor, samples, 9, 1).status == DISCMC_FINISHED);
+  CHECK(discmc_extractor16_reset(&extractor) == DISCMC_OK);
+}
+
+TEST_CASE("an extractor tells of itself through C what it tells in C++") {
+  std::vector<uint8_t> memory(6000);
+  Listener listener;
+  discmc_sink sink = {&listener, Listener::take_c, 1};
+  const discmc_limits limits = {width, height, DISCMC_OPEN};
+  discmc_extractor32 extractor = {};
+  REQUIRE(discmc_extractor32_start(&extractor, &limits, nullptr, threshold,
+                                   {memory.data(), memory.size()}, &sink) == DISCMC_OK);
+  const std::vector<int16_t> samples = make_samples<int16_t>();
+  const uint32_t count = width * height * 2 + width * 3;
+  REQUIRE(discmc_extractor32_push_i16(&extractor, samples.data(), count, 1).samples == count);
+  CHECK(discmc_extractor32_slices(&extractor) == 2);
+  CHECK(discmc_extractor32_rows(&extractor) == 3);
+  CHECK(discmc_extractor32_limits(&extractor).border == DISCMC_OPEN);
+  CHECK(discmc_extractor32_limits(&extractor).width == width);
+  const discmc_capacities split = discmc_default_capacities32(&limits, memory.size());
+  CHECK(discmc_extractor32_capacities(&extractor).runs == split.runs);
+  CHECK(discmc_extractor32_capacities(&extractor).slots == split.slots);
+  CHECK(discmc_extractor32_bytes_used(&extractor) <= memory.size());
+  CHECK(discmc_bytes_for32(&limits, &split) <= memory.size());
+  CHECK(discmc_extractor32_statistics(&extractor).cells > 0);
+  CHECK(discmc_extractor32_high_water(&extractor).edges > 0);
+}
+
+TEST_CASE("sizes are the same in C, as functions and as macros") {
+  for (uint32_t w = 1; w < 70; ++w)
+    for (const uint32_t h : {1U, 2U, 33U, 1000U})
+      for (const Border border : {Border::closed, Border::open}) {
+        const Limits limits{w, h, border};
+        const uint8_t b = static_cast<uint8_t>(border);
+        const discmc_limits c_limits = {w, h, b};
+        CHECK(DISCMC_MINIMUM_BYTES16(w, h, b) == minimum_bytes<uint16_t>(limits));
+        CHECK(DISCMC_MINIMUM_BYTES32(w, h, b) == minimum_bytes<uint32_t>(limits));
+        CHECK(discmc_minimum_bytes16(&c_limits) == minimum_bytes<uint16_t>(limits));
+        CHECK(discmc_minimum_bytes32(&c_limits) == minimum_bytes<uint32_t>(limits));
+        CHECK(discmc_worst_case_bytes16(&c_limits) == worst_case_bytes<uint16_t>(limits));
+        CHECK(discmc_worst_case_bytes32(&c_limits) == worst_case_bytes<uint32_t>(limits));
+        const discmc_capacities split = discmc_default_capacities16(&c_limits, 20000);
+        CHECK(split.edges == default_capacities<uint16_t>(limits, 20000).edges);
+        CHECK(discmc_bytes_for16(&c_limits, &split) <= 20000 + minimum_bytes<uint16_t>(limits));
+        CHECK(discmc_worst_case_capacities(&c_limits).rings == worst_case_capacities(limits).rings);
+      }
+  CHECK(discmc_minimum_capacities().runs == minimum_capacities().runs);
+}
+
+TEST_CASE("every status has the text that it has in C++") {
+  for (discmc_status status = 0; status <= DISCMC_WRONG_VERSION; ++status)
+    CHECK(discmc_text(status) == text(static_cast<Status>(status)));
+}
+
+TEST_CASE("chains and polygons are the same through C") {
+  const Incidence up = incidence_of(Vertex{0, 0, 1});
+  // A square of side 3, its first side in two runs.
+  const Direction right = direction_of(up, Vertex{2, 0, 0});
+  const Direction back = direction_of(up, Vertex{0, 2, 0});
+  std::vector<discmc_run> runs;
+  for (const auto& [direction, length] : {std::pair{right, 1U},
+                                          {right, 2U},
+                                          {back, 3U},
+                                          {opposite_direction(up, right), 3U},
+                                          {opposite_direction(up, back), 3U}})
+    runs.push_back(discmc_run_straight(direction, length));
+  const auto count = static_cast<uint32_t>(runs.size());
+  CHECK(discmc_run_is_fragment(runs[1]) == 0);
+  CHECK(discmc_run_direction(runs[1]) == right);
+  CHECK(discmc_run_length(runs[1]) == 2);
+  CHECK(discmc_run_is_fragment(Run::fragment(9).code()) == 1);
+  CHECK(discmc_run_fragment_number(Run::fragment(9).code()) == 9);
+  CHECK(discmc_normal(up).z == 1);
+  CHECK(discmc_direction_count(up) == 8);
+  CHECK(discmc_direction_vector(up, back).y == 2);
+  CHECK(discmc_displacement(up, runs.data(), 2).x == 6);
+  CHECK(discmc_twice_area(up, runs.data(), count) == 2 * 36);
+  REQUIRE(discmc_link_count(runs.data(), count) == 12);
+
+  std::vector<discmc_vertex> vertices(12);
+  discmc_unfold(up, {1, 0, 0}, runs.data(), count, vertices.data());
+  CHECK(vertices[3].x == 7);
+  std::vector<uint32_t> scratch(24);
+  std::vector<discmc_vertex> ring;
+  const discmc_ring_receiver receiver = {
+      &ring, [](void* context, const discmc_vertex* simple, uint32_t length) {
+        static_cast<std::vector<discmc_vertex>*>(context)->assign(simple, simple + length);
+      }};
+  discmc_split_ring(vertices.data(), 12, scratch.data(), &receiver);
+  REQUIRE(ring.size() == 12);
+  std::vector<discmc_vertex> all = ring;
+  CHECK(discmc_keep_corners(ring.data(), 12, nullptr, nullptr) == 4);
+  const auto keep = [](void*, const discmc_vertex* vertex) {
+    return static_cast<uint8_t>(vertex->x == 3);
+  };
+  CHECK(discmc_keep_corners(all.data(), 12, keep, nullptr) == 6);
+
+  discmc_reverse(up, runs.data(), count);
+  CHECK(discmc_twice_area(up, runs.data(), count) == -2 * 36);
+}
