@@ -303,6 +303,9 @@ TEST_CASE("an extractor tells of itself through C what it tells in C++") {
   REQUIRE(discmc_extractor32_push_i16(&extractor, samples.data(), count, 1).samples == count);
   CHECK(discmc_extractor32_slices(&extractor) == 2);
   CHECK(discmc_extractor32_rows(&extractor) == 3);
+  const uint8_t bits[3] = {0xFF, 0xFF, 0x1F};
+  CHECK(discmc_extractor32_push_bits(&extractor, bits).samples == width);
+  CHECK(discmc_extractor32_rows(&extractor) == 4);
   CHECK(discmc_extractor32_limits(&extractor).border == DISCMC_OPEN);
   CHECK(discmc_extractor32_limits(&extractor).width == width);
   const discmc_capacities split = discmc_default_capacities32(&limits, memory.size());
