@@ -22,18 +22,28 @@ class LaneThreshold {
   explicit LaneThreshold(uint32_t level)
       : level_(level * ones), answer_(level < 2 * half ? tops : 0) {}
 
-  /// The top bits of the lanes that reach the level. The subtraction leaves a flag a lane, by which
-  /// the bytes of the answer or of zero are selected.
+  /// The top bits of the lanes that reach the level.
   uint32_t reached(uint32_t word) const {
+    return select(word, level_, answer_, 0);
+  }
+
+  /// No lane of `a` or `b` is more than that of the bound: here it is the larger one.
+  static uint32_t bound(uint32_t a, uint32_t b) {
+    return select(a, b, a, b);
+  }
+
+ private:
+  // The lanes of `yes` where those of `a` are not less than those of `b`, else those of `no`: the
+  // subtraction leaves a flag a lane, by which bytes are selected.
+  static uint32_t select(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
     uint32_t lanes;
     __asm__("usub%c5 %0, %1, %2\n\tsel %0, %3, %4"
             : "=&r"(lanes)
-            : "r"(word), "r"(level_), "r"(answer_), "r"(0), "i"(lane_bits)
+            : "r"(a), "r"(b), "r"(yes), "r"(no), "i"(lane_bits)
             : "cc");
     return lanes;
   }
 
- private:
   uint32_t level_;
   uint32_t answer_;
 #else
@@ -48,6 +58,11 @@ class LaneThreshold {
   uint32_t reached(uint32_t word) const {
     const uint32_t lanes = word ^ flip_;
     return ((lanes | ((lanes & ~tops) + addend_)) ^ flip_) & tops;
+  }
+
+  /// No lane of `a` or `b` is more than that of the bound: the bitwise or is not less than either.
+  static uint32_t bound(uint32_t a, uint32_t b) {
+    return a | b;
   }
 
  private:
@@ -87,12 +102,11 @@ class Threshold {
   uint32_t leading_off(const Sample* samples, uint32_t count) const {
     const Sample* at = samples;
     for (; count >= 8 * lanes; count -= 8 * lanes, at += 8 * lanes) {
-      // The bitwise or of numbers is not less than any of them.
-      const uint32_t any = word_at(at) | word_at(at + lanes) | word_at(at + 2 * lanes) |
-                           word_at(at + 3 * lanes) | word_at(at + 4 * lanes) |
-                           word_at(at + 5 * lanes) | word_at(at + 6 * lanes) |
-                           word_at(at + 7 * lanes);
-      if (lanes_.reached(any) != 0) break;
+      uint32_t most = word_at(at);
+#pragma GCC unroll 8
+      for (uint32_t word = 1; word < 8; ++word)
+        most = Lanes::bound(most, word_at(at + word * lanes));
+      if (lanes_.reached(most) != 0) break;
     }
     return static_cast<uint32_t>(at - samples);
   }
