@@ -39,40 +39,53 @@ TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
   }
 }
 
-TEST_CASE("what does not fit takes nothing, and what fits exactly does") {
-  alignas(4) uint8_t bytes[16] = {};
-  Arena arena(memory_of(bytes));
-  CHECK(arena.take<uint8_t>(17) == nullptr);
-  CHECK(arena.take<uint32_t>(5) == nullptr);
-  CHECK(arena.take<uint32_t>(UINT32_MAX) == nullptr);
-  CHECK(arena.used() == 0);
-  CHECK(arena.take<uint32_t>(3) != nullptr);
-  CHECK(arena.take<uint32_t>(2) == nullptr);
-  CHECK(arena.take<uint32_t>(1) != nullptr);
-  CHECK(arena.used() == 16);
-  CHECK(arena.take<uint8_t>(1) == nullptr);
-  CHECK(arena.take<uint8_t>(0) != nullptr);
-  CHECK(arena.used() == 16);
+TEST_CASE(
+    "what fits exactly is had, beside the three bytes set aside, wherever the memory begins") {
+  alignas(4) uint8_t bytes[24] = {};
+  for (size_t offset = 0; offset < 4; ++offset) {
+    Arena enough({bytes + offset, 16 + 3});
+    CHECK(enough.take<uint32_t>(3) != nullptr);
+    CHECK(enough.take<uint32_t>(1) != nullptr);
+    CHECK(enough.take<uint8_t>(0) != nullptr);
+    CHECK_FALSE(enough.is_exhausted());
+    Arena short_of_one({bytes + offset, 16 + 2});
+    CHECK(short_of_one.take<uint32_t>(3) != nullptr);
+    CHECK(short_of_one.take<uint32_t>(1) == nullptr);
+    CHECK(short_of_one.is_exhausted());
+  }
+}
+
+TEST_CASE("once something has not fitted nothing does, and nothing was taken for it") {
+  alignas(4) uint8_t bytes[32] = {};
+  for (const uint32_t count : {30U, UINT32_MAX}) {
+    Arena arena(memory_of(bytes));
+    CHECK(arena.take<uint32_t>(1) != nullptr);
+    CHECK(arena.take<uint8_t>(count) == nullptr);
+    CHECK(arena.take<uint8_t>(1) == nullptr);
+    CHECK(arena.take<uint8_t>(0) == nullptr);
+    CHECK(arena.is_exhausted());
+    CHECK(arena.used() == 4);
+  }
 }
 
 TEST_CASE("an array of an odd number of bytes needs its padding too") {
-  alignas(4) uint8_t bytes[8] = {};
-  Arena arena({bytes, 7});
+  alignas(4) uint8_t bytes[12] = {};
+  Arena arena({bytes, 7 + 3});
   CHECK(arena.take<uint8_t>(4) != nullptr);
   CHECK(arena.take<uint8_t>(3) == nullptr);
   CHECK(arena.used() == 4);
 }
 
-TEST_CASE("memory shorter than its own misalignment gives nothing") {
-  alignas(4) uint8_t bytes[8] = {};
+TEST_CASE("too little memory to align, or none, gives nothing") {
+  uint8_t bytes[8] = {};
   for (size_t size = 0; size < 3; ++size) {
     Arena arena({bytes + 1, size});
-    CHECK(arena.take<uint8_t>(1) == nullptr);
-    CHECK(arena.take<uint8_t>(0) == (size == 3 ? bytes + 4 : nullptr));
+    CHECK(arena.is_exhausted());
+    CHECK(arena.take<uint8_t>(0) == nullptr);
   }
-  Arena just({bytes + 1, 3});
-  CHECK(just.take<uint8_t>(1) == nullptr);
-  CHECK(just.take<uint8_t>(0) == bytes + 4);
+  Arena none({nullptr, 1000});
+  CHECK(none.is_exhausted());
+  CHECK(none.take<uint8_t>(1) == nullptr);
 }
 
 TEST_CASE("the bytes of an array are rounded up to the alignment and do not wrap") {

@@ -27,6 +27,7 @@ struct Rows {
   explicit Rows(const Limits& limits)
       : words(size_t{limits.row_words()} * (limits.height + 3), 0xDEADBEEF), halo(limits.halo()) {
     rows.start(words.data(), limits);
+    rows.clear();
   }
 
   bool bit(const uint32_t* row, uint32_t i) const { return (row[i / 32] >> i % 32 & 1) != 0; }

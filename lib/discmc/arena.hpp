@@ -20,7 +20,9 @@ constexpr Memory memory_of(uint8_t (&array)[N]) {
 }
 
 /// Hands out consecutive arrays of trivial types from one piece of memory; nothing is given back.
-/// Every array is aligned to four bytes, which suffices for all of the library's records.
+/// Every array is aligned to four bytes, which suffices for all of the library's records. What this
+/// may cost at the beginning is set aside, needed or not, so that what fits does not depend on
+/// where the memory lies.
 class Arena {
  public:
   static constexpr size_t alignment = 4;
@@ -31,40 +33,42 @@ class Arena {
   }
 
   explicit Arena(Memory memory)
-      : begin_(static_cast<uint8_t*>(memory.data)), next_(begin_), left_(memory.bytes) {
-    const size_t skipped = misalignment(memory.data);
-    if (skipped > memory.bytes) begin_ = next_ = nullptr;
-    if (next_ == nullptr) return;
-    next_ += skipped;
-    left_ -= skipped;
+      : begin_(static_cast<uint8_t*>(memory.data)),
+        next_(begin_),
+        left_(memory.bytes),
+        is_exhausted_(memory.data == nullptr || memory.bytes < alignment - 1) {
+    if (is_exhausted_) return;
+    next_ += (alignment - reinterpret_cast<uintptr_t>(begin_) % alignment) % alignment;
+    left_ -= alignment - 1;
   }
 
-  /// The next array, or null when it does not fit; then nothing is taken.
+  /// The next array, or null when it does not fit, and from then on.
   template <class T>
   T* take(uint32_t count) {
     return reinterpret_cast<T*>(take_records(count, sizeof(T)));
   }
 
-  /// High-water mark: the bytes taken, alignment of the first array included.
+  /// Whether an array did not fit.
+  bool is_exhausted() const { return is_exhausted_; }
+
+  /// The bytes taken so far, from the first of the memory on.
   size_t used() const { return static_cast<size_t>(next_ - begin_); }
 
  private:
   uint8_t* take_records(uint32_t count, uint32_t record_bytes) {
     const uint64_t bytes = bytes_of(count, record_bytes);
-    if (next_ == nullptr || bytes > left_) return nullptr;
+    if (bytes > left_) is_exhausted_ = true;
+    if (is_exhausted_) return nullptr;
     uint8_t* const place = next_;
     left_ -= bytes;
     next_ += bytes;
     return place;
   }
 
-  static size_t misalignment(const void* data) {
-    return (alignment - reinterpret_cast<uintptr_t>(data) % alignment) % alignment;
-  }
-
   uint8_t* begin_;
   uint8_t* next_;
   uint64_t left_;
+  bool is_exhausted_;
 };
 
 }  // namespace discmc

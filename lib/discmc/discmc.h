@@ -33,7 +33,8 @@ extern "C" {
 
 /* What a call came to. DISCMC_OK and DISCMC_MORE are not errors: DISCMC_MORE means that the sink
  * said "not now" and the work goes on with ..._resume(). After an error nothing has changed and
- * nothing was delivered. */
+ * nothing was delivered; only a start that finds too little memory also ends a scan that was under
+ * way. */
 typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,

@@ -16,18 +16,18 @@ Status Extractor<Index>::start(const Limits& limits, const Capacities& capacitie
   if (!limits.are_valid()) return Status::bad_limits;
   if (!are_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr) return Status::bad_sink;
-  if (memory.data == nullptr || memory.bytes < bytes_for<Index>(limits, capacities))
-    return Status::too_little_memory;
+  state_ = State::idle;
   Arena arena(memory);
   rows_.start(arena.take<uint32_t>(limits.row_words() * (limits.height + 3)), limits);
   merge_.start(arena, limits, capacities, table, sink.takes_fragments);
+  if (arena.is_exhausted()) return Status::too_little_memory;
   limits_ = limits;
   capacities_ = capacities;
   sink_ = sink;
   threshold_ = threshold;
   bytes_used_ = arena.used();
-  begin();
-  return Status::ok;
+  state_ = State::scanning;
+  return reset();
 }
 
 template <class Index>
@@ -35,18 +35,13 @@ Status Extractor<Index>::reset() {
   if (state_ == State::idle) return Status::not_started;
   rows_.clear();
   merge_.clear();
-  begin();
-  return Status::ok;
-}
-
-template <class Index>
-void Extractor<Index>::begin() {
   statistics_ = Statistics{};
   state_ = State::scanning;
   abandoned_ = false;
   skip_untold_ = false;
   cell_row_ = 0;
   word_begun_ = false;
+  return Status::ok;
 }
 
 // ---- what the caller gives ----

@@ -94,7 +94,6 @@ class Extractor {
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
-  void begin();
   Status ready_for_samples();
   void end_row();
   bool work();

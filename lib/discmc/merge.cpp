@@ -45,8 +45,8 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   ClosedRing<Index>* rings = arena.take<ClosedRing<Index>>(capacities.rings);
   regions_.start(arena.take<RegionNode<Index>>(capacities.regions), capacities.regions, rings,
                  capacities.rings);
-  uint32_t* stamps = arena.take<uint32_t>(capacities.slots);
-  frontier_.table().start(stamps, arena.take<Index>(capacities.slots), capacities.slots,
+  uint32_t* table_keys = arena.take<uint32_t>(capacities.slots);
+  frontier_.table().start(table_keys, arena.take<Index>(capacities.slots), capacities.slots,
                           keys > 0 ? keys : 1);
   // No fewer than what makes every candidate a victim (should_spill()): so until all of them are
   // gone runs stay short, and a refused spill is taken up again.
@@ -54,7 +54,6 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   runs_kept_ = quarter > 2 * CellReserve::runs ? quarter : 2 * CellReserve::runs;
   const uint32_t in_slice = 2 * columns + 2;
   edges_kept_short_ = in_slice < capacities.edges / 8 ? in_slice : capacities.edges / 8;
-  clear();
 }
 
 template <class Index>

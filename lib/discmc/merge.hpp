@@ -33,7 +33,7 @@ struct HighWater {
 template <class Index>
 class Merge {
  public:
-  /// Lays the pools out in the arena. The arena must have room (see bytes_for()).
+  /// Lays the pools out in the arena and writes nothing there; call clear() when it had room.
   void start(Arena& arena, const Limits& limits, const Capacities& capacities,
              const PatchTable& table, bool spills);
   void clear();

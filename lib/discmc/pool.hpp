@@ -37,12 +37,6 @@ class RecordAccount {
   uint32_t high_water() const { return high_water_; }
 
  protected:
-  void start(uint8_t* records, uint32_t capacity) {
-    records_ = records;
-    capacity_ = capacity;
-    clear();
-  }
-
   Index take(uint32_t record_bytes) {
     if (in_use_ == capacity_) return no_record;
     if (++in_use_ > high_water_) high_water_ = in_use_;
@@ -78,8 +72,10 @@ class RecordAccount {
 template <class Record, class Index>
 class Pool : public RecordAccount<Index> {
  public:
+  /// Call clear() before using records that were used before.
   void start(Record* records, uint32_t capacity) {
-    RecordAccount<Index>::start(reinterpret_cast<uint8_t*>(counted_from_one(records)), capacity);
+    this->records_ = reinterpret_cast<uint8_t*>(counted_from_one(records));
+    this->capacity_ = capacity;
   }
 
   /// A record, its members undefined, or no_record when all are in use.

@@ -16,7 +16,6 @@ class Regions {
              uint32_t ring_capacity) {
     nodes_.start(nodes, node_capacity);
     rings_.start(rings, ring_capacity);
-    clear();
   }
 
   void clear() {

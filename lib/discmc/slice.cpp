@@ -10,13 +10,11 @@ void BitRows::start(uint32_t* words, const Limits& limits) {
   height_ = limits.height;
   halo_ = limits.halo();
   ring_ = words;
-  uint32_t* off = ring_ + size_t{ring_rows_} * words_;
-  for (uint32_t i = 0; i < words_; ++i) off[i] = 0;
-  off_ = off;
-  clear();
+  off_ = ring_ + size_t{ring_rows_} * words_;
 }
 
 void BitRows::clear() {
+  for (uint32_t i = 0; i < words_; ++i) off_[i] = 0;
   old_start_ = 0;
   new_start_ = 0;
   rows_ = 0;

@@ -56,7 +56,7 @@ inline Configuration configuration_at(const RowQuad& rows, uint32_t word, uint32
 /// The bit rows of the slice that arrives and of the one before it.
 class BitRows {
  public:
-  /// Takes row_words() * (height + 3) words from the arena.
+  /// Takes row_words() * (height + 3) words from the arena, and writes nothing there; clear() does.
   void start(uint32_t* words, const Limits& limits);
   void clear();
 
@@ -97,7 +97,7 @@ class BitRows {
   void place(uint32_t* words, uint32_t bits) const;
 
   uint32_t* ring_ = nullptr;
-  const uint32_t* off_ = nullptr;
+  uint32_t* off_ = nullptr;
   uint32_t words_ = 0;
   uint32_t ring_rows_ = 0;
   uint32_t width_ = 0;

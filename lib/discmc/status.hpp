@@ -8,7 +8,7 @@ namespace discmc {
 
 /// What a call came to. `ok` and `more` are not errors: `more` means that the sink said "not now"
 /// and the work goes on with resume(). After an error nothing has changed and nothing was
-/// delivered.
+/// delivered; only a start() that finds too little memory also ends a scan that was under way.
 enum class Status : uint8_t {
   ok,
   more,               ///< suspended by the sink; nothing is lost, call resume()

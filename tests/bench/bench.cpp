@@ -169,6 +169,7 @@ void pack(const Volume& volume, const std::vector<Sample>& samples, std::vector<
   words.resize(size_t{limits.row_words()} * (limits.height + 3));
   BitRows rows;
   rows.start(words.data(), limits);
+  rows.clear();
   const Sample* next = samples.data();
   for (uint32_t z = 0; z < volume.depth; ++z) {
     for (uint32_t y = 0; y < volume.height; ++y, next += volume.width) {
