@@ -253,12 +253,11 @@ Index Merge<Index>::open_edge(const Walk& walk, Place place) {
   const uint32_t kept = 1 + (above ? edges_kept_short_ : 0);  // one for a marker
   Index edge = no_record;
   if (walk.may_open && edges_.available() > kept) edge = new_edge(walk.region);
-  if (!above) {
-    frontier_.in_slice(place, cell.column) = edge;
-  } else if (edge != no_record && !frontier_.wait_above(place, cell, edge)) {
+  if (above && edge != no_record && !frontier_.wait_above(place, cell, edge)) {
     remove(edge);
     edge = no_record;
   }
+  if (!above) frontier_.in_slice(place, cell.column) = edge;
   if (edge == no_record) ++cuts_;
   return edge;
 }

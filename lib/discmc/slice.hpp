@@ -45,12 +45,14 @@ inline uint32_t skip_off(const RowQuad& rows, uint32_t word, uint32_t words) {
 /// The configuration of the cell of bits 32 * word + bit and the one after.
 inline Configuration configuration_at(const RowQuad& rows, uint32_t word, uint32_t bit,
                                       uint32_t words) {
-  const auto pair_of = [=](const uint32_t* row) {
-    const uint32_t pair = row[word] >> bit;
-    return (bit == 31 && word + 1 < words ? pair | row[word + 1] << 1 : pair) & 3;
-  };
-  return static_cast<Configuration>(pair_of(rows.row[0]) | pair_of(rows.row[1]) << 2 |
-                                    pair_of(rows.row[2]) << 4 | pair_of(rows.row[3]) << 6);
+  uint32_t configuration = 0;
+  for (uint32_t i = 0; i < 4; ++i) {
+    const uint32_t* const row = rows.row[i];
+    uint32_t pair = row[word] >> bit;
+    if (bit == 31 && word + 1 < words) pair |= row[word + 1] << 1;
+    configuration |= (pair & 3) << 2 * i;
+  }
+  return static_cast<Configuration>(configuration);
 }
 
 /// The bit rows of the slice that arrives and of the one before it.
