@@ -2,7 +2,9 @@
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
+#include <cstring>
 #include <discmc/discmc.hpp>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -317,30 +319,144 @@ TEST_CASE("an extractor tells of itself through C what it tells in C++") {
   CHECK(discmc_extractor32_high_water(&extractor).edges > 0);
 }
 
-TEST_CASE("sizes are the same in C, as functions and as macros") {
-  for (uint32_t w = 1; w < 70; ++w)
-    for (const uint32_t h : {1U, 2U, 33U, 1000U})
+TEST_CASE(
+    "a sink is copied; its struct need not live as long as the scan, and a start in vain leaves "
+    "it") {
+  const std::vector<uint8_t> samples(9, 200);
+  std::vector<uint8_t> memory(4000);
+  const discmc_memory all = {memory.data(), memory.size()};
+  const discmc_limits limits = {3, 3, DISCMC_CLOSED};
+  Listener listener, other;
+  discmc_extractor16 extractor = {};
+  discmc_sink sink = {&listener, Listener::take_c, 1};
+  REQUIRE(discmc_extractor16_start(&extractor, &limits, nullptr, threshold, all, &sink) ==
+          DISCMC_OK);
+  sink = {};
+  const discmc_limits bad = {0, 3, DISCMC_CLOSED};
+  const discmc_sink to_other = {&other, Listener::take_c, 1};
+  CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, threshold, all, &to_other) ==
+        DISCMC_BAD_LIMITS);
+  CHECK(discmc_extractor16_push_u8(&extractor, samples.data(), 9, 1).status == DISCMC_OK);
+  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_OK);
+  CHECK(listener.events.size() > 26);
+  CHECK(other.events.empty());
+}
+
+namespace {
+
+// What c_api.cpp relies on.
+template <class Object>
+bool begins_as_zeros() {
+  alignas(Object) static unsigned char place[sizeof(Object)];
+  static const unsigned char zeros[sizeof(Object)] = {};
+  new (place) Object;
+  return std::memcmp(place, zeros, sizeof(Object)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("storage of zeros is an extractor or an encoder as it begins") {
+  CHECK(begins_as_zeros<Extractor16>());
+  CHECK(begins_as_zeros<Extractor32>());
+  CHECK(begins_as_zeros<Encoder>());
+}
+
+namespace {
+
+bool are_equal(const discmc_capacities& c, const Capacities& cpp) {
+  return c.edges == cpp.edges && c.runs == cpp.runs && c.rings == cpp.rings &&
+         c.regions == cpp.regions && c.slots == cpp.slots;
+}
+
+bool are_equal(const uint64_t (&c)[5], const Capacities& cpp) {
+  return c[0] == cpp.edges && c[1] == cpp.runs && c[2] == cpp.rings && c[3] == cpp.regions &&
+         c[4] == cpp.slots;
+}
+
+bool are_equal(const discmc_vertex& c, const Vertex& cpp) {
+  return c.x == cpp.x && c.y == cpp.y && c.z == cpp.z;
+}
+
+// The functions and constants of one width of index, under one name.
+struct Sizes16 {
+  using Type = uint16_t;
+  static constexpr auto bytes_for = discmc_bytes_for16;
+  static constexpr auto minimum_bytes = discmc_minimum_bytes16;
+  static constexpr auto worst_case_bytes = discmc_worst_case_bytes16;
+  static constexpr auto default_capacities = discmc_default_capacities16;
+};
+struct Sizes32 {
+  using Type = uint32_t;
+  static constexpr auto bytes_for = discmc_bytes_for32;
+  static constexpr auto minimum_bytes = discmc_minimum_bytes32;
+  static constexpr auto worst_case_bytes = discmc_worst_case_bytes32;
+  static constexpr auto default_capacities = discmc_default_capacities32;
+};
+
+template <class Sizes>
+void check_sizes(const Limits& limits) {
+  using Index = typename Sizes::Type;
+  constexpr uint32_t i = sizeof(Index);
+  const uint32_t w = limits.width, h = limits.height;
+  const auto b = static_cast<uint8_t>(limits.border);
+  const discmc_limits in_c = {w, h, b};
+  const uint64_t least = minimum_bytes<Index>(limits);
+  REQUIRE(Sizes::minimum_bytes(&in_c) == least);
+  REQUIRE(DISCMC_MINIMUM_BYTES_(i, w, h, b) == least);
+  REQUIRE(Sizes::worst_case_bytes(&in_c) == worst_case_bytes<Index>(limits));
+  REQUIRE(DISCMC_WORST_CASE_BYTES_(i, w, h, b) == worst_case_bytes<Index>(limits));
+  for (uint64_t bytes = 0; bytes < uint64_t{1} << 50; bytes = bytes * 7 / 3 + least / 2) {
+    const Capacities split = default_capacities<Index>(limits, bytes);
+    const discmc_capacities split_in_c = Sizes::default_capacities(&in_c, bytes);
+    REQUIRE(are_equal(split_in_c, split));
+    const uint64_t as_constants[] = DISCMC_DEFAULT_CAPACITIES_(i, w, h, b, bytes);
+    REQUIRE(are_equal(as_constants, split));
+    REQUIRE(Sizes::bytes_for(&in_c, &split_in_c) == bytes_for<Index>(limits, split));
+    REQUIRE(DISCMC_BYTES_FOR_(i, w, h, b, split.edges, split.runs, split.rings, split.regions,
+                              split.slots) == bytes_for<Index>(limits, split));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sizes are the same in C, as functions and as constants") {
+  const uint32_t extents[] = {1,  2,  3,  7,   30,  31,  32,  33,   62,    63,
+                              64, 65, 95, 100, 255, 256, 513, 4095, 32765, 32766};
+  for (const uint32_t w : extents)
+    for (const uint32_t h : extents)
       for (const Border border : {Border::closed, Border::open}) {
+        CAPTURE(w);
+        CAPTURE(h);
         const Limits limits{w, h, border};
-        const uint8_t b = static_cast<uint8_t>(border);
-        const discmc_limits c_limits = {w, h, b};
-        CHECK(DISCMC_MINIMUM_BYTES16(w, h, b) == minimum_bytes<uint16_t>(limits));
-        CHECK(DISCMC_MINIMUM_BYTES32(w, h, b) == minimum_bytes<uint32_t>(limits));
-        CHECK(discmc_minimum_bytes16(&c_limits) == minimum_bytes<uint16_t>(limits));
-        CHECK(discmc_minimum_bytes32(&c_limits) == minimum_bytes<uint32_t>(limits));
-        CHECK(discmc_worst_case_bytes16(&c_limits) == worst_case_bytes<uint16_t>(limits));
-        CHECK(discmc_worst_case_bytes32(&c_limits) == worst_case_bytes<uint32_t>(limits));
-        const discmc_capacities split = discmc_default_capacities16(&c_limits, 20000);
-        CHECK(split.edges == default_capacities<uint16_t>(limits, 20000).edges);
-        CHECK(discmc_bytes_for16(&c_limits, &split) <= 20000 + minimum_bytes<uint16_t>(limits));
-        CHECK(discmc_worst_case_capacities(&c_limits).rings == worst_case_capacities(limits).rings);
+        check_sizes<Sizes16>(limits);
+        check_sizes<Sizes32>(limits);
+        const auto b = static_cast<uint8_t>(border);
+        const discmc_limits in_c = {w, h, b};
+        const uint64_t worst[] = DISCMC_WORST_CASE_CAPACITIES(w, h, b);
+        REQUIRE(are_equal(worst, worst_case_capacities(limits)));
+        REQUIRE(are_equal(discmc_worst_case_capacities(&in_c), worst_case_capacities(limits)));
       }
-  CHECK(discmc_minimum_capacities().runs == minimum_capacities().runs);
+  const discmc_capacities least = DISCMC_MINIMUM_CAPACITIES;
+  CHECK(are_equal(least, minimum_capacities()));
+  CHECK(are_equal(discmc_minimum_capacities(), minimum_capacities()));
+}
+
+TEST_CASE("limits and capacities are valid in C when they are in C++") {
+  const discmc_limits largest = {1, DISCMC_MAX_EXTENT, DISCMC_OPEN};
+  const discmc_limits too_large = {1, DISCMC_MAX_EXTENT + 1, DISCMC_OPEN};
+  CHECK(discmc_limits_are_valid(&largest) == 1);
+  CHECK(discmc_limits_are_valid(&too_large) == 0);
+  const discmc_capacities too_few = {1, 34, 11, 5, 1};
+  const discmc_capacities many = {40000, 34, 11, 40000, 1};
+  CHECK(discmc_capacities_are_valid16(&too_few) == 0);
+  CHECK(discmc_capacities_are_valid32(&too_few) == 0);
+  CHECK(discmc_capacities_are_valid16(&many) == 0);
+  CHECK(discmc_capacities_are_valid32(&many) == 1);
 }
 
 TEST_CASE("every status has the text that it has in C++") {
   for (discmc_status status = 0; status <= DISCMC_WRONG_VERSION; ++status)
-    CHECK(discmc_text(status) == text(static_cast<Status>(status)));
+    CHECK(std::string_view(discmc_text(status)) == text(static_cast<Status>(status)));
 }
 
 TEST_CASE("chains and polygons are the same through C") {
@@ -380,12 +496,73 @@ TEST_CASE("chains and polygons are the same through C") {
   discmc_split_ring(vertices.data(), 12, scratch.data(), &receiver);
   REQUIRE(ring.size() == 12);
   std::vector<discmc_vertex> all = ring;
+  CHECK(discmc_twice_area_of_ring(up, ring.data(), 12) == 2 * 36);
+  CHECK(discmc_is_corner(ring.data(), 12, 3) == 1);
+  CHECK(discmc_is_corner(ring.data(), 12, 1) == 0);
   CHECK(discmc_keep_corners(ring.data(), 12, nullptr, nullptr) == 4);
   const auto keep = [](void*, const discmc_vertex* vertex) {
     return static_cast<uint8_t>(vertex->x == 3);
   };
   CHECK(discmc_keep_corners(all.data(), 12, keep, nullptr) == 6);
 
+  CHECK(discmc_is_closed(up, runs.data(), count) == 1);
+  CHECK(discmc_is_closed(up, runs.data(), count - 1) == 0);
   discmc_reverse(up, runs.data(), count);
   CHECK(discmc_twice_area(up, runs.data(), count) == -2 * 36);
+}
+
+TEST_CASE("runs are taken in through C as well") {
+  CHECK(discmc_run_fragment(DISCMC_RUN_MAX_FRAGMENT) == Run::fragment(Run::max_fragment).code());
+  discmc_run side = discmc_run_straight(2, 3);
+  CHECK(discmc_run_absorb(&side, discmc_run_straight(2, 4)) == 1);
+  CHECK(discmc_run_length(side) == 7);
+  CHECK(discmc_run_absorb(&side, discmc_run_straight(3, 4)) == 0);
+  CHECK(discmc_run_absorb(&side, discmc_run_straight(2, DISCMC_RUN_MAX_LENGTH)) == 0);
+  CHECK(discmc_run_length(side) == 7);
+}
+
+TEST_CASE("the lattice is the same through C") {
+  for (uint8_t incidence = 0; incidence < DISCMC_INCIDENCE_CODES; ++incidence) {
+    if (incidence == DISCMC_NO_INCIDENCE) continue;
+    CHECK(are_equal(discmc_normal(incidence), normal(incidence)));
+    CHECK(discmc_incidence_of(discmc_normal(incidence)) == incidence);
+    CHECK(discmc_opposite(incidence) == opposite(incidence));
+    REQUIRE(discmc_direction_count(incidence) == direction_count(incidence));
+    for (Link link = 0; link < DISCMC_LINK_CODES; ++link)
+      CHECK(discmc_direction_of(incidence, link) == direction_of(incidence, link));
+    for (Direction from = 0; from < direction_count(incidence); ++from) {
+      CHECK(discmc_link_of(incidence, from) == link_of(incidence, from));
+      CHECK(are_equal(discmc_direction_vector(incidence, from), direction_vector(incidence, from)));
+      CHECK(discmc_opposite_direction(incidence, from) == opposite_direction(incidence, from));
+      for (Direction to = 0; to < direction_count(incidence); ++to)
+        CHECK(discmc_turn(incidence, from, to) == turn(incidence, from, to));
+    }
+  }
+  for (Link link = 0; link < DISCMC_LINK_CODES; ++link) {
+    CHECK(are_equal(discmc_link_vector(link), link_vector(link)));
+    CHECK(discmc_opposite_link(link) == opposite_link(link));
+  }
+}
+
+TEST_CASE("the facets of all configurations are the same through C") {
+  uint32_t total = 0;
+  for (int c = 0; c < configurations; ++c) {
+    const auto configuration = static_cast<Configuration>(c);
+    const discmc_cell_facts facts = discmc_facts_of(configuration);
+    CHECK(facts.facets == cell_facts.facets[c]);
+    CHECK(facts.classic_triangles == cell_facts.classic_triangles[c]);
+    CHECK(facts.enclosed == cell_facts.enclosed[c]);
+    for (uint32_t i = 0; i < facts.facets; ++i, ++total) {
+      const uint8_t facet = discmc_facet_at(configuration, i);
+      CHECK(facet == facet_table.facet[facet_table.first[c] + i]);
+      CHECK(discmc_incidence_of_facet(facet) == incidence_of(Facet{facet}));
+    }
+  }
+  CHECK(total == FacetTable::total);
+  for (int facet = 0; facet < facet_codes; ++facet) {
+    const discmc_facet_ring ring = discmc_ring_of_facet(static_cast<Facet>(facet));
+    REQUIRE(ring.count == facet_rings.ring[facet].count);
+    for (uint32_t i = 0; i < ring.count; ++i)
+      CHECK(are_equal(ring.vertices[i], position(facet_rings.ring[facet].point[i])));
+  }
 }

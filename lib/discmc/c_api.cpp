@@ -1,9 +1,10 @@
-// discmc.h in terms of the C++ library.
+// discmc.h in terms of the C++ library: sizes, extractor, encoder and decoder.
 //
-// A C object is storage, and the C++ object lies in it. All of these classes are trivially copyable
-// and zero as they begin, so storage of zeros is such an object, and nothing need be constructed.
-// Records that pass often (events, runs, vertices) have the same layout on both sides and are
-// looked at in place; the others are copied member by member.
+// A C object is storage, and the C++ object lies in it; C never looks into it. The classes are
+// trivially copyable, and zero as they begin (what is not, of a decoder, is set before it is read),
+// so storage of zeros is such an object, and nothing need be constructed. Events and totals have
+// one layout on both sides and are looked at in place, each side through its own type; what passes
+// seldom is copied member by member.
 #include <discmc/discmc.h>
 
 #include <discmc/discmc.hpp>
@@ -11,15 +12,6 @@
 using namespace discmc;
 
 namespace {
-
-template <class Object, class Storage>
-constexpr bool fits = sizeof(Object) <= sizeof(Storage) &&
-                      sizeof(Storage) - sizeof(Object) <= sizeof(Object) / 8 &&
-                      alignof(Object) <= alignof(Storage) && __is_trivially_copyable(Object);
-
-static_assert(fits<Extractor16, discmc_extractor16> && fits<Extractor32, discmc_extractor32> &&
-                  fits<Encoder, discmc_encoder> && fits<Decoder, discmc_decoder>,
-              "the sizes in discmc.h are enough and not much more");
 
 #define DISCMC_SAME_PLACE(member) (offsetof(Event, member) == offsetof(discmc_event, member))
 static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &&
@@ -30,9 +22,15 @@ static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &
                   DISCMC_SAME_PLACE(statistics),
               "events have one layout");
 #undef DISCMC_SAME_PLACE
-static_assert(sizeof(Run) == sizeof(discmc_run) && sizeof(Vertex) == sizeof(discmc_vertex) &&
-                  sizeof(Statistics) == sizeof(discmc_statistics),
-              "so have runs, vertices and totals");
+#define DISCMC_SAME_PLACE(member) \
+  (offsetof(Statistics, member) == offsetof(discmc_statistics, member))
+static_assert(sizeof(Statistics) == sizeof(discmc_statistics) && DISCMC_SAME_PLACE(cells) &&
+                  DISCMC_SAME_PLACE(facets) && DISCMC_SAME_PLACE(classic_triangles) &&
+                  DISCMC_SAME_PLACE(regions) && DISCMC_SAME_PLACE(rings) &&
+                  DISCMC_SAME_PLACE(links) && DISCMC_SAME_PLACE(cuts) &&
+                  DISCMC_SAME_PLACE(spills) && DISCMC_SAME_PLACE(skipped_rows),
+              "so have totals");
+#undef DISCMC_SAME_PLACE
 
 static_assert(DISCMC_WRONG_VERSION == static_cast<int>(Status::wrong_version) &&
                   DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
@@ -43,16 +41,23 @@ static_assert(DISCMC_WRONG_VERSION == static_cast<int>(Status::wrong_version) &&
                   DISCMC_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row),
               "enumerations are in the same order");
 
-constexpr bool minimum_agrees(uint32_t width, uint32_t height, Border border) {
-  const uint32_t c = static_cast<uint32_t>(border);
-  const Limits limits{width, height, border};
-  return DISCMC_MINIMUM_BYTES16(width, height, c) == minimum_bytes<uint16_t>(limits) &&
-         DISCMC_MINIMUM_BYTES32(width, height, c) == minimum_bytes<uint32_t>(limits);
+static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == DISCMC_MAX_SLICES &&
+                  wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME,
+              "constants are the same");
+
+template <class Index>
+constexpr bool sizes_agree() {
+  constexpr uint64_t i = sizeof(Index);
+  return DISCMC_EDGE_BYTES_(i) == sizeof(Edge<Index>) &&
+         DISCMC_RUN_BYTES_(i) == sizeof(RunNode<Index>) &&
+         DISCMC_RING_BYTES_(i) == sizeof(ClosedRing<Index>) &&
+         DISCMC_REGION_BYTES_(i) == sizeof(RegionNode<Index>) &&
+         DISCMC_MINIMUM_BYTES_(i, 31, 7, DISCMC_OPEN) ==
+             minimum_bytes<Index>({31, 7, Border::open}) &&
+         DISCMC_WORST_CASE_BYTES_(i, 31, 7, DISCMC_CLOSED) == worst_case_bytes<Index>({31, 7});
 }
-static_assert(minimum_agrees(1, 1, Border::closed) && minimum_agrees(1, 1, Border::open) &&
-                  minimum_agrees(30, 7, Border::closed) && minimum_agrees(31, 7, Border::closed) &&
-                  minimum_agrees(32766, 32766, Border::closed),
-              "the macros of discmc.h are minimum_bytes()");
+static_assert(sizes_agree<uint16_t>() && sizes_agree<uint32_t>(),
+              "the constants of sizes.h are what the functions give; the tests have many more");
 
 Limits cpp(const discmc_limits& limits) {
   return {limits.width, limits.height, static_cast<Border>(limits.border)};
@@ -67,9 +72,6 @@ discmc_statistics c(const Statistics& from) {
   return {from.cells, from.facets, from.classic_triangles, from.regions, from.rings, from.links,
           from.cuts,  from.spills, from.skipped_rows};
 }
-discmc_vertex c(const Vertex& from) {
-  return {from.x, from.y, from.z};
-}
 discmc_status c(Status status) {
   return static_cast<discmc_status>(status);
 }
@@ -77,37 +79,65 @@ discmc_pushed c(Pushed pushed) {
   return {c(pushed.status), pushed.samples};
 }
 
-const Run* cpp(const discmc_run* runs) {
-  return reinterpret_cast<const Run*>(runs);
-}
-Run* cpp(discmc_run* runs) {
-  return reinterpret_cast<Run*>(runs);
-}
-Vertex* cpp(discmc_vertex* vertices) {
-  return reinterpret_cast<Vertex*>(vertices);
-}
+// An object that offers events to a sink of C's, of which it has a copy. The function that C++
+// calls is of C++'s type, and calls the one that C has given.
+template <class Object>
+struct Telling {
+  Object object;
+  void* context;
+  discmc_answer (*take)(void* context, const discmc_event* event);
 
-// The C sink is the context, so it has to outlive the scan.
-Sink cpp(const discmc_sink& sink) {
-  if (sink.take == nullptr) return {};
-  const auto take = [](void* context, const Event& event) {
-    const discmc_sink& to = *static_cast<const discmc_sink*>(context);
+  // start(sink): of the object. When it fails the sink stays that of the last start.
+  template <class Start>
+  discmc_status start_to(const discmc_sink& sink, Start start) {
+    const Status status =
+        start(Sink{this, sink.take == nullptr ? nullptr : offer, sink.takes_fragments != 0});
+    if (status == Status::ok) {
+      context = sink.context;
+      take = sink.take;
+    }
+    return c(status);
+  }
+
+  static Answer offer(void* telling, const Event& event) {
+    const Telling& to = *static_cast<const Telling*>(telling);
     return static_cast<Answer>(to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
-  };
-  return {const_cast<discmc_sink*>(&sink), take, sink.takes_fragments != 0};
+  }
+};
+
+template <class Object, class Storage>
+constexpr bool has_size = sizeof(Object) <= sizeof(Storage) &&
+                          sizeof(Storage) <= sizeof(Object) + sizeof(Object) / 10;
+template <class Object, class Storage>
+constexpr bool fits = has_size<Object, Storage>&& __is_trivially_copyable(Object) &&
+                      alignof(Object) <= alignof(Storage);
+
+static_assert(fits<Telling<Extractor16>, discmc_extractor16> &&
+                  fits<Telling<Extractor32>, discmc_extractor32> && fits<Encoder, discmc_encoder> &&
+                  fits<Telling<Decoder>, discmc_decoder>,
+              "the sizes in discmc.h are enough and not much more");
+
+Telling<Extractor16>& telling(discmc_extractor16* extractor) {
+  return *reinterpret_cast<Telling<Extractor16>*>(extractor);
+}
+Telling<Extractor32>& telling(discmc_extractor32* extractor) {
+  return *reinterpret_cast<Telling<Extractor32>*>(extractor);
+}
+Telling<Decoder>& telling(discmc_decoder* decoder) {
+  return *reinterpret_cast<Telling<Decoder>*>(decoder);
 }
 
 Extractor16& cpp(discmc_extractor16* extractor) {
-  return *reinterpret_cast<Extractor16*>(extractor);
+  return telling(extractor).object;
 }
 const Extractor16& cpp(const discmc_extractor16* extractor) {
-  return *reinterpret_cast<const Extractor16*>(extractor);
+  return reinterpret_cast<const Telling<Extractor16>*>(extractor)->object;
 }
 Extractor32& cpp(discmc_extractor32* extractor) {
-  return *reinterpret_cast<Extractor32*>(extractor);
+  return telling(extractor).object;
 }
 const Extractor32& cpp(const discmc_extractor32* extractor) {
-  return *reinterpret_cast<const Extractor32*>(extractor);
+  return reinterpret_cast<const Telling<Extractor32>*>(extractor)->object;
 }
 Encoder& cpp(discmc_encoder* encoder) {
   return *reinterpret_cast<Encoder*>(encoder);
@@ -116,19 +146,10 @@ const Encoder& cpp(const discmc_encoder* encoder) {
   return *reinterpret_cast<const Encoder*>(encoder);
 }
 Decoder& cpp(discmc_decoder* decoder) {
-  return *reinterpret_cast<Decoder*>(decoder);
+  return telling(decoder).object;
 }
 const Decoder& cpp(const discmc_decoder* decoder) {
-  return *reinterpret_cast<const Decoder*>(decoder);
-}
-
-template <class Index>
-Status start(Extractor<Index>& extractor, const discmc_limits& limits,
-             const discmc_capacities* capacities, int32_t threshold, discmc_memory memory,
-             const discmc_sink& sink) {
-  const Memory bytes{memory.data, memory.bytes};
-  if (capacities == nullptr) return extractor.start(cpp(limits), threshold, bytes, cpp(sink));
-  return extractor.start(cpp(limits), cpp(*capacities), threshold, bytes, cpp(sink));
+  return reinterpret_cast<const Telling<Decoder>*>(decoder)->object;
 }
 
 }  // namespace
@@ -137,6 +158,15 @@ const char* discmc_text(discmc_status status) {
   return text(static_cast<Status>(status));
 }
 
+uint8_t discmc_limits_are_valid(const discmc_limits* limits) {
+  return cpp(*limits).are_valid() ? 1 : 0;
+}
+uint8_t discmc_capacities_are_valid16(const discmc_capacities* capacities) {
+  return are_valid<uint16_t>(cpp(*capacities)) ? 1 : 0;
+}
+uint8_t discmc_capacities_are_valid32(const discmc_capacities* capacities) {
+  return are_valid<uint32_t>(cpp(*capacities)) ? 1 : 0;
+}
 uint64_t discmc_minimum_bytes16(const discmc_limits* limits) {
   return minimum_bytes<uint16_t>(cpp(*limits));
 }
@@ -174,7 +204,12 @@ discmc_capacities discmc_default_capacities32(const discmc_limits* limits, uint6
       discmc_extractor##bits* extractor, const discmc_limits* limits,                              \
       const discmc_capacities* capacities, int32_t threshold, discmc_memory memory,                \
       const discmc_sink* sink) {                                                                   \
-    return c(start(cpp(extractor), *limits, capacities, threshold, memory, *sink));                \
+    return telling(extractor).start_to(*sink, [&](const Sink& to) {                                \
+      const Memory bytes{memory.data, memory.bytes};                                               \
+      return capacities == nullptr                                                                 \
+                 ? cpp(extractor).start(cpp(*limits), threshold, bytes, to)                        \
+                 : cpp(extractor).start(cpp(*limits), cpp(*capacities), threshold, bytes, to);     \
+    });                                                                                            \
   }                                                                                                \
   discmc_status discmc_extractor##bits##_reset(discmc_extractor##bits* extractor) {                \
     return c(cpp(extractor).reset());                                                              \
@@ -259,7 +294,7 @@ uint64_t discmc_encoder_bytes(const discmc_encoder* encoder) {
 }
 
 discmc_status discmc_decoder_start(discmc_decoder* decoder, const discmc_sink* sink) {
-  return c(cpp(decoder).start(cpp(*sink)));
+  return telling(decoder).start_to(*sink, [&](const Sink& to) { return cpp(decoder).start(to); });
 }
 discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes, size_t count) {
   const Decoded decoded = cpp(decoder).push(bytes, count);
@@ -280,62 +315,4 @@ discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder) {
           from.is_complete(),   from.bytes,        from.packets,   from.repeated_packets,
           from.damaged_packets, from.lost_packets, from.regions,   from.lost_regions,
           from.slices,          c(from.totals)};
-}
-
-discmc_run discmc_run_straight(uint8_t direction, uint32_t length) {
-  return Run::straight(direction, length).code();
-}
-uint8_t discmc_run_is_fragment(discmc_run run) {
-  return Run::from_code(run).is_fragment() ? 1 : 0;
-}
-uint32_t discmc_run_fragment_number(discmc_run run) {
-  return Run::from_code(run).fragment_number();
-}
-uint8_t discmc_run_direction(discmc_run run) {
-  return Run::from_code(run).direction();
-}
-uint32_t discmc_run_length(discmc_run run) {
-  return Run::from_code(run).length();
-}
-
-discmc_vertex discmc_normal(uint8_t incidence) {
-  return c(normal(incidence));
-}
-uint8_t discmc_direction_count(uint8_t incidence) {
-  return direction_count(incidence);
-}
-discmc_vertex discmc_direction_vector(uint8_t incidence, uint8_t direction) {
-  return c(direction_vector(incidence, direction));
-}
-discmc_vertex discmc_displacement(uint8_t incidence, const discmc_run* runs, uint32_t count) {
-  return c(displacement(incidence, cpp(runs), count));
-}
-void discmc_reverse(uint8_t incidence, discmc_run* runs, uint32_t count) {
-  reverse(incidence, cpp(runs), count);
-}
-int64_t discmc_twice_area(uint8_t incidence, const discmc_run* runs, uint32_t count) {
-  return twice_area(incidence, cpp(runs), count);
-}
-uint64_t discmc_link_count(const discmc_run* runs, uint32_t count) {
-  return link_count(cpp(runs), count);
-}
-
-void discmc_unfold(uint8_t incidence, discmc_vertex start, const discmc_run* runs, uint32_t count,
-                   discmc_vertex* vertices) {
-  unfold(incidence, {start.x, start.y, start.z}, cpp(runs), count, cpp(vertices));
-}
-void discmc_split_ring(discmc_vertex* vertices, uint32_t count, uint32_t* scratch,
-                       const discmc_ring_receiver* receiver) {
-  const auto take = [](void* context, const Vertex* ring, uint32_t length) {
-    const discmc_ring_receiver& to = *static_cast<const discmc_ring_receiver*>(context);
-    to.take(to.context, reinterpret_cast<const discmc_vertex*>(ring), length);
-  };
-  split_ring(cpp(vertices), count, scratch, {const_cast<discmc_ring_receiver*>(receiver), take});
-}
-uint32_t discmc_keep_corners(discmc_vertex* vertices, uint32_t count,
-                             uint8_t (*keep)(void* context, const discmc_vertex* vertex),
-                             void* context) {
-  return keep_corners(cpp(vertices), count, [=](const Vertex& vertex) {
-    return keep != nullptr && keep(context, reinterpret_cast<const discmc_vertex*>(&vertex)) != 0;
-  });
 }

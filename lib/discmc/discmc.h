@@ -3,12 +3,13 @@
  *   discmc_encoder_start, discmc_extractor16_start      once
  *   discmc_extractor16_push_u8                          as often as samples arrive
  *   discmc_extractor16_resume                           after DISCMC_MORE, when the sink may take
- * again discmc_extractor16_finish                           after the last slice
+ * on discmc_extractor16_finish                           after the last slice
  *
  * Names and meanings are those of the C++ headers, which say more where a reference is given.
  * Objects are opaque and lie in your memory. They must be zero before they are first used, as
- * static ones are, and `= {{0}}` makes others. They may be copied and forgotten at any time;
- * nothing has to be released. Nothing is shared between objects, and no function has static state.
+ * static ones are, and `= {{0}}` makes others. Once started they stay where they are; they may be
+ * forgotten at any time, and nothing has to be released. Nothing is shared between objects, and no
+ * function has static state.
  *
  * Pointers must not be null except where that is said. Every function is for one context at a time:
  * see ports/README.md for interrupts. Coordinates are in half-steps: voxel (i, j, k) lies at
@@ -16,6 +17,7 @@
 #ifndef DISCMC_H
 #define DISCMC_H
 
+#include <discmc/sizes.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -47,7 +49,7 @@ enum {
   DISCMC_FINISHED,          /* only ..._reset() or ..._start() go on from here */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
-  DISCMC_TOO_DEEP,          /* z coordinates are exhausted; finish still works */
+  DISCMC_TOO_DEEP,          /* DISCMC_MAX_SLICES are there; finish still works */
   DISCMC_WRONG_VERSION      /* the stream's version is not known to this decoder */
 };
 
@@ -56,7 +58,7 @@ const char* discmc_text(discmc_status status);
 
 /* ---- limits and memory (limits.hpp) ---- */
 
-enum { DISCMC_MAX_EXTENT = 32766 };
+enum { DISCMC_MAX_EXTENT = 32766, DISCMC_MAX_SLICES = 1073741823 };
 
 /* What lies around the volume: a halo of off voxels, which closes the surface, or nothing. */
 enum { DISCMC_CLOSED, DISCMC_OPEN };
@@ -79,21 +81,20 @@ typedef struct discmc_memory {
   size_t bytes;
 } discmc_memory;
 
-/* The least memory with which a scan works, for the size of a static array: every surface comes out
- * right, not merged beyond cells. More merges better. 16 and 32 are the bits of an index. */
-#define DISCMC_MINIMUM_BYTES16(width, height, border) \
-  (DISCMC_ROWS_BYTES(width, height, border) + 4u * ((width) + DISCMC_HALO(border) - 1u) + 503u)
-#define DISCMC_MINIMUM_BYTES32(width, height, border) \
-  (DISCMC_ROWS_BYTES(width, height, border) + 8u * ((width) + DISCMC_HALO(border) - 1u) + 671u)
+/* Whether the limits are, and whether an index of 16 or 32 bits can count the records. */
+uint8_t discmc_limits_are_valid(const discmc_limits* limits);
+uint8_t discmc_capacities_are_valid16(const discmc_capacities* capacities);
+uint8_t discmc_capacities_are_valid32(const discmc_capacities* capacities);
 
-/* Parts of the above. */
-#define DISCMC_HALO(border) ((border) == DISCMC_CLOSED ? 2u : 0u)
-#define DISCMC_ROWS_BYTES(width, height, border) \
-  (4u * (((width) + DISCMC_HALO(border) + 31u) / 32u) * ((height) + 3u))
-
-/* The same as functions, the bytes for any capacities, and those for the worst case: with the
- * memory of discmc_worst_case_bytesN() and discmc_worst_case_capacities() no volume ever cuts a
- * region apart. Limit: the limits are valid. */
+/* The least memory with which a scan works: every surface comes out right, not merged beyond cells;
+ * more merges better. The bytes for any capacities. Those for the worst case: with the memory of
+ * discmc_worst_case_bytesN() and discmc_worst_case_capacities() no volume ever cuts a region apart.
+ * N is the bits of an index. Limit: the limits are valid.
+ *
+ * sizes.h has the same as constants, to size a static array with: DISCMC_MINIMUM_BYTES16(),
+ * DISCMC_BYTES_FOR16(), DISCMC_WORST_CASE_BYTES16() and, for `const discmc_capacities c = `,
+ * DISCMC_MINIMUM_CAPACITIES, DISCMC_WORST_CASE_CAPACITIES() and DISCMC_DEFAULT_CAPACITIES16(); and
+ * likewise with 32. */
 uint64_t discmc_minimum_bytes16(const discmc_limits* limits);
 uint64_t discmc_minimum_bytes32(const discmc_limits* limits);
 uint64_t discmc_bytes_for16(const discmc_limits* limits, const discmc_capacities* capacities);
@@ -149,7 +150,7 @@ enum {
  * 0 or 1. */
 typedef struct discmc_event {
   uint8_t kind;
-  uint8_t incidence; /* 13 + x + 3 y + 9 z of the normal's signs: see discmc_normal() */
+  uint8_t incidence; /* see discmc_normal() */
   uint8_t hole;
   uint8_t repeated;
   uint8_t abandoned;
@@ -165,7 +166,8 @@ typedef struct discmc_event {
 typedef uint8_t discmc_answer;
 enum { DISCMC_TAKEN, DISCMC_NOT_NOW };
 
-/* Where events go. Owner: the sink and its context are the caller's and must outlive the scan. */
+/* Where events go. Owner: the context is the caller's and must outlive the scan; the sink is
+ * copied. */
 typedef struct discmc_sink {
   void* context;
   discmc_answer (*take)(void* context, const discmc_event* event);
@@ -288,6 +290,9 @@ uint32_t discmc_extractor32_rows(const discmc_extractor32* extractor);
 
 /* ---- the encoder (encoder.hpp) ---- */
 
+/* The version of the stream that is written, and the most bytes of one of its frames. */
+enum { DISCMC_WIRE_VERSION = 1, DISCMC_MAX_FRAME = 256 };
+
 /* What a stream says of its scan. */
 typedef struct discmc_stream_header {
   uint32_t width, height;
@@ -305,7 +310,7 @@ typedef struct discmc_byte_output {
 } discmc_byte_output;
 
 typedef struct discmc_encoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 880 : 832) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 848 : 808) / 8];
 } discmc_encoder;
 
 /* Begins a stream; its header is the first packet. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_SINK (no
@@ -355,7 +360,7 @@ typedef struct discmc_decoder {
   uint64_t opaque[(sizeof(void*) == 8 ? 1088 : 1040) / 8];
 } discmc_decoder;
 
-/* Begins a stream. The sink must outlive it. Errors: DISCMC_BAD_SINK. */
+/* Begins a stream. Errors: DISCMC_BAD_SINK. */
 DISCMC_NODISCARD discmc_status discmc_decoder_start(discmc_decoder* decoder,
                                                     const discmc_sink* sink);
 
@@ -371,25 +376,64 @@ DISCMC_NODISCARD discmc_status discmc_decoder_finish(discmc_decoder* decoder);
 discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder);
 discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder);
 
-/* ---- chains (lattice.hpp, chain.hpp) ---- */
+/* ---- the lattice (lattice.hpp) ---- */
 
-/* A straight run. Limit: length 1 to 2^28 - 1 links, direction below discmc_direction_count(). */
+/* An incidence is a signed normal as a number, 13 + x + 3 y + 9 z for components -1, 0 or 1; it
+ * points from on to off, and DISCMC_NO_INCIDENCE, the zero vector, is none. A link is one of 18
+ * vectors between neighbouring vertices. A direction is a link's number within the planes of an
+ * incidence, counter-clockwise seen from the tip of the normal. */
+enum {
+  DISCMC_NO_INCIDENCE = 13,
+  DISCMC_INCIDENCE_CODES = 27,
+  DISCMC_LINK_CODES = 18,
+  DISCMC_NO_DIRECTION = 255
+};
+
+discmc_vertex discmc_normal(uint8_t incidence);
+/* Limit: components are -1, 0 or 1. */
+uint8_t discmc_incidence_of(discmc_vertex normal);
+uint8_t discmc_opposite(uint8_t incidence);
+
+/* The vector of a link, and the link that leads back. Units: half-steps. */
+discmc_vertex discmc_link_vector(uint8_t link);
+uint8_t discmc_opposite_link(uint8_t link);
+
+/* How many directions the planes of an incidence have: 8 axis, 4 diagonal, 6 corner. */
+uint8_t discmc_direction_count(uint8_t incidence);
+/* The vector and the link of a direction, and the direction half a round on. */
+discmc_vertex discmc_direction_vector(uint8_t incidence, uint8_t direction);
+uint8_t discmc_link_of(uint8_t incidence, uint8_t direction);
+uint8_t discmc_opposite_direction(uint8_t incidence, uint8_t direction);
+/* The direction of a link, or DISCMC_NO_DIRECTION when it lies in none of the planes. */
+uint8_t discmc_direction_of(uint8_t incidence, uint8_t link);
+/* The turn from one direction to the next as a count of directions, from -n/2 (a half turn counts
+ * as negative) to n/2 - 1, where n is their number. Counter-clockwise is positive. */
+int discmc_turn(uint8_t incidence, uint8_t from, uint8_t to);
+
+/* ---- chains (chain.hpp) ---- */
+
+#define DISCMC_RUN_MAX_LENGTH UINT32_C(0x0FFFFFFF)
+#define DISCMC_RUN_MAX_FRAGMENT UINT32_C(0x7FFFFFFF)
+
+/* A straight run. Limit: length 1 to DISCMC_RUN_MAX_LENGTH links, direction below
+ * discmc_direction_count(). And a stand-in for a fragment; Limit: DISCMC_RUN_MAX_FRAGMENT. A run of
+ * 0 is empty. */
 discmc_run discmc_run_straight(uint8_t direction, uint32_t length);
+discmc_run discmc_run_fragment(uint32_t number);
 /* Whether a run stands for a fragment, and for which; else its direction and its length in links.
  */
 uint8_t discmc_run_is_fragment(discmc_run run);
 uint32_t discmc_run_fragment_number(discmc_run run);
 uint8_t discmc_run_direction(discmc_run run);
 uint32_t discmc_run_length(discmc_run run);
-
-/* A region's normal, as signs; it points from on to off. */
-discmc_vertex discmc_normal(uint8_t incidence);
-/* How many directions the planes of an incidence have, and the vector of one. */
-uint8_t discmc_direction_count(uint8_t incidence);
-discmc_vertex discmc_direction_vector(uint8_t incidence, uint8_t direction);
+/* Takes the other run in, when both are straight, of one direction, and short enough together: not
+ * 0 when it did. */
+uint8_t discmc_run_absorb(discmc_run* run, discmc_run other);
 
 /* The chain's end relative to its start. Limit, here and below: straight runs only. */
 discmc_vertex discmc_displacement(uint8_t incidence, const discmc_run* runs, uint32_t count);
+/* Whether the chain ends where it starts. */
+uint8_t discmc_is_closed(uint8_t incidence, const discmc_run* runs, uint32_t count);
 /* Turns the chain round in place. */
 void discmc_reverse(uint8_t incidence, discmc_run* runs, uint32_t count);
 /* Twice the area of a closed chain times the length of its incidence's normal: positive for an
@@ -405,6 +449,9 @@ uint64_t discmc_link_count(const discmc_run* runs, uint32_t count);
 void discmc_unfold(uint8_t incidence, discmc_vertex start, const discmc_run* runs, uint32_t count,
                    discmc_vertex* vertices);
 
+/* discmc_twice_area() of a ring of vertices. */
+int64_t discmc_twice_area_of_ring(uint8_t incidence, const discmc_vertex* vertices, uint32_t count);
+
 /* Who is handed simple rings: of three vertices or more, valid during the call. */
 typedef struct discmc_ring_receiver {
   void* context;
@@ -416,11 +463,35 @@ typedef struct discmc_ring_receiver {
 void discmc_split_ring(discmc_vertex* vertices, uint32_t count, uint32_t* scratch,
                        const discmc_ring_receiver* receiver);
 
+/* Whether vertex i of a ring is a corner: the links before and after it differ. */
+uint8_t discmc_is_corner(const discmc_vertex* vertices, uint32_t count, uint32_t i);
+
 /* Keeps, in order and in place, the corners of a ring and every vertex that keep() returns not 0
  * for; returns how many. keep: may be null. */
 uint32_t discmc_keep_corners(discmc_vertex* vertices, uint32_t count,
                              uint8_t (*keep)(void* context, const discmc_vertex* vertex),
                              void* context);
+
+/* ---- facets (facet_table.hpp): the lookup table, for tools. No scan needs these ---- */
+
+/* A facet is one byte: its incidence in the upper 5 bits, its place in plane and cell in the lower
+ * 3. A configuration is the corner bits of a cell, bit c for corner (c & 1, c >> 1 & 1, c >> 2). */
+typedef struct discmc_facet_ring {
+  uint32_t count;            /* 3, 4, or 0 for a code that is no facet */
+  discmc_vertex vertices[4]; /* from the cell's corner 0; counter-clockwise from the normal's tip */
+} discmc_facet_ring;
+
+typedef struct discmc_cell_facts {
+  uint8_t facets;            /* 0 to 7 */
+  uint8_t classic_triangles; /* of classic Marching Cubes */
+  uint8_t enclosed;          /* volume on the on side; Units: 48ths of a cell */
+} discmc_cell_facts;
+
+discmc_cell_facts discmc_facts_of(uint8_t configuration);
+/* Facet i of a configuration. Limit: i is below the number of its facets. */
+uint8_t discmc_facet_at(uint8_t configuration, uint32_t i);
+uint8_t discmc_incidence_of_facet(uint8_t facet);
+discmc_facet_ring discmc_ring_of_facet(uint8_t facet);
 
 #ifdef __cplusplus
 }
