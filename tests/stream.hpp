@@ -291,12 +291,9 @@ struct Packet {
 };
 
 inline Bytes frame_of(const Packet& packet) {
-  Bytes frame(5 + packet.payload.size());
-  frame[1] = packet.kind;
-  frame[2] = packet.number;
-  frame[3] = static_cast<uint8_t>(packet.regions);
-  frame[4] = static_cast<uint8_t>(packet.regions >> 8);
-  std::copy(packet.payload.begin(), packet.payload.end(), frame.begin() + 5);
+  Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.regions),
+              static_cast<uint8_t>(packet.regions >> 8)};
+  for (const uint8_t byte : packet.payload) frame.push_back(byte);
   const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
   for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
   const size_t plain = frame.size() - 1;
@@ -338,17 +335,15 @@ inline Bytes joined(const std::vector<Bytes>& frames) {
 
 struct WritingCoder {
   RangeEncoder range;
-  bool bit(uint16_t context, bool bit) {
-    range.encode(bit, context == context::even ? uint8_t{128} : region_model[context]);
+  bool bit(uint32_t context, bool bit) {
+    range.encode(bit, region_model[context]);
     return bit;
   }
 };
 
 struct ReadingCoder {
   RangeDecoder range;
-  bool bit(uint16_t context, bool) {
-    return range.decode(context == context::even ? uint8_t{128} : region_model[context]);
-  }
+  bool bit(uint32_t context, bool) { return range.decode(region_model[context]); }
 };
 
 /// The payload of a packet of records, told to the model by hand.

@@ -17,14 +17,14 @@ constexpr size_t max_plain = 254;
 /// frame on the wire, its ending zero included. Limit: count <= max_plain; frame has count + 2
 /// bytes. Returns the length of the frame: count + 2.
 constexpr size_t stuff(uint8_t* frame, size_t count) {
-  size_t code = 0;
-  for (size_t i = 1; i <= count; ++i) {
+  size_t next = count + 1;
+  frame[next] = 0;
+  frame[0] = 0;
+  for (size_t i = next; i-- > 0;) {
     if (frame[i] != 0) continue;
-    frame[code] = static_cast<uint8_t>(i - code);
-    code = i;
+    frame[i] = static_cast<uint8_t>(next - i);
+    next = i;
   }
-  frame[code] = static_cast<uint8_t>(count + 1 - code);
-  frame[count + 1] = 0;
   return count + 2;
 }
 

@@ -121,9 +121,8 @@ void Decoder::lose_open() {
 bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
   using namespace wire;
   ByteReader reader(payload, bytes);
-  uint32_t wrong = 0;
-  for (const uint8_t letter : magic) wrong |= static_cast<uint32_t>(reader.get(1)) ^ letter;
-  is_refused_ = wrong == 0 && reader.get(1) != version;
+  const bool is_ours = reader.get(3) == magic;
+  is_refused_ = is_ours && reader.get(1) != version;
   if (is_refused_) return false;
   StreamHeader header;
   header.width = static_cast<uint32_t>(reader.get(2));
@@ -136,7 +135,7 @@ bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
   const uint64_t packets_before = reader.get(4);
   const uint64_t regions_before = reader.get(8);
   const Limits limits{header.width, header.height, header.border};
-  if (wrong != 0 || bytes < header_payload || !limits.are_valid()) {
+  if (!is_ours || bytes < header_payload || !limits.are_valid()) {
     damage();
     return false;
   }
@@ -262,7 +261,7 @@ bool Decoder::read_ring(bool further) {
   const Vertex u = direction_vector(record_.incidence, direction[0]);
   const Vertex v = direction_vector(record_.incidence, direction[1]);
   uint32_t told = 0;
-  if (are_parallel(record_.incidence, direction[0], direction[1])) told = model_.length(1);
+  if (model_.is_parallel()) told = model_.length(1);
   if (told > max_compact_length) return false;
   const Closure closure = close_ring(u, v, way, told);
   if (!closure.is_valid) return false;

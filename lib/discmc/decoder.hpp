@@ -59,9 +59,7 @@ class Decoder {
  private:
   struct Coder {
     RangeDecoder range;
-    bool bit(uint16_t context, bool) {
-      return range.decode(context == context::even ? uint8_t{128} : region_model[context]);
-    }
+    bool bit(uint32_t context, bool) { return range.decode(region_model[context]); }
   };
   using Model = RegionModel<Coder>;
 

@@ -20,6 +20,7 @@ Status Encoder::start(const StreamHeader& header, const ByteOutput& output) {
   bytes_ = 0;
   regions_ = 0;
   packets_ = 0;
+  regions_before_ = 0;
   trailer_is_sealed_ = false;
   is_emptying_ = false;
   seal_header();
@@ -37,27 +38,24 @@ Answer Encoder::take(const Event& event) {
       record_.number = event.number;
       break;
     case Event::Kind::ring:
-      done = has_room(Record::ring_words) || put_parts(false);
+      done = make_room(Record::ring_words, event);
       if (done) record_.add_ring(event.start);
       break;
     case Event::Kind::run:
-      done = has_room(1) || put_parts(false);
+      done = make_room(1, event);
       if (done) record_.add_run(event.run);
       break;
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
-      done = is_compact(record_) ? put_whole(event) : put_parts(true);
-      break;
     case Event::Kind::layer:
     case Event::Kind::skipped:
-      done = put_whole(event);
+      done = put(event);
       break;
     case Event::Kind::finish:
       done = put_trailer(event);
       break;
     case Event::Kind::lost:
       is_emptying_ = false;
-      record_.begin(no_incidence);
       break;
   }
   return done ? Answer::taken : Answer::not_now;
@@ -71,91 +69,85 @@ bool Encoder::flush() {
 
 // ---- records ----
 
-// Puts a mark, or the record when it is compact, into this packet or else into the next.
-bool Encoder::put_whole(const Event& event) {
-  for (;;) {
+void Encoder::Coder::tell(uint32_t context, bool bit) {
+  range.encode(bit, region_model[context]);
+}
+
+// A record that has no room is emptied in parts before the event goes into it.
+bool Encoder::make_room(uint32_t words, const Event& event) {
+  is_emptying_ = is_emptying_ || !record_.has_room(words);
+  return !is_emptying_ || put(event);
+}
+
+// Puts a mark, or what is in the record, into this packet or the next. What cannot be told whole,
+// or is longer than a packet, goes in parts, into as many packets as it takes; no mark does.
+bool Encoder::put(const Event& event) {
+  for (uint32_t words = record_.count;;) {
     const Model before = model_;
-    encode_whole(event);
-    if (fits(end_reserve)) break;
-    model_ = before;
-    if (packet_is_empty_) return put_parts(true);  // no mark is as long as a packet
+    const bool is_told = is_emptying_ ? encode_part(words, event.kind) : encode_whole(event);
+    if (is_told && fits(end_reserve)) {
+      packet_is_empty_ = false;
+      record_.drop(words);
+      if (record_.count == 0) break;
+    } else {
+      model_ = before;
+      if (packet_is_empty_ || !(is_told || is_emptying_)) {
+        is_emptying_ = true;
+        continue;
+      }
+    }
     seal_records();
     if (!drain()) return false;
+    words = record_.count;
   }
-  packet_is_empty_ = false;
+  is_emptying_ = false;
   if (event.kind == Event::Kind::region_end) ++regions_;
   return true;
 }
 
-void Encoder::encode_whole(const Event& event) {
-  if (event.kind == Event::Kind::region_end) return encode_region(model_, record_);
-  model_.region_follows(false);
-  if (event.kind == Event::Kind::layer) {
-    model_.other_kind(OtherKind::layer);
-    model_.layer(event.slice);
-  } else {
-    model_.other_kind(OtherKind::skipped);
-    model_.plain_number(event.slice);
-    model_.plain_number(event.row);
-    model_.plain_bits(1, event.repeated ? 1 : 0);
+bool Encoder::encode_whole(const Event& event) {
+  switch (event.kind) {
+    case Event::Kind::layer:
+      encode_kind(model_, OtherKind::layer);
+      model_.layer(event.slice);
+      return true;
+    case Event::Kind::skipped:
+      encode_kind(model_, OtherKind::skipped);
+      model_.plain_number(event.slice);
+      model_.plain_number(event.row);
+      model_.plain_bits(1, event.repeated ? 1 : 0);
+      return true;
+    default:
+      return encode_region(model_, record_);
   }
 }
 
-// Empties the record into one part, or into as many as there must be packets for them.
-bool Encoder::put_parts(bool is_last) {
-  is_emptying_ = true;
-  for (;;) {
-    const Model before = model_;
-    const uint32_t words = encode_part(is_last);
-    const bool is_whole = words == record_.count && fits(end_reserve);
-    if (!is_whole && !packet_is_empty_) {
-      model_ = before;
-    } else {
-      for (uint32_t i = words; i < record_.count; ++i) record_.word[i - words] = record_.word[i];
-      record_.count -= words;
-      record_.continues = true;
-      packet_is_empty_ = false;
-    }
-    if (is_whole) break;
-    seal_records();
-    if (!drain()) return false;
-  }
-  is_emptying_ = false;
-  if (is_last && !record_.is_fragment) ++regions_;
-  return true;
-}
-
-// Encodes a part with as many items as the packet takes. Returns their words.
-uint32_t Encoder::encode_part(bool is_last) {
-  model_.region_follows(false);
-  model_.other_kind(OtherKind::part);
+// Encodes the first words of the record as a part. False when fewer fit: `words` says how many.
+bool Encoder::encode_part(uint32_t& words, Event::Kind cause) {
+  encode_kind(model_, OtherKind::part);
   model_.part(record_);
-  uint32_t words = 0;
-  while (words < record_.count) {
-    const Model before = model_;
-    const uint32_t taken = encode_item(model_, record_, words);
+  for (uint32_t i = 0; i < words;) {
+    const uint32_t end = i + encode_item(model_, record_, i);
     if (!fits(part_end_reserve)) {
-      model_ = before;
-      break;
+      words = i;
+      return false;
     }
-    words += taken;
+    i = end;
   }
   model_.item_kind(Item::end);
-  model_.end_part(is_last && words == record_.count);
-  return words;
+  const bool is_end = cause == Event::Kind::region_end || cause == Event::Kind::fragment_end;
+  model_.end_part(is_end && words == record_.count);
+  return true;
 }
 
 bool Encoder::put_trailer(const Event& event) {
   if (!trailer_is_sealed_) {
-    if (!packet_is_empty_) {
-      seal_records();
-      if (!drain()) return false;
-    }
-    wire::ByteWriter writer(payload());
-    writer.put(event.slice, 4);
-    writer.put(event.abandoned ? 1 : 0, 1);
-    for (const auto total : wire::trailer_totals) writer.put_long(event.statistics->*total);
-    seal(wire::PacketKind::trailer, wire::trailer_payload);
+    if (!flush()) return false;
+    uint8_t* place = wire::put(payload(), event.slice, 4);
+    place = wire::put(place, event.abandoned ? 1 : 0, 1);
+    for (const auto total : wire::trailer_totals)
+      place = wire::put_long(place, event.statistics->*total);
+    seal(wire::PacketKind::trailer, place);
     trailer_is_sealed_ = true;
   }
   return drain();
@@ -171,56 +163,52 @@ void Encoder::open_packet() {
   model_ = Model(Coder{RangeEncoder(payload(), wire::max_payload)});
   packet_is_empty_ = true;
   frame_bytes_ = 0;
-  regions_before_ = regions_;
 }
 
 void Encoder::seal_records() {
-  model_.region_follows(false);
-  model_.other_kind(OtherKind::end);
+  encode_kind(model_, OtherKind::end);
   ++packets_since_header_;
-  seal(wire::PacketKind::records, model_.coder().range.finish());
+  seal(wire::PacketKind::records, payload() + model_.coder().range.finish());
 }
 
 void Encoder::seal_header() {
-  wire::ByteWriter writer(payload());
-  for (const uint8_t letter : wire::magic) writer.put(letter, 1);
-  writer.put(wire::version, 1);
-  writer.put(header_.width, 2);
-  writer.put(header_.height, 2);
-  writer.put(header_.depth, 4);
-  for (const int32_t spacing : header_.spacing_nm) writer.put(static_cast<uint32_t>(spacing), 4);
-  writer.put(static_cast<uint32_t>(header_.threshold), 4);
-  writer.put(header_.border == Border::open ? 1 : 0, 1);
-  writer.put(packets_, 4);
-  writer.put_long(regions_);
+  uint8_t* place = wire::put(payload(), wire::magic | uint32_t{wire::version} << 24, 4);
+  place = wire::put(place, header_.width, 2);
+  place = wire::put(place, header_.height, 2);
+  place = wire::put(place, header_.depth, 4);
+  for (const int32_t spacing : header_.spacing_nm)
+    place = wire::put(place, static_cast<uint32_t>(spacing), 4);
+  place = wire::put(place, static_cast<uint32_t>(header_.threshold), 4);
+  place = wire::put(place, header_.border == Border::open ? 1 : 0, 1);
+  place = wire::put(place, packets_, 4);
+  place = wire::put_long(place, regions_);
   packets_since_header_ = 0;
-  regions_before_ = regions_;
-  seal(wire::PacketKind::header, wire::header_payload);
+  seal(wire::PacketKind::header, place);
 }
 
-void Encoder::seal(wire::PacketKind kind, size_t payload_bytes) {
+// Makes a frame of the payload that ends at `end`.
+void Encoder::seal(wire::PacketKind kind, uint8_t* end) {
   uint8_t* const packet = frame_ + 1;
-  wire::ByteWriter head(packet);
-  head.put(static_cast<uint8_t>(kind), 1);
-  head.put(packets_, 1);
-  head.put(static_cast<uint32_t>(regions_before_), 2);
-  const size_t checked = wire::packet_head + payload_bytes;
-  wire::ByteWriter(packet + checked).put(crc32(packet, checked), wire::packet_crc);
-  frame_bytes_ = cobs::stuff(frame_, checked + wire::packet_crc);
+  wire::put(packet,
+            uint32_t{static_cast<uint8_t>(kind)} | (packets_ & 0xFF) << 8 | regions_before_ << 16,
+            wire::packet_head);
+  wire::put(end, crc32(packet, static_cast<size_t>(end - packet)), wire::packet_crc);
+  frame_bytes_ = static_cast<uint16_t>(
+      cobs::stuff(frame_, static_cast<size_t>(end - packet) + wire::packet_crc));
   drained_ = 0;
   ++packets_;
+  regions_before_ = static_cast<uint32_t>(regions_);
 }
 
 // Hands the sealed frame over. When all of it is gone the next packet is open.
 bool Encoder::drain() {
   while (frame_bytes_ > 0) {
-    const size_t taken = output_.write(output_.context, frame_ + drained_, frame_bytes_ - drained_);
-    drained_ += taken;
+    const size_t left = static_cast<size_t>(frame_bytes_ - drained_);
+    const size_t taken = output_.write(output_.context, frame_ + drained_, left);
     bytes_ += taken;
-    if (drained_ < frame_bytes_) {
-      if (taken == 0) return false;
-      continue;
-    }
+    if (taken == 0) return false;
+    drained_ = static_cast<uint16_t>(drained_ + taken);
+    if (taken < left) continue;
     if (packets_since_header_ == wire::header_interval)
       seal_header();
     else

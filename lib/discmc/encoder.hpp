@@ -37,43 +37,42 @@ class Encoder {
  private:
   struct Coder {
     RangeEncoder range;
-    bool bit(uint16_t context, bool bit) {
-      range.encode(bit, context == context::even ? uint8_t{128} : region_model[context]);
+    bool bit(uint32_t context, bool bit) {
+      tell(context, bit);
       return bit;
     }
+    void tell(uint32_t context, bool bit);
   };
   using Model = RegionModel<Coder>;
 
-  // While a record is being emptied it takes nothing, or the bytes would depend on the output.
-  bool has_room(uint32_t words) const { return !is_emptying_ && record_.has_room(words); }
-  bool put_whole(const Event& event);
-  void encode_whole(const Event& event);
-  bool put_parts(bool is_last);
-  uint32_t encode_part(bool is_last);
+  bool make_room(uint32_t words, const Event& event);
+  bool put(const Event& event);
+  bool encode_whole(const Event& event);
+  bool encode_part(uint32_t& words, Event::Kind cause);
   bool put_trailer(const Event& event);
 
   bool fits(size_t reserve) const;
   void open_packet();
   void seal_records();
   void seal_header();
-  void seal(wire::PacketKind kind, size_t payload_bytes);
+  void seal(wire::PacketKind kind, uint8_t* end);
   bool drain();
   uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
 
   // Small members stand first, where they are reached by short instructions.
   bool packet_is_empty_ = false;
   bool trailer_is_sealed_ = false;
-  bool is_emptying_ = false;  // a record too long for a packet is on its way out in parts
-  ByteOutput output_;
-  size_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
-  size_t drained_ = 0;
+  bool is_emptying_ = false;  // the record is on its way out in parts, and takes nothing
+  uint8_t packets_since_header_ = 0;
   Model model_;
+  uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
+  uint16_t drained_ = 0;
+  ByteOutput output_;
   uint32_t packets_ = 0;
-  uint32_t packets_since_header_ = 0;
-  Record record_;
-  uint64_t bytes_ = 0;
+  uint32_t regions_before_ = 0;  // complete ones before the open packet, modulo 2^32
   uint64_t regions_ = 0;         // complete ones so far
-  uint64_t regions_before_ = 0;  // complete ones before the open packet
+  uint64_t bytes_ = 0;
+  Record record_;
   StreamHeader header_;
   uint8_t frame_[wire::max_frame] = {};
 };

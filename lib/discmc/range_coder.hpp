@@ -14,21 +14,23 @@ namespace discmc {
 using Probability = uint8_t;
 
 /// Writes bits into a fixed buffer. A copy is a snapshot: to go back to it undoes all bits since,
-/// as bytes once written are never changed. Owner: the buffer is the caller's.
+/// as bytes once written are never changed. Limit: at most 65,535 bytes. Owner: the buffer is the
+/// caller's.
 class RangeEncoder {
  public:
   RangeEncoder() = default;
   RangeEncoder(uint8_t* buffer, size_t capacity)
-      : range_(UINT32_MAX), buffer_(buffer), capacity_(capacity) {}
+      : first_held_(0xFF),
+        capacity_(static_cast<uint16_t>(capacity)),
+        range_(UINT32_MAX),
+        buffer_(buffer) {}
 
   void encode(bool bit, Probability one) {
     const uint32_t bound = (range_ >> 8) * one;
     if (bit) {
       range_ = bound;
     } else {
-      const uint32_t before = low_;
-      low_ += bound;
-      carry_ = carry_ || low_ < before;
+      add(bound);
       range_ -= bound;
     }
     while (range_ < min_range) {
@@ -38,64 +40,58 @@ class RangeEncoder {
   }
 
   /// The bytes that finish() would come to. More than the capacity means that bits were lost.
-  size_t size() const { return count_ + pending_ + (has_cache_ ? 1 : 0) + closing_bytes(); }
+  size_t size() const { return size_t{count_} + held_ + (needs_closing_byte() ? 1 : 0); }
   bool fits() const { return size() <= capacity_; }
 
   /// Ends the code with as few bytes as identify it; bytes beyond read as zero. Returns the length.
   /// Limit: fits().
   size_t finish() {
-    const size_t closing = closing_bytes();
-    const uint32_t value = rounded_up(low_, closing);
-    carry_ = carry_ || value < low_;
-    low_ = value;
-    for (size_t i = 0; i <= closing; ++i) shift();
+    if (needs_closing_byte()) {
+      add(0x00FFFFFF);
+      shift();
+    } else {
+      add(0 - low_);
+    }
+    low_ = 0;
+    shift();
     return count_;
   }
 
  private:
   static constexpr uint32_t min_range = uint32_t{1} << 24;
 
-  // The first value at or above `low` of which only the upper `bytes` bytes are not zero.
-  static uint32_t rounded_up(uint32_t low, size_t bytes) {
-    const uint32_t mask = bytes < 4 ? UINT32_MAX >> 8 * bytes : 0;
-    return (low + mask) & ~mask;
+  // Whether no multiple of 2^32, which takes no further byte, lies in the range. One of 2^24 does.
+  bool needs_closing_byte() const { return 0 - low_ >= range_; }
+
+  void add(uint32_t value) {
+    low_ += value;
+    if (low_ < value) carry_ = 1;
   }
 
-  size_t closing_bytes() const {
-    size_t bytes = 0;
-    while (rounded_up(low_, bytes) - low_ >= range_) ++bytes;
-    return bytes;
-  }
-
-  void put(uint32_t byte) {
-    if (count_ < capacity_) buffer_[count_] = static_cast<uint8_t>(byte);
-    ++count_;
-  }
-
-  // The top byte leaves, unless a carry may still come through it.
+  // The top byte is held, and with it those of 255 that follow: a carry may still come through
+  // them. They leave when none can, or when it has come.
   void shift() {
-    if (carry_ || low_ < 0xFF000000U) {
-      const uint32_t carry = carry_ ? 1 : 0;
-      if (has_cache_) put(cache_ + carry);
-      for (; pending_ > 0; --pending_) put(0xFF + carry);
-      cache_ = static_cast<uint8_t>(low_ >> 24);
-      has_cache_ = true;
-      carry_ = false;
-    } else {
-      ++pending_;
+    if (carry_ != 0 || low_ < 0xFF000000U) {
+      for (; held_ > 0; --held_) {
+        if (count_ < capacity_) buffer_[count_] = static_cast<uint8_t>(first_held_ + carry_);
+        ++count_;
+        first_held_ = 0xFF;
+      }
+      first_held_ = static_cast<uint8_t>(low_ >> 24);
+      carry_ = 0;
     }
+    ++held_;
     low_ <<= 8;
   }
 
-  bool has_cache_ = false;
-  bool carry_ = false;
-  uint8_t cache_ = 0;
+  uint8_t carry_ = 0;
+  uint8_t first_held_ = 0;
+  uint16_t held_ = 0;
+  uint16_t count_ = 0;
+  uint16_t capacity_ = 0;
   uint32_t low_ = 0;
   uint32_t range_ = 0;
-  uint32_t pending_ = 0;
   uint8_t* buffer_ = nullptr;
-  size_t capacity_ = 0;
-  size_t count_ = 0;
 };
 
 /// Reads what a RangeEncoder wrote. Any bytes are safe: beyond the end zeros are read.

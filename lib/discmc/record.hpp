@@ -19,6 +19,7 @@ struct Record {
   bool continues = false;  ///< not the first part
   bool is_last = false;    ///< no part follows
   uint32_t number = 0;     ///< of a fragment
+  uint32_t rings = 0;      ///< begun so far
   uint32_t count = 0;
   uint32_t word[max_words] = {};
 
@@ -29,16 +30,24 @@ struct Record {
     continues = false;
     is_last = false;
     number = 0;
+    rings = 0;
     count = 0;
   }
 
   bool has_room(uint32_t words) const { return count + words <= max_words; }
   void add_run(Run run) { word[count++] = run.code(); }
   void add_ring(const Vertex& start) {
+    ++rings;
     word[count++] = ring_mark;
     word[count++] = static_cast<uint32_t>(start.x);
     word[count++] = static_cast<uint32_t>(start.y);
     word[count++] = static_cast<uint32_t>(start.z);
+  }
+  /// Takes the first words away: what is left goes on where they ended.
+  void drop(uint32_t words) {
+    count -= words;
+    for (uint32_t i = 0; i < count; ++i) word[i] = word[i + words];
+    continues = true;
   }
   Vertex start_at(uint32_t mark) const {
     return {static_cast<int32_t>(word[mark + 1]), static_cast<int32_t>(word[mark + 2]),

@@ -15,31 +15,30 @@ namespace discmc {
 /// The contexts, by what they tell.
 namespace context {
 
-constexpr uint16_t size_of_number = 8;  ///< contexts of the unary part of a number
-constexpr uint16_t size_of_delta = 2 + size_of_number;
+constexpr uint32_t size_of_delta = 2 + 8;   ///< zero, sign, and a number
+constexpr uint32_t size_of_run_count = 8;   ///< of a number
+constexpr uint32_t size_of_run_length = 7;  ///< likewise
+constexpr uint32_t size_of_tree = 7;        ///< of 3 bits
 
-constexpr uint16_t region_follows = 0;                    ///< by: whether a mark came last
-constexpr uint16_t other_kind = region_follows + 2;       ///< tree of 3 bits
-constexpr uint16_t component_zero = other_kind + 8;       ///< of the normal; by axis, before, zeros
-constexpr uint16_t component_sign = component_zero + 27;  ///< likewise
-constexpr uint16_t one_ring = component_sign + 27;        ///< by class
-constexpr uint16_t start_z = one_ring + 3;                ///< by: mark came last, class
-constexpr uint16_t start_y = start_z + 6 * size_of_delta;      ///< by z step
-constexpr uint16_t start_x = start_y + 6 * size_of_delta;      ///< by same layer, y step
-constexpr uint16_t start_hole = start_x + 10 * size_of_delta;  ///< z, y, x of a further ring
-constexpr uint16_t first_direction =
-    start_hole + 3 * size_of_delta;                           ///< by incidence, tree of 3 bits
-constexpr uint16_t parallelogram = first_direction + 27 * 8;  ///< by class
-constexpr uint16_t run_count = parallelogram + 3;             ///< by class
-constexpr uint16_t next_turn =
-    run_count + 3 * size_of_number;                  ///< by class, turn before, tree of 3 bits
-constexpr uint16_t run_length = next_turn + 27 * 8;  ///< by class, kind of link, length before
-constexpr uint16_t item_kind = run_length + 24 * size_of_number;  ///< of a part: tree of 2 bits
-constexpr uint16_t part_kind = item_kind + 4;                     ///< fragment, continues, is last
-constexpr uint16_t fragment_number = part_kind + 3;               ///< of a fragment, of a stand-in
-constexpr uint16_t count = fragment_number + 2 * size_of_delta;
-
-constexpr uint16_t even = 0xFFFF;  ///< no context: one or zero, equally likely
+constexpr uint32_t even = 0;                                    ///< one or zero, equally likely
+constexpr uint32_t region_follows = even + 1;                   ///< by: whether a mark came last
+constexpr uint32_t other_kind = region_follows + 2;             ///< tree of 3 bits
+constexpr uint32_t component_zero = other_kind + size_of_tree;  ///< of the normal; by zeros, before
+constexpr uint32_t component_sign = component_zero + 15;        ///< likewise
+constexpr uint32_t one_ring = component_sign + 18;              ///< by class
+constexpr uint32_t start_z = one_ring + 3;                      ///< by: mark came last, class
+constexpr uint32_t start_y = start_z + 6 * size_of_delta;       ///< by z step
+constexpr uint32_t start_x = start_y + 6 * size_of_delta;       ///< by same layer, y step
+constexpr uint32_t start_hole = start_x + 10 * size_of_delta;   ///< z, y, x of a further ring
+constexpr uint32_t first_direction = start_hole + 3 * size_of_delta;     ///< by incidence, tree
+constexpr uint32_t parallelogram = first_direction + 27 * size_of_tree;  ///< by class
+constexpr uint32_t run_count = parallelogram + 3;                        ///< by class
+constexpr uint32_t next_turn = run_count + 3 * size_of_run_count;  ///< by class, turn before, tree
+constexpr uint32_t run_length = next_turn + 21 * size_of_tree;  ///< by kind of link, length before
+constexpr uint32_t item_kind = run_length + 16 * size_of_run_length;  ///< of a part: tree of 2 bits
+constexpr uint32_t part_kind = item_kind + 3;        ///< fragment, continues, is last
+constexpr uint32_t fragment_number = part_kind + 3;  ///< of a fragment, of a stand-in
+constexpr uint32_t count = fragment_number + 2 * size_of_delta;
 
 }  // namespace context
 
@@ -61,13 +60,13 @@ constexpr int32_t wrapped_sum(int32_t a, int32_t b) {
 }
 
 /// The state that goes from one record of a packet to the next, and the grammar of records.
-/// A copy is a snapshot. Coder has: bool bit(uint16_t context, bool bit).
+/// A copy is a snapshot. Coder has: bool bit(uint32_t context, bool bit).
 template <class Coder>
 class RegionModel {
  public:
   RegionModel() = default;
   /// The state that every packet begins with.
-  explicit RegionModel(const Coder& coder) : incidence_(no_incidence), coder_(coder) {}
+  explicit RegionModel(const Coder& coder) : coder_(coder), incidence_(no_incidence) {}
 
   Coder& coder() { return coder_; }
   const Coder& coder() const { return coder_; }
@@ -82,11 +81,11 @@ class RegionModel {
   /// A layer mark's slice.
   uint32_t layer(uint32_t slice) {
     after_region_ = false;
-    return slice_ += number(context::even, slice - slice_);
+    return slice_ += plain_number(slice - slice_);
   }
   /// A number or some bits without a context.
-  uint32_t plain_number(uint32_t value) { return number(context::even, value); }
-  uint32_t plain_bits(int count, uint32_t value) { return tree(context::even, count, value); }
+  uint32_t plain_number(uint32_t value) { return number(context::even, 1, value); }
+  uint32_t plain_bits(uint32_t count, uint32_t value) { return tree(context::even, count, value); }
 
   /// The normal, guessed from that of the record before.
   Incidence incidence(Incidence incidence);
@@ -95,14 +94,18 @@ class RegionModel {
   /// the first ring of a region. Limit: an odd coordinate sum.
   Vertex start(const Vertex& start, bool further);
   bool parallelogram(bool is_parallelogram) {
-    return bit(context::parallelogram + link_class(), is_parallelogram);
+    return bit(context::parallelogram + link_class_, is_parallelogram);
   }
   /// How many runs a ring has. Limit: at least 2.
   uint32_t run_count(uint32_t count) {
-    return 2 + number(context::run_count + link_class() * context::size_of_number, count - 2);
+    using namespace context;
+    return 2 + number(context::run_count + link_class_ * size_of_run_count, size_of_run_count,
+                      count - 2);
   }
   /// A run's direction. Decoding, any of 8 may come back: see is_direction().
   Direction direction(Direction direction);
+  /// Whether the last direction of a ring is that of the run before, or opposite to it.
+  bool is_parallel() const { return turns_ == 1 || turns_ == 1 + direction_count() / 2; }
   /// A run's length, after its direction. Limit: at least 1.
   uint32_t length(uint32_t length);
 
@@ -120,36 +123,33 @@ class RegionModel {
   bool end_part(bool is_last) { return bit(context::part_kind + 2, is_last); }
 
  private:
-  static constexpr uint32_t no_turn = 8;
-
-  bool bit(uint32_t context, bool value) {
-    return coder_.bit(static_cast<uint16_t>(context), value);
+  bool bit(uint32_t context, bool value) { return coder_.bit(context, value); }
+  uint32_t direction_count() const { return 4U + 2U * link_class_; }
+  uint32_t leaf(uint32_t first, uint32_t bits, uint32_t value);
+  uint32_t tree(uint32_t first, uint32_t bits, uint32_t value) {
+    return leaf(first, bits, value) - (uint32_t{1} << bits);
   }
-  uint32_t tree(uint32_t first, int bits, uint32_t value);
-  uint32_t number(uint32_t first, uint32_t value);
+  uint32_t number(uint32_t first, uint32_t contexts, uint32_t value);
   int32_t delta(uint32_t first, int32_t value);
   void begin_chain(bool further) {
-    turn_ = no_turn;
+    direction_ = no_direction;
+    turns_ = 0;
     length_ = 0;
-    has_direction_ = false;
     further_ = further;
   }
-  uint32_t link_class() const {
-    const uint32_t count = direction_count(incidence_);
-    return count == 8 ? 0 : count / 2 - 1;  // axis, diagonal, corner
-  }
 
-  Incidence incidence_ = 0;
-  Direction direction_ = 0;
-  bool has_direction_ = false;
-  bool further_ = false;
-  bool after_region_ = false;
   Coder coder_;
+  Incidence incidence_ = 0;
+  uint8_t link_class_ = 0;  // of its planes: diagonal, corner, axis
+  bool after_region_ = false;
+  // Of the chain:
+  bool further_ = false;
+  Direction direction_ = 0;
+  uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
+  uint8_t length_ = 0;  // of the last run, or 3 when it is longer; 0 before the first
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
   uint32_t fragment_ = 0;
-  uint32_t length_ = 0;
-  uint32_t turn_ = 0;
 };
 
 /// Whether a decoded direction is one of the incidence's.
@@ -167,37 +167,31 @@ struct Closure {
 /// `told`. Invalid where no two lengths of 1 to max_compact_length do it.
 Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t told);
 
-constexpr bool are_parallel(Incidence incidence, Direction a, Direction b) {
-  return a == b || a == opposite_direction(incidence, b);
-}
-
 /// Longer runs, and rings with fragments in them, are told in parts.
 constexpr uint32_t max_compact_length = 0xFFFF;
 
 // ---- implementation ----
 
+// Nodes are numbered from 1, those below a node by twice its number and one more.
 template <class Coder>
-uint32_t RegionModel<Coder>::tree(uint32_t first, int bits, uint32_t value) {
+uint32_t RegionModel<Coder>::leaf(uint32_t first, uint32_t bits, uint32_t value) {
   uint32_t node = 1;
-  for (int i = bits - 1; i >= 0; --i) {
-    const uint32_t context = first == context::even ? first : first + node;
-    node = 2 * node + (bit(context, value >> i & 1) ? 1 : 0);
+  while (bits-- > 0) {
+    const uint32_t context = first == context::even ? first : first + node - 1;
+    node = 2 * node + (bit(context, (value >> bits & 1) != 0) ? 1 : 0);
   }
-  return node - (uint32_t{1} << bits);
+  return node;
 }
 
 // Exponential Golomb code (J. Teuhola, 1978): the length of value + 1 in unary, then its lower
 // bits.
 template <class Coder>
-uint32_t RegionModel<Coder>::number(uint32_t first, uint32_t value) {
-  int bits = 0;
-  for (;; ++bits) {
-    const uint32_t step =
-        bits < context::size_of_number ? static_cast<uint32_t>(bits) : context::size_of_number - 1;
-    const bool is_longer = bits < 31 && (value + 1) >> bits > 1;
-    if (!bit(first == context::even ? first : first + step, is_longer) || bits == 31) break;
-  }
-  return (uint32_t{1} << bits) - 1 + tree(context::even, bits, value + 1 - (uint32_t{1} << bits));
+uint32_t RegionModel<Coder>::number(uint32_t first, uint32_t contexts, uint32_t value) {
+  uint32_t bits = 0;
+  const uint32_t last = first + contexts - 1;
+  for (; bit(first, (value + 1) >> bits > 1) && bits < 31; ++bits)
+    if (first < last) ++first;
+  return leaf(context::even, bits, value + 1) - 1;
 }
 
 template <class Coder>
@@ -205,64 +199,60 @@ int32_t RegionModel<Coder>::delta(uint32_t first, int32_t value) {
   if (bit(first, value == 0)) return 0;
   const bool negative = bit(first + 1, value < 0);
   const uint32_t size = negative ? ~static_cast<uint32_t>(value) : static_cast<uint32_t>(value) - 1;
-  const uint32_t coded = number(first + 2, size);
+  const uint32_t coded = number(first + 2, context::size_of_delta - 2, size);
   return static_cast<int32_t>(negative ? ~coded : coded + 1);
 }
 
-// Component by component, z first, each guessed from the region before.
+// Component by component, z first, each guessed from the record before.
 template <class Coder>
 Incidence RegionModel<Coder>::incidence(Incidence incidence) {
   // The components plus one are the digits to base 3.
-  constexpr uint8_t weights[3] = {9, 3, 1};
-  const auto take_digit = [](uint32_t& number, uint32_t weight) {
+  const auto take_digit = [](uint32_t& number) {
     uint32_t digit = 0;
-    for (; number >= weight; number -= weight) ++digit;
+    for (; number >= 9; number -= 9) ++digit;
+    number *= 3;
     return digit;
   };
   uint32_t told = incidence;
   uint32_t before = incidence_;
   uint32_t coded = 0;
-  uint32_t zeros = 0;
-  uint32_t at = 0;
-  for (const uint8_t weight : weights) {
-    const uint32_t digit = take_digit(told, weight);
-    const uint32_t by = at + 3 * take_digit(before, weight) + zeros;
+  // An axis and how many zeros came before: z 0, y 0 and 1, x 0 to 2.
+  uint32_t row = 0;
+  for (uint32_t rows = 1; rows <= 3; ++rows) {
+    const uint32_t digit = take_digit(told);
+    const uint32_t by = 3 * row + take_digit(before);
+    row += rows;
     uint32_t component = 1;
-    if (zeros < 2 && bit(context::component_zero + by, digit == 1))
-      ++zeros;
+    if (by < 15 && bit(context::component_zero + by, digit == 1))
+      ++row;
     else
       component = bit(context::component_sign + by, digit == 0) ? 0 : 2;
     coded = 3 * coded + component;
-    at += 9;
   }
   incidence_ = static_cast<Incidence>(coded);
+  link_class_ = static_cast<uint8_t>(discmc::direction_count(incidence_) / 2U - 2);
   return incidence_;
 }
 
 template <class Coder>
 uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
-  if (bit(context::one_ring + link_class(), count == 1)) return 1;
-  return 2 + number(context::even, count - 2);
+  if (bit(context::one_ring + link_class_, count == 1)) return 1;
+  return 2 + plain_number(count - 2);
 }
 
 template <class Coder>
 Vertex RegionModel<Coder>::start(const Vertex& start, bool further) {
   using namespace context;
-  const uint32_t by_class = link_class() + (after_region_ ? 0U : 3U);
-  const int32_t dz =
-      delta(further ? start_hole : start_z + by_class * size_of_delta,
-            wrapped_difference(static_cast<uint32_t>(start.z), static_cast<uint32_t>(start_.z)));
-  const uint32_t by_z = dz < -2 || dz > 2 ? 5U : static_cast<uint32_t>(dz + 2);
-  const int32_t dy =
-      delta(further ? start_hole + size_of_delta : start_y + by_z * size_of_delta,
-            wrapped_difference(static_cast<uint32_t>(start.y), static_cast<uint32_t>(start_.y)));
+  const auto step = [&](uint32_t row, uint32_t hole_row, int32_t to, int32_t from) {
+    return delta(start_z + (further ? hole_row : row) * size_of_delta,
+                 wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
+  };
+  const int32_t dz = step(link_class_ + (after_region_ ? 0U : 3U), 22, start.z, start_.z);
+  const uint32_t from_2 = static_cast<uint32_t>(dz) + 2;
+  const int32_t dy = step(6 + (from_2 < 5 ? from_2 : 5), 23, start.y, start_.y);
   const uint32_t by_y = dy < -2 ? 0U : dy > 2 ? 4U : static_cast<uint32_t>(dy + 2);
-  const uint32_t by_zy = (dz < -1 || dz > 1 ? 0U : 5U) + by_y;
   // The sum of the coordinates is odd, so of x only the half is told.
-  const int32_t half =
-      delta(further ? start_hole + 2 * size_of_delta : start_x + by_zy * size_of_delta,
-            wrapped_difference(static_cast<uint32_t>(start.x >> 1),
-                               static_cast<uint32_t>(start_.x >> 1)));
+  const int32_t half = step((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24, start.x >> 1, start_.x >> 1);
   start_.z = wrapped_sum(start_.z, dz);
   start_.y = wrapped_sum(start_.y, dy);
   const uint32_t x = static_cast<uint32_t>(wrapped_sum(start_.x >> 1, half)) << 1;
@@ -277,29 +267,33 @@ Vertex RegionModel<Coder>::start(const Vertex& start, bool further) {
 // them.
 template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
-  const uint32_t count = direction_count(incidence_);
-  if (!has_direction_) {
+  using namespace context;
+  if (direction_ == no_direction) {
     const uint32_t first =
-        further_ ? uint32_t{context::even} : context::first_direction + uint32_t{incidence_} * 8;
+        further_ ? uint32_t{even} : first_direction + uint32_t{incidence_} * size_of_tree;
     direction_ = static_cast<Direction>(tree(first, 3, direction));
-    has_direction_ = true;
     return direction_;
   }
-  const uint32_t first = context::next_turn + (9 * link_class() + turn_) * 8;
-  const uint32_t back = direction < direction_ ? count : 0;
-  turn_ = tree(first, 3, direction + back - direction_);
-  const uint32_t sum = direction_ + turn_;
-  direction_ = static_cast<Direction>(sum < count ? sum : sum - count);
+  // A class has a tree for each turn and one for none: 5, 7 or 9.
+  const uint32_t by = link_class_ * (link_class_ + 4U) + turns_;
+  const uint32_t directions = direction_count();
+  const uint32_t back = direction < direction_ ? directions : 0;
+  const uint32_t turn = tree(next_turn + by * size_of_tree, 3, direction + back - direction_);
+  turns_ = static_cast<uint8_t>(turn + 1);
+  const uint32_t sum = direction_ + turn;
+  direction_ = static_cast<Direction>(sum < directions ? sum : sum - directions);
   return direction_;
 }
 
 template <class Coder>
 uint32_t RegionModel<Coder>::length(uint32_t length) {
-  const bool is_axis_link = direction_count(incidence_) == 8 && direction_ % 2 == 0;
-  const uint32_t before = length_ < 3 ? length_ : 3;
-  const uint32_t by = 8 * link_class() + (is_axis_link ? 4U : 0U) + before;
-  length_ = 1 + number(context::run_length + by * context::size_of_number, length - 1);
-  return length_;
+  using namespace context;
+  const bool is_axis_link = link_class_ == 2 && direction_ % 2 == 0;
+  const uint32_t by = 4 * (is_axis_link ? 3U : link_class_) + length_;
+  const uint32_t coded =
+      1 + number(run_length + by * size_of_run_length, size_of_run_length, length - 1);
+  length_ = static_cast<uint8_t>(coded < 3 ? coded : 3);
+  return coded;
 }
 
 template <class Coder>

@@ -38,19 +38,25 @@ constexpr size_t max_frame = max_packet + 2;
 /// The header is repeated after so many packets of records, so that a listener may join late.
 constexpr uint32_t header_interval = 64;
 
-constexpr uint8_t magic[3] = {'D', 'M', 'C'};
+constexpr uint32_t magic = 'D' | 'M' << 8 | 'C' << 16;
+
+/// Writes a little-endian field. Returns the place behind it.
+inline uint8_t* put(uint8_t* place, uint32_t value, int bytes) {
+  for (; bytes > 0; --bytes, value >>= 8) *place++ = static_cast<uint8_t>(value);
+  return place;
+}
+
+inline uint8_t* put_long(uint8_t* place, uint64_t value) {
+  place = put(place, static_cast<uint32_t>(value), 4);
+  return put(place, static_cast<uint32_t>(value >> 32), 4);
+}
 
 /// Writes little-endian fields. Limit: the buffer has room.
 class ByteWriter {
  public:
   explicit ByteWriter(uint8_t* place) : place_(place) {}
-  void put(uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) *place_++ = static_cast<uint8_t>(value >> 8 * i);
-  }
-  void put_long(uint64_t value) {
-    put(static_cast<uint32_t>(value), 4);
-    put(static_cast<uint32_t>(value >> 32), 4);
-  }
+  void put(uint32_t value, int bytes) { place_ = wire::put(place_, value, bytes); }
+  void put_long(uint64_t value) { place_ = wire::put_long(place_, value); }
 
  private:
   uint8_t* place_;

@@ -18,7 +18,7 @@ using Counts = std::array<std::array<double, 2>, discmc::context::count>;
 
 struct CountingCoder {
   Counts* counts;
-  bool bit(uint16_t context, bool bit) {
+  bool bit(uint32_t context, bool bit) {
     if (context != discmc::context::even) ++(*counts)[context][bit ? 1 : 0];
     return bit;
   }
@@ -61,7 +61,7 @@ class Trainer {
 
  private:
   void end_record() {
-    if (is_compact(record_))
+    if (is_compact())
       encode_region(model_, record_);
     else
       encode_part();
@@ -69,6 +69,16 @@ class Trainer {
     model_.region_follows(false);
     model_.other_kind(discmc::OtherKind::end);
     model_ = discmc::RegionModel<CountingCoder>(CountingCoder{&counts_});
+  }
+  bool is_compact() const {
+    if (record_.is_fragment || record_.rings == 0) return false;
+    for (uint32_t first = 0; first < record_.count;) {
+      first += discmc::Record::ring_words;
+      const uint32_t runs = discmc::compact_runs(record_, first);
+      if (runs == 0) return false;
+      first += runs;
+    }
+    return true;
   }
   void encode_part() {
     model_.region_follows(false);
