@@ -243,6 +243,7 @@ uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
 template <class Coder>
 Vertex RegionModel<Coder>::start(const Vertex& start, bool further) {
   using namespace context;
+  // The contexts from start_z on are rows for a delta each: 6 of z, 6 of y, 10 of x, 3 of holes.
   const auto step = [&](uint32_t row, uint32_t hole_row, int32_t to, int32_t from) {
     return delta(start_z + (further ? hole_row : row) * size_of_delta,
                  wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
