@@ -77,11 +77,14 @@ struct Listener {
 // The functions of one width of index, under one name.
 struct Index16 {
   using Object = discmc_extractor16;
+  using Checkpoint = discmc_extractor16_checkpoint;
   using Cpp = Extractor16;
   static constexpr auto start = discmc_extractor16_start;
   static constexpr auto resume = discmc_extractor16_resume;
   static constexpr auto finish = discmc_extractor16_finish;
   static constexpr auto skip_row = discmc_extractor16_skip_row;
+  static constexpr auto save = discmc_extractor16_save;
+  static constexpr auto restore = discmc_extractor16_restore;
   static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
     return discmc_extractor16_push_u8(o, s, n, 1);
   }
@@ -94,11 +97,14 @@ struct Index16 {
 };
 struct Index32 {
   using Object = discmc_extractor32;
+  using Checkpoint = discmc_extractor32_checkpoint;
   using Cpp = Extractor32;
   static constexpr auto start = discmc_extractor32_start;
   static constexpr auto resume = discmc_extractor32_resume;
   static constexpr auto finish = discmc_extractor32_finish;
   static constexpr auto skip_row = discmc_extractor32_skip_row;
+  static constexpr auto save = discmc_extractor32_save;
+  static constexpr auto restore = discmc_extractor32_restore;
   static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
     return discmc_extractor32_push_u8(o, s, n, 1);
   }
@@ -121,23 +127,35 @@ bool succeeds(Extractor& extractor, Status status) {
   return status == Status::ok;
 }
 
-// A scan whose row 40 never comes.
+// A scan whose row 40 never comes, and that goes on from a checkpoint at row 60, elsewhere.
 template <class Index, class Sample>
 void scan_in_c(const std::vector<Sample>& samples, uint8_t border, size_t bytes,
                discmc_sink& sink) {
-  std::vector<uint8_t> memory(bytes);
-  typename Index::Object extractor = {};
+  std::vector<uint8_t> memory(bytes), other_memory(bytes);
+  typename Index::Object first = {}, second = {};
+  typename Index::Object* extractor = &first;
   const discmc_limits limits = {width, height, border};
-  REQUIRE(succeeds<Index>(extractor, Index::start(&extractor, &limits, nullptr, threshold,
-                                                  {memory.data(), memory.size()}, &sink)));
+  REQUIRE(succeeds<Index>(first, Index::start(&first, &limits, nullptr, threshold,
+                                              {memory.data(), memory.size()}, &sink)));
   for (uint32_t row = 0; row < height * depth; ++row) {
+    if (row == 60) {
+      typename Index::Checkpoint checkpoint;
+      REQUIRE(Index::save(&first, &checkpoint) == DISCMC_OK);
+      memory.swap(other_memory);
+      REQUIRE(Index::restore(&second, &checkpoint, {memory.data(), bytes}, &sink) ==
+              DISCMC_BAD_CHECKPOINT);
+      std::copy(other_memory.begin(), other_memory.end(), memory.begin());
+      REQUIRE(Index::restore(&second, &checkpoint, {memory.data(), bytes}, &sink) == DISCMC_OK);
+      std::fill(other_memory.begin(), other_memory.end(), uint8_t{0xFF});
+      extractor = &second;
+    }
     const discmc_pushed pushed =
-        row == 40 ? Index::skip_row(&extractor, DISCMC_PREVIOUS_ROW)
-                  : Index::push(&extractor, samples.data() + size_t{row} * width, width);
+        row == 40 ? Index::skip_row(extractor, DISCMC_PREVIOUS_ROW)
+                  : Index::push(extractor, samples.data() + size_t{row} * width, width);
     REQUIRE(pushed.samples == width);
-    REQUIRE(succeeds<Index>(extractor, pushed.status));
+    REQUIRE(succeeds<Index>(*extractor, pushed.status));
   }
-  REQUIRE(succeeds<Index>(extractor, Index::finish(&extractor)));
+  REQUIRE(succeeds<Index>(*extractor, Index::finish(extractor)));
 }
 
 template <class Index, class Sample>
@@ -252,6 +270,32 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   CHECK(header.spacing_nm[1] == -2000);
   CHECK(header.threshold == threshold);
   CHECK(header.border == DISCMC_CLOSED);
+}
+
+TEST_CASE("a stream goes on from a checkpoint through C") {
+  std::vector<uint8_t> whole, stream;
+  const discmc_stream_header header = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
+  discmc_encoder first = {}, second = {};
+  discmc_encoder_checkpoint checkpoint;
+  CHECK(discmc_encoder_save(&first, &checkpoint) == DISCMC_NOT_STARTED);
+  REQUIRE(discmc_encoder_start(&first, &header, {&whole, write_bytes}) == DISCMC_OK);
+  discmc_event event = {};
+  event.kind = DISCMC_LAYER;
+  REQUIRE(discmc_encoder_take(&first, &event) == DISCMC_TAKEN);
+  REQUIRE(discmc_encoder_save(&first, &checkpoint) == DISCMC_OK);
+  CHECK(discmc_encoder_restore(&second, &checkpoint, {nullptr, nullptr}) == DISCMC_BAD_SINK);
+  REQUIRE(discmc_encoder_restore(&second, &checkpoint, {&stream, write_bytes}) == DISCMC_OK);
+  stream.assign(whole.begin(),
+                whole.begin() + static_cast<ptrdiff_t>(discmc_encoder_bytes(&second)));
+  for (discmc_encoder* encoder : {&first, &second}) {
+    event.slice = 1;
+    REQUIRE(discmc_encoder_take(encoder, &event) == DISCMC_TAKEN);
+    REQUIRE(discmc_encoder_flush(encoder) == 1);
+  }
+  CHECK(stream == whole);
+  checkpoint.head[0] ^= 1;
+  CHECK(discmc_encoder_restore(&second, &checkpoint, {&stream, write_bytes}) ==
+        DISCMC_BAD_CHECKPOINT);
 }
 
 TEST_CASE("what a start refuses it refuses through C, and an object of zeros is not started") {

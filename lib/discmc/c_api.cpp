@@ -32,7 +32,7 @@ static_assert(sizeof(Statistics) == sizeof(discmc_statistics) && DISCMC_SAME_PLA
               "so have totals");
 #undef DISCMC_SAME_PLACE
 
-static_assert(DISCMC_WRONG_VERSION == static_cast<int>(Status::wrong_version) &&
+static_assert(DISCMC_BAD_CHECKPOINT == static_cast<int>(Status::bad_checkpoint) &&
                   DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
                   DISCMC_FINISHED == static_cast<int>(Status::finished) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
@@ -116,6 +116,10 @@ static_assert(fits<Telling<Extractor16>, discmc_extractor16> &&
                   fits<Telling<Extractor32>, discmc_extractor32> && fits<Encoder, discmc_encoder> &&
                   fits<Telling<Decoder>, discmc_decoder>,
               "the sizes in discmc.h are enough and not much more");
+static_assert(fits<Checkpoint<Extractor16>, discmc_extractor16_checkpoint> &&
+                  fits<Checkpoint<Extractor32>, discmc_extractor32_checkpoint> &&
+                  fits<Checkpoint<Encoder>, discmc_encoder_checkpoint>,
+              "so are those of checkpoints");
 
 Telling<Extractor16>& telling(discmc_extractor16* extractor) {
   return *reinterpret_cast<Telling<Extractor16>*>(extractor);
@@ -246,6 +250,19 @@ discmc_capacities discmc_default_capacities32(const discmc_limits* limits, uint6
   discmc_status discmc_extractor##bits##_abandon(discmc_extractor##bits* extractor) {              \
     return c(cpp(extractor).abandon());                                                            \
   }                                                                                                \
+  discmc_status discmc_extractor##bits##_save(const discmc_extractor##bits* extractor,             \
+                                              discmc_extractor##bits##_checkpoint* checkpoint) {   \
+    return c(cpp(extractor).save(*reinterpret_cast<Checkpoint<Extractor##bits>*>(checkpoint)));    \
+  }                                                                                                \
+  discmc_status discmc_extractor##bits##_restore(                                                  \
+      discmc_extractor##bits* extractor, const discmc_extractor##bits##_checkpoint* checkpoint,    \
+      discmc_memory memory, const discmc_sink* sink) {                                             \
+    return telling(extractor).start_to(*sink, [&](const Sink& to) {                                \
+      return cpp(extractor).restore(                                                               \
+          *reinterpret_cast<const Checkpoint<Extractor##bits>*>(checkpoint),                       \
+          {memory.data, memory.bytes}, to);                                                        \
+    });                                                                                            \
+  }                                                                                                \
   discmc_statistics discmc_extractor##bits##_statistics(const discmc_extractor##bits* extractor) { \
     return c(cpp(extractor).statistics());                                                         \
   }                                                                                                \
@@ -288,6 +305,16 @@ discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event) {
 }
 uint8_t discmc_encoder_flush(discmc_encoder* encoder) {
   return cpp(encoder).flush() ? 1 : 0;
+}
+discmc_status discmc_encoder_save(const discmc_encoder* encoder,
+                                  discmc_encoder_checkpoint* checkpoint) {
+  return c(cpp(encoder).save(*reinterpret_cast<Checkpoint<Encoder>*>(checkpoint)));
+}
+discmc_status discmc_encoder_restore(discmc_encoder* encoder,
+                                     const discmc_encoder_checkpoint* checkpoint,
+                                     discmc_byte_output output) {
+  return c(cpp(encoder).restore(*reinterpret_cast<const Checkpoint<Encoder>*>(checkpoint),
+                                {output.context, output.write}));
 }
 uint64_t discmc_encoder_bytes(const discmc_encoder* encoder) {
   return cpp(encoder).bytes();

@@ -29,9 +29,10 @@ constexpr Crc32Table crc32_table() {
 
 }  // namespace derive
 
-/// The checksum of some bytes. Cost: eight steps a byte, as a packet is short and a table is not.
-constexpr uint32_t crc32(const uint8_t* bytes, size_t count) {
-  uint32_t crc = 0xFFFFFFFFU;
+/// The checksum of some bytes, or of those that `before` is the checksum of and these. Cost: eight
+/// steps a byte, as a packet is short and a table is not.
+constexpr uint32_t crc32(const uint8_t* bytes, size_t count, uint32_t before = 0) {
+  uint32_t crc = ~before;
   for (size_t i = 0; i < count; ++i) crc = derive::crc32_shifted(crc ^ bytes[i], 8);
   return ~crc;
 }

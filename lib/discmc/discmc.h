@@ -50,7 +50,8 @@ enum {
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
   DISCMC_TOO_DEEP,          /* DISCMC_MAX_SLICES are there; finish still works */
-  DISCMC_WRONG_VERSION      /* the stream's version is not known to this decoder */
+  DISCMC_WRONG_VERSION,     /* the stream's version is not known to this decoder */
+  DISCMC_BAD_CHECKPOINT     /* it, or the memory that goes with it, is not what was saved */
 };
 
 /* A short English text for a status. Owner: static storage. */
@@ -199,6 +200,16 @@ typedef struct discmc_extractor32 {
   uint64_t opaque[(sizeof(void*) == 8 ? 960 : 864) / 8];
 } discmc_extractor32;
 
+/* Where a scan is, in plain bytes: see checkpoint.hpp. */
+typedef struct discmc_extractor16_checkpoint {
+  uint64_t head[3];
+  discmc_extractor16 extractor;
+} discmc_extractor16_checkpoint;
+typedef struct discmc_extractor32_checkpoint {
+  uint64_t head[3];
+  discmc_extractor32 extractor;
+} discmc_extractor32_checkpoint;
+
 /* Begins a scan; a voxel is on where its sample is >= threshold. capacities: may be null, for the
  * default split of the memory. memory: Owner: the caller, for as long as the scan lasts. Errors:
  * DISCMC_BAD_LIMITS, DISCMC_BAD_CAPACITIES, DISCMC_BAD_SINK, DISCMC_TOO_LITTLE_MEMORY; then the
@@ -247,6 +258,18 @@ DISCMC_NODISCARD discmc_status discmc_extractor16_finish(discmc_extractor16* ext
  * Errors: DISCMC_NOT_STARTED. */
 DISCMC_NODISCARD discmc_status discmc_extractor16_abandon(discmc_extractor16* extractor);
 
+/* Writes down where the scan is; with the first ..._bytes_used() bytes of the memory that is all of
+ * it. Errors: DISCMC_NOT_STARTED. DISCMC_MORE: resume first. */
+DISCMC_NODISCARD discmc_status discmc_extractor16_save(const discmc_extractor16* extractor,
+                                                       discmc_extractor16_checkpoint* checkpoint);
+
+/* Goes on where a checkpoint was saved. memory: as it was then, though it may lie elsewhere, as far
+ * from a multiple of four bytes; Owner: the caller. sink: with takes_fragments as then. Errors:
+ * DISCMC_TOO_LITTLE_MEMORY (none), DISCMC_BAD_CHECKPOINT, DISCMC_BAD_SINK. */
+DISCMC_NODISCARD discmc_status discmc_extractor16_restore(
+    discmc_extractor16* extractor, const discmc_extractor16_checkpoint* checkpoint,
+    discmc_memory memory, const discmc_sink* sink);
+
 /* Totals so far; what the last start came to; the bytes of the memory in use at all; complete
  * slices so far, and complete rows of the current one. */
 discmc_statistics discmc_extractor16_statistics(const discmc_extractor16* extractor);
@@ -280,6 +303,11 @@ DISCMC_NODISCARD discmc_pushed discmc_extractor32_skip_row(discmc_extractor32* e
 DISCMC_NODISCARD discmc_status discmc_extractor32_resume(discmc_extractor32* extractor);
 DISCMC_NODISCARD discmc_status discmc_extractor32_finish(discmc_extractor32* extractor);
 DISCMC_NODISCARD discmc_status discmc_extractor32_abandon(discmc_extractor32* extractor);
+DISCMC_NODISCARD discmc_status discmc_extractor32_save(const discmc_extractor32* extractor,
+                                                       discmc_extractor32_checkpoint* checkpoint);
+DISCMC_NODISCARD discmc_status discmc_extractor32_restore(
+    discmc_extractor32* extractor, const discmc_extractor32_checkpoint* checkpoint,
+    discmc_memory memory, const discmc_sink* sink);
 discmc_statistics discmc_extractor32_statistics(const discmc_extractor32* extractor);
 discmc_limits discmc_extractor32_limits(const discmc_extractor32* extractor);
 discmc_capacities discmc_extractor32_capacities(const discmc_extractor32* extractor);
@@ -326,6 +354,22 @@ discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
 /* Hands over what is there so far instead of waiting for a full packet. 0 when the output does not
  * take all of it now: call again. */
 DISCMC_NODISCARD uint8_t discmc_encoder_flush(discmc_encoder* encoder);
+
+/* Where a stream is, in plain bytes. */
+typedef struct discmc_encoder_checkpoint {
+  uint64_t head[3];
+  discmc_encoder encoder;
+} discmc_encoder_checkpoint;
+
+/* Writes down where the stream is, at the beginning of a frame. Errors: DISCMC_NOT_STARTED. */
+DISCMC_NODISCARD discmc_status discmc_encoder_save(const discmc_encoder* encoder,
+                                                   discmc_encoder_checkpoint* checkpoint);
+
+/* Goes on where a checkpoint was saved; discmc_encoder_bytes() says how many bytes of stream were
+ * before. Errors: DISCMC_BAD_CHECKPOINT, DISCMC_BAD_SINK (no write). */
+DISCMC_NODISCARD discmc_status discmc_encoder_restore(discmc_encoder* encoder,
+                                                      const discmc_encoder_checkpoint* checkpoint,
+                                                      discmc_byte_output output);
 
 /* The bytes that the output has taken so far. */
 uint64_t discmc_encoder_bytes(const discmc_encoder* encoder);

@@ -14,6 +14,7 @@
 //   sink.hpp              the events that come out: regions, rings, runs
 //   chain.hpp, polygon.hpp  Freeman chains and the polygons they are
 //   encoder.hpp           a sink that writes the stream (wire.hpp, WIRE.md)
+//   checkpoint.hpp        both of them as bytes that survive a power failure
 //     record.hpp, region_model.hpp, record_encoding.hpp, range_coder.hpp, cobs.hpp, crc32.hpp
 //   decoder.hpp           bytes of a stream in, the same events out
 //

@@ -67,6 +67,29 @@ bool Encoder::flush() {
   return drain();
 }
 
+// ---- checkpoints ----
+
+Status Encoder::save(Checkpoint<Encoder>& checkpoint) const {
+  if (output_.write == nullptr) return Status::not_started;
+  Encoder& image = checkpoint.object;
+  image = *this;
+  image.output_ = {};
+  image.model_.coder().range.move_to(nullptr);
+  if (frame_bytes_ > 0) image.bytes_ -= drained_;
+  image.drained_ = 0;
+  checkpoint.seal({});
+  return Status::ok;
+}
+
+Status Encoder::restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output) {
+  if (!checkpoint.is_whole({})) return Status::bad_checkpoint;
+  if (output.write == nullptr) return Status::bad_sink;
+  *this = checkpoint.object;
+  output_ = output;
+  model_.coder().range.move_to(payload());
+  return Status::ok;
+}
+
 // ---- records ----
 
 void Encoder::Coder::tell(uint32_t context, bool bit) {

@@ -2,6 +2,7 @@
 #ifndef DISCMC_ENCODER_HPP
 #define DISCMC_ENCODER_HPP
 
+#include <discmc/checkpoint.hpp>
 #include <discmc/region_model.hpp>
 #include <discmc/status.hpp>
 #include <discmc/wire.hpp>
@@ -30,6 +31,14 @@ class Encoder {
   /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
   /// stream. False when the output does not take all of it now: call again.
   [[nodiscard]] bool flush();
+
+  /// Writes down where the stream is: at the beginning of a frame, which restore() may thus send
+  /// once more. Errors: not_started. Cost: a checksum of the object.
+  [[nodiscard]] Status save(Checkpoint<Encoder>& checkpoint) const;
+
+  /// Goes on where a checkpoint was saved; bytes() says how many bytes of stream were before.
+  /// Errors: bad_checkpoint, bad_sink (no write). Cost: as save().
+  [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
 
   /// The bytes that the output has taken so far.
   uint64_t bytes() const { return bytes_; }

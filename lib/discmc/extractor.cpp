@@ -17,17 +17,23 @@ Status Extractor<Index>::start(const Limits& limits, const Capacities& capacitie
   if (!are_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr) return Status::bad_sink;
   state_ = State::idle;
-  Arena arena(memory);
-  rows_.start(arena.take<uint32_t>(limits.row_words() * (limits.height + 3)), limits);
-  merge_.start(arena, limits, capacities, table, sink.takes_fragments);
-  if (arena.is_exhausted()) return Status::too_little_memory;
   limits_ = limits;
   capacities_ = capacities;
   sink_ = sink;
   threshold_ = threshold;
-  bytes_used_ = arena.used();
+  if (!lay_out(memory, &table)) return Status::too_little_memory;
   state_ = State::scanning;
   return reset();
+}
+
+// Says what lies where in the memory, and writes nothing there. False when it has no room.
+template <class Index>
+bool Extractor<Index>::lay_out(Memory memory, const PatchTable* table) {
+  Arena arena(memory);
+  rows_.start(arena.take<uint32_t>(limits_.row_words() * (limits_.height + 3)), limits_);
+  merge_.start(arena, limits_, capacities_, table, sink_.takes_fragments);
+  used_ = {memory.data, arena.used()};
+  return !arena.is_exhausted();
 }
 
 template <class Index>
@@ -123,6 +129,42 @@ Status Extractor<Index>::abandon() {
     abandoned_ = true;
   }
   return resume();
+}
+
+// ---- checkpoints ----
+
+// Whether the sink has refused something that is due.
+template <class Index>
+bool Extractor<Index>::is_suspended() const {
+  return skip_untold_ || word_begun_ || rows_.rows() == limits_.height ||
+         state_ == State::finishing;
+}
+
+template <class Index>
+Status Extractor<Index>::save(Checkpoint<Extractor>& checkpoint) const {
+  if (state_ == State::idle) return Status::not_started;
+  if (is_suspended()) return Status::more;
+  Extractor& image = checkpoint.object;
+  image = *this;
+  // Where things lie is not for another day.
+  image.sink_ = {nullptr, nullptr, sink_.takes_fragments};
+  image.lay_out({}, nullptr);
+  checkpoint.seal(used_);
+  return Status::ok;
+}
+
+template <class Index>
+Status Extractor<Index>::restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
+                                 const Sink& sink, const PatchTable& table) {
+  const Extractor& image = checkpoint.object;
+  if (memory.data == nullptr) return Status::too_little_memory;
+  if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
+  if (sink.take == nullptr || sink.takes_fragments != image.sink_.takes_fragments)
+    return Status::bad_sink;
+  *this = image;
+  sink_ = sink;
+  lay_out(memory, &table);  // there is room, as there was then
+  return Status::ok;
 }
 
 // ---- the sweep, which may be suspended between any two cells ----

@@ -10,6 +10,7 @@
 #ifndef DISCMC_EXTRACTOR_HPP
 #define DISCMC_EXTRACTOR_HPP
 
+#include <discmc/checkpoint.hpp>
 #include <discmc/merge.hpp>
 #include <discmc/slice.hpp>
 #include <discmc/status.hpp>
@@ -75,6 +76,16 @@ class Extractor {
   /// all the same, and the sink is told. Errors: not_started. Status::more as finish().
   [[nodiscard]] Status abandon();
 
+  /// Writes down where the scan is; with the first bytes_used() bytes of the memory that is all of
+  /// it. Errors: not_started. Status::more: resume() first. Cost: a checksum of those bytes.
+  [[nodiscard]] Status save(Checkpoint<Extractor>& checkpoint) const;
+
+  /// Goes on where a checkpoint was saved. memory: as it was then, though it may lie elsewhere, as
+  /// far from a multiple of four bytes; Owner: as of start(). sink: one that takes_fragments as the
+  /// one of then did. Errors: too_little_memory (none), bad_checkpoint, bad_sink. Cost: as save().
+  [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
+                               const Sink& sink, const PatchTable& table = patch_table);
+
   /// Totals so far, and all of them once the scan is finished.
   Statistics statistics() const {
     Statistics statistics = statistics_;
@@ -85,7 +96,7 @@ class Extractor {
   const Capacities& capacities() const { return capacities_; }
   HighWater high_water() const { return merge_.high_water(); }
   /// The bytes of the caller's memory that are in use at all.
-  size_t bytes_used() const { return bytes_used_; }
+  size_t bytes_used() const { return used_.bytes; }
   /// Complete slices so far.
   uint32_t slices() const { return rows_.slices(); }
   /// Complete rows of the current slice so far.
@@ -94,6 +105,8 @@ class Extractor {
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
+  bool lay_out(Memory memory, const PatchTable* table);
+  bool is_suspended() const;
   Status ready_for_samples();
   void end_row();
   bool work();
@@ -126,7 +139,7 @@ class Extractor {
   Statistics statistics_{};
   Merge<Index> merge_;
   Capacities capacities_{};
-  size_t bytes_used_ = 0;
+  Memory used_;  // of the caller's memory
 };
 
 extern template class Extractor<uint16_t>;

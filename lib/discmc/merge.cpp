@@ -31,12 +31,13 @@ struct Merge<Index>::Walk {
 
 template <class Index>
 void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& capacities,
-                         const PatchTable& table, bool spills) {
+                         const PatchTable* table, bool spills) {
   const uint32_t columns = limits.columns();
   const uint32_t rows = limits.cell_rows();
   const uint32_t keys = Frontier<Index>::keys(columns, rows);
   halo_ = limits.halo();
-  table_ = &table;
+  table_ = table;
+  fragment_ = nullptr;
   spills_ = spills;
   frontier_.start(arena.take<Index>(Frontier<Index>::row_places(columns)), columns, rows);
   edges_.start(arena.take<Edge<Index>>(capacities.edges), capacities.edges);

@@ -35,7 +35,7 @@ class Merge {
  public:
   /// Lays the pools out in the arena and writes nothing there; call clear() when it had room.
   void start(Arena& arena, const Limits& limits, const Capacities& capacities,
-             const PatchTable& table, bool spills);
+             const PatchTable* table, bool spills);
   void clear();
 
   /// Takes a cell's patches in and counts. Limit: settled(). Cost: bounded by the cell's links.

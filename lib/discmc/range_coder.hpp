@@ -39,6 +39,9 @@ class RangeEncoder {
     }
   }
 
+  /// Goes on in another buffer, which holds the same bytes.
+  void move_to(uint8_t* buffer) { buffer_ = buffer; }
+
   /// The bytes that finish() would come to. More than the capacity means that bits were lost.
   size_t size() const { return size_t{count_} + held_ + (needs_closing_byte() ? 1 : 0); }
   bool fits() const { return size() <= capacity_; }

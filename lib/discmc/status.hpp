@@ -21,7 +21,8 @@ enum class Status : uint8_t {
   row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
   too_deep,       ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
-  wrong_version,  ///< the stream's version is not known to this decoder
+  wrong_version,   ///< the stream's version is not known to this decoder
+  bad_checkpoint,  ///< the checkpoint, or the memory that goes with it, is not what was saved
 };
 
 /// A short English text for a status. Owner: static storage.
@@ -51,6 +52,8 @@ constexpr const char* text(Status status) {
       return "more slices than a z coordinate can count";
     case Status::wrong_version:
       return "the stream's version is not known";
+    case Status::bad_checkpoint:
+      return "the checkpoint is torn, damaged or of another build: take the one before";
   }
   return "unknown status";
 }
