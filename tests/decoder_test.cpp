@@ -137,6 +137,19 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
   }
 }
 
+TEST_CASE("a frame too long at the end does not spoil a stream that follows all the same") {
+  const Bytes noise(1000, 7);
+  const Bytes stream = encode(Script().finish().events, any_header());
+  Log log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(noise.data(), noise.size()).status == Status::ok);
+  REQUIRE(decoder.finish() == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  CHECK(decoder.report().has_header);
+  CHECK(decoder.report().damaged_packets == 1);
+}
+
 TEST_CASE("noise before, between and after the frames does no harm") {
   const Sample sample = samples()[4];
   Chance chance(1);

@@ -109,6 +109,11 @@ TEST_CASE("a flush hands over what is there, once") {
   CHECK(decode(line.bytes).report.is_complete());
 }
 
+TEST_CASE("before a start there is nothing to flush") {
+  Encoder encoder;
+  CHECK(encoder.flush());
+}
+
 TEST_CASE("a flush into a slow line goes on where it was") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);

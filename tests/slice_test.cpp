@@ -26,7 +26,10 @@ struct Rows {
 
   explicit Rows(const Limits& limits)
       : words(size_t{limits.row_words()} * (limits.height + 3), 0xDEADBEEF), halo(limits.halo()) {
-    rows.start(words.data(), limits);
+    // The vector is aligned, so what the arena sets aside for that is not needed.
+    Arena arena({words.data(), sizeof(uint32_t) * words.size() + Arena::alignment - 1});
+    rows.start(arena, limits);
+    REQUIRE_FALSE(arena.is_exhausted());
     rows.clear();
   }
 

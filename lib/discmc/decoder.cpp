@@ -46,6 +46,7 @@ Status Decoder::finish() {
   if (!deliver()) return Status::more;
   if (frame_bytes_ > 0) ++report_.damaged_packets;
   frame_bytes_ = 0;
+  frame_is_too_long_ = false;
   lose_open();
   return deliver() ? Status::ok : Status::more;
 }

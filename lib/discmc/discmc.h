@@ -41,12 +41,12 @@ typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,
   DISCMC_MORE,              /* suspended by the sink; nothing is lost */
-  DISCMC_BAD_LIMITS,        /* width or height is 0 or above DISCMC_MAX_EXTENT */
+  DISCMC_BAD_LIMITS,        /* width or height is 0 or above DISCMC_MAX_EXTENT, or no border */
   DISCMC_BAD_CAPACITIES,    /* below the minimum, or beyond what the index can count */
   DISCMC_TOO_LITTLE_MEMORY, /* smaller than the limits or capacities need, or null */
   DISCMC_BAD_SINK,          /* the sink has no function */
   DISCMC_NOT_STARTED,       /* ..._start() has not succeeded yet */
-  DISCMC_FINISHED,          /* only ..._reset() or ..._start() go on from here */
+  DISCMC_FINISHED,          /* it takes no more samples: ..._reset() or ..._start() */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
   DISCMC_TOO_DEEP,          /* DISCMC_MAX_SLICES are there; finish still works */
@@ -333,7 +333,8 @@ typedef struct discmc_stream_header {
 /* Where bytes go. Owner: the context is the caller's. */
 typedef struct discmc_byte_output {
   void* context;
-  /* Takes up to `count` bytes and returns how many it took; 0 means "not now". */
+  /* Takes up to `count` bytes and returns how many it took; 0 means "not now". An error is no
+   * number of bytes: answer 0. */
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
 } discmc_byte_output;
 

@@ -30,7 +30,7 @@ Status Extractor<Index>::start(const Limits& limits, const Capacities& capacitie
 template <class Index>
 bool Extractor<Index>::lay_out(Memory memory, const PatchTable* table) {
   Arena arena(memory);
-  rows_.start(arena.take<uint32_t>(limits_.row_words() * (limits_.height + 3)), limits_);
+  rows_.start(arena, limits_);
   merge_.start(arena, limits_, capacities_, table, sink_.takes_fragments);
   used_ = {memory.data, arena.used()};
   return !arena.is_exhausted();

@@ -59,7 +59,7 @@ inline Configuration configuration_at(const RowQuad& rows, uint32_t word, uint32
 class BitRows {
  public:
   /// Takes row_words() * (height + 3) words from the arena, and writes nothing there; clear() does.
-  void start(uint32_t* words, const Limits& limits);
+  void start(Arena& arena, const Limits& limits);
   void clear();
 
   /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples
