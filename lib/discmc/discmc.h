@@ -1,9 +1,10 @@
 /* discmc for C: the whole library, C99, linked by the C linker.
  *
- *   discmc_encoder_start, discmc_extractor16_start      once
- *   discmc_extractor16_push_u8                          as often as samples arrive
- *   discmc_extractor16_resume                           after DISCMC_MORE, when the sink may take
- * on discmc_extractor16_finish                           after the last slice
+ *   discmc_encoder_start        once
+ *   discmc_extractor16_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
+ *   discmc_extractor16_push_u8  as often as samples arrive
+ *   discmc_extractor16_resume   after DISCMC_MORE, when the output takes bytes again
+ *   discmc_extractor16_finish   after the last slice; the stream is whole then, without a flush
  *
  * Names and meanings are those of the C++ headers, which say more where a reference is given.
  * Objects are opaque and lie in your memory. They must be zero before they are first used, as
@@ -133,7 +134,11 @@ typedef struct discmc_statistics {
   uint64_t skipped_rows;
 } discmc_statistics;
 
-/* The kinds of events, in the grammar that sink.hpp gives. */
+/* The kinds of events, in this grammar:
+ *
+ *   scan     = { region | fragment | skipped | layer } finish
+ *   region   = region { ring { run } } region_end       outer ring first, then the holes
+ *   fragment = fragment { run } fragment_end            only when the sink takes fragments */
 enum {
   DISCMC_REGION,       /* a complete region begins: incidence */
   DISCMC_RING,         /* one of its rings begins: start, hole */
