@@ -202,7 +202,7 @@ TEST_CASE("every capacity of every pool from nothing to what is needed is refuse
       const uint32_t most = needed.*marks[i] + 2 * least.*pool;
       for (capacities.*pool = 0; capacities.*pool < least.*pool; ++(capacities.*pool))
         CHECK(pressed.fault_of_refusal(capacities) == "");
-      for (; capacities.*pool <= most; capacities.*pool += step(11))
+      for (; capacities.*pool <= most; capacities.*pool += step(19))
         CHECK(pressed.fault_after_reset(capacities, may_cut) == "");
     }
   });

@@ -317,7 +317,6 @@ TEST_CASE("losses are counted beyond 65,536 packets and regions") {
   REQUIRE(sent.frames.size() > 66500);
   REQUIRE(sent.regions.size() == 66500);
   std::vector<bool> is_kept(sent.frames.size(), true);
-  check_kept(sent, is_kept);
   for (size_t i = 777; i + 2 < is_kept.size(); i += 1111) is_kept[i] = false;
   std::fill_n(is_kept.begin() + 65400, 300, false);
   check_kept(sent, is_kept);
