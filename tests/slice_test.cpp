@@ -73,7 +73,7 @@ void check_cells(const Rows& rows, const BitVolume& volume, const Limits& limits
     const auto x = static_cast<int32_t>(column) - static_cast<int32_t>(limits.halo());
     const Configuration expected =
         volume.configuration({x, static_cast<int32_t>(y), static_cast<int32_t>(z)});
-    CHECK(configuration_at(quad, column / 32, column % 32, words) == expected);
+    CHECK(configuration_at(quad, column / 32, column % 32) == expected);
     const bool is_active = (active_cells(quad, column / 32, words) >> column % 32 & 1) != 0;
     CHECK(is_active == (expected != 0 && expected != 255));
   }

@@ -234,7 +234,7 @@ bool Extractor<Index>::sweep_row() {
       if (active_ == 0) break;
       const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(active_));
       active_ &= active_ - 1;
-      visit({word_ * 32 + bit, cell_row_, z, seals, configuration_at(quad, word_, bit, words)});
+      visit({word_ * 32 + bit, cell_row_, z, seals, configuration_at(quad, word_, bit)});
     }
     word_begun_ = false;
   }

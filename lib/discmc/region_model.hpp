@@ -106,7 +106,7 @@ class RegionModel {
   Direction direction(Direction direction);
   /// Whether the last direction of a ring is that of the run before, or opposite to it.
   bool is_parallel() const { return turns_ == 1 || turns_ == 1 + direction_count() / 2; }
-  /// A run's length, after its direction. Limit: at least 1.
+  /// A run's length, after its direction. Limit: at least 1, and decoding it is.
   uint32_t length(uint32_t length);
 
   /// A part of a region that is not compact, or of a fragment: part(), then item_kind() with

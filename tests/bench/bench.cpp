@@ -194,7 +194,7 @@ uint64_t scan_row(const BitRows& rows, int64_t y, uint32_t columns) {
     if (columns - word * 32 < 32) active &= (uint32_t{1} << (columns - word * 32)) - 1;
     for (; active != 0; active &= active - 1) {
       const auto bit = static_cast<uint32_t>(__builtin_ctz(active));
-      facets += cell_facts.facets[configuration_at(quad, word, bit, words)];
+      facets += cell_facts.facets[configuration_at(quad, word, bit)];
     }
   }
   return facets;
