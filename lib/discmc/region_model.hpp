@@ -139,6 +139,9 @@ class RegionModel {
   }
 
   Coder coder_;
+  // Of the last run, or 3 when it is longer; 0 before the first. As wide as leaves no padding, whose
+  // bytes would be anything in a checkpoint.
+  uint16_t length_ = 0;
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;  // of its planes: diagonal, corner, axis
   bool after_region_ = false;
@@ -146,7 +149,6 @@ class RegionModel {
   bool further_ = false;
   Direction direction_ = 0;
   uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
-  uint8_t length_ = 0;  // of the last run, or 3 when it is longer; 0 before the first
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
   uint32_t fragment_ = 0;
@@ -293,7 +295,7 @@ uint32_t RegionModel<Coder>::length(uint32_t length) {
   const uint32_t by = 4 * (is_axis_link ? 3U : link_class_) + length_;
   const uint32_t coded =
       1 + number(run_length + by * size_of_run_length, size_of_run_length, length - 1);
-  length_ = static_cast<uint8_t>(coded < 3 ? coded : 3);
+  length_ = static_cast<uint16_t>(coded < 3 ? coded : 3);
   return coded;
 }
 
