@@ -10,10 +10,11 @@ void BitRows::start(uint32_t* words, const Limits& limits) {
   height_ = limits.height;
   halo_ = limits.halo();
   ring_ = words;
-  off_ = ring_ + size_t{ring_rows_} * words_;
 }
 
 void BitRows::clear() {
+  // Not when it started: then there may have been too little memory, and no row.
+  off_ = ring_ + size_t{ring_rows_} * words_;
   for (uint32_t i = 0; i < words_; ++i) off_[i] = 0;
   old_start_ = 0;
   new_start_ = 0;
