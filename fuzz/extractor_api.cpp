@@ -116,7 +116,7 @@ class Caller {
     const uint32_t what = input_.byte();
     if (what < 24) return start();
     if (what < 28) return reset();
-    if (what < 40) return listener_.refuse(input_.byte(), input_.byte());
+    if (what < 40) return change_mood();
     if (what < 56) return resume();
     if (what < 72) return finish();
     if (what < 76) return abandon();
@@ -126,6 +126,11 @@ class Caller {
     if (what < 220) return push<uint16_t>();
     if (what < 250) return push<int16_t>();
     look();
+  }
+
+  void change_mood() {
+    const uint32_t refusals = input_.byte();
+    listener_.refuse(refusals, input_.byte());
   }
 
   // ---- beginning ----
