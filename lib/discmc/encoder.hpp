@@ -28,7 +28,8 @@ class Encoder {
   Answer take(const Event& event);
 
   /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
-  /// stream. False when the output does not take all of it now: call again.
+  /// stream. False when the output does not take all of it now: call again. Before start() there is
+  /// nothing, and that is handed over.
   [[nodiscard]] bool flush();
 
   /// The bytes that the output has taken so far.
