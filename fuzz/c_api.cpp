@@ -289,9 +289,9 @@ class Both {
     if (what < 48) return abandon();
     if (what < 64) return skip_row();
     if (what < 96) return push_bits();
-    if (what < 128) return push(extractor_, Width::push_u8, uint8_t{});
-    if (what < 144) return push(extractor_, Width::push_u16, uint16_t{});
-    if (what < 160) return push(extractor_, Width::push_i16, int16_t{});
+    if (what < 128) return push(Width::push_u8);
+    if (what < 144) return push(Width::push_u16);
+    if (what < 160) return push(Width::push_i16);
     if (what < 176) return start_encoder();
     if (what < 192) return flush();
     if (what < 208) return start_decoder();
@@ -384,13 +384,13 @@ class Both {
     require_same(Width::push_bits(extractor_.get(), bits.data()), in_cpp_.push_bits(bits.data()));
   }
 
-  template <class Push, class Sample>
-  void push(const std::unique_ptr<typename Width::Object>& extractor, Push push, Sample) {
+  template <class Sample>
+  void push(discmc_pushed (*in_c)(typename Width::Object*, const Sample*, uint32_t, uint32_t)) {
     const uint32_t count = input_.byte() % 40;
     const uint32_t stride = 1 + input_.below(3);
     std::vector<Sample> samples(count == 0 ? 0 : (count - 1) * stride + 1);
     for (Sample& sample : samples) sample = static_cast<Sample>(input_.byte());
-    require_same(push(extractor.get(), samples.data(), count, stride),
+    require_same(in_c(extractor_.get(), samples.data(), count, stride),
                  in_cpp_.push(samples.data(), count, stride));
   }
 
@@ -438,7 +438,10 @@ class Both {
     const size_t count = there < most ? there : most;
     const auto begin = line_c_.bytes.begin() + static_cast<std::ptrdiff_t>(arrived_);
     std::vector<uint8_t> bytes(begin, begin + static_cast<std::ptrdiff_t>(count));
-    if (what >= 228 && count > 0) bytes[input_.byte() % count] ^= 1 << what % 8;
+    if (what >= 228 && count > 0) {
+      uint8_t& damaged = bytes[input_.byte() % count];
+      damaged = static_cast<uint8_t>(damaged ^ 1U << what % 8);
+    }
     arrived_ += push_bytes(bytes);
   }
 
