@@ -17,7 +17,10 @@ using reference::BitVolume;
 namespace {
 
 BitVolume read_volume(Input& input) {
-  BitVolume volume({1 + input.below(12), 1 + input.below(8), 1 + input.below(6)});
+  reference::Size size{1 + input.below(12), 1 + input.below(8), 1 + input.below(6)};
+  // Few voxels, so that there are many volumes.
+  size.depth = std::min(size.depth, 1 + 150 / (size.width * size.height));
+  BitVolume volume(size);
   for (size_t i = 0; i < volume.on.size(); i += 8) {
     const uint32_t bits = input.byte();
     for (size_t k = i; k < i + 8 && k < volume.on.size(); ++k)
