@@ -33,6 +33,7 @@ class Place {
   }
 
   Memory memory() { return {all_.get() + offset_, bytes_}; }
+  size_t offset() const { return offset_; }
   bool is_intact() const { return is_filled(0, offset_); }
   bool is_untouched() const { return is_filled(0, offset_ + bytes_); }
 
@@ -125,6 +126,7 @@ class Caller {
     if (what < 190) return push<uint8_t>();
     if (what < 220) return push<uint16_t>();
     if (what < 250) return push<int16_t>();
+    if (what < 253) return fail_power();
     look();
   }
 
@@ -397,6 +399,30 @@ class Caller {
     if (state_ == State::scanning && on_.size() % slice() == 0) finish();
     abandon();
     if (state_ != State::idle) look();
+  }
+
+  // The scan goes on in another object and in other memory of exactly the bytes in use.
+  void fail_power() {
+    const auto checkpoint = std::make_unique<Checkpoint<Extractor<Index>>>();
+    const Status expected = state_ == State::idle ? Status::not_started
+                            : is_refused()        ? Status::more
+                                                  : Status::ok;
+    require(extractor_.save(*checkpoint) == expected, "save() comes to another status");
+    if (expected != Status::ok) return;
+    auto place = std::make_unique<Place>(extractor_.bytes_used(), place_->offset());
+    const Memory memory = place->memory();
+    std::copy_n(static_cast<uint8_t*>(place_->memory().data), memory.bytes,
+                static_cast<uint8_t*>(memory.data));
+    check_own_memory();
+    place_ = std::move(place);
+    extractor_ = Extractor<Index>{};
+    const Sink sink = sink_to(listener_, takes_fragments_);
+    uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % memory.bytes];
+    any = static_cast<uint8_t>(any ^ 1);
+    require(extractor_.restore(*checkpoint, memory, sink) == Status::bad_checkpoint,
+            "memory with a wrong bit is taken for what was saved");
+    any = static_cast<uint8_t>(any ^ 1);
+    require(extractor_.restore(*checkpoint, memory, sink) == Status::ok, "restore() fails");
   }
 
   // ---- checks ----
