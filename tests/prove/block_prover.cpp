@@ -9,8 +9,9 @@ namespace discmc::prove {
 
 namespace {
 
-// Enough for every block: a cut or a spill would be a flaw. Rings and runs include the reserves.
-constexpr Capacities capacities{48, 288, 24, 64, 32};
+// Hardly more than the most that a block needs, so that a record that is not given back is a cut or
+// a spill in another block, and either is a flaw.
+constexpr Capacities capacities{40, 168, 13, 40, 32};
 
 // One block in so many shows that the reference is right: with the paper's Merge. A prime, so that
 // all values of all rows are among them.
