@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "block_prover.hpp"
+#include "reference/sanitized.hpp"
 
 using namespace discmc;
 using namespace discmc::prove;
@@ -69,6 +70,7 @@ Options options_of(int count, char** arguments) {
     if (name == "--share") options.share = number_in("--share", arguments[i]);
     if (name == "--threads") options.threads = number_in("--threads", arguments[i]);
   }
+  if (options.share > 1) options.share *= reference::step(37);
   if (options.share > 1 && !options.state.empty())
     fail("--state is for all blocks; leave it out with --share");
   return options;
