@@ -469,7 +469,7 @@ class Caller {
   Input& input_;
   Listener listener_;
   std::unique_ptr<Place> place_;
-  Extractor<Index> extractor_;
+  Extractor<Index> extractor_{};  // all of it set, also what lies between members, for checkpoints
   Limits limits_{1, 1};
   int32_t threshold_ = 0;
   bool takes_fragments_ = true;
