@@ -142,7 +142,9 @@ class Instrumenter:
     def is_constant_variable(self, cursor):
         if cursor.kind != Kind.VAR_DECL:
             return False
-        return 'constexpr' in self.text[cursor.extent.start.offset:cursor.location.offset]
+        is_global = cursor.semantic_parent.kind == Kind.NAMESPACE
+        head = self.text[cursor.extent.start.offset:cursor.location.offset].split()
+        return 'constexpr' in head or is_global and 'const' in head
 
     def last_before(self, cursor):
         return self.text[:cursor.extent.start.offset].rstrip()[-1:]

@@ -80,6 +80,11 @@ MUTATION_OPERATOR(shift_left, <<, >>)
 MUTATION_OPERATOR(shift_right, >>, <<)
 #undef MUTATION_OPERATOR
 
+template <class T>
+[[gnu::always_inline]] constexpr auto minus(unsigned id, T* const& a, T* const& b) {
+  return is_active(id) ? b - a : a - b;
+}
+
 #define MUTATION_ASSIGNMENT(name, operator, mutated)                           \
   template <class A, class B>                                                  \
   [[gnu::always_inline]] constexpr A& name(unsigned id, A& a, const B& b) {    \
