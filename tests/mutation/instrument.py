@@ -8,7 +8,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from clang.cindex import CursorKind as Kind
-from clang.cindex import Diagnostic, Index
+from clang.cindex import Diagnostic, Index, TranslationUnit
 
 # By operator: the helper in mutants.hpp, and what the operator becomes, a mutant each.
 BINARY = {
@@ -57,13 +57,17 @@ class Instrumenter:
         self.mutants = []
         self.edits = []  # (offset, order at the same offset, length taken out, text put in)
         self.seen = set()
-        unit = Index.create().parse(str(path), args=flags)
+        unit = Index.create().parse(
+            str(path), args=flags, options=TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
         errors = [d for d in unit.diagnostics if d.severity >= Diagnostic.Error]
         if errors:
             raise SystemExit(f'mutate: libclang cannot read {path}: {errors[0]}')
-        for cursor in unit.cursor.get_children():
-            if cursor.location.file and cursor.location.file.name == str(path):
-                self.visit(cursor, False)
+        cursors = [cursor for cursor in unit.cursor.get_children()
+                   if cursor.location.file and cursor.location.file.name == str(path)]
+        self.macros = [(cursor.extent.start.offset, cursor.extent.end.offset) for cursor in cursors
+                       if cursor.kind == Kind.MACRO_INSTANTIATION]
+        for cursor in cursors:
+            self.visit(cursor, False)
         self.number_twins()
 
     def rewritten(self):
@@ -92,8 +96,10 @@ class Instrumenter:
             if count[key] > 1:
                 mutant.change += f' #{count[key]}'
 
-    def may_edit(self, start):
-        return self.text.count('\n', 0, start) + 1 not in self.refused
+    def may_edit(self, start, end):
+        in_macro = any(begin <= place < last for place in (start, end - 1)
+                       for begin, last in self.macros)
+        return not in_macro and self.text.count('\n', 0, start) + 1 not in self.refused
 
     # An outer expression is visited before what is in it: so its text comes first where both begin,
     # and last where both end; what ends comes before what begins.
@@ -151,10 +157,10 @@ class Instrumenter:
 
     def is_new(self, cursor, what):
         """An explicit instantiation shows the same text again."""
-        place = (what, cursor.extent.start.offset, cursor.extent.end.offset)
-        if place in self.seen or not self.may_edit(cursor.extent.start.offset):
+        extent = (cursor.extent.start.offset, cursor.extent.end.offset)
+        if (what, extent) in self.seen or not self.may_edit(*extent):
             return False
-        self.seen.add(place)
+        self.seen.add((what, extent))
         return True
 
     # ---- statements and conditions ----

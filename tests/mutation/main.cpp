@@ -1,9 +1,11 @@
 // The unit tests with every mutant of the library in them. The environment says which is active
-// (MUTANT=17), and where to write the numbers of those that were evaluated (MUTANTS_REACHED=file).
+// (MUTANT=17), and where to write how long it took
+// and the numbers of those that were evaluated (MUTANTS_REACHED=file).
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 namespace {
 
@@ -16,6 +18,7 @@ __attribute__((constructor(101))) void choose_mutant() {
 bool write_reached(const char* path) {
   FILE* file = fopen(path, "w");
   if (file == nullptr) return false;
+  fprintf(file, "%f\n", static_cast<double>(clock()) / CLOCKS_PER_SEC);
   for (unsigned id = 0; id < mutation::most; ++id)
     if (mutation::reached[id] != 0) fprintf(file, "%u\n", id);
   return fclose(file) == 0;

@@ -1,11 +1,12 @@
-// What instrument.py makes of the library's operators: as they were, but for the mutant that is active.
+// What instrument.py makes of the library's operators: as they were, but for the mutant that is
+// active.
 #ifndef MUTANTS_HPP
 #define MUTANTS_HPP
 
 namespace mutation {
 
 constexpr unsigned most = 1 << 16;
-inline unsigned active = 0;             // from the environment, by main.cpp
+inline unsigned active = 0;            // from the environment, by main.cpp
 inline unsigned char reached[most]{};  // by mutant: whether it was evaluated
 
 /// 0 when the code at hand is to do what it says; n when it is the n-th of its mutants, the first
@@ -16,9 +17,13 @@ inline unsigned char reached[most]{};  // by mutant: whether it was evaluated
   return active - first + 1;
 }
 
-[[gnu::always_inline]] constexpr bool is_active(unsigned id) { return chosen(id) == 1; }
+[[gnu::always_inline]] constexpr bool is_active(unsigned id) {
+  return chosen(id) == 1;
+}
 
-[[gnu::always_inline]] constexpr bool skips(unsigned id) { return is_active(id); }
+[[gnu::always_inline]] constexpr bool skips(unsigned id) {
+  return is_active(id);
+}
 [[gnu::always_inline]] constexpr bool forced(unsigned id, bool to, bool value) {
   return is_active(id) ? to : value;
 }
@@ -49,11 +54,11 @@ template <class T>
   return is_active(id) ? ++value : --value;
 }
 
-#define MUTATION_COMPARISON(name, operator, boundary, negation)                     \
-  template <class A, class B>                                                       \
-  [[gnu::always_inline]] constexpr bool name(unsigned id, const A& a, const B& b) { \
-    const unsigned n = chosen(id);                                                  \
-    return n == 1 ? a boundary b : n == 2 ? a negation b : a operator b;            \
+#define MUTATION_COMPARISON(name, operator, boundary, negation)          \
+  template <class A, class B>                                            \
+  [[gnu::always_inline]] constexpr bool name(unsigned id, A a, B b) {    \
+    const unsigned n = chosen(id);                                       \
+    return n == 1 ? a boundary b : n == 2 ? a negation b : a operator b; \
   }
 MUTATION_COMPARISON(less, <, <=, >=)
 MUTATION_COMPARISON(less_equal, <=, <, >)
@@ -61,13 +66,21 @@ MUTATION_COMPARISON(greater, >, >=, <=)
 MUTATION_COMPARISON(greater_equal, >=, >, <)
 #undef MUTATION_COMPARISON
 
-#define MUTATION_OPERATOR(name, operator, mutated)                                  \
-  template <class A, class B>                                                       \
-  [[gnu::always_inline]] constexpr auto name(unsigned id, const A& a, const B& b) { \
-    return is_active(id) ? a mutated b : a operator b;                              \
+// Without the opposite operator, as not every type has it.
+template <class A, class B>
+[[gnu::always_inline]] constexpr bool equal(unsigned id, const A& a, const B& b) {
+  return is_active(id) != (a == b);
+}
+template <class A, class B>
+[[gnu::always_inline]] constexpr bool unequal(unsigned id, const A& a, const B& b) {
+  return is_active(id) != (a != b);
+}
+
+#define MUTATION_OPERATOR(name, operator, mutated)                    \
+  template <class A, class B>                                         \
+  [[gnu::always_inline]] constexpr auto name(unsigned id, A a, B b) { \
+    return is_active(id) ? a mutated b : a operator b;                \
   }
-MUTATION_OPERATOR(equal, ==, !=)
-MUTATION_OPERATOR(unequal, !=, ==)
 MUTATION_OPERATOR(plus, +, -)
 MUTATION_OPERATOR(minus, -, +)
 MUTATION_OPERATOR(times, *, /)
@@ -81,14 +94,14 @@ MUTATION_OPERATOR(shift_right, >>, <<)
 #undef MUTATION_OPERATOR
 
 template <class T>
-[[gnu::always_inline]] constexpr auto minus(unsigned id, T* const& a, T* const& b) {
+[[gnu::always_inline]] constexpr auto minus(unsigned id, T* a, T* b) {
   return is_active(id) ? b - a : a - b;
 }
 
-#define MUTATION_ASSIGNMENT(name, operator, mutated)                           \
-  template <class A, class B>                                                  \
-  [[gnu::always_inline]] constexpr A& name(unsigned id, A& a, const B& b) {    \
-    return is_active(id) ? a mutated b : a operator b;         \
+#define MUTATION_ASSIGNMENT(name, operator, mutated)                        \
+  template <class A, class B>                                               \
+  [[gnu::always_inline]] constexpr A& name(unsigned id, A& a, const B& b) { \
+    return is_active(id) ? a mutated b : a operator b;                      \
   }
 MUTATION_ASSIGNMENT(add, +=, -=)
 MUTATION_ASSIGNMENT(subtract, -=, +=)

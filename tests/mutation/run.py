@@ -2,9 +2,11 @@
 import argparse
 import concurrent.futures as futures
 import itertools
+import math
 import os
 import re
 import resource
+import signal
 import subprocess
 import sys
 import time
@@ -20,7 +22,7 @@ PROGRAM = BUILD / 'mutants'
 RESULTS = BUILD / 'results.tsv'
 EQUIVALENT = Path(__file__).with_name('equivalent.txt')
 REQUIRED = 0.95
-SLOWEST_CASE = 2.0  # s; slower test cases are left out
+SLOWEST_CASE = 2  # s; slower test cases are left out
 QUICK_CASE = 0.1  # s; cases that are quicker than this run in one process
 MEMORY = 2 << 30  # bytes that a mutant may take
 
@@ -75,36 +77,30 @@ class Case:
         self.sites = set()
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+def outcome(cases, seconds, **environment):
+    """The exit code of one process with these cases. The time is the processor's: others may be busy."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
-
-def passes(cases, seconds, **environment):
-    """Whether the cases pass, within the time, in one process."""
-    # A comma divides filters.
-    filters = ','.join(case.name.replace(',', '?') for case in cases)
-    try:
-        done = subprocess.run(
-            [PROGRAM, '--abort-after=1', f'--test-case={filters}'],
-            env={**os.environ, **environment}, timeout=seconds, preexec_fn=limit_memory,
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return done.returncode == 0
-    except subprocess.TimeoutExpired:
-        return False
+    names = ','.join(case.name.replace(',', '?') for case in cases)  # a comma divides filters
+    return subprocess.run([PROGRAM, '--abort-after=1', f'--test-case={names}'],
+                          env={**os.environ, **environment}, preexec_fn=limit,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL).returncode
 
 
 def measure(case):
     """How long the case takes, and what it reaches. None when it is too slow to be asked."""
-    file = BUILD / f'reached.{os.getpid()}.{id(case)}'
-    begin = time.monotonic()
-    good = passes([case], SLOWEST_CASE, MUTANTS_REACHED=str(file))
-    case.seconds = time.monotonic() - begin
-    if case.seconds >= SLOWEST_CASE:
+    file = BUILD / f'reached.{id(case)}'
+    code = outcome([case], SLOWEST_CASE, MUTANTS_REACHED=str(file))
+    if code == -signal.SIGXCPU:
         return None
-    if not good:
+    if code != 0:
         sys.exit(f'mutate: "{case.name}" fails without a mutant')
-    case.sites = {int(line) for line in file.read_text().split()}
+    seconds, *sites = file.read_text().split()
+    case.seconds, case.sites = float(seconds), set(map(int, sites))
     file.unlink()
     return case
 
@@ -116,7 +112,7 @@ def measured_cases():
     with futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         cases = [case for case in pool.map(measure, map(Case, names)) if case]
     print(f'mutate: {len(cases)} test cases, {sum(case.seconds for case in cases):.0f} s; '
-          f'{len(names) - len(cases)} that are slower than {SLOWEST_CASE:.0f} s are left out')
+          f'{len(names) - len(cases)} that are slower than {SLOWEST_CASE} s are left out')
     return sorted(cases, key=lambda case: case.seconds)
 
 
@@ -130,8 +126,8 @@ def verdict(mutant, cases):
     quick = [case for case in asked if case.seconds < QUICK_CASE]
     batches = [quick] * bool(quick) + [[case] for case in asked if case.seconds >= QUICK_CASE]
     for batch in batches:
-        seconds = max(2.0, 10 * sum(case.seconds for case in batch))
-        if not passes(batch, seconds, MUTANT=str(mutant.id)):
+        seconds = 2 + 10 * math.ceil(sum(case.seconds for case in batch))
+        if outcome(batch, seconds, MUTANT=str(mutant.id)) != 0:
             return 'killed'
     return 'survived'
 
