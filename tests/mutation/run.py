@@ -22,8 +22,7 @@ PROGRAM = BUILD / 'mutants'
 RESULTS = BUILD / 'results.tsv'
 EQUIVALENT = Path(__file__).with_name('equivalent.txt')
 REQUIRED = 0.95
-SLOWEST_CASE = 2  # s; slower test cases are left out
-QUICK_CASE = 0.1  # s; cases that are quicker than this run in one process
+BATCH = 0.2  # s of test cases that run in one process
 MEMORY = 2 << 30  # bytes that a mutant may take
 
 
@@ -91,10 +90,10 @@ def outcome(cases, seconds, **environment):
                           stderr=subprocess.DEVNULL).returncode
 
 
-def measure(case):
+def measure(case, slowest):
     """How long the case takes, and what it reaches. None when it is too slow to be asked."""
     file = BUILD / f'reached.{id(case)}'
-    code = outcome([case], SLOWEST_CASE, MUTANTS_REACHED=str(file))
+    code = outcome([case], slowest, MUTANTS_REACHED=str(file))
     if code == -signal.SIGXCPU:
         return None
     if code != 0:
@@ -105,28 +104,38 @@ def measure(case):
     return case
 
 
-def measured_cases():
+def measured_cases(slowest):
     listed = subprocess.run([PROGRAM, '--list-test-cases', '--no-colors=true'], check=True,
                             stdout=subprocess.PIPE, text=True).stdout
     names = [line for line in listed.splitlines() if line and not line.startswith(('[doctest]', '==='))]
     with futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        cases = [case for case in pool.map(measure, map(Case, names)) if case]
+        measured = pool.map(lambda name: measure(Case(name), slowest), names)
+        cases = [case for case in measured if case]
     print(f'mutate: {len(cases)} test cases, {sum(case.seconds for case in cases):.0f} s; '
-          f'{len(names) - len(cases)} that are slower than {SLOWEST_CASE} s are left out')
+          f'{len(names) - len(cases)} that are slower than {slowest} s are left out')
     return sorted(cases, key=lambda case: case.seconds)
 
 
 # ---- a mutant ----
+
+def batches(cases):
+    """The quickest first, and many of them in one process: but a mutant may make the first hang."""
+    batch = []
+    for case in cases:
+        if batch and sum(each.seconds for each in batch + [case]) > BATCH:
+            yield batch
+            batch = []
+        batch.append(case)
+    yield batch
+
 
 def verdict(mutant, cases):
     """killed, survived, unreached, or constant: evaluated by the compiler alone."""
     asked = [case for case in cases if mutant.site in case.sites]
     if not asked:
         return 'constant' if mutant.constant else 'unreached'
-    quick = [case for case in asked if case.seconds < QUICK_CASE]
-    batches = [quick] * bool(quick) + [[case] for case in asked if case.seconds >= QUICK_CASE]
-    for batch in batches:
-        seconds = 2 + 10 * math.ceil(sum(case.seconds for case in batch))
+    for batch in batches(asked):
+        seconds = 1 + math.ceil(10 * sum(case.seconds for case in batch))
         if outcome(batch, seconds, MUTANT=str(mutant.id)) != 0:
             return 'killed'
     return 'survived'
@@ -218,6 +227,8 @@ def arguments():
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
                         help='of lib/discmc, as merge.cpp or "*.hpp"; all when none is named')
     parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
+    parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
+                        help='test cases that take longer are left out (1)')
     parser.add_argument('--resume', action='store_true',
                         help='what was caught before counts as caught: after an interruption, or '
                         'when tests were added')
@@ -236,7 +247,7 @@ def main():
     if not chosen:
         sys.exit(f'mutate: no mutants in {" ".join(given.files)}: name files of lib/discmc')
     print(f'mutate: {len(chosen)} of {whole} mutants; {refused_lines} lines were refused')
-    results = run(chosen, measured_cases(), given.resume)
+    results = run(chosen, measured_cases(given.slowest), given.resume)
     listed = explained()
     show_survivors(chosen, results, listed)
     reached = report(chosen, results, listed)
