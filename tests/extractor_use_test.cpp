@@ -112,6 +112,17 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
   }
 }
 
+TEST_CASE("a start that finds too little memory ends the scan before it") {
+  EventLog log;
+  Block block(1 << 14);
+  Extractor16 extractor;
+  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+  CHECK(extractor.start({3000, 3000}, 1, block.memory(), sink_to(log)) ==
+        Status::too_little_memory);
+  CHECK(extractor.finish() == Status::not_started);
+  CHECK(extractor.reset() == Status::not_started);
+}
+
 TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   EventLog log;
