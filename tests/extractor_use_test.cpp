@@ -102,7 +102,9 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
     CHECK(extractor.push(samples, 9).samples == 0);
     CHECK(extractor.push(samples, 0).status == Status::finished);
     CHECK(extractor.push_bits(samples).status == Status::finished);
+    CHECK(extractor.push_bits(samples).samples == 0);
     CHECK(extractor.skip_row(Substitute::previous_row).status == Status::finished);
+    CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
     CHECK(extractor.finish() == Status::ok);
     CHECK(extractor.abandon() == Status::ok);
     CHECK(extractor.resume() == Status::ok);
@@ -156,6 +158,7 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
   for (uint32_t i = 0; i < 30; ++i) {
     if (i % 5 != 0) {
       CHECK(extractor.push_bits(&bits).status == Status::row_in_progress);
+      CHECK(extractor.push_bits(&bits).samples == 0);
       CHECK(extractor.skip_row(Substitute::off).status == Status::row_in_progress);
       CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
     }
