@@ -487,6 +487,37 @@ TEST_CASE("a payload that ends before its records do is refused") {
   }
 }
 
+TEST_CASE("a part may fill a record to the last word, and one word more is refused") {
+  const auto tell_part = [](auto& model, uint32_t runs) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    for (uint32_t i = 0; i < runs; ++i) tell_run(model, static_cast<Direction>(i % 4), 1);
+    end_part(model, true);
+  };
+  constexpr uint32_t most = Record::max_words - Record::ring_words;
+  const Arrival full =
+      decode(stream_of({payload_of([&](auto& model) { tell_part(model, most); })}));
+  CHECK(full.report.regions == 1);
+  CHECK(full.events.size() == 1 + 1 + most + 1);
+  check_unreadable([&](auto& model) { tell_part(model, most + 1); });
+}
+
+TEST_CASE("a frame that is cut off at the end counts as damaged, once") {
+  Log log;
+  Decoder decoder;
+  const Bytes frame = frames_of(encode(Script().finish().events)).front();
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(frame.data(), frame.size() - 1).status == Status::ok);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(decoder.finish() == Status::ok);
+    CHECK(decoder.report().damaged_packets == 1);
+  }
+  CHECK(decoder.push(frame.data(), frame.size()).status == Status::ok);
+  CHECK(decoder.finish() == Status::ok);
+  CHECK(decoder.report().damaged_packets == 1);
+  CHECK(decoder.report().has_header);
+}
+
 TEST_CASE("nothing is delivered after the trailer") {
   const Sample sample = samples()[4];
   const Bytes stream = encode(sample.events, sample.header);

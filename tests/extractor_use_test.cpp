@@ -103,7 +103,9 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
     CHECK(extractor.push(samples, 9).samples == 0);
     CHECK(extractor.push(samples, 0).status == Status::finished);
     CHECK(extractor.push_bits(samples).status == Status::finished);
+    CHECK(extractor.push_bits(samples).samples == 0);
     CHECK(extractor.skip_row(Substitute::previous_row).status == Status::finished);
+    CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
     CHECK(extractor.finish() == Status::ok);
     CHECK(extractor.abandon() == Status::ok);
     CHECK(extractor.resume() == Status::ok);
@@ -111,6 +113,17 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
     CHECK(log.collector().was_abandoned() == abandon);
     CHECK(extractor.statistics().regions == 8);
   }
+}
+
+TEST_CASE("a start that finds too little memory ends the scan before it") {
+  EventLog log;
+  Block block(1 << 14);
+  Extractor16 extractor;
+  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+  CHECK(extractor.start({3000, 3000}, 1, block.memory(), sink_to(log)) ==
+        Status::too_little_memory);
+  CHECK(extractor.finish() == Status::not_started);
+  CHECK(extractor.reset() == Status::not_started);
 }
 
 TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
@@ -146,6 +159,7 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
   for (uint32_t i = 0; i < 30; ++i) {
     if (i % 5 != 0) {
       CHECK(extractor.push_bits(&bits).status == Status::row_in_progress);
+      CHECK(extractor.push_bits(&bits).samples == 0);
       CHECK(extractor.skip_row(Substitute::off).status == Status::row_in_progress);
       CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
     }

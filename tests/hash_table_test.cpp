@@ -101,6 +101,15 @@ TEST_CASE("what was inserted is taken once") {
   CHECK(table.high_water() == 3);
 }
 
+TEST_CASE("the high-water mark is of the most at once, not of the last") {
+  Table<uint16_t> table(10, 100);
+  for (uint32_t key = 0; key < 4; ++key) CHECK(table.insert(key, uint16_t{1}));
+  for (uint32_t key = 0; key < 3; ++key) CHECK(table.take(key) == 1);
+  CHECK(table.insert(50, uint16_t{1}));
+  CHECK(table.in_use() == 2);
+  CHECK(table.high_water() == 4);
+}
+
 TEST_CASE("whatever the memory held, a cleared table is empty") {
   for (const uint32_t filling : {0U, 1U, 17U, 0x80000000U, 0xFFFFFFFFU}) {
     std::vector<uint32_t> keys(16, filling);

@@ -83,14 +83,21 @@ std::string fault_of(const BitVolume& volume, bool closed) {
   }
 }
 
-EventLog events_of(const BitVolume& volume, Border border, const Capacities& capacities,
-                   bool wide) {
-  EventLog log;
+EventLog events_of(const BitVolume& volume, Border border, const Capacities& capacities, bool wide,
+                   bool takes_fragments = true) {
+  EventLog log({}, takes_fragments);
+  const Plan plan{border, takes_fragments, 0};
   if (wide)
-    scan_into<uint32_t>(log, volume, {border, true, 0}, capacities);
+    scan_into<uint32_t>(log, volume, plan, capacities);
   else
-    scan_into<uint16_t>(log, volume, {border, true, 0}, capacities);
+    scan_into<uint16_t>(log, volume, plan, capacities);
   return log;
+}
+
+uint64_t hash_of(const EventLog& log) {
+  uint64_t hash = 0;
+  for (const uint64_t word : log.words()) hash = hash * 0x100000001B3 + static_cast<uint32_t>(word);
+  return hash;
 }
 
 struct Known {
@@ -234,9 +241,37 @@ TEST_CASE("a region is delivered before the first layer mark that it does not re
 }
 
 TEST_CASE("the events of a volume are these, on every machine") {
-  uint64_t hash = 0;
   const BitVolume volume = random({14, 13, 12}, 150, 11);
   const EventLog log = events_of(volume, Border::closed, ample(volume, Border::closed), false);
-  for (const uint64_t word : log.words()) hash = hash * 0x100000001B3 + static_cast<uint32_t>(word);
-  CHECK(hash == 1094818493925494324);
+  CHECK(hash_of(log) == 1094818493925494324);
+}
+
+TEST_CASE("what is spilled and cut, and when, is this, on every machine") {
+  const BitVolume volume = random({20, 19, 8}, 110, 5);
+  const Capacities enough = ample(volume, Border::closed);
+  const Capacities least = minimum_capacities();
+  uint64_t hash = 0;
+  const auto add = [&](const Capacities& capacities, bool takes_fragments) {
+    hash =
+        hash * 31 + hash_of(events_of(volume, Border::closed, capacities, false, takes_fragments));
+  };
+  for (uint32_t more = 0; more < 900; more += 37) {
+    Capacities few = enough;
+    few.runs = least.runs + more;
+    add(few, true);
+    add(few, false);
+    few = enough;
+    few.edges = least.edges + more;
+    add(few, true);
+    few = enough;
+    few.slots = least.slots + more;
+    add(few, true);
+    few = enough;
+    few.regions = least.regions + more / 4;
+    add(few, true);
+    few = enough;
+    few.rings = least.rings + more / 16;
+    add(few, true);
+  }
+  CHECK(hash == 9265533944904472624ULL);
 }

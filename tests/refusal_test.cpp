@@ -107,6 +107,36 @@ std::string difference(const Scenario& scenario, const EventLog& plain, EventLog
   }
 }
 
+// Takes so many events and none after them, until it is opened for another log.
+struct Gate {
+  EventLog* log;
+  uint64_t left;
+  Answer take(const Event& event) {
+    if (left == 0) return Answer::not_now;
+    --left;
+    return log->take(event);
+  }
+};
+
+// A scan that the sink stops after some events, or after a row that is skipped; then a reset, and
+// the same again without trouble.
+EventLog events_after_reset(const Scenario& scenario, uint64_t taken, bool skips) {
+  EventLog before, after;
+  Gate gate{&before, taken};
+  const Limits limits = limits_of(scenario.volume, scenario.border);
+  Block block(bytes_for<uint16_t>(limits, scenario.capacities));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), sink_to(gate)));
+  if (skips) (void)extractor.skip_row(Substitute::off);
+  if (extractor.push(scenario.volume.on.data(), scenario.samples).status == Status::ok)
+    (void)extractor.finish();
+  require_ok(extractor.reset());
+  gate = {&after, UINT64_MAX};
+  push_samples(extractor, scenario, Way::again);
+  end(extractor, Ending::finish, Way::again);
+  return after;
+}
+
 constexpr Way ways[] = {Way::again, Way::resume, Way::busy};
 
 void check_every_single_refusal(const Scenario& scenario) {
@@ -253,6 +283,16 @@ TEST_CASE("refusing everything once, again and again, or at random changes nothi
       check_many_refusals(cutting(7 * seed, seed % 2 == 0));
       check_many_refusals(scenario_of(random({8, 7, 6}, 128, seed), border));
     }
+}
+
+TEST_CASE("a reset forgets whatever the sink has not taken") {
+  for (const Scenario& scenario :
+       {scenario_of(random({5, 5, 4}, 128, 3), Border::closed), spilling(4, Border::open)}) {
+    const EventLog plain = run<uint16_t>(scenario);
+    for (uint64_t taken = 0; taken < plain.events(); taken += step(11))
+      for (const bool skips : {false, true})
+        CHECK(events_after_reset(scenario, taken, skips).words() == plain.words());
+  }
 }
 
 TEST_CASE("the surface is right after refusals, not only the same as without") {

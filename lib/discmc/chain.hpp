@@ -34,8 +34,8 @@ class Run {
 
   /// Takes the other run in, when both are straight, of one direction, and short enough together.
   constexpr bool absorb(Run other) {
-    const bool straight = ((code_ | other.code_) & fragment_bit) == 0;
-    if (!straight || direction() != other.direction()) return false;
+    if (direction() != other.direction()) return false;
+    // The bit of a fragment makes it look longer than any run.
     if (length() + other.length() > max_length) return false;
     code_ += other.length() << 3;
     return true;

@@ -112,7 +112,6 @@ Status Extractor<Index>::resume() {
 
 template <class Index>
 Status Extractor<Index>::finish() {
-  if (state_ == State::idle) return Status::not_started;
   if (state_ == State::scanning) {
     const bool between_slices = rows_.rows() == 0 || rows_.rows() == limits_.height;
     if (!between_slices || rows_.column() != 0) return Status::slice_in_progress;
@@ -123,7 +122,6 @@ Status Extractor<Index>::finish() {
 
 template <class Index>
 Status Extractor<Index>::abandon() {
-  if (state_ == State::idle) return Status::not_started;
   if (state_ == State::scanning) {
     state_ = State::finishing;
     abandoned_ = true;
