@@ -1,5 +1,5 @@
-// Statements that any wrong byte of a derived table breaks (table_mutation/tables.cpp tries every one),
-// and patches on either side of a face; by exhaustion.
+// Statements that any wrong byte of a derived table breaks (table_mutation/tables.cpp tries every
+// one), and patches on either side of a face; by exhaustion.
 #include <doctest/doctest.h>
 
 #include <map>

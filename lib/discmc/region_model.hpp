@@ -139,8 +139,8 @@ class RegionModel {
   }
 
   Coder coder_;
-  // Of the last run, or 3 when it is longer; 0 before the first. As wide as leaves no padding, whose
-  // bytes would be anything in a checkpoint.
+  // Of the last run, or 3 when it is longer; 0 before the first. As wide as leaves no padding,
+  // whose bytes would be anything in a checkpoint.
   uint16_t length_ = 0;
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;  // of its planes: diagonal, corner, axis
@@ -148,7 +148,7 @@ class RegionModel {
   // Of the chain:
   bool further_ = false;
   Direction direction_ = 0;
-  uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
+  uint8_t turns_ = 0;  // the last turn and one more; 0 before the first
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
   uint32_t fragment_ = 0;
