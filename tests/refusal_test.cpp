@@ -236,7 +236,7 @@ TEST_CASE("a reset forgets whatever the sink has not taken") {
   for (const Scenario& scenario :
        {scenario_of(random({5, 5, 4}, 128, 3), Border::closed), spilling(4, Border::open)}) {
     const EventLog plain = run<uint16_t>(scenario);
-    for (uint64_t taken = 0; taken < plain.events(); taken += step(11))
+    for (uint64_t taken = 0; taken < plain.events(); taken += step(67))
       for (const bool skips : {false, true})
         CHECK(events_after_reset(scenario, taken, skips).words() == plain.words());
   }

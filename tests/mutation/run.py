@@ -1,4 +1,8 @@
-"""scripts/mutate: breaks the library in one place after another, and counts what the unit tests catch."""
+"""scripts/mutate: breaks the library in one place after another and counts what its tests catch.
+
+The mutants are all in one program (instrument.py), which the environment tells the active one. Each is
+asked only for the test cases that reach it, the quickest first, until one fails.
+"""
 import argparse
 import concurrent.futures as futures
 import itertools
@@ -141,18 +145,22 @@ def verdict(mutant, cases):
     return 'survived'
 
 
-def killed_before():
-    """By what they are, as numbers change."""
+def known_results():
+    """Of runs before, by what the mutants are, as numbers change."""
     if not RESULTS.exists():
-        return set()
+        return {}
     lines = (line.split('\t') for line in RESULTS.read_text().splitlines())
-    return {key for result, key in lines if result == 'killed'}
+    return {key: result for result, key in lines}
 
 
-def run(mutants, cases, resume):
-    killed = killed_before() if resume else set()
-    results = {mutant.key(): 'killed' for mutant in mutants if mutant.key() in killed}
-    left = [mutant for mutant in mutants if mutant.key() not in results]
+def run(mutants, cases, listed, resume):
+    known = known_results() if resume else {}
+    results = {mutant.key(): known[mutant.key()] for mutant in mutants
+               if known.get(mutant.key()) == 'killed'
+               or mutant.key() in known and mutant.key() in listed}
+    # Survivors take the longest: so they are asked again last.
+    left = sorted((mutant for mutant in mutants if mutant.key() not in results),
+                  key=lambda mutant: mutant.key() in known)
     begin = shown = time.monotonic()
     with open(RESULTS, 'a' if resume else 'w') as file, \
             futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -221,7 +229,7 @@ def stale_entries(mutants, results, listed, is_whole):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog='scripts/mutate', description=__doc__.split(': ', 1)[1],
+    parser = argparse.ArgumentParser(prog='scripts/mutate', description=__doc__.split('\n')[0].split(': ')[1],
                                      epilog=f'Fails when less than {REQUIRED:.0%} are caught or '
                                      f'explained in tests/mutation/{EQUIVALENT.name}.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
@@ -230,8 +238,8 @@ def arguments():
     parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
                         help='test cases that take longer are left out (1)')
     parser.add_argument('--resume', action='store_true',
-                        help='what was caught before counts as caught: after an interruption, or '
-                        'when tests were added')
+                        help='what was caught before, or survived as explained, is not asked again: '
+                        'after an interruption, or when tests were added')
     given = parser.parse_args()
     if not re.fullmatch(r'1/[1-9]\d*', given.share):
         parser.error(f'--share {given.share}: give 1/10 for every tenth mutant')
@@ -247,8 +255,8 @@ def main():
     if not chosen:
         sys.exit(f'mutate: no mutants in {" ".join(given.files)}: name files of lib/discmc')
     print(f'mutate: {len(chosen)} of {whole} mutants; {refused_lines} lines were refused')
-    results = run(chosen, measured_cases(given.slowest), given.resume)
     listed = explained()
+    results = run(chosen, measured_cases(given.slowest), listed, given.resume)
     show_survivors(chosen, results, listed)
     reached = report(chosen, results, listed)
     stale = stale_entries(chosen, results, listed, len(chosen) == whole)
