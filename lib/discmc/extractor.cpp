@@ -194,7 +194,7 @@ bool Extractor<Index>::is_last_layer() const {
 template <class Index>
 uint32_t Extractor<Index>::ready_rows() const {
   const bool closed = limits_.border == Border::closed;
-  if (is_last_layer()) return rows_.slices() > 0 ? limits_.cell_rows() : 0;
+  if (is_last_layer()) return limits_.cell_rows();
   if (!closed && rows_.slices() == 0) return 0;
   if (rows_.rows() == limits_.height) return limits_.cell_rows();
   if (closed) return rows_.rows();
