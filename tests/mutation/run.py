@@ -1,7 +1,7 @@
 """scripts/mutate: breaks the library in one place after another and counts what its tests catch.
 
-The mutants are all in one program (instrument.py), which the environment tells the active one. Each is
-asked only for the test cases that reach it, the quickest first, until one fails.
+The mutants are all in one program (instrument.py), which the environment tells the active one. Of
+each only the test cases that reach it are run, the quickest first, until one fails.
 """
 import argparse
 import concurrent.futures as futures
@@ -33,7 +33,7 @@ MEMORY = 2 << 30  # bytes that a mutant may take
 # ---- the program that holds the mutants ----
 
 def write_copy(refused):
-    """The library with its mutants, in the build folder; files that did not change are left alone."""
+    """The library with its mutants, in the build folder; a file that is as it was is left alone."""
     numbers = itertools.count(1)
     mutants = []
     copy = BUILD / 'lib' / 'discmc'
@@ -52,7 +52,7 @@ def write_copy(refused):
 
 
 def build():
-    """The mutants, and how many lines have none because the compiler refuses what was made of them."""
+    """The mutants, and how many lines have none, as the compiler refuses what was made of them."""
     refused = defaultdict(set)
     while True:
         mutants = write_copy(refused)
@@ -81,7 +81,7 @@ class Case:
 
 
 def outcome(cases, seconds, **environment):
-    """The exit code of one process with these cases. The time is the processor's: others may be busy."""
+    """The exit code of one process with these cases. The time is the processor's."""
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
@@ -111,7 +111,7 @@ def measure(case, slowest):
 def measured_cases(slowest):
     listed = subprocess.run([PROGRAM, '--list-test-cases', '--no-colors=true'], check=True,
                             stdout=subprocess.PIPE, text=True).stdout
-    names = [line for line in listed.splitlines() if line and not line.startswith(('[doctest]', '==='))]
+    names = [line for line in listed.splitlines() if not line.startswith(('[doctest]', '==='))]
     with futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         measured = pool.map(lambda name: measure(Case(name), slowest), names)
         cases = [case for case in measured if case]
@@ -181,7 +181,7 @@ def run(mutants, cases, listed, resume):
 # ---- the report ----
 
 def explained():
-    """What equivalent.txt lists: lines that name mutants, each group followed by an indented reason."""
+    """What equivalent.txt lists: lines that name mutants, with an indented reason after a group."""
     lines = EQUIVALENT.read_text().splitlines() if EQUIVALENT.exists() else []
     return {line for line in lines if line and not line.startswith((' ', '#'))}
 
@@ -200,13 +200,13 @@ def report(mutants, results, listed):
         for row in (mutant.file, 'all'):
             rows[row][result] += 1
     columns = ('killed', 'survived', 'unreached', 'explained', 'constant')
-    print(f'\n{"":24}{"mutants":>9}' + ''.join(f'{name:>11}' for name in columns)
-          + f'{"caught":>9}{"or expl.":>10}')
+    print(f'\n{"":24}{"mutants":>9}', *(f'{name:>10}' for name in columns), '  caught  explained too')
     for name in sorted(rows, key=lambda name: (name == 'all', name)):
         row = rows[name]
         whole = sum(row.values()) - row['constant']
-        print(f'{name:24}{sum(row.values()):9}' + ''.join(f'{row[column]:11}' for column in columns)
-              + f'{share(row["killed"], whole):8.1f}%{share(row["killed"] + row["explained"], whole):9.1f}%')
+        print(f'{name:24}{sum(row.values()):9}', *(f'{row[column]:10}' for column in columns),
+              f'{share(row["killed"], whole):7.1f}%',
+              f'{share(row["killed"] + row["explained"], whole):13.1f}%')
     row = rows['all']
     return share(row['killed'] + row['explained'], sum(row.values()) - row['constant']) / 100
 
@@ -224,22 +224,24 @@ def stale_entries(mutants, results, listed, is_whole):
     if is_whole:
         stale |= listed - {mutant.key() for mutant in mutants}
     for key in sorted(stale):
-        print(f'mutate: {EQUIVALENT.name} lists what is caught or not there: {key}', file=sys.stderr)
+        print(f'mutate: {EQUIVALENT.name} lists what is caught or is not there: {key}',
+              file=sys.stderr)
     return stale
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog='scripts/mutate', description=__doc__.split('\n')[0].split(': ')[1],
-                                     epilog=f'Fails when less than {REQUIRED:.0%} are caught or '
-                                     f'explained in tests/mutation/{EQUIVALENT.name}.')
+    parser = argparse.ArgumentParser(
+        prog='scripts/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
+        epilog=f'Fails when less than {REQUIRED:.0%} are caught or explained in '
+        f'tests/mutation/{EQUIVALENT.name}.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
                         help='of lib/discmc, as merge.cpp or "*.hpp"; all when none is named')
     parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
     parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
                         help='test cases that take longer are left out (1)')
     parser.add_argument('--resume', action='store_true',
-                        help='what was caught before, or survived as explained, is not asked again: '
-                        'after an interruption, or when tests were added')
+                        help='what was caught before, or survived as explained, is not run '
+                        'again: after an interruption, or when tests were added')
     given = parser.parse_args()
     if not re.fullmatch(r'1/[1-9]\d*', given.share):
         parser.error(f'--share {given.share}: give 1/10 for every tenth mutant')
