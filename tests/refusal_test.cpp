@@ -238,8 +238,8 @@ TEST_CASE("refusing everything once, again and again, or at random changes nothi
 }
 
 TEST_CASE("a reset forgets whatever the sink has not taken") {
-  for (const Scenario& scenario :
-       {scenario_of(random({5, 5, 4}, 128, 3), Border::closed), spilling(4, Border::open)}) {
+  for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
+                                   spilling(4, Border::closed), cutting(7, true)}) {
     const EventLog plain = run<uint16_t>(scenario);
     for (uint64_t taken = 0; taken < plain.events(); taken += 7)
       for (const bool skips : {false, true})

@@ -200,7 +200,8 @@ def report(mutants, results, listed):
         for row in (mutant.file, 'all'):
             rows[row][result] += 1
     columns = ('killed', 'survived', 'unreached', 'explained', 'constant')
-    print(f'\n{"":24}{"mutants":>9}', *(f'{name:>10}' for name in columns), '  caught  explained too')
+    print(f'\n{"":24}{"mutants":>9}', *(f'{name:>10}' for name in columns),
+          '  caught  explained too')
     for name in sorted(rows, key=lambda name: (name == 'all', name)):
         row = rows[name]
         whole = sum(row.values()) - row['constant']
