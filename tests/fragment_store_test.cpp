@@ -120,3 +120,14 @@ TEST_CASE("a fragment is longer than any number below that of its nodes, and tha
       CHECK(store.is_longer(fragment, limit) == (nodes > limit));
   }
 }
+
+TEST_CASE("a cleared store has all its nodes again") {
+  Store<uint32_t> store(5);
+  (void)fragment_of(store, 0, 6);
+  CHECK(store.available() == 0);
+  CHECK(store.high_water() == 5);
+  store.clear();
+  CHECK(store.available() == 5);
+  CHECK(store.high_water() == 0);
+  CHECK(runs_of(store, fragment_of(store, 2, 6)) == runs_from(2, 6));
+}

@@ -253,6 +253,11 @@ TEST_CASE("any one refusal changes nothing") {
   }
 }
 
+TEST_CASE("any one refusal anywhere in a row of several words changes nothing") {
+  for (const Border border : {Border::closed, Border::open})
+    check_every_single_refusal(scenario_of(random({99, 2, 2}, 8, 7), border));
+}
+
 TEST_CASE("any one refusal while fragments are spilled changes nothing") {
   uint64_t spills = 0;
   for (uint64_t seed = 0; seed < 14; ++seed) {
@@ -286,10 +291,10 @@ TEST_CASE("refusing everything once, again and again, or at random changes nothi
 }
 
 TEST_CASE("a reset forgets whatever the sink has not taken") {
-  for (const Scenario& scenario :
-       {scenario_of(random({5, 5, 4}, 128, 3), Border::closed), spilling(4, Border::open)}) {
+  for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
+                                   spilling(4, Border::closed), cutting(7, true)}) {
     const EventLog plain = run<uint16_t>(scenario);
-    for (uint64_t taken = 0; taken < plain.events(); taken += step(11))
+    for (uint64_t taken = 0; taken < plain.events(); taken += 7)
       for (const bool skips : {false, true})
         CHECK(events_after_reset(scenario, taken, skips).words() == plain.words());
   }

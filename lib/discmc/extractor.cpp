@@ -32,8 +32,8 @@ bool Extractor<Index>::lay_out(Memory memory, const PatchTable* table) {
   Arena arena(memory);
   rows_.start(arena, limits_);
   merge_.start(arena, limits_, capacities_, table, sink_.takes_fragments);
-  used_ = {memory.data, arena.used()};
-  return !arena.is_exhausted();
+  used_ = arena.is_exhausted() ? Memory{} : Memory{memory.data, arena.used()};
+  return used_.data != nullptr;
 }
 
 template <class Index>
@@ -194,7 +194,7 @@ bool Extractor<Index>::is_last_layer() const {
 template <class Index>
 uint32_t Extractor<Index>::ready_rows() const {
   const bool closed = limits_.border == Border::closed;
-  if (is_last_layer()) return rows_.slices() > 0 ? limits_.cell_rows() : 0;
+  if (is_last_layer()) return limits_.cell_rows();
   if (!closed && rows_.slices() == 0) return 0;
   if (rows_.rows() == limits_.height) return limits_.cell_rows();
   if (closed) return rows_.rows();

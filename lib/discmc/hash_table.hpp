@@ -18,7 +18,7 @@ class HashTable {
   static constexpr uint32_t window = 32;  ///< the bound on probes of every call
 
   /// A slot's key and value stand in two arrays, so that a slot is 6 bytes with 16-bit indices.
-  /// Call clear() before using it. Limit: slots >= 1, 1 <= range < 2^31.
+  /// Call clear() before using it. Limit: slots >= 1, range < 2^31.
   void start(uint32_t* keys, Index* values, uint32_t slots, uint32_t range) {
     keys_ = keys;
     values_ = values;

@@ -47,8 +47,7 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   regions_.start(arena.take<RegionNode<Index>>(capacities.regions), capacities.regions, rings,
                  capacities.rings);
   uint32_t* table_keys = arena.take<uint32_t>(capacities.slots);
-  frontier_.table().start(table_keys, arena.take<Index>(capacities.slots), capacities.slots,
-                          keys > 0 ? keys : 1);
+  frontier_.table().start(table_keys, arena.take<Index>(capacities.slots), capacities.slots, keys);
   // No fewer than what makes every candidate a victim (should_spill()): so until all of them are
   // gone runs stay short, and a refused spill is taken up again.
   const uint32_t quarter = capacities.runs / 4;

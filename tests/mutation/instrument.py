@@ -1,7 +1,7 @@
 """Rewrites the library's sources so that one program holds every mutant.
 
-Where the source says `a < b` the copy says `mutation::less(17, a, b)`: mutants.hpp makes `a <= b` of it
-while mutant 17 is the active one, and `a >= b` while mutant 18 is. Lines stay where they are.
+Where the source says `a < b` the copy says `mutation::less(17, a, b)`: mutants.hpp makes `a <= b`
+of it while mutant 17 is the active one, and `a >= b` while mutant 18 is. Lines stay where they are.
 """
 import re
 from collections import Counter
@@ -22,7 +22,10 @@ BINARY = {
     '%=': ('remain', '*='), '&=': ('mask', '|='), '|=': ('combine', '&='), '^=': ('toggle', '&='),
     '<<=': ('raise', '>>='), '>>=': ('lower', '<<='),
 }
-UNARY = {'++': '--', '--': '++', '!': '', '-': '', '~': ''}
+UNARY = {
+    '++': ('increment', '--'), '--': ('decrement', '++'), '!': ('negation', ''),
+    '-': ('minus', ''), '~': ('inverse', ''),
+}
 
 FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.DESTRUCTOR,
              Kind.FUNCTION_TEMPLATE, Kind.CONVERSION_FUNCTION}
@@ -235,10 +238,9 @@ class Instrumenter:
         operator = next((o for o in UNARY if text.startswith(o)), None)
         if not operator or not self.is_new(cursor, 'operator'):
             return
-        change = f'{self.text_of(cursor)} -> {UNARY[operator] or "without " + operator}'
+        change = f'{self.text_of(cursor)} -> {UNARY[operator][1] or "without " + operator}'
         number = self.mutant(start, change, constant)
-        helper = {'++': 'increment', '--': 'decrement', '!': 'negation', '-': 'minus', '~': 'inverse'}
-        self.wrap(cursor, f'mutation::{helper[operator]}({number}, ')
+        self.wrap(cursor, f'mutation::{UNARY[operator][0]}({number}, ')
         self.replace(start, len(operator), '')
 
     def literal(self, cursor, constant):

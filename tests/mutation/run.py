@@ -1,4 +1,8 @@
-"""scripts/mutate: breaks the library in one place after another, and counts what the unit tests catch."""
+"""scripts/mutate: breaks the library in one place after another and counts what its tests catch.
+
+The mutants are all in one program (instrument.py), which the environment tells the active one. Of
+each only the test cases that reach it are run, the quickest first, until one fails.
+"""
 import argparse
 import concurrent.futures as futures
 import itertools
@@ -29,7 +33,7 @@ MEMORY = 2 << 30  # bytes that a mutant may take
 # ---- the program that holds the mutants ----
 
 def write_copy(refused):
-    """The library with its mutants, in the build folder; files that did not change are left alone."""
+    """The library with its mutants, in the build folder; a file that is as it was is left alone."""
     numbers = itertools.count(1)
     mutants = []
     copy = BUILD / 'lib' / 'discmc'
@@ -48,7 +52,7 @@ def write_copy(refused):
 
 
 def build():
-    """The mutants, and how many lines have none because the compiler refuses what was made of them."""
+    """The mutants, and how many lines have none, as the compiler refuses what was made of them."""
     refused = defaultdict(set)
     while True:
         mutants = write_copy(refused)
@@ -77,7 +81,7 @@ class Case:
 
 
 def outcome(cases, seconds, **environment):
-    """The exit code of one process with these cases. The time is the processor's: others may be busy."""
+    """The exit code of one process with these cases. The time is the processor's."""
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
@@ -107,7 +111,7 @@ def measure(case, slowest):
 def measured_cases(slowest):
     listed = subprocess.run([PROGRAM, '--list-test-cases', '--no-colors=true'], check=True,
                             stdout=subprocess.PIPE, text=True).stdout
-    names = [line for line in listed.splitlines() if line and not line.startswith(('[doctest]', '==='))]
+    names = [line for line in listed.splitlines() if not line.startswith(('[doctest]', '==='))]
     with futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         measured = pool.map(lambda name: measure(Case(name), slowest), names)
         cases = [case for case in measured if case]
@@ -141,18 +145,22 @@ def verdict(mutant, cases):
     return 'survived'
 
 
-def killed_before():
-    """By what they are, as numbers change."""
+def known_results():
+    """Of runs before, by what the mutants are, as numbers change."""
     if not RESULTS.exists():
-        return set()
+        return {}
     lines = (line.split('\t') for line in RESULTS.read_text().splitlines())
-    return {key for result, key in lines if result == 'killed'}
+    return {key: result for result, key in lines}
 
 
-def run(mutants, cases, resume):
-    killed = killed_before() if resume else set()
-    results = {mutant.key(): 'killed' for mutant in mutants if mutant.key() in killed}
-    left = [mutant for mutant in mutants if mutant.key() not in results]
+def run(mutants, cases, listed, resume):
+    known = known_results() if resume else {}
+    results = {mutant.key(): known[mutant.key()] for mutant in mutants
+               if known.get(mutant.key()) == 'killed'
+               or mutant.key() in known and mutant.key() in listed}
+    # Survivors take the longest: so they are asked again last.
+    left = sorted((mutant for mutant in mutants if mutant.key() not in results),
+                  key=lambda mutant: mutant.key() in known)
     begin = shown = time.monotonic()
     with open(RESULTS, 'a' if resume else 'w') as file, \
             futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -173,7 +181,7 @@ def run(mutants, cases, resume):
 # ---- the report ----
 
 def explained():
-    """What equivalent.txt lists: lines that name mutants, each group followed by an indented reason."""
+    """What equivalent.txt lists: lines that name mutants, with an indented reason after a group."""
     lines = EQUIVALENT.read_text().splitlines() if EQUIVALENT.exists() else []
     return {line for line in lines if line and not line.startswith((' ', '#'))}
 
@@ -192,13 +200,14 @@ def report(mutants, results, listed):
         for row in (mutant.file, 'all'):
             rows[row][result] += 1
     columns = ('killed', 'survived', 'unreached', 'explained', 'constant')
-    print(f'\n{"":24}{"mutants":>9}' + ''.join(f'{name:>11}' for name in columns)
-          + f'{"caught":>9}{"or expl.":>10}')
+    print(f'\n{"":24}{"mutants":>9}', *(f'{name:>10}' for name in columns),
+          '  caught  explained too')
     for name in sorted(rows, key=lambda name: (name == 'all', name)):
         row = rows[name]
         whole = sum(row.values()) - row['constant']
-        print(f'{name:24}{sum(row.values()):9}' + ''.join(f'{row[column]:11}' for column in columns)
-              + f'{share(row["killed"], whole):8.1f}%{share(row["killed"] + row["explained"], whole):9.1f}%')
+        print(f'{name:24}{sum(row.values()):9}', *(f'{row[column]:10}' for column in columns),
+              f'{share(row["killed"], whole):7.1f}%',
+              f'{share(row["killed"] + row["explained"], whole):13.1f}%')
     row = rows['all']
     return share(row['killed'] + row['explained'], sum(row.values()) - row['constant']) / 100
 
@@ -216,22 +225,24 @@ def stale_entries(mutants, results, listed, is_whole):
     if is_whole:
         stale |= listed - {mutant.key() for mutant in mutants}
     for key in sorted(stale):
-        print(f'mutate: {EQUIVALENT.name} lists what is caught or not there: {key}', file=sys.stderr)
+        print(f'mutate: {EQUIVALENT.name} lists what is caught or is not there: {key}',
+              file=sys.stderr)
     return stale
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog='scripts/mutate', description=__doc__.split(': ', 1)[1],
-                                     epilog=f'Fails when less than {REQUIRED:.0%} are caught or '
-                                     f'explained in tests/mutation/{EQUIVALENT.name}.')
+    parser = argparse.ArgumentParser(
+        prog='scripts/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
+        epilog=f'Fails when less than {REQUIRED:.0%} are caught or explained in '
+        f'tests/mutation/{EQUIVALENT.name}.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
                         help='of lib/discmc, as merge.cpp or "*.hpp"; all when none is named')
     parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
     parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
                         help='test cases that take longer are left out (1)')
     parser.add_argument('--resume', action='store_true',
-                        help='what was caught before counts as caught: after an interruption, or '
-                        'when tests were added')
+                        help='what was caught before, or survived as explained, is not run '
+                        'again: after an interruption, or when tests were added')
     given = parser.parse_args()
     if not re.fullmatch(r'1/[1-9]\d*', given.share):
         parser.error(f'--share {given.share}: give 1/10 for every tenth mutant')
@@ -247,8 +258,8 @@ def main():
     if not chosen:
         sys.exit(f'mutate: no mutants in {" ".join(given.files)}: name files of lib/discmc')
     print(f'mutate: {len(chosen)} of {whole} mutants; {refused_lines} lines were refused')
-    results = run(chosen, measured_cases(given.slowest), given.resume)
     listed = explained()
+    results = run(chosen, measured_cases(given.slowest), listed, given.resume)
     show_survivors(chosen, results, listed)
     reached = report(chosen, results, listed)
     stale = stale_entries(chosen, results, listed, len(chosen) == whole)
