@@ -119,6 +119,70 @@ TEST_CASE("a decoder that is started again forgets everything") {
   }
 }
 
+TEST_CASE("a decoder that is started again knows nothing of what it refused or had yet to tell") {
+  const Sample sample = samples()[2];
+  const Bytes stream = encode(sample.events, sample.header);
+  Bytes unknown = stream_of({});
+  Packet header = packet_of(unknown);
+  ++header.payload[3];
+  unknown = frame_of(header);
+  const Bytes lost = stream_of({payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    end_part(model, false);
+  })});
+  Decoder decoder;
+  Log log;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
+  CHECK(log.events == Script().region(up).ring({1, 0, 0}).events);
+
+  struct Wall {
+    Answer take(const Event&) { return Answer::not_now; }
+  } wall;
+  REQUIRE(decoder.start(sink_to(wall)) == Status::ok);
+  CHECK(decoder.push(lost.data(), lost.size()).status == Status::more);
+  CHECK(decoder.finish() == Status::more);
+  Log again;
+  REQUIRE(decoder.start(sink_to(again)) == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  CHECK(again.events == sample.events);
+  CHECK(decoder.report().is_complete());
+}
+
+TEST_CASE("the longest run and the last fragment number are read, in parts") {
+  const Arrival arrival = decode(stream_of({payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, Run::max_length);
+    model.item_kind(Item::fragment);
+    model.fragment_number(Run::max_fragment, true);
+    end_part(model, true);
+  })}));
+  const Events expected = Script()
+                              .region(up)
+                              .ring({1, 0, 0})
+                              .run(Run::straight(0, Run::max_length))
+                              .run(Run::fragment(Run::max_fragment))
+                              .region_end()
+                              .events;
+  CHECK(arrival.events == expected);
+}
+
+TEST_CASE("a part whose beginning is lost counts a region, a fragment does not") {
+  for (const bool is_fragment : {false, true}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_part(model, true, is_fragment);
+      tell_run(model, 0, 2);
+      end_part(model, true);
+    })}));
+    CHECK(arrival.events.empty());
+    CHECK(arrival.report.lost_regions == (is_fragment ? 0 : 1));
+  }
+}
+
 TEST_CASE("what was whole before a cut is delivered, and the report says that the end is missing") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);

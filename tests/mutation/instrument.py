@@ -149,6 +149,9 @@ class Instrumenter:
             self.visit(child, constant)
 
     def is_constant_variable(self, cursor):
+        if cursor.kind == Kind.UNEXPOSED_DECL:  # a template of a variable is one
+            head = self.text[cursor.extent.start.offset:].partition('=')[0].split()
+            return head[0] == 'template' and 'constexpr' in head
         if cursor.kind != Kind.VAR_DECL:
             return False
         is_global = cursor.semantic_parent.kind == Kind.NAMESPACE
