@@ -6,20 +6,23 @@
 
 namespace discmc {
 
-template <class Index>
-bool Merge<Index>::settle(const Sink& sink, Statistics& statistics) {
+template <class Index, class Normals>
+bool Merge<Index, Normals>::settle(const Sink& sink, Statistics& statistics) {
   Event event{};
   while (is_delivering_ || begin_delivery()) {
     event.kind = next_event_;
     event.incidence = incidence_;
     event.number = next_fragment_;
     if (next_event_ == Event::Kind::ring) {
-      const ClosedRing<Index>& ring = regions_.ring(ring_);
+      const ClosedRing<Index, Normal>& ring = regions_.ring(ring_);
       event.start = regions_.start_of(ring);
       event.hole = ring.hole != 0;
     }
     if (next_event_ == Event::Kind::run) {
       event.run = node_ != no_record ? fragments_.run(node_) : fragment_->tail;
+      if constexpr (Normals::hold_samples)
+        event.normal =
+            node_ != no_record ? fragments_.start_normal(node_) : fragment_->start_normal();
     }
     if (sink.take(sink.context, event) != Answer::taken) return false;
     go_on(event.run, statistics);
@@ -28,8 +31,8 @@ bool Merge<Index>::settle(const Sink& sink, Statistics& statistics) {
 }
 
 // Complete regions come first: they give runs back.
-template <class Index>
-bool Merge<Index>::begin_delivery() {
+template <class Index, class Normals>
+bool Merge<Index, Normals>::begin_delivery() {
   if (regions_.has_complete()) {
     const Index region = regions_.first_complete();
     last_ring_ = regions_.rings_outer_first(region);
@@ -57,8 +60,8 @@ bool Merge<Index>::begin_delivery() {
 // The fewer runs are available, the shorter a fragment may be to be spilled: down to any that has
 // nodes at all, and then what the last cell took from the pool goes back to it, as it is in the
 // fragments that the cell has lengthened.
-template <class Index>
-bool Merge<Index>::should_spill(const Fragment<Index>& fragment) const {
+template <class Index, class Normals>
+bool Merge<Index, Normals>::should_spill(const Fragment<Index, Normal>& fragment) const {
   if (fragment.last == no_record) return false;
   const uint32_t available = fragments_.available();
   if (available < 2 * CellReserve::runs) return true;
@@ -66,8 +69,8 @@ bool Merge<Index>::should_spill(const Fragment<Index>& fragment) const {
 }
 
 // The sink has taken an event: what comes next?
-template <class Index>
-void Merge<Index>::go_on(Run run, Statistics& statistics) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::go_on(Run run, Statistics& statistics) {
   switch (next_event_) {
     case Event::Kind::region:
       next_event_ = Event::Kind::ring;
@@ -100,8 +103,10 @@ void Merge<Index>::go_on(Run run, Statistics& statistics) {
 }
 
 // All runs of a ring or fragment are gone; what held them goes back to the pool.
-template <class Index>
-void Merge<Index>::end_runs(Statistics& statistics) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::end_runs(Statistics& statistics) {
+  // A stand-in starts where the first run does.
+  if (ring_ == no_record) fragment_->set_start_normal(fragments_.start_normal(*fragment_));
   fragments_.give_nodes(*fragment_);
   if (ring_ == no_record) {
     next_event_ = Event::Kind::fragment_end;
@@ -117,7 +122,14 @@ void Merge<Index>::end_runs(Statistics& statistics) {
   ring_ = regions_.give_ring(ring_);
 }
 
-template class Merge<uint16_t>;
-template class Merge<uint32_t>;
+#define DISCMC_INSTANTIATE(Index)                         \
+  template class Merge<Index>;                            \
+  template class Merge<Index, GradientNormals<uint8_t>>;  \
+  template class Merge<Index, GradientNormals<uint16_t>>; \
+  template class Merge<Index, GradientNormals<int16_t>>;
+
+DISCMC_INSTANTIATE(uint16_t)
+DISCMC_INSTANTIATE(uint32_t)
+#undef DISCMC_INSTANTIATE
 
 }  // namespace discmc

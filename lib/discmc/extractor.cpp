@@ -2,17 +2,17 @@
 
 namespace discmc {
 
-template <class Index>
-Status Extractor<Index>::start(const Limits& limits, int32_t threshold, Memory memory,
-                               const Sink& sink, const PatchTable& table) {
-  return start(limits, default_capacities<Index>(limits, memory.bytes), threshold, memory, sink,
-               table);
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::start(const Limits& limits, int32_t threshold, Memory memory,
+                                        const Sink& sink, const PatchTable& table) {
+  return start(limits, default_capacities<Index, Normals>(limits, memory.bytes), threshold, memory,
+               sink, table);
 }
 
-template <class Index>
-Status Extractor<Index>::start(const Limits& limits, const Capacities& capacities,
-                               int32_t threshold, Memory memory, const Sink& sink,
-                               const PatchTable& table) {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::start(const Limits& limits, const Capacities& capacities,
+                                        int32_t threshold, Memory memory, const Sink& sink,
+                                        const PatchTable& table) {
   if (!limits.are_valid()) return Status::bad_limits;
   if (!are_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr) return Status::bad_sink;
@@ -27,19 +27,21 @@ Status Extractor<Index>::start(const Limits& limits, const Capacities& capacitie
 }
 
 // Says what lies where in the memory, and writes nothing there. False when it has no room.
-template <class Index>
-bool Extractor<Index>::lay_out(Memory memory, const PatchTable* table) {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::lay_out(Memory memory, const PatchTable* table) {
   Arena arena(memory);
   rows_.start(arena, limits_);
+  merge_.normals().start(arena, limits_);
   merge_.start(arena, limits_, capacities_, table, sink_.takes_fragments);
   used_ = arena.is_exhausted() ? Memory{} : Memory{memory.data, arena.used()};
   return used_.data != nullptr;
 }
 
-template <class Index>
-Status Extractor<Index>::reset() {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::reset() {
   if (state_ == State::idle) return Status::not_started;
   rows_.clear();
+  merge_.normals().clear();
   merge_.clear();
   statistics_ = Statistics{};
   state_ = State::scanning;
@@ -52,34 +54,33 @@ Status Extractor<Index>::reset() {
 
 // ---- what the caller gives ----
 
-template <class Index>
-Status Extractor<Index>::ready_for_samples() {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::ready_for_samples() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   if (!work()) return Status::more;
-  if (rows_.slices() == Limits::max_slices) return Status::too_deep;
+  if (arriving().slices() == Limits::max_slices) return Status::too_deep;
   return Status::ok;
 }
 
-template <class Index>
+template <class Index, class Normals>
 template <class Sample>
-Pushed Extractor<Index>::push(const Sample* samples, uint32_t count, uint32_t stride) {
+Pushed Extractor<Index, Normals>::push(const Sample* samples, uint32_t count, uint32_t stride) {
   Pushed pushed{ready_for_samples(), 0};
   while (pushed.status == Status::ok && pushed.samples < count) {
-    const uint32_t room = limits_.width - rows_.column();
+    const uint32_t room = limits_.width - arriving().column();
     const uint32_t left = count - pushed.samples;
     const uint32_t taken = left < room ? left : room;
-    rows_.append(samples + size_t{pushed.samples} * stride, taken, stride, threshold_);
+    take(samples + size_t{pushed.samples} * stride, taken, stride);
     pushed.samples += taken;
-    if (rows_.row_is_complete()) rows_.next_row();
     const bool is_last = pushed.samples == count;
     pushed.status = is_last ? resume() : ready_for_samples();
   }
   return pushed;
 }
 
-template <class Index>
-Pushed Extractor<Index>::push_bits(const uint8_t* bits) {
+template <class Index, class Normals>
+Pushed Extractor<Index, Normals>::push_row_of_bits(const uint8_t* bits) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
   if (rows_.column() != 0) return {Status::row_in_progress, 0};
@@ -88,40 +89,43 @@ Pushed Extractor<Index>::push_bits(const uint8_t* bits) {
   return {resume(), limits_.width};
 }
 
-template <class Index>
-Pushed Extractor<Index>::skip_row(Substitute substitute) {
+template <class Index, class Normals>
+Pushed Extractor<Index, Normals>::skip_row(Substitute substitute) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
-  if (rows_.column() != 0) return {Status::row_in_progress, 0};
-  skip_repeated_ = substitute == Substitute::previous_row;
-  if (skip_repeated_)
-    rows_.repeat();
-  else
-    rows_.fill_off();
-  rows_.next_row();
-  ++statistics_.skipped_rows;
-  skip_untold_ = true;
+  if (arriving().column() != 0) return {Status::row_in_progress, 0};
+  const bool is_repeated = substitute == Substitute::previous_row;
+  if constexpr (Normals::hold_samples) {
+    merge_.normals().skip(is_repeated, threshold_);
+    if (merge_.normals().has_due_row()) pass_on();
+  } else {
+    if (is_repeated)
+      rows_.repeat();
+    else
+      rows_.fill_off();
+    end_row(true, is_repeated);
+  }
   return {resume(), limits_.width};
 }
 
-template <class Index>
-Status Extractor<Index>::resume() {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::resume() {
   if (state_ == State::idle) return Status::not_started;
   return work() ? Status::ok : Status::more;
 }
 
-template <class Index>
-Status Extractor<Index>::finish() {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::finish() {
   if (state_ == State::scanning) {
-    const bool between_slices = rows_.rows() == 0 || rows_.rows() == limits_.height;
-    if (!between_slices || rows_.column() != 0) return Status::slice_in_progress;
+    const bool between_slices = arriving().rows() == 0 || arriving().rows() == limits_.height;
+    if (!between_slices || arriving().column() != 0) return Status::slice_in_progress;
     state_ = State::finishing;
   }
   return resume();
 }
 
-template <class Index>
-Status Extractor<Index>::abandon() {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::abandon() {
   if (state_ == State::scanning) {
     state_ = State::finishing;
     abandoned_ = true;
@@ -129,17 +133,50 @@ Status Extractor<Index>::abandon() {
   return resume();
 }
 
+template <class Index, class Normals>
+template <class Sample>
+void Extractor<Index, Normals>::take(const Sample* samples, uint32_t count, uint32_t stride) {
+  if constexpr (Normals::hold_samples) {
+    merge_.normals().append(samples, count, stride);
+    if (merge_.normals().has_due_row()) pass_on();
+  } else {
+    rows_.append(samples, count, stride, threshold_);
+    if (rows_.row_is_complete()) rows_.next_row();
+  }
+}
+
+// A row of bits is complete; `is_skipped` when its samples never came.
+template <class Index, class Normals>
+void Extractor<Index, Normals>::end_row(bool is_skipped, bool is_repeated) {
+  rows_.next_row();
+  if (!is_skipped) return;
+  skip_repeated_ = is_repeated;
+  skip_untold_ = true;
+  ++statistics_.skipped_rows;
+}
+
+// The row of samples that has waited longest becomes a row of bits.
+template <class Index, class Normals>
+void Extractor<Index, Normals>::pass_on() {
+  if constexpr (Normals::hold_samples) {
+    bool is_skipped = false;
+    bool is_repeated = false;
+    merge_.normals().pass_on(rows_, threshold_, is_skipped, is_repeated);
+    end_row(is_skipped, is_repeated);
+  }
+}
+
 // ---- checkpoints ----
 
 // Whether the sink has refused something that is due.
-template <class Index>
-bool Extractor<Index>::is_suspended() const {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::is_suspended() const {
   return skip_untold_ || word_begun_ || rows_.rows() == limits_.height ||
          state_ == State::finishing;
 }
 
-template <class Index>
-Status Extractor<Index>::save(Checkpoint<Extractor>& checkpoint) const {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::save(Checkpoint<Extractor>& checkpoint) const {
   if (state_ == State::idle) return Status::not_started;
   if (is_suspended()) return Status::more;
   Extractor& image = checkpoint.object;
@@ -151,9 +188,9 @@ Status Extractor<Index>::save(Checkpoint<Extractor>& checkpoint) const {
   return Status::ok;
 }
 
-template <class Index>
-Status Extractor<Index>::restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
-                                 const Sink& sink, const PatchTable& table) {
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
+                                          const Sink& sink, const PatchTable& table) {
   const Extractor& image = checkpoint.object;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
@@ -168,8 +205,8 @@ Status Extractor<Index>::restore(const Checkpoint<Extractor>& checkpoint, Memory
 // ---- the sweep, which may be suspended between any two cells ----
 
 // Does all that the rows at hand allow. False when the sink said "not now".
-template <class Index>
-bool Extractor<Index>::work() {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::work() {
   if (state_ == State::finished) return true;
   for (;;) {
     if (skip_untold_ && !tell_skipped()) return false;
@@ -177,22 +214,34 @@ bool Extractor<Index>::work() {
     if (rows_.rows() == limits_.height && !end_slice()) return false;
     if (state_ == State::scanning) return true;
     if (is_last_layer() && cell_row_ == ready_rows()) return end_scan();
-    if (is_last_layer()) continue;
-    // An abandoned slice: the rows that are missing are off.
+    if (!is_last_layer()) add_last_row();
+  }
+}
+
+// After the last sample: the rows that an abandoned slice lacks are off, and rows that wait come
+// in.
+template <class Index, class Normals>
+void Extractor<Index, Normals>::add_last_row() {
+  if constexpr (Normals::hold_samples) {
+    if (arriving().rows() > 0 || arriving().column() > 0) merge_.normals().fill_off(threshold_);
+    pass_on();
+  } else {
     rows_.fill_off();
-    rows_.next_row();
+    end_row(false, false);
   }
 }
 
 // The layer above the last slice, which finish() and abandon() add.
-template <class Index>
-bool Extractor<Index>::is_last_layer() const {
-  return state_ == State::finishing && rows_.rows() == 0 && rows_.column() == 0;
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::is_last_layer() const {
+  if (state_ != State::finishing || rows_.rows() > 0 || rows_.column() > 0) return false;
+  if constexpr (Normals::hold_samples) return !merge_.normals().has_rows();
+  return true;
 }
 
 // Rows of cells of the current layer whose four rows of voxels are there.
-template <class Index>
-uint32_t Extractor<Index>::ready_rows() const {
+template <class Index, class Normals>
+uint32_t Extractor<Index, Normals>::ready_rows() const {
   const bool closed = limits_.border == Border::closed;
   if (is_last_layer()) return limits_.cell_rows();
   if (!closed && rows_.slices() == 0) return 0;
@@ -201,8 +250,8 @@ uint32_t Extractor<Index>::ready_rows() const {
   return rows_.rows() > 0 ? rows_.rows() - 1 : 0;
 }
 
-template <class Index>
-bool Extractor<Index>::sweep_ready_rows() {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::sweep_ready_rows() {
   const uint32_t ready = ready_rows();
   while (cell_row_ < ready) {
     if (!sweep_row()) return false;
@@ -211,8 +260,8 @@ bool Extractor<Index>::sweep_ready_rows() {
   return true;
 }
 
-template <class Index>
-bool Extractor<Index>::sweep_row() {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::sweep_row() {
   const uint32_t words = rows_.words();
   const RowQuad quad = rows_.around(static_cast<int32_t>(cell_row_ - limits_.halo()));
   if (!word_begun_) word_ = skip_off(quad, 0, words);
@@ -239,8 +288,8 @@ bool Extractor<Index>::sweep_row() {
   return true;
 }
 
-template <class Index>
-void Extractor<Index>::visit(const Cell& cell) {
+template <class Index, class Normals>
+void Extractor<Index, Normals>::visit(const Cell& cell) {
   const CellCounts counts = merge_.take_cell(cell);
   if (cell.seals) return;
   ++statistics_.cells;
@@ -249,8 +298,8 @@ void Extractor<Index>::visit(const Cell& cell) {
 }
 
 // Offers an event that tells of rows and slices.
-template <class Index>
-bool Extractor<Index>::tell(Event::Kind kind) {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::tell(Event::Kind kind) {
   Event event{};
   event.kind = kind;
   event.slice = rows_.slices();
@@ -261,31 +310,39 @@ bool Extractor<Index>::tell(Event::Kind kind) {
   return sink_.take(sink_.context, event) == Answer::taken;
 }
 
-template <class Index>
-bool Extractor<Index>::tell_skipped() {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::tell_skipped() {
   if (!tell(Event::Kind::skipped)) return false;
   skip_untold_ = false;
   return true;
 }
 
-template <class Index>
-bool Extractor<Index>::end_slice() {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::end_slice() {
   if (!tell(Event::Kind::layer)) return false;
   rows_.next_slice();
   cell_row_ = 0;
   return true;
 }
 
-template <class Index>
-bool Extractor<Index>::end_scan() {
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::end_scan() {
   statistics_.cuts = merge_.cuts();
   if (!tell(Event::Kind::finish)) return false;
   state_ = State::finished;
   return true;
 }
 
-#define DISCMC_INSTANTIATE(Index)                                              \
-  template class Extractor<Index>;                                             \
+#define DISCMC_INSTANTIATE_NORMALS(Index, Sample)                                          \
+  template class Extractor<Index, GradientNormals<Sample>>;                                \
+  template Pushed Extractor<Index, GradientNormals<Sample>>::push(const Sample*, uint32_t, \
+                                                                  uint32_t);
+
+#define DISCMC_INSTANTIATE(Index)                                                       \
+  DISCMC_INSTANTIATE_NORMALS(Index, uint8_t)                                            \
+  DISCMC_INSTANTIATE_NORMALS(Index, uint16_t)                                           \
+  DISCMC_INSTANTIATE_NORMALS(Index, int16_t)                                            \
+  template class Extractor<Index>;                                                      \
   template Pushed Extractor<Index>::push(const uint8_t*, uint32_t, uint32_t);  \
   template Pushed Extractor<Index>::push(const uint16_t*, uint32_t, uint32_t); \
   template Pushed Extractor<Index>::push(const int16_t*, uint32_t, uint32_t);
@@ -293,5 +350,6 @@ bool Extractor<Index>::end_scan() {
 DISCMC_INSTANTIATE(uint16_t)
 DISCMC_INSTANTIATE(uint32_t)
 #undef DISCMC_INSTANTIATE
+#undef DISCMC_INSTANTIATE_NORMALS
 
 }  // namespace discmc

@@ -28,22 +28,34 @@ struct [[nodiscard]] Pushed {
 
 /// Index is uint16_t (edges and regions together, runs, and rings: fewer than 65,535 each;
 /// firmware) or uint32_t (hosts). The events do not depend on it, given the same capacities.
-template <class Index>
+/// Normals is NoNormals, or GradientNormals<Sample>: then push() takes samples of this type alone,
+/// keeps those of three slices and two rows in the memory, and sweeps a slice later; the events are
+/// the same but for the normals in them.
+template <class Index, class Normals = NoNormals>
 class Extractor {
  public:
   /// Begins a scan with the default split of the memory (default_capacities()).
   /// threshold: a voxel is on where its sample is >= threshold.
-  /// memory: at least minimum_bytes<Index>(limits); Owner: the caller, for as long as the scan
-  /// lasts. Errors: bad_limits, bad_sink, too_little_memory; then memory is untouched. Cost: one
-  /// write a word of the hash table and of one row.
+  /// memory: at least minimum_bytes<Index, Normals>(limits); Owner: the caller, for as long as the
+  /// scan lasts. Errors: bad_limits, bad_sink, too_little_memory; then memory is untouched. Cost:
+  /// one write a word of the hash table and of one row.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink, const PatchTable& table = patch_table);
 
-  /// The same with explicit capacities: memory of at least bytes_for<Index>(limits, capacities).
+  /// The same with explicit capacities: memory of at least
+  /// bytes_for<Index, Normals>(limits, capacities).
   /// Errors: also bad_capacities.
   [[nodiscard]] Status start(const Limits& limits, const Capacities& capacities, int32_t threshold,
                              Memory memory, const Sink& sink,
                              const PatchTable& table = patch_table);
+
+  /// Tells how far apart voxels are, for the normals of the scans to come: without it voxels are
+  /// cubes. spacing: negative where an axis is mirrored; Units: any. Limit: GradientNormals.
+  template <class N = Normals>
+  void set_spacing(const int32_t (&spacing)[3]) {
+    static_assert(N::hold_samples, "an extractor without normals has no use for the spacing");
+    merge_.normals().set_weights(axis_weights(spacing));
+  }
 
   /// Begins the next scan with the limits, threshold, memory and sink of the last start().
   [[nodiscard]] Status reset();
@@ -59,8 +71,12 @@ class Extractor {
 
   /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0.
   /// Errors: as push(), row_in_progress. Pushed::samples is the width when the row was taken, else
-  /// 0.
-  Pushed push_bits(const uint8_t* bits);
+  /// 0. Limit: NoNormals.
+  template <class N = Normals>
+  Pushed push_bits(const uint8_t* bits) {
+    static_assert(!N::hold_samples, "bits have no gradient: push samples");
+    return push_row_of_bits(bits);
+  }
 
   /// Stands in for a row that never came; the sink is told. Result and errors: as push_bits().
   Pushed skip_row(Substitute substitute);
@@ -98,17 +114,29 @@ class Extractor {
   /// The bytes of the caller's memory that are laid out: bytes_for() these capacities.
   size_t bytes_used() const { return used_.bytes; }
   /// Complete slices so far.
-  uint32_t slices() const { return rows_.slices(); }
+  uint32_t slices() const { return arriving().slices(); }
   /// Complete rows of the current slice so far.
-  uint32_t rows() const { return rows_.rows(); }
+  uint32_t rows() const { return arriving().rows(); }
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
+  // What the samples go into first.
+  const auto& arriving() const {
+    if constexpr (Normals::hold_samples)
+      return merge_.normals();
+    else
+      return rows_;
+  }
+
+  Pushed push_row_of_bits(const uint8_t* bits);
   bool lay_out(Memory memory, const PatchTable* table);
   bool is_suspended() const;
   Status ready_for_samples();
-  void end_row();
+  template <class Sample>
+  void take(const Sample* samples, uint32_t count, uint32_t stride);
+  void pass_on();
+  void end_row(bool is_skipped, bool is_repeated);
   bool work();
   bool sweep_ready_rows();
   bool sweep_row();
@@ -116,6 +144,7 @@ class Extractor {
   uint32_t ready_rows() const;
   bool end_slice();
   bool end_scan();
+  void add_last_row();
   bool is_last_layer() const;
   bool tell(Event::Kind kind);
   bool tell_skipped();
@@ -137,13 +166,20 @@ class Extractor {
   Sink sink_{nullptr, nullptr, false};
   BitRows rows_;
   Statistics statistics_{};
-  Merge<Index> merge_;
+  Merge<Index, Normals> merge_;
   Capacities capacities_{};
   Memory used_;  // of the caller's memory
 };
 
-extern template class Extractor<uint16_t>;
-extern template class Extractor<uint32_t>;
+#define DISCMC_DECLARE(Index)                                        \
+  extern template class Extractor<Index>;                            \
+  extern template class Extractor<Index, GradientNormals<uint8_t>>;  \
+  extern template class Extractor<Index, GradientNormals<uint16_t>>; \
+  extern template class Extractor<Index, GradientNormals<int16_t>>;
+
+DISCMC_DECLARE(uint16_t)
+DISCMC_DECLARE(uint32_t)
+#undef DISCMC_DECLARE
 
 using Extractor16 = Extractor<uint16_t>;
 using Extractor32 = Extractor<uint32_t>;

@@ -7,11 +7,19 @@
 namespace discmc {
 
 /// Fragments over one pool of runs. append() and join() take at most one record each; that there is
-/// one is the caller's care.
-template <class Index>
+/// one is the caller's care. `normal_here` is asked for the normal where two runs come to meet, and
+/// only when they do not become one.
+template <class Index, class Normal = NoNormal>
 class FragmentStore {
  public:
-  void start(RunNode<Index>* nodes, uint32_t capacity) { nodes_.start(nodes, capacity); }
+  using Part = Fragment<Index, Normal>;
+  using Node = RunNode<Index, Normal>;
+
+  struct NowhereNormal {
+    constexpr Normal operator()() const { return {}; }
+  };
+
+  void start(Node* nodes, uint32_t capacity) { nodes_.start(nodes, capacity); }
   void clear() { nodes_.clear(); }
 
   uint32_t available() const { return nodes_.available(); }
@@ -19,18 +27,23 @@ class FragmentStore {
   uint32_t high_water() const { return nodes_.high_water(); }
   uint32_t capacity() const { return nodes_.capacity(); }
 
-  void append(Fragment<Index>& fragment, Run run) {
+  template <class NormalHere = NowhereNormal>
+  void append(Part& fragment, Run run, const NormalHere& normal_here = {}) {
     if (fragment.tail.absorb(run)) return;
-    if (!fragment.is_empty()) push(fragment, fragment.tail);
+    if (!fragment.is_empty()) {
+      push_tail(fragment);
+      fragment.set_start_normal(normal_here());
+    }
     fragment.tail = run;
   }
 
   /// Puts `other` behind `fragment`; `other` is then void.
-  void join(Fragment<Index>& fragment, const Fragment<Index>& other) {
+  template <class NormalHere = NowhereNormal>
+  void join(Part& fragment, const Part& other, const NormalHere& normal_here = {}) {
     if (other.is_empty()) return;
     if (fragment.is_empty()) return fragment.move_from(other);
-    if (other.last == no_record) return append(fragment, other.tail);
-    absorb_or_push(fragment, other);
+    if (other.last == no_record) return append(fragment, other.tail, normal_here);
+    absorb_or_push(fragment, other, normal_here);
     const Index first = nodes_[other.last].next;
     if (fragment.last == no_record) {
       fragment.last = other.last;
@@ -40,10 +53,11 @@ class FragmentStore {
       fragment.last = other.last;
     }
     fragment.tail = other.tail;
+    fragment.set_start_normal(other.start_normal());
   }
 
   /// Gives the fragment's nodes back; the run in place stays. Cost: one step a node.
-  void give_nodes(Fragment<Index>& fragment) {
+  void give_nodes(Part& fragment) {
     if (fragment.last == no_record) return;
     Index node = nodes_[fragment.last].next;
     for (;;) {
@@ -57,26 +71,39 @@ class FragmentStore {
   }
 
   /// Whether a fragment has more than `count` nodes. Cost: at most that many steps.
-  bool is_longer(const Fragment<Index>& fragment, uint32_t count) const {
+  bool is_longer(const Part& fragment, uint32_t count) const {
     Index node = first(fragment);
     for (; node != no_record && count > 0; --count) node = after(fragment, node);
     return node != no_record;
   }
 
   /// The first node of a fragment, or none when its only run is the one in place.
-  Index first(const Fragment<Index>& fragment) const {
+  Index first(const Part& fragment) const {
     return fragment.last == no_record ? no_record : nodes_[fragment.last].next;
   }
   /// The node after `node`, or none after the last.
-  Index after(const Fragment<Index>& fragment, Index node) const {
+  Index after(const Part& fragment, Index node) const {
     return node == fragment.last ? no_record : nodes_[node].next;
   }
   Run run(Index node) const { return nodes_[node].run(); }
+  Normal start_normal(Index node) const { return nodes_[node].start_normal(); }
+
+  /// Of the first run of a fragment, wherever that is.
+  Normal start_normal(const Part& fragment) const {
+    const Index node = first(fragment);
+    return node == no_record ? fragment.start_normal() : start_normal(node);
+  }
+  void set_start_normal(Part& fragment, Normal normal) {
+    const Index node = first(fragment);
+    StartNormal<Normal>& run = fragment;
+    (node == no_record ? run : nodes_[node]).set_start_normal(normal);
+  }
 
  private:
-  void push(Fragment<Index>& fragment, Run run) {
+  void push_tail(Part& fragment) {
     const Index node = nodes_.take();
-    nodes_[node].set(run);
+    nodes_[node].set(fragment.tail);
+    nodes_[node].set_start_normal(fragment.start_normal());
     if (fragment.last == no_record) {
       nodes_[node].next = node;
     } else {
@@ -87,16 +114,20 @@ class FragmentStore {
   }
 
   // The tail of `fragment` goes into the first node of `other`, or into a node of its own.
-  void absorb_or_push(Fragment<Index>& fragment, const Fragment<Index>& other) {
-    RunNode<Index>& first = nodes_[nodes_[other.last].next];
+  template <class NormalHere>
+  void absorb_or_push(Part& fragment, const Part& other, const NormalHere& normal_here) {
+    Node& first = nodes_[nodes_[other.last].next];
     Run run = fragment.tail;
-    if (run.absorb(first.run()))
+    if (run.absorb(first.run())) {
       first.set(run);
-    else
-      push(fragment, fragment.tail);
+      first.set_start_normal(fragment.start_normal());
+    } else {
+      push_tail(fragment);
+      first.set_start_normal(normal_here());
+    }
   }
 
-  Pool<RunNode<Index>, Index> nodes_;
+  Pool<Node, Index> nodes_;
 };
 
 }  // namespace discmc

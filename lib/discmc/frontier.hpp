@@ -9,15 +9,34 @@
 
 #include <discmc/chain.hpp>
 #include <discmc/hash_table.hpp>
+#include <discmc/normal.hpp>
 #include <discmc/patch_table.hpp>
 #include <discmc/pool.hpp>
 
 namespace discmc {
 
+/// What a run carries of the normal where it starts when nobody wants normals.
+struct NoNormal {};
+
+/// The normal where a run starts, or nothing. There is none as long as the link before it is
+/// unresolved. Normal is OctahedralNormal or NoNormal.
+template <class Normal>
+struct StartNormal {
+  Normal normal_at_start;
+
+  Normal start_normal() const { return normal_at_start; }
+  void set_start_normal(Normal normal) { normal_at_start = normal; }
+};
+template <>
+struct StartNormal<NoNormal> {
+  NoNormal start_normal() const { return {}; }
+  void set_start_normal(NoNormal) {}
+};
+
 /// A run of a fragment in the arena. The run is kept in halves so that the record packs to 6 bytes
 /// with 16-bit indices.
-template <class Index>
-struct RunNode {
+template <class Index, class Normal = NoNormal>
+struct RunNode : StartNormal<Normal> {
   Index next;
   uint16_t low, high;
 
@@ -30,34 +49,36 @@ struct RunNode {
 
 /// A chain fragment: a circular list of nodes, named by its last one, and one more run in place.
 /// The run in place is what makes a spill possible when the pool of runs is empty.
-template <class Index>
-struct Fragment {
-  Index next;  ///< of the record that holds the fragment
+template <class Index, class Normal = NoNormal>
+struct Fragment : StartNormal<Normal> {  ///< of the run in place
+  Index next;                            ///< of the record that holds the fragment
   Index last;
   Run tail;
 
   void clear() {
     tail = Run();
     last = no_record;
+    this->set_start_normal({});
   }
   void move_from(const Fragment& other) {
     tail = other.tail;
     last = other.last;
+    this->set_start_normal(other.start_normal());
   }
   bool is_empty() const { return tail.is_empty(); }
 };
 
 /// An unresolved edge. Its boundary goes on with the fragment and then with the edge `next`.
-template <class Index>
-struct Edge : Fragment<Index> {
+template <class Index, class Normal = NoNormal>
+struct Edge : Fragment<Index, Normal> {
   Index previous;
   Index region;
 };
 
 /// A closed ring that waits for its region to be complete; `next` in the circular list of its
 /// rings.
-template <class Index>
-struct ClosedRing : Fragment<Index> {
+template <class Index, class Normal = NoNormal>
+struct ClosedRing : Fragment<Index, Normal> {
   int32_t z;
   uint16_t x, y;  ///< one more than the coordinate, which may be -1
   uint8_t hole;
@@ -77,7 +98,9 @@ struct RegionNode {
   uint8_t rank;
 };
 
-static_assert(sizeof(RunNode<uint16_t>) == 6 && sizeof(RunNode<uint32_t>) == 8, "no padding");
+static_assert(sizeof(RunNode<uint16_t>) == 6 && sizeof(RunNode<uint32_t>) == 8 &&
+                  sizeof(RunNode<uint16_t, OctahedralNormal>) == 8,
+              "no padding");
 static_assert(sizeof(Edge<uint16_t>) == 12 && sizeof(Edge<uint32_t>) == 20, "no padding");
 static_assert(sizeof(ClosedRing<uint16_t>) == 20 && sizeof(ClosedRing<uint32_t>) == 24,
               "as laid out");

@@ -82,8 +82,18 @@ constexpr Capacities worst_case_capacities(const Limits& limits) {
           sizing::twice(edges, CellReserve::regions), keys + (keys == 0)};
 }
 
+/// What an extractor that makes no normals asks for.
+struct NoNormals {
+  static constexpr bool hold_samples = false;
+  using Normal = NoNormal;
+  static constexpr uint64_t bytes_for(const Limits&) { return 0; }
+  void start(Arena&, const Limits&) {}
+  void clear() {}
+};
+
 /// The bytes that a scan with these limits and capacities takes from the caller's memory.
-template <class Index>
+/// Normals, here and below: NoNormals, or GradientNormals of the samples (gradient_normals.hpp).
+template <class Index, class Normals = NoNormals>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   struct Array {
     uint32_t count;
@@ -92,15 +102,15 @@ constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities)
   const Array arrays[] = {
       {limits.row_words() * (limits.height + 3), sizeof(uint32_t)},  // see BitRows
       {Frontier<Index>::row_places(limits.columns()), sizeof(Index)},
-      {capacities.edges, sizeof(Edge<Index>)},
+      {capacities.edges, sizeof(Edge<Index, typename Normals::Normal>)},
       {capacities.edges, sizeof(uint8_t)},
-      {capacities.runs, sizeof(RunNode<Index>)},
-      {capacities.rings, sizeof(ClosedRing<Index>)},
+      {capacities.runs, sizeof(RunNode<Index, typename Normals::Normal>)},
+      {capacities.rings, sizeof(ClosedRing<Index, typename Normals::Normal>)},
       {capacities.regions, sizeof(RegionNode<Index>)},
       {capacities.slots, sizeof(uint32_t)},
       {capacities.slots, sizeof(Index)},
   };
-  uint64_t sum = Arena::alignment - 1;
+  uint64_t sum = Normals::bytes_for(limits) + Arena::alignment - 1;
   for (const Array& array : arrays) sum += Arena::bytes_of(array.count, array.record_bytes);
   return sum;
 }
@@ -121,31 +131,33 @@ constexpr bool are_valid(const Capacities& capacities) {
 
 /// The least memory with which a scan works: every surface comes out right, not merged beyond
 /// cells.
-template <class Index>
+template <class Index, class Normals = NoNormals>
 constexpr uint64_t minimum_bytes(const Limits& limits) {
-  return bytes_for<Index>(limits, minimum_capacities());
+  return bytes_for<Index, Normals>(limits, minimum_capacities());
 }
 
 /// The memory with which no volume ever cuts a region apart (see worst_case_capacities()).
 /// Only with those capacities: the default split of as many bytes has fewer rings and regions. Far
 /// more than real volumes need: see default_capacities(). Limit: the capacities are valid, which
 /// those of slices near the greatest extents are not.
-template <class Index>
+template <class Index, class Normals = NoNormals>
 constexpr uint64_t worst_case_bytes(const Limits& limits) {
-  return bytes_for<Index>(limits, worst_case_capacities(limits));
+  return bytes_for<Index, Normals>(limits, worst_case_capacities(limits));
 }
 
 /// The default split of a number of bytes: for every 16 edges 20 runs, 10 regions, 1 ring and 20
 /// slots. All integers, the same on every machine. Bytes below minimum_bytes() give the minimum.
-template <class Index>
+template <class Index, class Normals = NoNormals>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();
   const Capacities most = worst_case_capacities(limits);
-  constexpr uint32_t unit = 16 * (sizeof(Edge<Index>) + 1) + 20 * sizeof(RunNode<Index>) +
-                            10 * sizeof(RegionNode<Index>) + sizeof(ClosedRing<Index>) +
+  using Normal = typename Normals::Normal;
+  constexpr uint32_t unit = 16 * (sizeof(Edge<Index, Normal>) + 1) +
+                            20 * sizeof(RunNode<Index, Normal>) + 10 * sizeof(RegionNode<Index>) +
+                            sizeof(ClosedRing<Index, Normal>) +
                             20 * (sizeof(uint32_t) + sizeof(Index));
   // Seven arrays lose at most three bytes each to alignment.
-  const uint64_t taken = minimum_bytes<Index>(limits) + 7 * Arena::alignment;
+  const uint64_t taken = minimum_bytes<Index, Normals>(limits) + 7 * Arena::alignment;
   // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
   constexpr uint32_t countable = (static_cast<Index>(~Index{0}) - 64U) / 26;
   const uint64_t spare = bytes > taken ? bytes - taken : 0;

@@ -5,8 +5,8 @@ namespace discmc {
 // A patch's ring under construction. It is closed at all times: `current`, whose fragment grows, is
 // followed by `first`. When link 0 is not left open, `first` is a marker, an edge without a link
 // that finish_walk() takes out again.
-template <class Index>
-struct Merge<Index>::Walk {
+template <class Index, class Normals>
+struct Merge<Index, Normals>::Walk {
   const Cell& cell;
   const Patch& patch;
   Direction before;  // of the link walked last
@@ -29,9 +29,9 @@ struct Merge<Index>::Walk {
   }
 };
 
-template <class Index>
-void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& capacities,
-                         const PatchTable* table, bool spills) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::start(Arena& arena, const Limits& limits, const Capacities& capacities,
+                                  const PatchTable* table, bool spills) {
   const uint32_t columns = limits.columns();
   const uint32_t rows = limits.cell_rows();
   const uint32_t keys = Frontier<Index>::keys(columns, rows);
@@ -40,10 +40,10 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   fragment_ = nullptr;
   spills_ = spills;
   frontier_.start(arena.take<Index>(Frontier<Index>::row_places(columns)), columns, rows);
-  edges_.start(arena.take<Edge<Index>>(capacities.edges), capacities.edges);
+  edges_.start(arena.take<Edge<Index, Normal>>(capacities.edges), capacities.edges);
   turns_ = counted_from_one(arena.take<uint8_t>(capacities.edges));
-  fragments_.start(arena.take<RunNode<Index>>(capacities.runs), capacities.runs);
-  ClosedRing<Index>* rings = arena.take<ClosedRing<Index>>(capacities.rings);
+  fragments_.start(arena.take<RunNode<Index, Normal>>(capacities.runs), capacities.runs);
+  ClosedRing<Index, Normal>* rings = arena.take<ClosedRing<Index, Normal>>(capacities.rings);
   regions_.start(arena.take<RegionNode<Index>>(capacities.regions), capacities.regions, rings,
                  capacities.rings);
   uint32_t* table_keys = arena.take<uint32_t>(capacities.slots);
@@ -56,8 +56,8 @@ void Merge<Index>::start(Arena& arena, const Limits& limits, const Capacities& c
   edges_kept_short_ = in_slice < capacities.edges / 8 ? in_slice : capacities.edges / 8;
 }
 
-template <class Index>
-void Merge<Index>::clear() {
+template <class Index, class Normals>
+void Merge<Index, Normals>::clear() {
   edges_.clear();
   fragments_.clear();
   regions_.clear();
@@ -69,16 +69,16 @@ void Merge<Index>::clear() {
   next_fragment_ = 0;
 }
 
-template <class Index>
-HighWater Merge<Index>::high_water() const {
+template <class Index, class Normals>
+HighWater Merge<Index, Normals>::high_water() const {
   return {edges_.high_water(), fragments_.high_water(), regions_.rings().high_water(),
           regions_.nodes().high_water(), frontier_.table().high_water()};
 }
 
 // ---- one cell ----
 
-template <class Index>
-CellCounts Merge<Index>::take_cell(const Cell& cell) {
+template <class Index, class Normals>
+CellCounts Merge<Index, Normals>::take_cell(const Cell& cell) {
   touched_count_ = 0;
   // Without spills every edge that waits keeps two runs in reserve for the day it becomes boundary.
   const uint32_t waiting = edges_.in_use() + static_cast<uint32_t>(cell_bounds.ahead_links);
@@ -101,9 +101,9 @@ CellCounts Merge<Index>::take_cell(const Cell& cell) {
   return counts;
 }
 
-template <class Index>
-void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
-                              const Index (&behind)[behind_places]) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::take_patch(const Cell& cell, const Patch& patch,
+                                       const Index (&behind)[behind_places]) {
   Walk walk(cell, patch);
   meet_twins(walk, behind);
   if (cell.seals) return;
@@ -113,8 +113,8 @@ void Merge<Index>::take_patch(const Cell& cell, const Patch& patch,
 }
 
 // Every edge that waits behind the patch is either a twin to splice with or becomes boundary now.
-template <class Index>
-void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) {
   const Patch& patch = walk.patch;
   for (int i = 0; i < patch.count; ++i) {
     walk.twin[i] = no_record;
@@ -137,8 +137,8 @@ void Merge<Index>::meet_twins(Walk& walk, const Index (&behind)[behind_places]) 
 }
 
 // Where link 0 is left open, it is done with.
-template <class Index>
-void Merge<Index>::begin_walk(Walk& walk) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::begin_walk(Walk& walk) {
   walk.may_open = !boundary_only_;
   if (walk.region == no_record) {
     // The reserve is for regions that are complete within the cell.
@@ -155,8 +155,8 @@ void Merge<Index>::begin_walk(Walk& walk) {
   link(walk.first, walk.first);
 }
 
-template <class Index>
-void Merge<Index>::walk_link(Walk& walk, int i) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::walk_link(Walk& walk, int i) {
   const Patch& patch = walk.patch;
   if (i > 0) turn_by(walk.current, walk.turn_into(i));
   const Place place = patch.place(i);
@@ -168,14 +168,15 @@ void Merge<Index>::walk_link(Walk& walk, int i) {
     link(edge, walk.first);
     walk.current = edge;
   } else {
+    meet_at(walk, i);
     append(walk.current, patch.direction(i));
   }
 }
 
 // A splice within one boundary splits it in two, and each will need a ring record in the end. When
 // these run short the twin becomes boundary instead: the region stays one, with a slit in it.
-template <class Index>
-bool Merge<Index>::may_splice(Walk& walk, int i) {
+template <class Index, class Normals>
+bool Merge<Index, Normals>::may_splice(Walk& walk, int i) {
   const Index twin = walk.twin[i];
   const bool vanishes = twin == walk.current && edges_[twin].is_empty();
   if (vanishes || (walk.joins >> i & 1) != 0) return true;
@@ -192,13 +193,14 @@ bool Merge<Index>::may_splice(Walk& walk, int i) {
 
 // Takes the twin out and goes on behind what came before it: the path so far is followed by what
 // came after the twin, and what came before the twin by the path to come.
-template <class Index>
-void Merge<Index>::splice(Walk& walk, int i) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::splice(Walk& walk, int i) {
   const Index twin = walk.twin[i];
-  const Edge<Index>& edge = edges_[twin];
+  const Edge<Index, Normal>& edge = edges_[twin];
   const Index previous = edge.previous;
   const int half_turn = direction_count(walk.patch.incidence) / 2;
   turn_by(twin, -half_turn);
+  meet_at(walk, i);
   if (twin == walk.current) {
     if (!edge.is_empty()) close_ring(walk, i, twin);
   } else {
@@ -213,12 +215,13 @@ void Merge<Index>::splice(Walk& walk, int i) {
   remove(twin);
 }
 
-template <class Index>
-void Merge<Index>::finish_walk(Walk& walk) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::finish_walk(Walk& walk) {
   const Index current = walk.current;
   turn_by(current, walk.turn_into(0));
   if (walk.has_marker) {
     const Index marker = walk.first;
+    meet_at(walk, 0);
     if (current != marker) {
       join(current, marker);
       link(current, edges_[marker].next);
@@ -234,8 +237,8 @@ void Merge<Index>::finish_walk(Walk& walk) {
 
 // ---- edges and fragments ----
 
-template <class Index>
-Index Merge<Index>::new_edge(Index region) {
+template <class Index, class Normals>
+Index Merge<Index, Normals>::new_edge(Index region) {
   const Index edge = edges_.take();
   edges_[edge].clear();
   edges_[edge].region = region;
@@ -245,8 +248,8 @@ Index Merge<Index>::new_edge(Index region) {
 }
 
 // Leaves a link open for the neighbour to come, or cuts it for lack of room and returns no_record.
-template <class Index>
-Index Merge<Index>::open_edge(const Walk& walk, Place place) {
+template <class Index, class Normals>
+Index Merge<Index, Normals>::open_edge(const Walk& walk, Place place) {
   const Cell& cell = walk.cell;
   if (frontier_.is_border(place, cell)) return no_record;
   const bool above = place / 2 == face_above;
@@ -262,25 +265,28 @@ Index Merge<Index>::open_edge(const Walk& walk, Place place) {
   return edge;
 }
 
-template <class Index>
-void Merge<Index>::remove(Index edge) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::remove(Index edge) {
   const Index region = edges_[edge].region;
   edges_[edge].clear();
   edges_.give(edge);
   regions_.release(region);
 }
 
-template <class Index>
-void Merge<Index>::link(Index edge, Index next) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::link(Index edge, Index next) {
   edges_[edge].next = next;
   edges_[next].previous = edge;
 }
 
 // Puts the link of a waiting edge, the twin of the walk's link i, into its boundary.
-template <class Index>
-void Merge<Index>::make_boundary(const Walk& walk, int i, Index edge, Direction direction) {
+template <class Index, class Normals>
+void Merge<Index, Normals>::make_boundary(const Walk& walk, int i, Index edge,
+                                          Direction direction) {
   const Index previous = edges_[edge].previous;
+  meet_at(walk, i + 1);
   append(previous, direction);
+  meet_at(walk, i);
   if (previous == edge) {
     close_ring(walk, i, edge);
   } else {
@@ -290,34 +296,9 @@ void Merge<Index>::make_boundary(const Walk& walk, int i, Index edge, Direction 
   remove(edge);
 }
 
-template <class Index>
-void Merge<Index>::append(Index edge, Direction direction) {
-  Edge<Index>& record = edges_[edge];
-  fragments_.append(record, Run::straight(direction, 1));
-  touch(edge, record, record.region, 0);
-}
-
-// Puts the fragment and the turn of `other` behind those of `edge`; the fragment of `other` is then
-// void.
-template <class Index>
-void Merge<Index>::join(Index edge, Index other) {
-  turn_by(edge, turns_[other]);
-  Edge<Index>& record = edges_[edge];
-  fragments_.join(record, edges_[other]);
-  touch(edge, record, record.region, 0);
-}
-
-template <class Index>
-void Merge<Index>::touch(Index index, const Fragment<Index>& fragment, Index region, uint8_t kind) {
-  if (fragment.last == no_record) return;
-  touched_[touched_count_++] = {index, static_cast<uint8_t>(regions_.incidence(region) | kind)};
-}
-
-// The fragment of an edge that is its own successor is a whole boundary, which begins and ends
-// where the walk's link i begins.
-template <class Index>
-void Merge<Index>::close_ring(const Walk& walk, int i, Index edge) {
-  constexpr uint8_t negative = 0x80;
+// Where the walk's link i begins.
+template <class Index, class Normals>
+Vertex Merge<Index, Normals>::vertex_at(const Walk& walk, int i) const {
   const Patch& patch = walk.patch;
   Point point = patch.start;
   for (int l = 0; l < i; ++l)
@@ -325,13 +306,65 @@ void Merge<Index>::close_ring(const Walk& walk, int i, Index edge) {
   const Cell& cell = walk.cell;
   const Vertex origin{2 * static_cast<int32_t>(cell.column - halo_),
                       2 * static_cast<int32_t>(cell.row - halo_), cell.z};
-  const Edge<Index>& record = edges_[edge];
-  const Index ring = regions_.add_ring(record.region, record, origin + position(point),
-                                       (turns_[edge] & negative) != 0);
+  return origin + position(point);
+}
+
+// What append(), join() and close_ring() put together meets where the walk's link i begins.
+template <class Index, class Normals>
+void Merge<Index, Normals>::meet_at(const Walk& walk, int i) {
+  if constexpr (Normals::hold_samples) Normals::meet_at(vertex_at(walk, i));
+}
+
+template <class Index, class Normals>
+typename Normals::Normal Merge<Index, Normals>::normal_here() const {
+  if constexpr (Normals::hold_samples) return Normals::normal_here();
+  return Normal{};
+}
+
+template <class Index, class Normals>
+void Merge<Index, Normals>::append(Index edge, Direction direction) {
+  Edge<Index, Normal>& record = edges_[edge];
+  fragments_.append(record, Run::straight(direction, 1), [this] { return normal_here(); });
+  touch(edge, record, record.region, 0);
+}
+
+// Puts the fragment and the turn of `other` behind those of `edge`; the fragment of `other` is then
+// void.
+template <class Index, class Normals>
+void Merge<Index, Normals>::join(Index edge, Index other) {
+  turn_by(edge, turns_[other]);
+  Edge<Index, Normal>& record = edges_[edge];
+  fragments_.join(record, edges_[other], [this] { return normal_here(); });
+  touch(edge, record, record.region, 0);
+}
+
+template <class Index, class Normals>
+void Merge<Index, Normals>::touch(Index index, const Fragment<Index, Normal>& fragment,
+                                  Index region, uint8_t kind) {
+  if (fragment.last == no_record) return;
+  touched_[touched_count_++] = {index, static_cast<uint8_t>(regions_.incidence(region) | kind)};
+}
+
+// The fragment of an edge that is its own successor is a whole boundary, which begins and ends
+// where the walk's link i begins.
+template <class Index, class Normals>
+void Merge<Index, Normals>::close_ring(const Walk& walk, int i, Index edge) {
+  constexpr uint8_t negative = 0x80;
+  Edge<Index, Normal>& record = edges_[edge];
+  fragments_.set_start_normal(record, normal_here());
+  const Index ring =
+      regions_.add_ring(record.region, record, vertex_at(walk, i), (turns_[edge] & negative) != 0);
   touch(ring, record, record.region, is_ring);
 }
 
-template class Merge<uint16_t>;
-template class Merge<uint32_t>;
+#define DISCMC_INSTANTIATE(Index)                         \
+  template class Merge<Index>;                            \
+  template class Merge<Index, GradientNormals<uint8_t>>;  \
+  template class Merge<Index, GradientNormals<uint16_t>>; \
+  template class Merge<Index, GradientNormals<int16_t>>;
+
+DISCMC_INSTANTIATE(uint16_t)
+DISCMC_INSTANTIATE(uint32_t)
+#undef DISCMC_INSTANTIATE
 
 }  // namespace discmc

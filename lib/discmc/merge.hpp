@@ -12,6 +12,7 @@
 #define DISCMC_MERGE_HPP
 
 #include <discmc/fragment_store.hpp>
+#include <discmc/gradient_normals.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/patch_table.hpp>
 #include <discmc/regions.hpp>
@@ -30,9 +31,13 @@ struct HighWater {
   uint32_t edges, runs, rings, regions, slots;
 };
 
-template <class Index>
-class Merge {
+/// Index as in Extractor; Normals is what it makes of them.
+template <class Index, class Normals = NoNormals>
+class Merge : private Normals {
  public:
+  Normals& normals() { return *this; }
+  const Normals& normals() const { return *this; }
+
   /// Lays the pools out in the arena and writes nothing there; call clear() when it had room.
   void start(Arena& arena, const Limits& limits, const Capacities& capacities,
              const PatchTable* table, bool spills);
@@ -52,6 +57,7 @@ class Merge {
   HighWater high_water() const;
 
  private:
+  using Normal = typename Normals::Normal;
   struct Walk;
 
   void take_patch(const Cell& cell, const Patch& patch, const Index (&behind)[behind_places]);
@@ -65,9 +71,12 @@ class Merge {
   Index open_edge(const Walk& walk, Place place);
   Index new_edge(Index region);
   void make_boundary(const Walk& walk, int i, Index edge, Direction direction);
+  Vertex vertex_at(const Walk& walk, int i) const;
+  void meet_at(const Walk& walk, int i);
+  Normal normal_here() const;
   void append(Index edge, Direction direction);
   void join(Index edge, Index other);
-  void touch(Index index, const Fragment<Index>& fragment, Index region, uint8_t kind);
+  void touch(Index index, const Fragment<Index, Normal>& fragment, Index region, uint8_t kind);
   void close_ring(const Walk& walk, int i, Index edge);
   void remove(Index edge);
   void link(Index edge, Index next);
@@ -75,7 +84,7 @@ class Merge {
 
   bool runs_are_short() const { return spills_ && fragments_.available() < runs_kept_; }
   bool begin_delivery();
-  bool should_spill(const Fragment<Index>& fragment) const;
+  bool should_spill(const Fragment<Index, Normal>& fragment) const;
   void go_on(Run run, Statistics& statistics);
   void end_runs(Statistics& statistics);
 
@@ -90,15 +99,15 @@ class Merge {
   Index ring_ = no_record;  // of the region; no_record for a fragment
   Index last_ring_ = no_record;
   Index node_ = no_record;  // of the next run; no_record for the one in place
-  Fragment<Index>* fragment_ = nullptr;
+  Fragment<Index, Normal>* fragment_ = nullptr;
   uint32_t next_fragment_ = 0;
 
   uint32_t halo_ = 0;
   const PatchTable* table_ = nullptr;
   uint8_t* turns_ = nullptr;  // by edge
-  Pool<Edge<Index>, Index> edges_;
-  FragmentStore<Index> fragments_;
-  Regions<Index> regions_;
+  Pool<Edge<Index, Normal>, Index> edges_;
+  FragmentStore<Index, Normal> fragments_;
+  Regions<Index, Normal> regions_;
   Frontier<Index> frontier_;
 
   uint32_t splits_ = 0;            // boundaries that will each need one more ring record
@@ -116,8 +125,15 @@ class Merge {
   Touched touched_[CellReserve::runs + CellReserve::rings + cell_bounds.behind_links] = {};
 };
 
-extern template class Merge<uint16_t>;
-extern template class Merge<uint32_t>;
+#define DISCMC_DECLARE(Index)                                    \
+  extern template class Merge<Index>;                            \
+  extern template class Merge<Index, GradientNormals<uint8_t>>;  \
+  extern template class Merge<Index, GradientNormals<uint16_t>>; \
+  extern template class Merge<Index, GradientNormals<int16_t>>;
+
+DISCMC_DECLARE(uint16_t)
+DISCMC_DECLARE(uint32_t)
+#undef DISCMC_DECLARE
 
 }  // namespace discmc
 

@@ -9,10 +9,12 @@ namespace discmc {
 /// A region is known by any node of its tree. Every unresolved edge and every child node counts as
 /// a reference; a root without references is complete and goes to the queue, a node that is no root
 /// leaves with its last reference. Union is by rank, so that a search takes a few steps.
-template <class Index>
+template <class Index, class Normal = NoNormal>
 class Regions {
  public:
-  void start(RegionNode<Index>* nodes, uint32_t node_capacity, ClosedRing<Index>* rings,
+  using Ring = ClosedRing<Index, Normal>;
+
+  void start(RegionNode<Index>* nodes, uint32_t node_capacity, Ring* rings,
              uint32_t ring_capacity) {
     nodes_.start(nodes, node_capacity);
     rings_.start(rings, ring_capacity);
@@ -67,9 +69,10 @@ class Regions {
   }
 
   /// Adds a closed ring to a region. The fragment's runs go with it.
-  Index add_ring(Index node, const Fragment<Index>& fragment, const Vertex& start, bool hole) {
+  Index add_ring(Index node, const Fragment<Index, Normal>& fragment, const Vertex& start,
+                 bool hole) {
     const Index ring = rings_.take();
-    ClosedRing<Index>& record = rings_[ring];
+    Ring& record = rings_[ring];
     record.move_from(fragment);
     record.next = ring;
     record.x = static_cast<uint16_t>(start.x + 1);
@@ -97,8 +100,8 @@ class Regions {
     return last;
   }
 
-  ClosedRing<Index>& ring(Index index) { return rings_[index]; }
-  static Vertex start_of(const ClosedRing<Index>& ring) {
+  Ring& ring(Index index) { return rings_[index]; }
+  static Vertex start_of(const Ring& ring) {
     return {int32_t{ring.x} - 1, int32_t{ring.y} - 1, ring.z};
   }
 
@@ -119,7 +122,7 @@ class Regions {
   }
 
   const Pool<RegionNode<Index>, Index>& nodes() const { return nodes_; }
-  const Pool<ClosedRing<Index>, Index>& rings() const { return rings_; }
+  const Pool<Ring, Index>& rings() const { return rings_; }
 
  private:
   // A complete root is in the queue; the last one names itself.
@@ -142,7 +145,7 @@ class Regions {
   }
 
   Pool<RegionNode<Index>, Index> nodes_;
-  Pool<ClosedRing<Index>, Index> rings_;
+  Pool<Ring, Index> rings_;
   Index first_complete_ = no_record;
   Index last_complete_ = no_record;
 };

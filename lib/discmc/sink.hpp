@@ -13,6 +13,7 @@
 #define DISCMC_SINK_HPP
 
 #include <discmc/chain.hpp>
+#include <discmc/normal.hpp>
 
 namespace discmc {
 
@@ -36,7 +37,7 @@ struct Event {
   enum class Kind : uint8_t {
     region,        ///< a complete region begins: incidence
     ring,          ///< one of its rings begins: start, hole
-    run,           ///< the next run of the ring or fragment: run
+    run,           ///< the next run of the ring or fragment: run, normal
     region_end,    ///< the region is complete
     fragment,      ///< a part of an open ring, sent early: number, incidence
     fragment_end,  ///< the fragment is complete
@@ -50,6 +51,7 @@ struct Event {
   bool hole;
   bool repeated;
   bool abandoned;
+  OctahedralNormal normal;  ///< where the run starts; none without GradientNormals or a gradient
   Run run;
   uint32_t number;
   uint32_t slice;

@@ -1,0 +1,87 @@
+// The rows of samples that arrived last, and the gradient that they have at a vertex.
+//
+// Central differences at the voxels that a vertex lies between: the two ends of a cell edge for a
+// midpoint, all eight corners of a cell for a centroid, each counting alike. At the outermost
+// voxels of the volume the differences are one-sided.
+#ifndef DISCMC_SAMPLE_ROWS_HPP
+#define DISCMC_SAMPLE_ROWS_HPP
+
+#include <discmc/limits.hpp>
+#include <discmc/normal.hpp>
+
+namespace discmc {
+
+/// A ring of rows. Sample is uint8_t, uint16_t or int16_t.
+template <class Sample>
+class SampleRows {
+ public:
+  /// The bytes that start() takes from the arena.
+  static constexpr uint64_t bytes_for(const Limits& limits, uint32_t ring_rows) {
+    return Arena::bytes_of(limits.width * ring_rows, sizeof(Sample));
+  }
+  /// Takes ring_rows rows from the arena, and writes nothing.
+  void start(Arena& arena, const Limits& limits, uint32_t ring_rows);
+  void clear();
+
+  /// Appends samples to the row that arrives; `stride` counts samples from one to the next.
+  /// Limit: count <= width - column(). Cost: a copy.
+  void append(const Sample* samples, uint32_t count, uint32_t stride);
+  /// Fills the rest of the row with one value.
+  void fill(Sample value);
+  /// Fills the whole row with the row before it, and the first of all with `first`.
+  /// Limit: column() == 0.
+  void repeat(Sample first);
+
+  uint32_t column() const { return column_; }
+  bool row_is_complete() const { return column_ == width_; }
+  /// Begins the next row, and after the last of a slice the next slice.
+  void next_row();
+
+  /// Complete rows of the slice that arrives (0 to height - 1), and complete slices.
+  uint32_t rows() const { return rows_; }
+  uint32_t slices() const { return slices_; }
+
+  /// The row that arrived `back` rows ago. Limit: 1 <= back < ring_rows, or ring_rows while no
+  /// sample of the next row is there.
+  const Sample* row_before(uint32_t back) const { return row_at(place_before(back)); }
+  /// The place in the ring, 0 to ring_rows - 1, of that row; of the one that arrives for 0.
+  uint32_t place_before(uint32_t back) const {
+    return place_ >= back ? place_ - back : place_ + ring_rows_ - back;
+  }
+
+  /// The direction in which the samples fall, the gradient backwards: from on to off. Zero where
+  /// they are level, and outside the volume, on the walls that Border::closed adds.
+  /// Units: samples a voxel, times 4 for a midpoint and 16 for a centroid; less than 2^21.
+  /// Limit: the rows that it takes are in the ring; a slice that has not arrived is none of the
+  /// volume. Cost: 12 samples for a midpoint, 48 for a centroid.
+  LongVector downhill(const Vertex& vertex) const;
+
+ private:
+  Sample* row_at(uint32_t place) const { return ring_ + size_t{place} * width_; }
+  bool has_row(uint32_t y, uint32_t z) const { return z < slices_ || (z == slices_ && y < rows_); }
+  const Sample* row(uint32_t y, uint32_t z) const {
+    return row_before((slices_ - z) * height_ + rows_ - y);
+  }
+
+  struct Slope {
+    int32_t x, y, z;
+  };
+  void add_row(Slope& slope, uint32_t x, uint32_t last_x, uint32_t y, uint32_t z) const;
+
+  Sample* ring_ = nullptr;
+  uint32_t width_ = 0;
+  uint32_t height_ = 0;
+  uint32_t ring_rows_ = 0;
+  uint32_t place_ = 0;  // of the row that arrives
+  uint32_t column_ = 0;
+  uint32_t rows_ = 0;
+  uint32_t slices_ = 0;
+};
+
+extern template class SampleRows<uint8_t>;
+extern template class SampleRows<uint16_t>;
+extern template class SampleRows<int16_t>;
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,89 @@
+// Gradient normals in a second pass: the slices are shown again, in order, and four of them are
+// held.
+//
+//   window.start(limits, memory);
+//   for each slice:
+//     window.push(samples, width * height);                       // in pieces of any size
+//     for the vertices that are due, lowest z first, while window.covers(vertex):
+//       ... unit_normal(weighted(window.downhill(vertex), axis_weights(spacing_nm))) ...
+//   window.end();
+//   and those that are left
+//
+// So memory is bounded by four slices and the vertices of one layer.
+#ifndef DISCMC_SAMPLE_WINDOW_HPP
+#define DISCMC_SAMPLE_WINDOW_HPP
+
+#include <discmc/sample_rows.hpp>
+#include <discmc/status.hpp>
+
+namespace discmc {
+
+/// The last four slices. Sample is uint8_t, uint16_t or int16_t.
+template <class Sample>
+class SampleWindow {
+ public:
+  static constexpr uint32_t slices_held = 4;
+
+  static constexpr uint64_t bytes_for(const Limits& limits) {
+    return SampleRows<Sample>::bytes_for(limits, slices_held * limits.height) + Arena::alignment -
+           1;
+  }
+
+  /// Begins a pass. memory: at least bytes_for(limits); Owner: the caller, as long as the window is
+  /// in use. Errors: bad_limits, too_little_memory.
+  [[nodiscard]] Status start(const Limits& limits, Memory memory) {
+    if (!limits.are_valid()) return Status::bad_limits;
+    Arena arena(memory);
+    SampleRows<Sample> rows;
+    rows.start(arena, limits, slices_held * limits.height);
+    if (arena.is_exhausted()) return Status::too_little_memory;
+    rows_ = rows;
+    width_ = limits.width;
+    is_ended_ = false;
+    return Status::ok;
+  }
+
+  /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
+  /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
+  /// next, in samples. Errors: not_started; finished, after end(). Cost: a copy.
+  [[nodiscard]] Status push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
+    if (width_ == 0) return Status::not_started;
+    if (is_ended_) return Status::finished;
+    while (count > 0) {
+      const uint32_t room = width_ - rows_.column();
+      const uint32_t taken = count < room ? count : room;
+      rows_.append(samples, taken, stride);
+      if (rows_.row_is_complete()) rows_.next_row();
+      count -= taken;
+      if (count > 0) samples += size_t{taken} * stride;
+    }
+    return Status::ok;
+  }
+
+  /// Says that no slice follows.
+  void end() { is_ended_ = true; }
+
+  /// Whether downhill() can tell: of the slices that it takes, those around the vertex and one more
+  /// on either side, all that the volume has are held. True of vertices outside the volume below,
+  /// and of those above after end().
+  bool covers(const Vertex& vertex) const {
+    const int64_t below = vertex.z / 2 - 1;
+    const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;
+    const int64_t slices = rows_.slices();
+    const bool is_within_slice = rows_.rows() > 0 || rows_.column() > 0;
+    const int64_t first_held = slices - slices_held + (is_within_slice ? 1 : 0);
+    return (below < 0 || below >= first_held) && (is_ended_ || above < slices);
+  }
+
+  /// As SampleRows::downhill(). Limit: covers(vertex).
+  LongVector downhill(const Vertex& vertex) const { return rows_.downhill(vertex); }
+
+ private:
+  SampleRows<Sample> rows_;
+  uint32_t width_ = 0;
+  bool is_ended_ = false;
+};
+
+}  // namespace discmc
+
+#endif
