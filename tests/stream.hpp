@@ -30,7 +30,10 @@ class Told {
       event_.start = event.start;
       event_.hole = event.hole;
     }
-    if (kind == Kind::run) event_.run = event.run;
+    if (kind == Kind::run) {
+      event_.run = event.run;
+      event_.normal = event.normal;
+    }
     if (kind == Kind::skipped || kind == Kind::layer || kind == Kind::finish)
       event_.slice = event.slice;
     if (kind == Kind::skipped) {
@@ -56,8 +59,8 @@ class Told {
     const Event& a = event_;
     const Event& b = other.event_;
     return a.kind == b.kind && a.incidence == b.incidence && a.hole == b.hole && a.run == b.run &&
-           a.repeated == b.repeated && a.abandoned == b.abandoned && a.number == b.number &&
-           a.slice == b.slice && a.row == b.row && a.start == b.start &&
+           a.normal == b.normal && a.repeated == b.repeated && a.abandoned == b.abandoned &&
+           a.number == b.number && a.slice == b.slice && a.row == b.row && a.start == b.start &&
            (a.kind != Event::Kind::finish || counts() == other.counts());
   }
   bool operator!=(const Told& other) const { return !(*this == other); }

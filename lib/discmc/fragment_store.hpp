@@ -2,22 +2,22 @@
 #ifndef DISCMC_FRAGMENT_STORE_HPP
 #define DISCMC_FRAGMENT_STORE_HPP
 
-#include <discmc/frontier.hpp>
+#include <discmc/limits.hpp>
 
 namespace discmc {
 
 /// Fragments over one pool of runs. append() and join() take at most one record each; that there is
-/// one is the caller's care. `normal_here` is asked for the normal where two runs come to meet, and
-/// only when they do not become one.
-template <class Index, class Normal = NoNormal>
-class FragmentStore {
+/// one is the caller's care. Where two runs come to meet and do not become one, Normals tells the
+/// normal that the second starts with.
+template <class Index, class Normals = NoNormals>
+class FragmentStore : private Normals {
  public:
+  using Normal = typename Normals::Normal;
   using Part = Fragment<Index, Normal>;
   using Node = RunNode<Index, Normal>;
 
-  struct NowhereNormal {
-    constexpr Normal operator()() const { return {}; }
-  };
+  Normals& normals() { return *this; }
+  const Normals& normals() const { return *this; }
 
   void start(Node* nodes, uint32_t capacity) { nodes_.start(nodes, capacity); }
   void clear() { nodes_.clear(); }
@@ -27,23 +27,21 @@ class FragmentStore {
   uint32_t high_water() const { return nodes_.high_water(); }
   uint32_t capacity() const { return nodes_.capacity(); }
 
-  template <class NormalHere = NowhereNormal>
-  void append(Part& fragment, Run run, const NormalHere& normal_here = {}) {
+  void append(Part& fragment, Run run) {
     if (fragment.tail.absorb(run)) return;
     if (!fragment.is_empty()) {
       push_tail(fragment);
-      fragment.set_start_normal(normal_here());
+      fragment.set_start_normal(this->normal_here());
     }
     fragment.tail = run;
   }
 
   /// Puts `other` behind `fragment`; `other` is then void.
-  template <class NormalHere = NowhereNormal>
-  void join(Part& fragment, const Part& other, const NormalHere& normal_here = {}) {
+  void join(Part& fragment, const Part& other) {
     if (other.is_empty()) return;
     if (fragment.is_empty()) return fragment.move_from(other);
-    if (other.last == no_record) return append(fragment, other.tail, normal_here);
-    absorb_or_push(fragment, other, normal_here);
+    if (other.last == no_record) return append(fragment, other.tail);
+    absorb_or_push(fragment, other);
     const Index first = nodes_[other.last].next;
     if (fragment.last == no_record) {
       fragment.last = other.last;
@@ -93,10 +91,11 @@ class FragmentStore {
     const Index node = first(fragment);
     return node == no_record ? fragment.start_normal() : start_normal(node);
   }
-  void set_start_normal(Part& fragment, Normal normal) {
+  /// Says that a fragment starts where the last run of its ring ends.
+  void close(Part& fragment) {
     const Index node = first(fragment);
     StartNormal<Normal>& run = fragment;
-    (node == no_record ? run : nodes_[node]).set_start_normal(normal);
+    (node == no_record ? run : nodes_[node]).set_start_normal(this->normal_here());
   }
 
  private:
@@ -114,8 +113,7 @@ class FragmentStore {
   }
 
   // The tail of `fragment` goes into the first node of `other`, or into a node of its own.
-  template <class NormalHere>
-  void absorb_or_push(Part& fragment, const Part& other, const NormalHere& normal_here) {
+  void absorb_or_push(Part& fragment, const Part& other) {
     Node& first = nodes_[nodes_[other.last].next];
     Run run = fragment.tail;
     if (run.absorb(first.run())) {
@@ -123,7 +121,7 @@ class FragmentStore {
       first.set_start_normal(fragment.start_normal());
     } else {
       push_tail(fragment);
-      first.set_start_normal(normal_here());
+      first.set_start_normal(this->normal_here());
     }
   }
 

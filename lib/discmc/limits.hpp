@@ -82,13 +82,14 @@ constexpr Capacities worst_case_capacities(const Limits& limits) {
           sizing::twice(edges, CellReserve::regions), keys + (keys == 0)};
 }
 
-/// What an extractor that makes no normals asks for.
+/// For an extractor that makes no normals.
 struct NoNormals {
   static constexpr bool hold_samples = false;
   using Normal = NoNormal;
   static constexpr uint64_t bytes_for(const Limits&) { return 0; }
   void start(Arena&, const Limits&) {}
   void clear() {}
+  Normal normal_here() const { return {}; }
 };
 
 /// The bytes that a scan with these limits and capacities takes from the caller's memory.

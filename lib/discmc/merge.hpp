@@ -33,10 +33,10 @@ struct HighWater {
 
 /// Index as in Extractor; Normals is what it makes of them.
 template <class Index, class Normals = NoNormals>
-class Merge : private Normals {
+class Merge {
  public:
-  Normals& normals() { return *this; }
-  const Normals& normals() const { return *this; }
+  Normals& normals() { return fragments_.normals(); }
+  const Normals& normals() const { return fragments_.normals(); }
 
   /// Lays the pools out in the arena and writes nothing there; call clear() when it had room.
   void start(Arena& arena, const Limits& limits, const Capacities& capacities,
@@ -71,9 +71,7 @@ class Merge : private Normals {
   Index open_edge(const Walk& walk, Place place);
   Index new_edge(Index region);
   void make_boundary(const Walk& walk, int i, Index edge, Direction direction);
-  Vertex vertex_at(const Walk& walk, int i) const;
   void meet_at(const Walk& walk, int i);
-  Normal normal_here() const;
   void append(Index edge, Direction direction);
   void join(Index edge, Index other);
   void touch(Index index, const Fragment<Index, Normal>& fragment, Index region, uint8_t kind);
@@ -106,7 +104,7 @@ class Merge : private Normals {
   const PatchTable* table_ = nullptr;
   uint8_t* turns_ = nullptr;  // by edge
   Pool<Edge<Index, Normal>, Index> edges_;
-  FragmentStore<Index, Normal> fragments_;
+  FragmentStore<Index, Normals> fragments_;
   Regions<Index, Normal> regions_;
   Frontier<Index> frontier_;
 

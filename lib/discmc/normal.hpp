@@ -73,8 +73,8 @@ OctahedralNormal octahedral_normal(const LongVector& direction);
 /// The unit vector that an octahedral one stands for. Any bytes are safe.
 UnitNormal unit_normal(OctahedralNormal normal);
 
-/// A polygon's part in the normals of its vertices: six times its normal with the length of its
-/// area. twice_area: the sum over its rings (chain.hpp, polygon.hpp). Units: voxels.
+/// A polygon's part in the normals of its vertices: its normal, with twelve times its area for a
+/// length. twice_area: the sum over its rings (chain.hpp, polygon.hpp). Units: half-steps.
 constexpr LongVector area_vector(Incidence incidence, int64_t twice_area) {
   const Vertex n = normal(incidence);
   // twice_area() is too long by the length of n, and n itself is so again.

@@ -21,7 +21,7 @@ inline void write_down(const Event& event, std::vector<uint64_t>& words) {
     case Event::Kind::ring:
       return add(event.start.x, event.start.y, event.start.z, event.hole);
     case Event::Kind::run:
-      return add(event.run.code());
+      return add(event.run.code(), event.normal.u, event.normal.v);
     case Event::Kind::fragment:
       return add(event.number, event.incidence);
     case Event::Kind::skipped:

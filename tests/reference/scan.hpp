@@ -56,8 +56,9 @@ inline Limits limits_of(const BitVolume& volume, Border border) {
 }
 
 /// Pushes all samples, resuming as often as it takes. Errors: throws when a status is one.
-template <class Index, class Sample>
-void push_all(Extractor<Index>& extractor, const std::vector<Sample>& samples, uint32_t chunk = 0) {
+template <class Index, class Normals, class Sample>
+void push_all(Extractor<Index, Normals>& extractor, const std::vector<Sample>& samples,
+              uint32_t chunk = 0) {
   const auto total = static_cast<uint32_t>(samples.size());
   for (uint32_t at = 0; at < total;) {
     const uint32_t left = total - at;
@@ -70,8 +71,8 @@ void push_all(Extractor<Index>& extractor, const std::vector<Sample>& samples, u
 }
 
 /// Ends a scan, resuming as often as it takes.
-template <class Index>
-void finish_all(Extractor<Index>& extractor) {
+template <class Index, class Normals>
+void finish_all(Extractor<Index, Normals>& extractor) {
   Status status = extractor.finish();
   while (status == Status::more) status = extractor.finish();
   if (status != Status::ok) throw std::runtime_error(text(status));

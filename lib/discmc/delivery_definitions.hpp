@@ -2,6 +2,9 @@
 //
 // Every event is made in one place, settle(), and what comes next is settled when the sink has
 // taken it: so a delivery may be suspended before any event.
+#ifndef DISCMC_DELIVERY_DEFINITIONS_HPP
+#define DISCMC_DELIVERY_DEFINITIONS_HPP
+
 #include <discmc/merge.hpp>
 
 namespace discmc {
@@ -122,14 +125,6 @@ void Merge<Index, Normals>::end_runs(Statistics& statistics) {
   ring_ = regions_.give_ring(ring_);
 }
 
-#define DISCMC_INSTANTIATE(Index)                         \
-  template class Merge<Index>;                            \
-  template class Merge<Index, GradientNormals<uint8_t>>;  \
-  template class Merge<Index, GradientNormals<uint16_t>>; \
-  template class Merge<Index, GradientNormals<int16_t>>;
-
-DISCMC_INSTANTIATE(uint16_t)
-DISCMC_INSTANTIATE(uint32_t)
-#undef DISCMC_INSTANTIATE
-
 }  // namespace discmc
+
+#endif

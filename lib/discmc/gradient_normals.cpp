@@ -1,0 +1,22 @@
+// Extractors with gradient normals, apart from the others: so those cost what they cost without.
+#include <discmc/delivery_definitions.hpp>
+#include <discmc/extractor_definitions.hpp>
+#include <discmc/merge_definitions.hpp>
+
+namespace discmc {
+
+#define DISCMC_INSTANTIATE(Index, Sample)                                                  \
+  template class Merge<Index, GradientNormals<Sample>>;                                    \
+  template class Extractor<Index, GradientNormals<Sample>>;                                \
+  template Pushed Extractor<Index, GradientNormals<Sample>>::push(const Sample*, uint32_t, \
+                                                                  uint32_t);
+
+DISCMC_INSTANTIATE(uint16_t, uint8_t)
+DISCMC_INSTANTIATE(uint16_t, uint16_t)
+DISCMC_INSTANTIATE(uint16_t, int16_t)
+DISCMC_INSTANTIATE(uint32_t, uint8_t)
+DISCMC_INSTANTIATE(uint32_t, uint16_t)
+DISCMC_INSTANTIATE(uint32_t, int16_t)
+#undef DISCMC_INSTANTIATE
+
+}  // namespace discmc

@@ -1,0 +1,346 @@
+// Normals of the first pass: the events are those of a scan without them, and the normals those of
+// a second pass, bit for bit.
+#include <doctest/doctest.h>
+
+#include <discmc/extractor.hpp>
+#include <discmc/sample_window.hpp>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "reference/gradient.hpp"
+#include "reference/scan.hpp"
+#include "stream.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+using discmc::test::Chance;
+using discmc::test::Events;
+using discmc::test::Log;
+using discmc::test::Told;
+
+namespace {
+
+constexpr int32_t spacing[3] = {700, -1000, 1500};
+
+template <class Sample>
+using WithNormals = GradientNormals<Sample>;
+
+// A run and the normal where it starts; a fragment's first run has that of its stand-in.
+struct Side {
+  Run run;
+  OctahedralNormal normal;
+};
+
+// Puts spilled fragments back and calls visit(incidence, vertex, normal) where a run starts.
+template <class Visit>
+void for_each_start(const Events& events, Visit visit) {
+  std::map<uint32_t, std::vector<Side>> fragments;
+  std::vector<Side> sides;
+  Incidence incidence = 0;
+  uint32_t number = 0;
+  Vertex vertex{0, 0, 0};
+  const auto end_ring = [&] {
+    std::vector<Side> waiting(sides.rbegin(), sides.rend());
+    while (!waiting.empty()) {
+      const Side side = waiting.back();
+      waiting.pop_back();
+      if (side.run.is_fragment()) {
+        std::vector<Side> inside = fragments.at(side.run.fragment_number());
+        if (inside.front().normal.is_none()) inside.front().normal = side.normal;
+        waiting.insert(waiting.end(), inside.rbegin(), inside.rend());
+        continue;
+      }
+      visit(vertex, side.normal);
+      const Vertex step = direction_vector(incidence, side.run.direction());
+      for (uint32_t i = 0; i < side.run.length(); ++i) vertex = vertex + step;
+    }
+    sides.clear();
+  };
+  for (const Told& told : events) {
+    const Event event = told.event();
+    switch (event.kind) {
+      case Event::Kind::region:
+        incidence = event.incidence;
+        break;
+      case Event::Kind::ring:
+        end_ring();
+        vertex = event.start;
+        break;
+      case Event::Kind::run:
+        sides.push_back({event.run, event.normal});
+        break;
+      case Event::Kind::region_end:
+        end_ring();
+        break;
+      case Event::Kind::fragment:
+        number = event.number;
+        break;
+      case Event::Kind::fragment_end:
+        fragments[number] = sides;
+        sides.clear();
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+Events without_normals(const Events& events) {
+  Events plain;
+  for (const Told& told : events) {
+    Event event = told.event();
+    event.normal = {0, 0};
+    plain.emplace_back(event);
+  }
+  return plain;
+}
+
+template <class Sample>
+OctahedralNormal reference_normal(const SampleVolume<Sample>& volume, const Vertex& vertex) {
+  const std::array<double, 3> up = gradient(volume, vertex);
+  // Sixteenths at the finest, so this is exact.
+  const LongVector down = {static_cast<int64_t>(-16 * up[0]), static_cast<int64_t>(-16 * up[1]),
+                           static_cast<int64_t>(-16 * up[2])};
+  return octahedral_normal(weighted(down, axis_weights(spacing)));
+}
+
+struct Setting {
+  int32_t threshold;
+  Border border;
+  Capacities capacities;
+  bool takes_fragments = true;
+  bool refuses = false;
+  uint32_t chunk = 1000000;
+};
+
+template <class Index, class Normals, class Sample>
+Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
+  const Limits limits{volume.size.width, volume.size.height, setting.border};
+  Block block(bytes_for<Index, Normals>(limits, setting.capacities));
+  Log log(setting.refuses);
+  Extractor<Index, Normals> extractor;
+  if constexpr (Normals::hold_samples) extractor.set_spacing(spacing);
+  require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
+                             sink_to(log, setting.takes_fragments)));
+  push_all(extractor, volume.samples, setting.chunk);
+  finish_all(extractor);
+  REQUIRE(block.is_intact());
+  return log.events;
+}
+
+template <class Sample>
+void check_agreement(const SampleVolume<Sample>& volume, const Setting& setting) {
+  const Events plain = events_of<uint16_t, NoNormals>(volume, setting);
+  const Events events = events_of<uint16_t, WithNormals<Sample>>(volume, setting);
+  REQUIRE(without_normals(events) == plain);
+  REQUIRE(events_of<uint32_t, WithNormals<Sample>>(volume, setting) == events);
+  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal) {
+    REQUIRE(normal == reference_normal(volume, vertex));
+  });
+}
+
+// Noise that has slopes: sums of a few neighbours of noise.
+template <class Sample>
+SampleVolume<Sample> clouds(Size size, uint64_t seed, uint32_t most = 255) {
+  Chance chance(seed);
+  std::vector<uint32_t> noise(size_t{size.width} * size.height * size.depth);
+  for (uint32_t& value : noise) value = chance.below(most + 1);
+  SampleVolume<Sample> volume{size, {}};
+  for (size_t i = 0; i < noise.size(); ++i) {
+    const size_t j = (i + 1) % noise.size(), k = (i + size.width) % noise.size();
+    volume.samples.push_back(static_cast<Sample>((noise[i] + noise[j] + noise[k]) / 3));
+  }
+  return volume;
+}
+
+Capacities ample(const Size& size) {
+  return worst_case_capacities({size.width, size.height});
+}
+
+}  // namespace
+
+TEST_CASE("a scan with normals tells what one without tells, and the normals of a second pass") {
+  for (const Size size : {Size{1, 1, 1}, Size{2, 3, 1}, Size{1, 4, 5}, Size{7, 5, 6},
+                          Size{16, 12, 9}, Size{33, 9, 7}})
+    for (const Border border : {Border::closed, Border::open})
+      for (uint64_t seed = 0; seed < 5; ++seed) {
+        check_agreement(clouds<uint8_t>(size, seed), {128, border, ample(size)});
+        check_agreement(clouds<uint16_t>(size, seed, 60000), {30000, border, ample(size)});
+        check_agreement(clouds<int16_t>(size, seed, 30000), {15000, border, ample(size)});
+      }
+}
+
+TEST_CASE("normals do not depend on chunks, or on a sink that refuses") {
+  const Size size{9, 8, 7};
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 42);
+  Setting setting{128, Border::closed, ample(size)};
+  const Events events = events_of<uint16_t, WithNormals<uint8_t>>(volume, setting);
+  for (const bool refuses : {false, true})
+    for (const uint32_t chunk : {1U, 5U, 9U, 100U}) {
+      setting.refuses = refuses;
+      setting.chunk = chunk;
+      REQUIRE(events_of<uint16_t, WithNormals<uint8_t>>(volume, setting) == events);
+    }
+}
+
+TEST_CASE("under pressure normals are right in what is spilled and cut") {
+  const Size size{24, 20, 12};
+  uint64_t spills = 0;
+  for (uint64_t seed = 0; seed < 4; ++seed)
+    for (const bool takes_fragments : {true, false})
+      for (const uint32_t edges : {2U, 20U, 100U, 600U})
+        for (const uint32_t runs : {34U, 60U, 300U}) {
+          Setting setting{128, Border::closed, {edges, runs, 20, 300, 800}, takes_fragments};
+          const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
+          check_agreement(volume, setting);
+          for (const Told& told : events_of<uint16_t, NoNormals>(volume, setting))
+            spills += told.is(Event::Kind::fragment);
+        }
+  CHECK(spills > 1000);
+}
+
+TEST_CASE("thresholds that all or no samples reach") {
+  const Size size{5, 4, 3};
+  for (const int32_t threshold : {INT32_MIN, -1, 0, 1, 255, 256, INT32_MAX})
+    check_agreement(clouds<uint8_t>(size, 3), {threshold, Border::closed, ample(size)});
+}
+
+TEST_CASE("every corner of a ball's polygons has a normal that points outside") {
+  const int32_t extent = 24;
+  SampleVolume<uint8_t> ball{{extent, extent, extent}, {}};
+  for (int32_t z = 0; z < extent; ++z)
+    for (int32_t y = 0; y < extent; ++y)
+      for (int32_t x = 0; x < extent; ++x) {
+        const Vertex v{2 * x - extent + 1, 2 * y - extent + 1, 2 * z - extent + 1};
+        ball.samples.push_back(static_cast<uint8_t>(std::max(0, 255 - dot(v, v) / 4)));
+      }
+  const Events events =
+      events_of<uint32_t, WithNormals<uint8_t>>(ball, {180, Border::closed, ample(ball.size)});
+  int starts = 0;
+  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal told) {
+    ++starts;
+    REQUIRE(!told.is_none());
+    const UnitNormal n = unit_normal(told);
+    const Vertex from_centre{vertex.x - extent + 1, vertex.y - extent + 1, vertex.z - extent + 1};
+    // As it is in space: y is mirrored.
+    const int64_t outwards = int64_t{n.x} * from_centre.x * spacing[0] +
+                             int64_t{n.y} * from_centre.y * spacing[1] +
+                             int64_t{n.z} * from_centre.z * spacing[2];
+    REQUIRE(outwards > 0);
+  });
+  CHECK(starts > 1000);
+}
+
+// ---- rows that never come ----
+
+namespace {
+
+enum class Ending : uint8_t { finish, abandon };
+
+// Gives the samples row by row, leaves some out, and ends in the middle of one when abandoning.
+template <class Normals>
+Events events_with_gaps(const SampleVolume<uint8_t>& volume, int32_t threshold, uint64_t seed,
+                        Ending ending) {
+  const Limits limits{volume.size.width, volume.size.height};
+  const Capacities capacities = worst_case_capacities(limits);
+  Block block(bytes_for<uint16_t, Normals>(limits, capacities));
+  Log log;
+  Extractor<uint16_t, Normals> extractor;
+  require_ok(extractor.start(limits, capacities, threshold, block.memory(), sink_to(log)));
+  Chance chance(seed);
+  const uint32_t rows = volume.size.height * volume.size.depth;
+  const uint32_t given = ending == Ending::abandon ? chance.below(rows) : rows;
+  for (uint32_t row = 0; row < given; ++row) {
+    REQUIRE(extractor.slices() == row / volume.size.height);
+    REQUIRE(extractor.rows() == row % volume.size.height);
+    const uint32_t kind = chance.below(6);
+    const uint8_t* const samples = volume.samples.data() + size_t{row} * volume.size.width;
+    if (kind < 2)
+      require_ok(extractor.skip_row(kind == 0 ? Substitute::off : Substitute::previous_row).status);
+    else
+      require_ok(extractor.push(samples, volume.size.width).status);
+  }
+  if (ending == Ending::abandon) {
+    const uint32_t part = chance.below(volume.size.width);
+    require_ok(
+        extractor.push(volume.samples.data() + size_t{given} * volume.size.width, part).status);
+    if (part > 0) {
+      REQUIRE(extractor.skip_row(Substitute::off).status == Status::row_in_progress);
+      REQUIRE(extractor.finish() == Status::slice_in_progress);
+    }
+    require_ok(extractor.abandon());
+  } else {
+    require_ok(extractor.finish());
+  }
+  REQUIRE(extractor.push(volume.samples.data(), 1).status == Status::finished);
+  REQUIRE(block.is_intact());
+  return log.events;
+}
+
+}  // namespace
+
+TEST_CASE("rows that are skipped, and slices that break off, are told as without normals") {
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    const Size size{1 + static_cast<uint32_t>(seed % 7), 1 + static_cast<uint32_t>(seed % 5),
+                    1 + static_cast<uint32_t>(seed % 6)};
+    const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
+    for (const Ending ending : {Ending::finish, Ending::abandon})
+      for (const int32_t threshold : {0, 128, 300}) {
+        const Events plain = events_with_gaps<NoNormals>(volume, threshold, seed, ending);
+        const Events events =
+            events_with_gaps<WithNormals<uint8_t>>(volume, threshold, seed, ending);
+        REQUIRE(without_normals(events) == plain);
+      }
+  }
+}
+
+TEST_CASE("a scan with normals is saved between rows, and goes on with the same events") {
+  const Size size{8, 6, 5};
+  const Limits limits{size.width, size.height};
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 9);
+  const Setting setting{128, Border::closed, ample(size)};
+  const Events whole = events_of<uint16_t, WithNormals<uint8_t>>(volume, setting);
+  using Scan = Extractor<uint16_t, WithNormals<uint8_t>>;
+  for (uint32_t row = 0; row <= size.height * size.depth; ++row) {
+    const size_t bytes = bytes_for<uint16_t, WithNormals<uint8_t>>(limits, setting.capacities);
+    std::vector<uint8_t> memory(bytes), later(bytes);
+    Log log;
+    Scan first;
+    first.set_spacing(spacing);
+    require_ok(first.start(limits, setting.capacities, 128, {memory.data(), bytes}, sink_to(log)));
+    require_ok(first.push(volume.samples.data(), row * size.width).status);
+    const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
+    require_ok(first.save(*checkpoint));
+    later = memory;
+    memory.assign(bytes, 0xEE);
+    Scan second;
+    require_ok(second.restore(*checkpoint, {later.data(), bytes}, sink_to(log)));
+    REQUIRE(second.slices() == row / size.height);
+    require_ok(second
+                   .push(volume.samples.data() + size_t{row} * size.width,
+                         (size.height * size.depth - row) * size.width)
+                   .status);
+    require_ok(second.finish());
+    REQUIRE(log.events == whole);
+  }
+}
+
+TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
+  const Limits limits{16, 9};
+  using Normals = WithNormals<uint16_t>;
+  const size_t least = minimum_bytes<uint16_t, Normals>(limits);
+  CHECK(least >= minimum_bytes<uint16_t>(limits) + 16 * (3 * 9 + 2) * 2);
+  Block block(least);
+  const Memory memory = block.memory();
+  Log log;
+  Extractor<uint16_t, Normals> extractor;
+  CHECK(extractor.start(limits, 1, {memory.data, least - 1}, sink_to(log)) ==
+        Status::too_little_memory);
+  CHECK(extractor.start(limits, 1, memory, sink_to(log)) == Status::ok);
+  CHECK(extractor.bytes_used() == least);
+  const uint64_t more = least + 4096;
+  const Capacities capacities = default_capacities<uint16_t, Normals>(limits, more);
+  CHECK(bytes_for<uint16_t, Normals>(limits, capacities) <= more);
+  CHECK(bytes_for<uint16_t, Normals>(limits, capacities) > more - 500);
+}
