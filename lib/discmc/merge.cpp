@@ -1,5 +1,4 @@
-// Merge without normals.
-#include <discmc/delivery_definitions.hpp>
+// Merge without normals, but for what is in delivery.cpp.
 #include <discmc/merge_definitions.hpp>
 
 namespace discmc {

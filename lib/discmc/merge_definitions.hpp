@@ -7,11 +7,14 @@
 
 namespace discmc {
 
-// Where link i of a cell's patch begins.
-inline Vertex start_of_link(const Cell& cell, const Patch& patch, int i, uint32_t halo) {
+// Where link i of a walk's patch begins.
+template <class Walk>
+Vertex start_of_link(const Walk& walk, int i, uint32_t halo) {
+  const Patch& patch = walk.patch;
   Point point = patch.start;
   for (int l = 0; l < i; ++l)
     point = point_after(point, link_of(patch.incidence, patch.direction(l)));
+  const Cell& cell = walk.cell;
   const Vertex origin{2 * static_cast<int32_t>(cell.column - halo),
                       2 * static_cast<int32_t>(cell.row - halo), cell.z};
   return origin + position(point);
@@ -314,8 +317,7 @@ void Merge<Index, Normals>::make_boundary(const Walk& walk, int i, Index edge,
 // What append(), join() and close_ring() put together meets where the walk's link i begins.
 template <class Index, class Normals>
 void Merge<Index, Normals>::meet_at(const Walk& walk, int i) {
-  if constexpr (Normals::hold_samples)
-    normals().meet_at(start_of_link(walk.cell, walk.patch, i, halo_));
+  if constexpr (Normals::hold_samples) normals().meet_at(start_of_link(walk, i, halo_));
 }
 
 template <class Index, class Normals>
@@ -349,9 +351,8 @@ void Merge<Index, Normals>::close_ring(const Walk& walk, int i, Index edge) {
   constexpr uint8_t negative = 0x80;
   Edge<Index, Normal>& record = edges_[edge];
   fragments_.close(record);
-  const Index ring =
-      regions_.add_ring(record.region, record, start_of_link(walk.cell, walk.patch, i, halo_),
-                        (turns_[edge] & negative) != 0);
+  const Index ring = regions_.add_ring(record.region, record, start_of_link(walk, i, halo_),
+                                       (turns_[edge] & negative) != 0);
   touch(ring, record, record.region, is_ring);
 }
 
