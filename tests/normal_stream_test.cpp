@@ -16,14 +16,7 @@ namespace {
 using Kind = Event::Kind;
 
 Bytes encode_normals(const Events& events, size_t bytes_a_time = 0) {
-  Line line(bytes_a_time);
-  NormalEncoder encoder;
-  require_ok(encoder.start(any_header(), line.output()));
-  for (const Told& told : events)
-    for (int tries = 0; encoder.take(told.event()) != Answer::taken; ++tries)
-      if (tries > 10000) throw std::runtime_error("an event that is never taken");
-  while (!encoder.flush()) continue;
-  return line.bytes;
+  return encode<NormalEncoder>(events, any_header(), bytes_a_time);
 }
 
 // The same events with normals for the runs, made by `normal_of(number of the run)`.
