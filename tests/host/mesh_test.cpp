@@ -20,16 +20,6 @@ using namespace hand_made;
 
 const Faces both_kinds[] = {Faces::polygons, Faces::triangles};
 
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 double six_volumes(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
@@ -105,8 +95,8 @@ TEST_CASE("faces look outside whichever way the axes run") {
           CHECK(six_volumes(mesh) == doctest::Approx(6 * 384 * 1.4 / 8));
           for (std::size_t face = 0; face < mesh.face_count(); ++face) {
             const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
-            const Point area = cross(minus(mesh.vertices_mm[mesh.face(face)[1]], a),
-                                     minus(mesh.vertices_mm[mesh.face(face)[2]], a));
+            const Point area = cross(difference(mesh.vertices_mm[mesh.face(face)[1]], a),
+                                     difference(mesh.vertices_mm[mesh.face(face)[2]], a));
             const Point normal = outward_normal(mesh.incidences[face], mesh.spacing_mm);
             CHECK(dot(area, normal) == doctest::Approx(std::sqrt(dot(area, area))));
           }
@@ -120,7 +110,7 @@ TEST_CASE("normals follow the spacing as planes do") {
     CHECK(dot(normal, normal) == doctest::Approx(1));
     const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
     for (const int i : {1, 2})
-      CHECK(std::abs(dot(normal, minus(mesh.vertices_mm[mesh.face(face)[i]], a))) < 1e-12);
+      CHECK(std::abs(dot(normal, difference(mesh.vertices_mm[mesh.face(face)[i]], a))) < 1e-12);
     CHECK(dot(normal, a) > 0);
   }
 }
