@@ -1,6 +1,7 @@
 #include "surface_normals.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -21,6 +22,12 @@ std::vector<std::uint32_t> first_at_position(const std::vector<Point>& vertices)
     first[sorted[i]] = is_same ? first[sorted[i - 1]] : sorted[i];
   }
   return first;
+}
+
+// An area vector cut down to the root of its length.
+Point weighted(const Point& area) {
+  const double root = std::sqrt(std::hypot(area[0], area[1], area[2]));
+  return root > 0 ? Point{area[0] / root, area[1] / root, area[2] / root} : Point{};
 }
 
 void add(Point& sum, const Point& vector) {
@@ -45,7 +52,7 @@ std::vector<Point> surface_normals(const Mesh& mesh) {
       const std::uint32_t vertex = first[mesh.corners[i]];
       if (last[vertex] == begin) continue;
       last[vertex] = begin;
-      add(normals[vertex], area);
+      add(normals[vertex], weighted(area));
     }
   }
   for (std::size_t i = 0; i < normals.size(); ++i)
