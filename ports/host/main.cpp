@@ -6,20 +6,24 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "classic.hpp"
 #include "command_line.hpp"
 #include "counts.hpp"
 #include "extraction.hpp"
 #include "mesh.hpp"
+#include "mesh_reader.hpp"
 #include "output_file.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 #include "stream_file.hpp"
 #include "summary.hpp"
 #include "surface_builder.hpp"
+#include "surface_normals.hpp"
 #include "volume.hpp"
 
 namespace discmc::host {
@@ -40,7 +44,7 @@ struct Tee {
   }
 };
 
-std::optional<RawLayout> raw_layout(const ExtractArguments& arguments) {
+std::optional<RawLayout> raw_layout(const VolumeArguments& arguments) {
   if (arguments.dims.empty()) return std::nullopt;
   RawLayout layout;
   std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
@@ -69,22 +73,33 @@ void write_surface(const Surface& surface, Format format, bool conforming, Outpu
   }
 }
 
+// Opens the volume, and says what of its file is dropped.
+std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
+                                                const VolumeArguments& arguments) {
+  auto volume = open_volume(path, raw_layout(arguments));
+  for (const std::string& note : volume->info().notes)
+    std::cerr << "discmc: " << path << ": " << note << '\n';
+  return volume;
+}
+
+ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArguments& arguments,
+                                     Progress& progress) {
+  return {stored_threshold(info, arguments.iso), arguments.border, arguments.memory,
+          [&progress](std::uint32_t slices) { progress.show(slices); }};
+}
+
 int run_extract(const ExtractArguments& arguments) {
   const Format format = format_of(arguments.output);
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
     throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
-  const auto volume = open_volume(arguments.volume, raw_layout(arguments));
+  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo& info = volume->info();
-  for (const std::string& note : info.notes)
-    std::cerr << "discmc: " << arguments.volume << ": " << note << '\n';
   OutputFile file(arguments.output);
   StreamOutput output(format == Format::stream ? &file.stream() : nullptr);
   Tee tee;
-  ExtractionOptions options{
-      stored_threshold(info, arguments.iso), arguments.border, arguments.memory, {}};
-  require(tee.encoder.start(stream_header(info, options), output.byte_output()));
   Progress progress("slice", info.dims[2]);
-  options.progress = [&progress](std::uint32_t slices) { progress.show(slices); };
+  const ExtractionOptions options = extraction_options(info, arguments.reading, progress);
+  require(tee.encoder.start(stream_header(info, options), output.byte_output()));
   const Extraction extraction = extract(*volume, options, sink_to(tee));
   tee.builder.surface().spacing_mm = info.spacing_mm;
   if (format != Format::stream)
@@ -200,16 +215,50 @@ int run_info(const StreamArguments& arguments) {
   return completeness(arguments.stream, decoded.report);
 }
 
-int run_render(const StreamArguments& arguments) {
-  const DecodedStream decoded = decode_surface(arguments.stream);
-  const Mesh mesh = build_mesh(decoded.surface, {true, Faces::polygons});
+// A mesh that can be shaded smoothly if that is asked.
+Mesh mesh_to_draw(const Surface& surface, bool smooth) {
+  return build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+}
+
+Mesh volume_to_draw(const RenderArguments& arguments) {
+  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  Progress progress("slice", volume->info().dims[2]);
+  const auto options = extraction_options(volume->info(), arguments.reading, progress);
+  if (arguments.classic) return classic_mesh(*volume, options);
+  SurfaceBuilder builder;
+  extract(*volume, options, sink_to(builder));
+  builder.surface().spacing_mm = volume->info().spacing_mm;
+  return mesh_to_draw(builder.surface(), arguments.smooth);
+}
+
+PictureOptions picture_options(const RenderArguments& arguments) {
   PictureOptions options;
   options.width = arguments.size[0];
   options.height = arguments.size[1];
   options.from = {arguments.view[0], arguments.view[1], arguments.view[2]};
+  options.zoom = arguments.zoom;
+  if (!arguments.at.empty()) options.at = {arguments.at[0], arguments.at[1], arguments.at[2]};
+  options.shading = arguments.smooth ? Shading::smooth : Shading::flat;
   options.outlines = arguments.outlines;
-  write_picture(mesh, options, arguments.output);
-  return completeness(arguments.stream, decoded.report);
+  return options;
+}
+
+int run_render(const RenderArguments& arguments) {
+  Mesh mesh;
+  int code = exit_ok;
+  if (arguments.kind == InputKind::mesh) {
+    mesh = read_mesh(arguments.input);
+    if (arguments.smooth) mesh = triangulated(mesh);
+  } else if (arguments.kind == InputKind::volume) {
+    mesh = volume_to_draw(arguments);
+  } else {
+    const DecodedStream decoded = decode_surface(arguments.input);
+    mesh = mesh_to_draw(decoded.surface, arguments.smooth);
+    code = completeness(arguments.input, decoded.report);
+  }
+  if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
+  write_picture(mesh, picture_options(arguments), arguments.output);
+  return code;
 }
 
 int run(int argc, char** argv) {
@@ -221,8 +270,10 @@ int run(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
   ExtractArguments extract_arguments;
   StreamArguments stream_arguments;
+  RenderArguments render_arguments;
   add_extract(app, extract_arguments);
   add_stream_commands(app, stream_arguments);
+  add_render(app, render_arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -231,7 +282,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("extract")) return run_extract(extract_arguments);
   if (app.got_subcommand("decode")) return run_decode(stream_arguments);
   if (app.got_subcommand("info")) return run_info(stream_arguments);
-  return run_render(stream_arguments);
+  return run_render(render_arguments);
 }
 
 }  // namespace

@@ -210,6 +210,23 @@ Point outward_normal(Incidence incidence, const Point& spacing_mm) {
   return {scaled[0] / length, scaled[1] / length, scaled[2] / length};
 }
 
+Point area_vector(const Mesh& mesh, std::size_t face) {
+  const std::uint32_t* corners = mesh.face(face);
+  const Point& origin = mesh.vertices_mm[corners[0]];
+  Point sum{};
+  for (std::size_t i = 2; i < mesh.face_size(face); ++i) {
+    const Point doubled = cross(difference(mesh.vertices_mm[corners[i - 1]], origin),
+                                difference(mesh.vertices_mm[corners[i]], origin));
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += doubled[axis] / 2;
+  }
+  return sum;
+}
+
+Point face_normal(const Mesh& mesh, std::size_t face) {
+  return mesh.incidences.empty() ? unit_or_zero(area_vector(mesh, face))
+                                 : outward_normal(mesh.incidences[face], mesh.spacing_mm);
+}
+
 Ring corners_of(const Ring& ring) {
   Ring result;
   for (std::size_t i = 0; i < ring.size(); ++i)
