@@ -82,8 +82,8 @@ CLI::Option* add_type(CLI::App& app, std::optional<SampleType>& type) {
       ->option_text("u8|u16|i16");
 }
 
-// The layout of a headerless file.
-std::vector<CLI::Option*> add_layout(CLI::App& app, VolumeArguments& arguments) {
+// The layout of a headerless file but for its spacing, --dims first.
+std::vector<CLI::Option*> add_layout(CLI::App& app, LayoutArguments& arguments) {
   CLI::Option* dims =
       app.add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
           ->delimiter(',')
@@ -95,14 +95,7 @@ std::vector<CLI::Option*> add_layout(CLI::App& app, VolumeArguments& arguments) 
   CLI::Option* big_endian =
       app.add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
           ->needs(dims);
-  CLI::Option* spacing = app.add_option("--spacing", arguments.spacing,
-                                        "of a headerless file, in millimetres (default: 1,1,1)")
-                             ->delimiter(',')
-                             ->expected(3)
-                             ->option_text("X,Y,Z")
-                             ->check(usable_spacing())
-                             ->needs(dims);
-  return {dims, type, big_endian, spacing};
+  return {dims, type, big_endian};
 }
 
 // All that says how a volume is read, --iso first.
@@ -115,9 +108,50 @@ std::vector<CLI::Option*> add_volume_options(CLI::App& app, VolumeArguments& arg
   options.push_back(
       add_memory_option(app, arguments.memory,
                         "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)"));
-  const std::vector<CLI::Option*> layout = add_layout(app, arguments);
+  const std::vector<CLI::Option*> layout = add_layout(app, arguments.layout);
   options.insert(options.end(), layout.begin(), layout.end());
+  options.push_back(app.add_option("--spacing", arguments.layout.spacing,
+                                   "of a headerless file, in millimetres (default: 1,1,1)")
+                        ->delimiter(',')
+                        ->expected(3)
+                        ->option_text("X,Y,Z")
+                        ->check(usable_spacing())
+                        ->needs(layout[0]));
   return options;
+}
+
+CLI::Option* add_output(CLI::App& app, std::string& output, const char* standard_output) {
+  return app
+      .add_option(
+          "-o,--output", output,
+          std::string("by extension .dmc, .obj, .ply, .stl or .jsonl; - is ") + standard_output)
+      ->check(known_format());
+}
+
+void add_normals(CLI::App& app, Normals& normals) {
+  app.add_option_function<std::string>(
+         "--normals",
+         [&normals](const std::string& name) {
+           normals = name == "surface"    ? Normals::surface
+                     : name == "gradient" ? Normals::gradient
+                                          : Normals::none;
+         },
+         "at the vertices of a .ply or .obj mesh: none (default); surface: from the polygons that "
+         "meet there; gradient: from the samples of the volume")
+      ->check(CLI::IsMember({"none", "surface", "gradient"}))
+      ->option_text("none|surface|gradient");
+}
+
+// Only some formats hold normals of vertices.
+void check_normals(Normals normals, const std::string& output) {
+  if (normals == Normals::none) return;
+  const Format format = format_of(output);
+  if (format == Format::ply || format == Format::obj) return;
+  throw CLI::ValidationError(
+      "--normals",
+      format == Format::stream
+          ? "a stream is written without: give a .ply or .obj name, or --normals to discmc decode"
+          : output + " cannot hold normals of vertices: give a .ply or .obj name");
 }
 
 // By the name; but what is given a threshold must be a volume.
@@ -151,27 +185,29 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
                    "NRRD, NIfTI-1 or MetaImage file, or headerless samples with --dims and --type")
       ->required();
   add_volume_options(*extract, arguments.reading)[0]->required();
-  extract
-      ->add_option("-o,--output", arguments.output,
-                   "by extension .dmc, .obj, .ply, .stl or .jsonl; - is the stream on standard "
-                   "output (default)")
-      ->check(known_format());
+  add_output(*extract, arguments.output, "the stream on standard output (default)");
+  add_normals(*extract, arguments.normals);
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
   extract->add_flag("-q,--quiet", arguments.quiet, "no table");
+  extract->callback([&arguments] { check_normals(arguments.normals, arguments.output); });
 }
 
 void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
   CLI::App* decode =
       add_stream_command(app, "decode", "Turn a stream into a mesh, or pack it anew", arguments);
-  decode
-      ->add_option(
-          "-o,--output", arguments.output,
-          "by extension .dmc, .obj, .ply, .stl or .jsonl; - is a stream on standard output")
-      ->check(known_format())
-      ->required();
+  add_output(*decode, arguments.output, "a stream on standard output")->required();
+  add_normals(*decode, arguments.normals);
+  CLI::Option* volume = decode->add_option(
+      "--volume", arguments.volume, "the file that the stream was made of, for --normals gradient");
+  add_layout(*decode, arguments.layout)[0]->needs(volume);
   decode->add_flag("--conforming,!--no-conforming", arguments.conforming,
                    "a mesh without T-junctions (default), or corners alone");
+  decode->callback([&arguments] {
+    check_normals(arguments.normals, arguments.output);
+    if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
+      throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
+  });
   add_stream_command(app, "info", "Tell what a stream holds, one key and value a line", arguments);
 }
 

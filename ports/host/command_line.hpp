@@ -13,22 +13,31 @@
 
 namespace discmc::host {
 
-/// How a volume is read and its surface taken: of every command that takes one.
-struct VolumeArguments {
-  double iso = 0;
-  Border border = Border::closed;
-  std::uint64_t memory = 0;
+/// How a headerless file is read; no dims where it has a header.
+struct LayoutArguments {
   std::vector<std::uint32_t> dims;
   std::optional<SampleType> type;
   bool big_endian = false;
   std::vector<double> spacing;
 };
 
+/// How a volume is read and its surface taken: of every command that takes one.
+struct VolumeArguments {
+  double iso = 0;
+  Border border = Border::closed;
+  std::uint64_t memory = 0;
+  LayoutArguments layout;
+};
+
+/// Where the normals of a mesh's vertices come from: its polygons, or the samples.
+enum class Normals { none, surface, gradient };
+
 /// Of `extract`.
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
   std::string output = "-";
+  Normals normals = Normals::none;
   bool conforming = true;
   bool quiet = false;
 };
@@ -37,6 +46,9 @@ struct ExtractArguments {
 struct StreamArguments {
   std::string stream;
   std::string output;
+  Normals normals = Normals::none;
+  std::string volume;  ///< whose gradient it is
+  LayoutArguments layout;
   bool conforming = true;
 };
 

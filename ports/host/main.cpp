@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@
 #include "summary.hpp"
 #include "surface_builder.hpp"
 #include "surface_normals.hpp"
+#include "vertex_normals.hpp"
 #include "volume.hpp"
 
 namespace discmc::host {
@@ -44,7 +46,7 @@ struct Tee {
   }
 };
 
-std::optional<RawLayout> raw_layout(const VolumeArguments& arguments) {
+std::optional<RawLayout> raw_layout(const LayoutArguments& arguments) {
   if (arguments.dims.empty()) return std::nullopt;
   RawLayout layout;
   std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
@@ -64,19 +66,26 @@ void require_written(std::ostream& out) {
 }
 
 // Writes a surface to the file; what goes wrong is told with its name.
-void write_surface(const Surface& surface, Format format, bool conforming, OutputFile& file) {
+void write_surface(const Surface& surface, Format format, bool conforming,
+                   const std::function<void(Mesh&)>& add_normals, OutputFile& file) {
   try {
-    write_surface(surface, format, conforming, file.stream());
+    write_surface(surface, format, conforming, add_normals, file.stream());
   } catch (const std::runtime_error&) {
-    file.commit();  // throws
+    if (!file.stream()) file.commit();  // throws
     throw;
   }
+}
+
+// A second pass over the volume of a mesh.
+void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {
+  Progress progress("normals: slice", volume.info().dims[2]);
+  set_gradient_normals(volume, mesh, [&progress](std::uint32_t slices) { progress.show(slices); });
 }
 
 // Opens the volume, and says what of its file is dropped.
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
                                                 const VolumeArguments& arguments) {
-  auto volume = open_volume(path, raw_layout(arguments));
+  auto volume = open_volume(path, raw_layout(arguments.layout));
   for (const std::string& note : volume->info().notes)
     std::cerr << "discmc: " << path << ": " << note << '\n';
   return volume;
@@ -86,6 +95,14 @@ ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArgumen
                                      Progress& progress) {
   return {stored_threshold(info, arguments.iso), arguments.border, arguments.memory,
           [&progress](std::uint32_t slices) { progress.show(slices); }};
+}
+
+void add_normals(const ExtractArguments& arguments, const Surface& surface, Mesh& mesh) {
+  if (arguments.normals == Normals::none) return;
+  set_polygon_normals(surface, mesh);
+  if (arguments.normals == Normals::surface) return;
+  const auto again = open_volume(arguments.volume, raw_layout(arguments.reading.layout));
+  add_gradient_normals(*again, mesh);
 }
 
 int run_extract(const ExtractArguments& arguments) {
@@ -103,7 +120,9 @@ int run_extract(const ExtractArguments& arguments) {
   const Extraction extraction = extract(*volume, options, sink_to(tee));
   tee.builder.surface().spacing_mm = info.spacing_mm;
   if (format != Format::stream)
-    write_surface(tee.builder.surface(), format, arguments.conforming, file);
+    write_surface(
+        tee.builder.surface(), format, arguments.conforming,
+        [&](Mesh& mesh) { add_normals(arguments, tee.builder.surface(), mesh); }, file);
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
@@ -188,6 +207,31 @@ class Recoder {
   bool is_started_ = false;
 };
 
+// Opens the volume that a stream was made of. A headerless one has the stream's spacing.
+std::unique_ptr<VolumeReader> open_volume_of(const StreamHeader& header,
+                                             const StreamArguments& arguments) {
+  std::optional<RawLayout> layout = raw_layout(arguments.layout);
+  if (layout) layout->spacing_mm = spacing_mm(header);
+  auto volume = open_volume(arguments.volume, layout);
+  try {
+    require_same_volume(volume->info(), header);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(arguments.volume + ": " + error.what());
+  }
+  return volume;
+}
+
+void add_normals(const StreamArguments& arguments, const DecodedStream& decoded, Mesh& mesh) {
+  if (arguments.normals == Normals::none) return;
+  set_polygon_normals(decoded.surface, mesh);
+  if (arguments.normals == Normals::surface) return;
+  if (arguments.volume.empty())
+    throw std::invalid_argument(arguments.stream +
+                                ": the stream holds no normals: name the volume that it was made "
+                                "of with --volume FILE, or take --normals surface");
+  add_gradient_normals(*open_volume_of(decoded.header, arguments), mesh);
+}
+
 int run_decode(const StreamArguments& arguments) {
   const Format format = format_of(arguments.output);
   OutputFile file(arguments.output);
@@ -201,7 +245,9 @@ int run_decode(const StreamArguments& arguments) {
     report = decoder.report();
   } else {
     const DecodedStream decoded = decode_surface(arguments.stream);
-    write_surface(decoded.surface, format, arguments.conforming, file);
+    write_surface(
+        decoded.surface, format, arguments.conforming,
+        [&](Mesh& mesh) { add_normals(arguments, decoded, mesh); }, file);
     report = decoded.report;
   }
   file.commit();

@@ -178,6 +178,7 @@ class Builder {
       result = static_cast<std::uint32_t>(mesh_.vertices_mm.size());
       const Vertex& position = numbering_.positions()[number];
       const Point& s = surface_.spacing_mm;
+      mesh_.lattice.push_back(position);
       mesh_.vertices_mm.push_back(
           {position.x * s[0] / 2, position.y * s[1] / 2, position.z * s[2] / 2});
     }

@@ -27,6 +27,7 @@ struct MeshOptions {
 struct Mesh {
   Point spacing_mm{};                      ///< as in Surface
   std::vector<Point> vertices_mm;          ///< one for each lattice position in use
+  std::vector<Vertex> lattice;             ///< one a vertex: its position; none in other meshes
   std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
   std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
   std::vector<Incidence> incidences;       ///< one a face; none where faces lie in any plane

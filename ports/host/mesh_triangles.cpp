@@ -56,7 +56,7 @@ std::vector<Triangle> triangles_of(const Mesh& mesh, std::size_t face) {
 }  // namespace
 
 Mesh triangulated(const Mesh& mesh) {
-  Mesh result{mesh.spacing_mm, mesh.vertices_mm, {}, {0}, {}, {}, mesh.normals};
+  Mesh result{mesh.spacing_mm, mesh.vertices_mm, mesh.lattice, {}, {0}, {}, {}, mesh.normals};
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     for (const Triangle& triangle : triangles_of(mesh, face)) {
       for (const std::uint32_t place : triangle) result.corners.push_back(mesh.face(face)[place]);
