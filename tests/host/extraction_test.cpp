@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -203,4 +205,33 @@ TEST_CASE("the header of a stream tells the volume") {
   CHECK(header.spacing_nm[2] == 1250000);
   CHECK(header.threshold == threshold);
   CHECK(header.border == Border::open);
+}
+
+TEST_CASE("a stream is of a volume of its extents and spacing, as far as it tells them") {
+  const SampleReader reader(BitVolume({9, 8, 7}), spacing_mm);
+  const auto header = discmc::host::stream_header(reader.info(), options());
+  const auto complaint = [&reader](const discmc::StreamHeader& other) -> std::string {
+    try {
+      require_same_volume(reader.info(), other);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK(complaint(header).empty());
+  CHECK(complaint({}).empty());
+  for (int axis = 0; axis < 3; ++axis) {
+    discmc::StreamHeader other = header;
+    (axis == 0 ? other.width : axis == 1 ? other.height : other.depth) += 1;
+    CHECK(contains(complaint(other), "9x8x7"));
+    other = header;
+    other.spacing_nm[axis] += 1;  // rounded another way
+    CHECK(complaint(other).empty());
+    other.spacing_nm[axis] += 1;
+    CHECK(contains(complaint(other), "0.5,-2,1.25"));
+    other.spacing_nm[axis] = 0;
+    CHECK(complaint(other).empty());
+    other.spacing_nm[axis] = -header.spacing_nm[axis];
+    CHECK(contains(complaint(other), "0.5,-2,1.25"));
+  }
 }
