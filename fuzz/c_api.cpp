@@ -534,7 +534,7 @@ class Both {
   std::unique_ptr<discmc_decoder> decoder_ = std::make_unique<discmc_decoder>();
   Extractor<Index> in_cpp_;
   Encoder encoder_cpp_;
-  Decoder decoder_cpp_;
+  Decoder decoder_cpp_{};
   size_t arrived_ = 0;  // bytes of the stream that the decoder has taken
 };
 

@@ -1,6 +1,6 @@
 // Fuzz target. The promise: any small volume in any memory, and any script of events within the
-// limits of the format, comes through the stream; with losses what arrives is a part of what was
-// sent, and what is missing is counted.
+// limits of the format, with normals or without, comes through the stream; with losses what arrives
+// is a part of what was sent, and what is missing is counted.
 //
 //   fuzz_wire_round_trip -max_len=400 corpus/wire_round_trip      with libFuzzer
 //   fuzz_wire_round_trip corpus/wire_round_trip                   with replay_main.cpp
@@ -97,6 +97,20 @@ Events read_script(Input& input) {
   return script.finish().events;
 }
 
+// Gives some runs a normal, near that of the run before or anywhere.
+void add_normals(Input& input, Events& events) {
+  uint8_t u = 1, v = 0;
+  for (Told& told : events) {
+    if (!told.is(Event::Kind::run) || input.is_empty()) continue;
+    const uint8_t kind = input.byte();
+    u = static_cast<uint8_t>(kind < 200 ? u + kind % 8 : input.byte());
+    v = static_cast<uint8_t>(kind < 200 ? v - kind / 8 % 8 : input.byte());
+    Event event = told.event();
+    if (u != 0) event.normal = {u, v};
+    told = Told(event);
+  }
+}
+
 // What is left of a stream that loses packets is a part of it, and the rest is counted.
 void check_losses(const Bytes& stream, const std::vector<Events>& sent, uint32_t pattern) {
   Bytes left;
@@ -126,9 +140,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const size_t portion = size_t{1} + input.below(32);
   const uint32_t pattern = input.byte();
   StreamHeader header = any_header();
-  const Events events = (flags & 1) != 0 ? read_script(input) : read_scan(input, header);
-  const Bytes stream = encode(events, header);
-  require(encode(events, header, portion) == stream, "the output's portions show");
+  Events events = (flags & 1) != 0 ? read_script(input) : read_scan(input, header);
+  if ((flags & 2) != 0) add_normals(input, events);
+  const Bytes stream = encode<NormalEncoder>(events, header);
+  require(encode<NormalEncoder>(events, header, portion) == stream, "the output's portions show");
   const Arrival arrival = decode(stream);
   require(arrival.events == events, "what comes out is not what went in");
   require(arrival.report.is_complete(), "a whole stream is not complete");

@@ -580,6 +580,16 @@ TEST_CASE("runs are taken in through C as well") {
   CHECK(discmc_run_length(side) == 7);
 }
 
+TEST_CASE("normals are the same through C") {
+  for (int u = 0; u < 256; u += 5)
+    for (int v = 0; v < 256; v += 3) {
+      const auto byte_u = static_cast<uint8_t>(u), byte_v = static_cast<uint8_t>(v);
+      const discmc_unit_normal normal = discmc_unit_normal_of({byte_u, byte_v});
+      CHECK(UnitNormal{normal.x, normal.y, normal.z} ==
+            unit_normal(OctahedralNormal{byte_u, byte_v}));
+    }
+}
+
 TEST_CASE("the lattice is the same through C") {
   for (uint8_t incidence = 0; incidence < DISCMC_INCIDENCE_CODES; ++incidence) {
     if (incidence == DISCMC_NO_INCIDENCE) continue;

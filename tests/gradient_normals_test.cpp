@@ -4,106 +4,20 @@
 
 #include <discmc/extractor.hpp>
 #include <discmc/sample_window.hpp>
-#include <map>
-#include <tuple>
 #include <vector>
 
-#include "reference/gradient.hpp"
+#include "normal_events.hpp"
 #include "reference/scan.hpp"
 #include "stream.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
-using discmc::test::Chance;
-using discmc::test::Events;
-using discmc::test::Log;
-using discmc::test::Told;
+using namespace discmc::test;
 
 namespace {
 
-constexpr int32_t spacing[3] = {700, -1000, 1500};
-
 template <class Sample>
 using WithNormals = GradientNormals<Sample>;
-
-// A run and the normal where it starts; a fragment's first run has that of its stand-in.
-struct Side {
-  Run run;
-  OctahedralNormal normal;
-};
-
-// Puts spilled fragments back and calls visit(incidence, vertex, normal) where a run starts.
-template <class Visit>
-void for_each_start(const Events& events, Visit visit) {
-  std::map<uint32_t, std::vector<Side>> fragments;
-  std::vector<Side> sides;
-  Incidence incidence = 0;
-  uint32_t number = 0;
-  Vertex vertex{0, 0, 0};
-  const auto end_ring = [&] {
-    std::vector<Side> waiting(sides.rbegin(), sides.rend());
-    while (!waiting.empty()) {
-      const Side side = waiting.back();
-      waiting.pop_back();
-      if (side.run.is_fragment()) {
-        std::vector<Side> inside = fragments.at(side.run.fragment_number());
-        if (inside.front().normal.is_none()) inside.front().normal = side.normal;
-        waiting.insert(waiting.end(), inside.rbegin(), inside.rend());
-        continue;
-      }
-      visit(vertex, side.normal);
-      const Vertex step = direction_vector(incidence, side.run.direction());
-      for (uint32_t i = 0; i < side.run.length(); ++i) vertex = vertex + step;
-    }
-    sides.clear();
-  };
-  for (const Told& told : events) {
-    const Event event = told.event();
-    switch (event.kind) {
-      case Event::Kind::region:
-        incidence = event.incidence;
-        break;
-      case Event::Kind::ring:
-        end_ring();
-        vertex = event.start;
-        break;
-      case Event::Kind::run:
-        sides.push_back({event.run, event.normal});
-        break;
-      case Event::Kind::region_end:
-        end_ring();
-        break;
-      case Event::Kind::fragment:
-        number = event.number;
-        break;
-      case Event::Kind::fragment_end:
-        fragments[number] = sides;
-        sides.clear();
-        break;
-      default:
-        break;
-    }
-  }
-}
-
-Events without_normals(const Events& events) {
-  Events plain;
-  for (const Told& told : events) {
-    Event event = told.event();
-    event.normal = {0, 0};
-    plain.emplace_back(event);
-  }
-  return plain;
-}
-
-template <class Sample>
-OctahedralNormal reference_normal(const SampleVolume<Sample>& volume, const Vertex& vertex) {
-  const std::array<double, 3> up = gradient(volume, vertex);
-  // Sixteenths at the finest, so this is exact.
-  const LongVector down = {static_cast<int64_t>(-16 * up[0]), static_cast<int64_t>(-16 * up[1]),
-                           static_cast<int64_t>(-16 * up[2])};
-  return octahedral_normal(weighted(down, axis_weights(spacing)));
-}
 
 struct Setting {
   int32_t threshold;
@@ -120,7 +34,7 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
   Block block(bytes_for<Index, Normals>(limits, setting.capacities));
   Log log(setting.refuses);
   Extractor<Index, Normals> extractor;
-  if constexpr (Normals::hold_samples) extractor.set_spacing(spacing);
+  if constexpr (Normals::hold_samples) extractor.set_spacing(uneven_spacing);
   require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
                              sink_to(log, setting.takes_fragments)));
   push_all(extractor, volume.samples, setting.chunk);
@@ -224,9 +138,9 @@ TEST_CASE("every corner of a ball's polygons has a normal that points outside") 
     const UnitNormal n = unit_normal(told);
     const Vertex from_centre{vertex.x - extent + 1, vertex.y - extent + 1, vertex.z - extent + 1};
     // As it is in space: y is mirrored.
-    const int64_t outwards = int64_t{n.x} * from_centre.x * spacing[0] +
-                             int64_t{n.y} * from_centre.y * spacing[1] +
-                             int64_t{n.z} * from_centre.z * spacing[2];
+    const int64_t outwards = int64_t{n.x} * from_centre.x * uneven_spacing[0] +
+                             int64_t{n.y} * from_centre.y * uneven_spacing[1] +
+                             int64_t{n.z} * from_centre.z * uneven_spacing[2];
     REQUIRE(outwards > 0);
   });
   CHECK(starts > 1000);
@@ -307,7 +221,7 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
     std::vector<uint8_t> memory(bytes), later(bytes);
     Log log;
     Scan first;
-    first.set_spacing(spacing);
+    first.set_spacing(uneven_spacing);
     require_ok(first.start(limits, setting.capacities, 128, {memory.data(), bytes}, sink_to(log)));
     require_ok(first.push(volume.samples.data(), row * size.width).status);
     const auto checkpoint = std::make_unique<Checkpoint<Scan>>();

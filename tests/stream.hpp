@@ -171,16 +171,18 @@ class Line {
   bool was_busy_ = false;
 };
 
-inline void take_all(Encoder& encoder, const Events& events) {
+template <class Encoding>
+void take_all(Encoding& encoder, const Events& events) {
   for (const Told& told : events)
     for (int tries = 0; encoder.take(told.event()) != Answer::taken; ++tries)
       if (tries > 10000) throw std::runtime_error("an event that is never taken");
 }
 
-inline Bytes encode(const Events& events, const StreamHeader& header = any_header(),
-                    size_t bytes_a_time = 0) {
+template <class Encoding = Encoder>
+Bytes encode(const Events& events, const StreamHeader& header = any_header(),
+             size_t bytes_a_time = 0) {
   Line line(bytes_a_time);
-  Encoder encoder;
+  Encoding encoder;
   reference::require_ok(encoder.start(header, line.output()));
   take_all(encoder, events);
   while (!encoder.flush()) continue;

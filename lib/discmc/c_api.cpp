@@ -17,9 +17,9 @@ namespace {
 static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &&
                   DISCMC_SAME_PLACE(incidence) && DISCMC_SAME_PLACE(hole) &&
                   DISCMC_SAME_PLACE(repeated) && DISCMC_SAME_PLACE(abandoned) &&
-                  DISCMC_SAME_PLACE(run) && DISCMC_SAME_PLACE(number) && DISCMC_SAME_PLACE(slice) &&
-                  DISCMC_SAME_PLACE(row) && DISCMC_SAME_PLACE(start) &&
-                  DISCMC_SAME_PLACE(statistics),
+                  DISCMC_SAME_PLACE(normal) && DISCMC_SAME_PLACE(run) &&
+                  DISCMC_SAME_PLACE(number) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&
+                  DISCMC_SAME_PLACE(start) && DISCMC_SAME_PLACE(statistics),
               "events have one layout");
 #undef DISCMC_SAME_PLACE
 #define DISCMC_SAME_PLACE(member) \

@@ -5,6 +5,7 @@
 #include <discmc/discmc.h>
 
 #include <discmc/facet_table.hpp>
+#include <discmc/normal.hpp>
 #include <discmc/polygon.hpp>
 
 using namespace discmc;
@@ -43,6 +44,11 @@ const Vertex* cpp(const discmc_vertex* vertices) {
 }
 
 }  // namespace
+
+discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal told) {
+  const UnitNormal unit = unit_normal(OctahedralNormal{told.u, told.v});
+  return {unit.x, unit.y, unit.z};
+}
 
 discmc_vertex discmc_normal(uint8_t incidence) {
   return c(normal(incidence));

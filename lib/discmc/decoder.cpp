@@ -74,6 +74,7 @@ void Decoder::open_frame(size_t bytes) {
   if (kind == PacketKind::trailer) read_trailer(payload, payload_bytes);
   if (kind == PacketKind::records) {
     model_ = Model(Coder{RangeDecoder(payload, payload_bytes)});
+    normals_are_ahead_ = false;
     stage_ = Stage::records;
   }
 }
@@ -187,6 +188,8 @@ void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
 void Decoder::read_record() {
   bool is_good = true;
   OtherKind kind = OtherKind::part;
+  if (!normals_are_ahead_) normals_.clear();
+  normals_are_ahead_ = false;
   if (model_.region_follows(false)) {
     is_good = read_region();
     stage_ = Stage::record;
@@ -202,8 +205,7 @@ void Decoder::read_record() {
         stage_ = Stage::record;
         break;
       case OtherKind::extension:
-        model_.plain_bits(8, 0);
-        for (uint32_t bytes = model_.plain_bits(8, 0); bytes > 0; --bytes) model_.plain_bits(8, 0);
+        read_extension();
         break;
       case OtherKind::end:
         stage_ = Stage::collect;
@@ -218,6 +220,17 @@ void Decoder::read_record() {
   report_.is_unreadable = true;
   lose_open();
   stage_ = Stage::collect;
+}
+
+void Decoder::read_extension() {
+  const uint32_t type = model_.plain_bits(8, 0);
+  uint32_t bytes = model_.plain_bits(8, 0);
+  if (type >= first_normals_extension && type <= last_normals_extension) {
+    normals_.decode(model_, type, bytes);
+    normals_are_ahead_ = true;
+    return;
+  }
+  for (; bytes > 0; --bytes) model_.plain_bits(8, 0);
 }
 
 bool Decoder::read_region() {
@@ -320,6 +333,7 @@ void Decoder::read_mark(OtherKind kind) {
 // False when the record breaks the grammar: a run that is in no ring, or a ring without a run.
 bool Decoder::begin_record() {
   told_ = 0;
+  told_runs_ = 0;
   const bool goes_on = record_.continues && is_open_ && open_.incidence == record_.incidence &&
                        open_.is_fragment == record_.is_fragment && open_.number == record_.number;
   if (record_.continues && !goes_on) {
@@ -402,9 +416,13 @@ bool Decoder::deliver_record() {
     } else {
       event.kind = Event::Kind::run;
       event.run = Run::from_code(record_.word[told_]);
+      event.normal = normals_.at(told_runs_);
     }
     if (!offer(event)) return false;
-    if (is_ring) is_first_ring_ = false;
+    if (is_ring)
+      is_first_ring_ = false;
+    else
+      ++told_runs_;
     told_ += is_ring ? Record::ring_words : 1;
   }
   if (!record_.is_last) return true;

@@ -5,7 +5,7 @@
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
 
-#include <discmc/region_model.hpp>
+#include <discmc/normal_encoding.hpp>
 #include <discmc/status.hpp>
 #include <discmc/wire.hpp>
 
@@ -78,6 +78,7 @@ class Decoder {
   bool read_ring(bool further);
   bool read_part();
   void read_mark(OtherKind kind);
+  void read_extension();
   bool begin_record();
   bool rings_are_whole();
   void damage();
@@ -103,7 +104,10 @@ class Decoder {
   Stage stage_ = Stage::collect;
   Model model_{Coder{}};
   Record record_;
-  uint32_t told_ = 0;  // words of the record that the sink has taken
+  uint32_t told_ = 0;               // words of the record that the sink has taken
+  uint32_t told_runs_ = 0;          // of them runs and stand-ins
+  ToldNormals normals_;             // of the record
+  bool normals_are_ahead_ = false;  // of the next record
   bool begin_is_untold_ = false;
   bool lost_is_untold_ = false;
   bool is_first_ring_ = true;

@@ -121,6 +121,11 @@ typedef struct discmc_vertex {
  * and its neighbours. */
 typedef uint32_t discmc_run;
 
+/* A unit vector in two bytes, both zero where there is none: see discmc_unit_normal_of(). */
+typedef struct discmc_octahedral_normal {
+  uint8_t u, v;
+} discmc_octahedral_normal;
+
 /* Totals of a scan so far. All counts are exact. */
 typedef struct discmc_statistics {
   uint64_t cells;             /* active cells swept */
@@ -142,7 +147,7 @@ typedef struct discmc_statistics {
 enum {
   DISCMC_REGION,       /* a complete region begins: incidence */
   DISCMC_RING,         /* one of its rings begins: start, hole */
-  DISCMC_RUN,          /* the next run of the ring or fragment: run */
+  DISCMC_RUN,          /* the next run of the ring or fragment: run, normal */
   DISCMC_REGION_END,   /* the region is complete */
   DISCMC_FRAGMENT,     /* a part of an open ring, sent early: number, incidence */
   DISCMC_FRAGMENT_END, /* the fragment is complete */
@@ -160,6 +165,7 @@ typedef struct discmc_event {
   uint8_t hole;
   uint8_t repeated;
   uint8_t abandoned;
+  discmc_octahedral_normal normal; /* where the run starts, if the stream tells normals */
   discmc_run run;
   uint32_t number;
   uint32_t slice;
@@ -407,7 +413,7 @@ typedef struct discmc_decoded {
 } discmc_decoded;
 
 typedef struct discmc_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 1088 : 1040) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 1288 : 1240) / 8];
 } discmc_decoder;
 
 /* Begins a stream. Errors: DISCMC_BAD_SINK. */
@@ -443,6 +449,14 @@ discmc_vertex discmc_normal(uint8_t incidence);
 /* Limit: components are -1, 0 or 1. */
 uint8_t discmc_incidence_of(discmc_vertex normal);
 uint8_t discmc_opposite(uint8_t incidence);
+
+/* A unit vector in fixed point; 16384 is one. All zero where there is no normal. */
+typedef struct discmc_unit_normal {
+  int16_t x, y, z;
+} discmc_unit_normal;
+
+/* The unit vector that an octahedral one stands for. Any bytes are safe. */
+discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal normal);
 
 /* The vector of a link, and the link that leads back. Units: half-steps. */
 discmc_vertex discmc_link_vector(uint8_t link);

@@ -3,7 +3,7 @@
 #define DISCMC_ENCODER_HPP
 
 #include <discmc/checkpoint.hpp>
-#include <discmc/region_model.hpp>
+#include <discmc/normal_encoding.hpp>
 #include <discmc/status.hpp>
 #include <discmc/wire.hpp>
 
@@ -19,8 +19,10 @@ struct ByteOutput {
 
 /// One packet and one record are all that is held. The encoder may be suspended after any byte:
 /// while the output takes nothing, take() answers not_now, and goes on where it was when asked
-/// again.
-class Encoder {
+/// again. Use it as Encoder, or as NormalEncoder where the normals of runs are to be told too; a
+/// stream without any is the same from both.
+template <class Normals>
+class BasicEncoder : private Normals {
  public:
   /// Begins a stream; its header is the first packet. Errors: bad_limits, bad_sink (no write).
   [[nodiscard]] Status start(const StreamHeader& header, const ByteOutput& output);
@@ -35,11 +37,12 @@ class Encoder {
 
   /// Writes down where the stream is: at the beginning of a frame, which restore() may thus send
   /// once more. Errors: not_started. Cost: a checksum of the object.
-  [[nodiscard]] Status save(Checkpoint<Encoder>& checkpoint) const;
+  [[nodiscard]] Status save(Checkpoint<BasicEncoder>& checkpoint) const;
 
   /// Goes on where a checkpoint was saved; bytes() says how many bytes of stream were before.
   /// Errors: bad_checkpoint, bad_sink (no write). Cost: as save().
-  [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
+  [[nodiscard]] Status restore(const Checkpoint<BasicEncoder>& checkpoint,
+                               const ByteOutput& output);
 
   /// The bytes that the output has taken so far.
   uint64_t bytes() const { return bytes_; }
@@ -60,6 +63,9 @@ class Encoder {
   bool encode_whole(const Event& event);
   bool encode_part(uint32_t& words, Event::Kind cause);
   bool put_trailer(const Event& event);
+  void add_run(const Event& event);
+  void drop(uint32_t words);
+  void encode_normals(uint32_t words);
 
   bool fits(size_t reserve) const;
   void open_packet();
@@ -86,6 +92,13 @@ class Encoder {
   StreamHeader header_;
   uint8_t frame_[wire::max_frame] = {};
 };
+
+extern template class BasicEncoder<NoRecordNormals>;
+extern template class BasicEncoder<RecordNormals>;
+
+using Encoder = BasicEncoder<NoRecordNormals>;
+/// Takes about two and a half times the bytes of stream, and 192 bytes more.
+using NormalEncoder = BasicEncoder<RecordNormals>;
 
 }  // namespace discmc
 

@@ -8,6 +8,8 @@
 #ifndef DISCMC_PATCH_TABLE_HPP
 #define DISCMC_PATCH_TABLE_HPP
 
+#include <stddef.h>
+
 #include <discmc/cell.hpp>
 
 namespace discmc {
@@ -87,9 +89,9 @@ struct PatchTable {
     int number = index[i];
     for (const uint8_t* same = of_count; number >= *same; ++same, ++count) {
       number -= *same;
-      place += *same * (2 + count);
+      place += size_t{*same} * (2 + count);
     }
-    place += number * (2 + count);
+    place += static_cast<size_t>(number) * (2 + count);
     return {static_cast<Patch::Kind>(place[0] >> 5), static_cast<Incidence>(place[0] & 31),
             place[1], count, place + 2};
   }

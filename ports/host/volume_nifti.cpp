@@ -140,7 +140,7 @@ double decimal(float value) {
 }
 
 std::uint64_t data_offset(const std::filesystem::path& file, float vox_offset, bool one_file) {
-  constexpr float most = 1U << 30;
+  constexpr float most = 0x1p30F;
   if (!(vox_offset >= 0 && vox_offset <= most) || std::floor(vox_offset) != vox_offset)
     fail(file, "vox_offset is " + std::to_string(vox_offset), "correct the header");
   // Some programs leave 0 for "right after the header".

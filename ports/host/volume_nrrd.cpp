@@ -28,7 +28,7 @@ bool one_of(std::string_view text, std::initializer_list<std::string_view> names
 // The specification's fields and its second spellings; anything else may be a misspelt one that
 // matters.
 std::string field_name(const std::filesystem::path& file, std::string_view text) {
-  const std::string name = lower(trimmed(text));
+  std::string name = lower(trimmed(text));
   if (name == "datafile") return "data file";
   if (name == "lineskip") return "line skip";
   if (name == "byteskip") return "byte skip";

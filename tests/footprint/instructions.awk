@@ -5,7 +5,7 @@ NF == 2 { of[$1] = $2 }
 NF == 1 { count[++counts] = $1 }
 
 END {
-  if (counts != 5 || !of["cells"] || !of["links"]) {
+  if (counts != 9 || !of["cells"] || !of["links"]) {
     print "the counted work is not complete" > "/dev/stderr"
     exit 1
   }
@@ -14,4 +14,9 @@ END {
   print "a voxel, empty rows of 256, 16 bits", sprintf("%.2f", count[2] / of["wide_voxels"])
   print "an active cell: extraction", sprintf("%.0f", (count[4] - count[3]) / of["cells"])
   print "a link of the result: encoding", sprintf("%.1f", (count[5] - count[4]) / of["links"])
+  split("midpoint centroid", kind, " ")
+  for (i = 1; i <= 2; i++) {
+    print "a normal of a " kind[i] ", octahedral", sprintf("%.0f", count[5 + i] / of["normals"])
+    print "a normal of a " kind[i] ", Q1.14", sprintf("%.0f", count[7 + i] / of["normals"])
+  }
 }

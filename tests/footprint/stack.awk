@@ -18,6 +18,7 @@ BEGIN {
   name = $2
   sub(/^discmc::/, "", name)
   sub(/Extractor<unsigned short, discmc::NoNormals>/, "Extractor16", name)
+  sub(/BasicEncoder<discmc::NoRecordNormals>/, "Encoder", name)
   sub(/<.*$/, "", name)
   if (!(name in most) || $1 > most[name]) most[name] = $1
 }

@@ -3,6 +3,7 @@
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
+#include <discmc/sample_window.hpp>
 
 #include "marks.hpp"
 
@@ -62,6 +63,43 @@ static bool scan(const Limits& limits, uint32_t slices,
   return extractor.finish() == Status::ok;
 }
 
+// ---- normals ----
+
+constexpr int32_t size = 6;  // of the cube of samples
+constexpr int32_t normals = (size - 1) * (size - 1);
+
+static UnitNormal unit(const LongVector& v) {
+  return unit_normal(v);
+}
+static OctahedralNormal octahedral(const LongVector& v) {
+  return octahedral_normal(v);
+}
+
+// Counts the instructions of all normals between two slices of the ball; z is 0 for midpoints on
+// edges along x, and 1 for centroids.
+template <class Normal>
+static bool count_normals(Normal (*make)(const LongVector&), int32_t z) {
+  SampleWindow<uint8_t> window;
+  if (window.start({size, size}, memory_of(memory)) != Status::ok) return false;
+  for (int32_t i = 0; i < 4 * size * size; ++i) {
+    const uint8_t sample = inside_ball(i % size, i / size % size, i / size / size);
+    if (window.push(&sample, 1) != Status::ok) return false;
+  }
+  const AxisWeights weights = axis_weights({957000, -957000, 1500000});
+  bool good = true;
+  for (int32_t y = 0; y + 1 < size; ++y)
+    for (int32_t x = 0; x + 1 < size; ++x) {
+      const Vertex vertex{2 * x + 1, 2 * y + z, 2 + z};
+      good = good && window.covers(vertex);
+      count_on();
+      const Normal normal = make(weighted(window.downhill(vertex), weights));
+      count_off();
+      good = good && normal != Normal{};
+    }
+  count_tell();
+  return good;
+}
+
 int main() {
   // In this order instructions.awk reads the counts.
   bool good = scan<uint8_t>(wide, 2, outside, no_sink) &&
@@ -71,8 +109,11 @@ int main() {
   const StreamHeader header{ball.width, ball.height, ball.width, {}, threshold};
   good = good && encoder.start(header, {nullptr, take_bytes}) == Status::ok &&
          scan<uint8_t>(ball, ball.width, inside_ball, sink_to(encoder));
+  good = good && count_normals(octahedral, 0) && count_normals(octahedral, 1) &&
+         count_normals(unit, 0) && count_normals(unit, 1);
   const Statistics statistics = extractor.statistics();
   report("wide_voxels", wide.width * wide.height * 2);
+  report("normals", normals);
   report("cells", statistics.cells);
   report("facets", statistics.facets);
   report("regions", statistics.regions);

@@ -101,6 +101,8 @@ class EventHash {
         break;
       case Event::Kind::run:
         add(event.run.code());
+        add(event.normal.u);
+        add(event.normal.v);
         break;
       case Event::Kind::fragment:
         add(event.number);
@@ -172,7 +174,7 @@ class Wire {
     return count;
   }
 
-  Encoder encoder_;
+  NormalEncoder encoder_;  // as Encoder where there are no normals
   Decoder decoder_;
   EventHash sent_, received_;
   uint32_t calls_ = 0;
@@ -195,10 +197,11 @@ constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Bor
 uint8_t memory[bytes_for<uint32_t>(sizes[0], settings[3].capacities)];
 Wire wire_between;
 
-template <class Index, class Sample>
+template <class Index, class Sample, class Normals = NoNormals>
 class Scan {
  public:
   bool start(const Limits& limits, const Setting& setting) {
+    if constexpr (Normals::hold_samples) extractor_.set_spacing({1, -2, 3});
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
            is_done(extractor_.start(limits, setting.capacities, on_from, memory_of(memory),
@@ -210,10 +213,11 @@ class Scan {
     const auto value = [&](uint32_t x) { return volume({static_cast<int32_t>(x), y, z}); };
     switch (y % 4) {
       case 1: {
+        if (Normals::hold_samples) return push_samples(value, 7, 1);
         uint8_t bits[(width + 7) / 8] = {};
         for (uint32_t x = 0; x < width; ++x)
           if (value(x) >= threshold) bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | 1 << x % 8);
-        return is_done(extractor_.push_bits(bits).status);
+        return push_bits(bits);
       }
       case 2:
         return push_samples(value, width, 2);
@@ -241,6 +245,13 @@ class Scan {
     return status == Status::ok;
   }
 
+  bool push_bits([[maybe_unused]] const uint8_t* bits) {
+    if constexpr (Normals::hold_samples)
+      return false;
+    else
+      return is_done(extractor_.push_bits(bits).status);
+  }
+
   template <class Value>
   bool push_samples(const Value& value, uint32_t portion, uint32_t stride) {
     Sample row[2 * width] = {};
@@ -255,13 +266,13 @@ class Scan {
     return true;
   }
 
-  Extractor<Index> extractor_;
+  Extractor<Index, Normals> extractor_;
 };
 
-// Scans a volume. The events are those of the scans with other samples and indices before.
-template <class Index, class Sample>
+// Scans a volume. The events are `expected`, where that is not 0 as before the first scan.
+template <class Index, class Sample, class Normals = NoNormals>
 bool scan(Volume volume, const Limits& limits, const Setting& setting, uint64_t& expected) {
-  static Scan<Index, Sample> scan;
+  static Scan<Index, Sample, Normals> scan;
   if (!scan.start(limits, setting)) return false;
   // Scans of an open volume are broken off in the middle of the last slice.
   const bool abandons = limits.border == Border::open;
@@ -277,6 +288,13 @@ bool scan(Volume volume, const Limits& limits, const Setting& setting, uint64_t&
   return wire_between.sent().value() == expected;
 }
 
+// With normals, which depend on the samples: so these scans stand alone.
+template <class Index, class Sample>
+bool scan_with_normals(Volume volume, const Limits& limits) {
+  uint64_t hash = 0;
+  return scan<Index, Sample, GradientNormals<Sample>>(volume, limits, settings[1], hash);
+}
+
 // Every volume in every setting, in turn with either border.
 bool scan_all() {
   uint32_t turn = 0;
@@ -290,6 +308,10 @@ bool scan_all() {
           !scan<uint16_t, int16_t>(volume, limits, setting, hash))
         return false;
     }
+    if (!scan_with_normals<uint16_t, uint8_t>(volume, sizes[turn % 2]) ||
+        !scan_with_normals<uint32_t, uint16_t>(volume, sizes[turn % 2]) ||
+        !scan_with_normals<uint16_t, int16_t>(volume, sizes[turn % 2]))
+      return false;
   }
   return true;
 }

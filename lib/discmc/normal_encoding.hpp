@@ -1,0 +1,131 @@
+// The normals of a record's runs, as an extension of the stream told before the record.
+//
+// The first is told in full, every other as the difference to the one before, in as few bits as the
+// largest difference takes.
+#ifndef DISCMC_NORMAL_ENCODING_HPP
+#define DISCMC_NORMAL_ENCODING_HPP
+
+#include <discmc/normal.hpp>
+#include <discmc/region_model.hpp>
+
+namespace discmc {
+
+/// The types of extensions that hold normals: the first for differences of no bits, the last for
+/// eight.
+constexpr uint32_t first_normals_extension = 1;
+constexpr uint32_t last_normals_extension = first_normals_extension + 8;
+
+/// The normals where the runs and stand-ins of a record start.
+class RecordNormals {
+ public:
+  static constexpr bool are_told = true;
+
+  /// By the word of the record.
+  void set(uint32_t word, OctahedralNormal normal) { normal_[word] = normal; }
+  void drop(uint32_t words, uint32_t left) {
+    for (uint32_t i = 0; i < left; ++i) normal_[i] = normal_[i + words];
+  }
+
+  /// Tells the normals of the record's first words; nothing when there is none.
+  template <class Model>
+  void encode(Model& model, const Record& record, uint32_t words) const;
+
+ private:
+  OctahedralNormal normal_[Record::max_words] = {};
+};
+
+/// For an encoder that tells no normals.
+struct NoRecordNormals {
+  static constexpr bool are_told = false;
+};
+
+/// What an extension has told of normals, in the order of the record's runs and stand-ins.
+class ToldNormals {
+ public:
+  void clear() { count_ = 0; }
+  /// Of run number `i`; none beyond those told.
+  OctahedralNormal at(uint32_t i) const { return i < count_ ? normal_[i] : OctahedralNormal{0, 0}; }
+  /// Reads an extension of so many bytes whose type is one of those for normals.
+  template <class Model>
+  void decode(Model& model, uint32_t type, uint32_t bytes);
+
+ private:
+  OctahedralNormal normal_[Record::max_words];
+  uint32_t count_ = 0;
+};
+
+// ---- implementation ----
+
+namespace normal_difference {
+
+// Small differences of either sign as small numbers: 0, -1, 1, -2, 2, ...
+constexpr uint32_t number_of(uint8_t from, uint8_t to) {
+  const uint32_t difference = (uint32_t{to} - from) & 0xFF;
+  return difference < 128 ? 2 * difference : 2 * (255 - difference) + 1;
+}
+constexpr uint8_t sum(uint8_t from, uint32_t number) {
+  return static_cast<uint8_t>(from + (number % 2 == 0 ? number / 2 : 255 - number / 2));
+}
+
+}  // namespace normal_difference
+
+template <class Model>
+void RecordNormals::encode(Model& model, const Record& record, uint32_t words) const {
+  using namespace normal_difference;
+  // Calls visit(normal, the one before) for every run; the first is its own.
+  const auto for_each = [&](auto visit) {
+    const OctahedralNormal* before = nullptr;
+    for (uint32_t i = 0; i < words;) {
+      if (record.word[i] == Record::ring_mark) {
+        i += Record::ring_words;
+        continue;
+      }
+      visit(normal_[i], before == nullptr ? normal_[i] : *before, before == nullptr);
+      before = &normal_[i++];
+    }
+  };
+  uint32_t all = 0, runs = 0;
+  bool is_any = false;
+  for_each([&](OctahedralNormal normal, OctahedralNormal before, bool) {
+    all |= number_of(before.u, normal.u) | number_of(before.v, normal.v);
+    is_any = is_any || !normal.is_none();
+    ++runs;
+  });
+  if (!is_any) return;
+  uint32_t bits = 0;
+  while (all >> bits != 0) ++bits;
+  const uint32_t total = 16 + 2 * bits * (runs - 1);
+  const uint32_t bytes = (total + 7) / 8;
+  model.region_follows(false);
+  model.other_kind(OtherKind::extension);
+  model.plain_bits(8, first_normals_extension + bits);
+  model.plain_bits(8, bytes);
+  for_each([&](OctahedralNormal normal, OctahedralNormal before, bool is_first) {
+    model.plain_bits(is_first ? 8 : bits, is_first ? normal.u : number_of(before.u, normal.u));
+    model.plain_bits(is_first ? 8 : bits, is_first ? normal.v : number_of(before.v, normal.v));
+  });
+  model.plain_bits(8 * bytes - total, 0);
+}
+
+template <class Model>
+void ToldNormals::decode(Model& model, uint32_t type, uint32_t bytes) {
+  using namespace normal_difference;
+  count_ = 0;
+  uint32_t left = 8 * bytes;
+  const uint32_t bits = type - first_normals_extension;
+  if (left >= 16) {
+    left -= 16;
+    const auto u = static_cast<uint8_t>(model.plain_bits(8, 0));
+    normal_[count_++] = {u, static_cast<uint8_t>(model.plain_bits(8, 0))};
+  }
+  for (; count_ > 0 && count_ < Record::max_words && left >= 2 * bits; left -= 2 * bits) {
+    const OctahedralNormal before = normal_[count_ - 1];
+    const uint8_t u = sum(before.u, model.plain_bits(bits, 0));
+    normal_[count_++] = {u, sum(before.v, model.plain_bits(bits, 0))};
+  }
+  for (; left > 0; --left) model.plain_bits(1, 0);
+}
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,22 @@
+// Flash: a scanner of 8-bit samples that tells normals.
+#include <discmc/encoder.hpp>
+#include <discmc/extractor.hpp>
+
+using namespace discmc;
+using Scanner = Extractor<uint16_t, GradientNormals<uint8_t>>;
+
+// What a firmware knows at compile time.
+constexpr Limits limits{64, 64};
+constexpr Capacities capacities =
+    default_capacities<uint16_t, GradientNormals<uint8_t>>(limits, 28 * 1024);
+
+extern "C" Status run(Scanner& extractor, NormalEncoder& encoder, const ByteOutput& output,
+                      const StreamHeader& header, Memory memory, const uint8_t* row) {
+  Status status = encoder.start(header, output);
+  extractor.set_spacing(header.spacing_nm);
+  if (status == Status::ok)
+    status = extractor.start(limits, capacities, 128, memory, sink_to(encoder));
+  if (status == Status::ok) status = extractor.push(row, limits.width).status;
+  if (status == Status::more) status = extractor.resume();
+  return status == Status::ok ? extractor.finish() : status;
+}

@@ -1,0 +1,11 @@
+// Flash: a gradient of 8-bit samples as an octahedral normal and as one in Q1.14.
+#include <discmc/sample_rows.hpp>
+
+using namespace discmc;
+
+extern "C" UnitNormal run(const SampleRows<uint8_t>& rows, const Vertex& vertex,
+                          const AxisWeights& weights, OctahedralNormal& octahedral) {
+  const LongVector down = weighted(rows.downhill(vertex), weights);
+  octahedral = octahedral_normal(down);
+  return unit_normal(down);
+}

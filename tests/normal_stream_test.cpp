@@ -1,0 +1,193 @@
+// Normals on the wire: what the encoder is told the decoder tells, and who does not want normals
+// reads the rest as before.
+#include <doctest/doctest.h>
+
+#include <discmc/gradient_normals.hpp>
+#include <discmc/record_encoding.hpp>
+
+#include "stream.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+using namespace discmc::test;
+
+namespace {
+
+using Kind = Event::Kind;
+
+Bytes encode_normals(const Events& events, size_t bytes_a_time = 0) {
+  return encode<NormalEncoder>(events, any_header(), bytes_a_time);
+}
+
+// The same events with normals for the runs, made by `normal_of(number of the run)`.
+template <class NormalOf>
+Events with_normals(const Events& events, NormalOf normal_of) {
+  Events result;
+  uint32_t runs = 0;
+  for (const Told& told : events) {
+    Event event = told.event();
+    if (told.is(Kind::run)) event.normal = normal_of(runs++);
+    result.emplace_back(event);
+  }
+  return result;
+}
+
+Events pressed(const BitVolume& volume) {
+  return events_of(volume, {200, 60, 20, 300, 400}, {});
+}
+
+// Regions of one ring with 2 to 200 runs, which go on to and fro: whole, or in parts.
+Events long_rings() {
+  Events events;
+  for (uint32_t pairs = 1; pairs <= 100; pairs += 3) {
+    Event event{};
+    event.incidence = incidence_of({0, 0, 1});
+    event.kind = Kind::region;
+    events.emplace_back(event);
+    event.kind = Kind::ring;
+    event.start = {1, 0, 0};
+    events.emplace_back(event);
+    event.kind = Kind::run;
+    for (uint32_t i = 0; i < 2 * pairs; ++i) {
+      event.run = Run::straight(static_cast<Direction>(4 * (i % 2)), 1 + i / 2 % 5);
+      events.emplace_back(event);
+    }
+    event.kind = Kind::region_end;
+    events.emplace_back(event);
+  }
+  return events;
+}
+
+const OctahedralNormal none{0, 0};
+
+}  // namespace
+
+TEST_CASE("normals come through, whatever their differences, in whole regions and in parts") {
+  Chance chance(5);
+  const Events balls = events_of(ball({20, 20, 20}, {19, 19, 19}, 64));
+  const Events noise = pressed(random({20, 16, 9}, 128, 6));
+  for (const Events& events : {balls, noise, long_rings()})
+    for (uint32_t spread = 0; spread <= 256; spread = spread * 2 + 1)
+      for (const size_t bytes_a_time : {size_t{0}, size_t{7}}) {
+        uint8_t u = 100, v = 200;
+        const Events told = with_normals(events, [&](uint32_t) {
+          u = static_cast<uint8_t>(u + chance.below(spread + 1) - spread / 2);
+          v = static_cast<uint8_t>(v + chance.below(spread + 1) - spread / 2);
+          return u == 0 ? none : OctahedralNormal{u, v};
+        });
+        const Arrival arrival = decode(encode_normals(told, bytes_a_time), 0, bytes_a_time > 0);
+        REQUIRE(arrival.report.damaged_packets == 0);
+        REQUIRE(arrival.report.lost_packets == 0);
+        REQUIRE(arrival.events == told);
+      }
+}
+
+TEST_CASE("corners without a normal, among others with one") {
+  const Events events = pressed(random({20, 16, 9}, 128, 7));
+  Chance chance(8);
+  const Events told = with_normals(events, [&](uint32_t) {
+    const auto u = static_cast<uint8_t>(1 + chance.below(255));
+    return chance.below(3) == 0 ? none : OctahedralNormal{u, chance.byte()};
+  });
+  CHECK(decode(encode_normals(told)).events == told);
+}
+
+TEST_CASE("without normals both encoders write the same bytes") {
+  const Events events = pressed(random({20, 16, 9}, 128, 9));
+  CHECK(encode_normals(events) == encode(events));
+}
+
+TEST_CASE("an encoder without normals leaves them out, and nothing else") {
+  const Events plain = pressed(random({20, 16, 9}, 128, 10));
+  const Events told = with_normals(plain, [](uint32_t i) {
+    return OctahedralNormal{static_cast<uint8_t>(1 + i % 255), 77};
+  });
+  CHECK(encode(told) == encode(plain));
+}
+
+TEST_CASE("a normal belongs to the record after it and to no other") {
+  Event event{};
+  event.incidence = incidence_of({0, 0, 1});
+  const auto add_region = [&](Payload& payload) {
+    Record record;
+    record.begin(event.incidence);
+    record.add_ring({1, 0, 0});
+    record.add_run(Run::straight(0, 1));
+    record.add_run(Run::straight(4, 1));
+    record.is_last = true;
+    REQUIRE(encode_region(payload.model, record));
+  };
+  const auto add_normals = [](Payload& payload, uint32_t type, const Bytes& bytes) {
+    payload.model.region_follows(false);
+    payload.model.other_kind(OtherKind::extension);
+    payload.model.plain_bits(8, type);
+    payload.model.plain_bits(8, static_cast<uint32_t>(bytes.size()));
+    for (const uint8_t byte : bytes) payload.model.plain_bits(8, byte);
+  };
+  const auto normals_of = [&](Payload& payload) {
+    std::vector<std::vector<int>> normals;
+    const Packet records{2, 1, 0, payload.finish()};
+    Bytes stream = frames_of(encode({}))[0];
+    for (const uint8_t byte : frame_of(records)) stream.push_back(byte);
+    for (const Told& told : decode(stream).events)
+      if (told.is(Kind::run)) normals.push_back({told.event().normal.u, told.event().normal.v});
+    return normals;
+  };
+  using List = std::vector<std::vector<int>>;
+  SUBCASE("told, then two regions") {
+    Payload payload;
+    add_normals(payload, 1, {5, 6});  // differences of no bits
+    add_region(payload);
+    add_region(payload);
+    CHECK(normals_of(payload) == List{{5, 6}, {5, 6}, {0, 0}, {0, 0}});
+  }
+  SUBCASE("a layer mark comes between") {
+    Payload payload;
+    add_normals(payload, 1, {5, 6});
+    payload.model.region_follows(false);
+    payload.model.other_kind(OtherKind::layer);
+    payload.model.layer(3);
+    add_region(payload);
+    CHECK(normals_of(payload) == List{{0, 0}, {0, 0}});
+  }
+  SUBCASE("fewer than the region has runs, and an extension of another type") {
+    Payload payload;
+    add_normals(payload, 9, {5, 6});
+    add_region(payload);
+    add_normals(payload, 10, {1, 2, 3});
+    add_region(payload);
+    add_normals(payload, 3, {});
+    add_region(payload);
+    CHECK(normals_of(payload) == List{{5, 6}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}});
+  }
+  SUBCASE("differences of four bits, and more of them than runs") {
+    Payload payload;
+    add_normals(payload, 5, {100, 100, 0x21, 0xFF, 0xFF});  // +1 -1, then what no run has
+    add_region(payload);
+    CHECK(normals_of(payload) == List{{100, 100}, {101, 99}});
+  }
+  SUBCASE("more than a record has runs") {
+    Payload payload;
+    add_normals(payload, 2, Bytes(200, 0xFF));
+    add_region(payload);
+    CHECK(normals_of(payload) == List{{255, 255}, {254, 254}});
+  }
+}
+
+TEST_CASE("a stream of an extractor with normals comes through, spills and all") {
+  const Limits limits{24, 20};
+  const Capacities capacities{300, 60, 20, 400, 500};
+  Chance chance(12);
+  std::vector<uint8_t> samples(24 * 20 * 10);
+  for (uint8_t& sample : samples) sample = chance.byte();
+  for (size_t i = 1; i + 24 < samples.size(); ++i)
+    samples[i] = static_cast<uint8_t>((samples[i - 1] + samples[i] + samples[i + 24]) / 3);
+  Block block(bytes_for<uint16_t, GradientNormals<uint8_t>>(limits, capacities));
+  Log log;
+  Extractor<uint16_t, GradientNormals<uint8_t>> extractor;
+  require_ok(extractor.start(limits, capacities, 120, block.memory(), sink_to(log)));
+  push_all(extractor, samples);
+  finish_all(extractor);
+  REQUIRE(extractor.statistics().spills > 0);
+  CHECK(decode(encode_normals(log.events)).events == log.events);
+}
