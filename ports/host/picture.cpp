@@ -249,7 +249,7 @@ Picture develop(const Canvas& canvas, const Mesh& mesh, Shader& shader,
       }
       for (const float light : sum) {
         const float mean = std::min(light / samples, 1.0f);
-        picture.pixels.push_back(to_srgb[static_cast<std::size_t>(mean * 4095 + 0.5f)]);
+        picture.pixels.push_back(to_srgb[static_cast<std::size_t>(std::lround(mean * 4095))]);
       }
     }
   }

@@ -10,9 +10,6 @@ namespace {
 // surface that they stand for, and walls at which a volume ends are 90 degrees away.
 constexpr double least_cosine = 0.3;
 
-// Right, upward, towards: over the left shoulder.
-constexpr Point key_light = {-0.572, 0.667, 0.477};
-
 float linear(std::uint8_t srgb) {
   const float value = static_cast<float>(srgb) / 255;
   return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
@@ -66,7 +63,7 @@ Colour Shader::light(const Point& normal, bool inside) const {
                       side * dot(normal, axes_.towards)};
   const auto fill = static_cast<float>(0.14 + 0.08 * seen[1]);
   const auto light = static_cast<float>(0.28 * std::max(0.0, seen[2]) +
-                                        0.74 * std::max(0.0, dot(seen, key_light)));
+                                        0.74 * std::max(0.0, dot(seen, key_light_)));
   const Colour tone = inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
   const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool fill tells shade from a dark colour
   Colour colour{};

@@ -46,6 +46,8 @@ class Shader {
   Axes axes_;
   Shading shading_;
   Colour surface_;
+  // Right, upward, towards: over the left shoulder.
+  Point key_light_ = unit_or_zero({-0.6, 0.7, 0.5});
   std::size_t face_;
   Point face_normal_{};
   std::array<Point, 3> normals_{};  // of the corners, as the face has them
