@@ -102,7 +102,7 @@ void add_normals(Input& input, Events& events) {
   uint8_t u = 1, v = 0;
   for (Told& told : events) {
     if (!told.is(Event::Kind::run) || input.is_empty()) continue;
-    const uint8_t kind = input.byte();
+    const uint32_t kind = input.byte();
     u = static_cast<uint8_t>(kind < 200 ? u + kind % 8 : input.byte());
     v = static_cast<uint8_t>(kind < 200 ? v - kind / 8 % 8 : input.byte());
     Event event = told.event();

@@ -12,15 +12,6 @@
 namespace discmc::host {
 namespace {
 
-struct VertexHash {
-  std::size_t operator()(const Vertex& vertex) const {
-    std::size_t hash = 0;
-    for (const std::int32_t coordinate : {vertex.x, vertex.y, vertex.z})
-      hash = (hash ^ static_cast<std::uint32_t>(coordinate)) * 0x9E3779B1u;
-    return hash;
-  }
-};
-
 // The lattice positions of a surface, numbered, and the number at every place of every ring.
 class Numbering {
  public:

@@ -3,11 +3,23 @@
 #define DISCMC_HOST_SURFACE_HPP
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
-#include <discmc/lattice.hpp>
+#include <discmc/normal.hpp>
 
 namespace discmc::host {
+
+struct VertexHash {
+  std::size_t operator()(const discmc::Vertex& vertex) const {
+    std::size_t hash = 0;
+    for (const std::int32_t coordinate : {vertex.x, vertex.y, vertex.z})
+      hash = (hash ^ static_cast<std::uint32_t>(coordinate)) * 0x9E3779B1u;
+    return hash;
+  }
+};
 
 /// A simple ring: no vertex twice, every unit-step vertex present, closed implicitly (the last
 /// vertex is one link away from the first). Units: half-steps.
@@ -27,6 +39,8 @@ struct Surface {
   /// says that the axis runs backwards.
   std::array<double, 3> spacing_mm;
   std::vector<Polygon> polygons;
+  /// Of corners, where the scan or the stream told them: in space, pointing from on to off.
+  std::unordered_map<discmc::Vertex, discmc::OctahedralNormal, VertexHash> normals;
 };
 
 }  // namespace discmc::host

@@ -21,9 +21,9 @@ Answer SurfaceBuilder::take(const Event& event) {
       break;
     case Event::Kind::run:
       if (in_fragment_)
-        fragment_.push_back(event.run);
+        fragment_.push_back({event.run, event.normal});
       else if (!rings_.empty())
-        rings_.back().runs.push_back(event.run);
+        rings_.back().sides.push_back({event.run, event.normal});
       break;
     case Event::Kind::region_end:
       end_region();
@@ -48,20 +48,21 @@ Answer SurfaceBuilder::take(const Event& event) {
   return Answer::taken;
 }
 
-// Puts runs behind a chain, fragments and the fragments in them in their places. Every fragment is
-// used once. False when one is missing.
-bool SurfaceBuilder::append(const std::vector<Run>& runs, std::vector<Run>& whole) {
-  std::vector<Run> waiting(runs.rbegin(), runs.rend());
+// Puts sides behind a chain, fragments and the fragments in them in their places. Every fragment is
+// used once, and starts with the normal of its stand-in. False when one is missing.
+bool SurfaceBuilder::append(const std::vector<Side>& sides, std::vector<Side>& whole) {
+  std::vector<Side> waiting(sides.rbegin(), sides.rend());
   while (!waiting.empty()) {
-    const Run run = waiting.back();
+    const Side side = waiting.back();
     waiting.pop_back();
-    if (!run.is_fragment()) {
-      whole.push_back(run);
+    if (!side.run.is_fragment()) {
+      whole.push_back(side);
       continue;
     }
-    const auto fragment = fragments_.find(run.fragment_number());
+    const auto fragment = fragments_.find(side.run.fragment_number());
     if (fragment == fragments_.end()) return false;
     waiting.insert(waiting.end(), fragment->second.rbegin(), fragment->second.rend());
+    if (!fragment->second.empty()) waiting.back().normal = side.normal;
     fragments_.erase(fragment);
   }
   return true;
@@ -69,24 +70,24 @@ bool SurfaceBuilder::append(const std::vector<Run>& runs, std::vector<Run>& whol
 
 // Whether a chain closes, and within the coordinates that a scan can have: rings are unfolded in
 // 32 bits.
-bool SurfaceBuilder::is_sound(const OpenRing& ring, const std::vector<Run>& runs) {
+bool SurfaceBuilder::is_sound(const Vertex& start, const std::vector<Side>& sides) {
   constexpr std::int64_t least = -1, most = (std::int64_t{1} << 31) - 3;
-  std::int64_t x = ring.start.x, y = ring.start.y, z = ring.start.z;
+  std::int64_t x = start.x, y = start.y, z = start.z;
   const auto is_inside = [&] {
     return std::min({x, y, z}) >= least && std::max({x, y, z}) <= most;
   };
   std::uint64_t links = 0;
   bool is_always_inside = is_inside();
-  for (const Run& run : runs) {
-    const Vertex step = direction_vector(incidence_, run.direction());
-    const std::int64_t length = run.length();
+  for (const Side& side : sides) {
+    const Vertex step = direction_vector(incidence_, side.run.direction());
+    const std::int64_t length = side.run.length();
     x += step.x * length;
     y += step.y * length;
     z += step.z * length;
-    links += run.length();
+    links += side.run.length();
     is_always_inside = is_always_inside && is_inside();
   }
-  const bool is_closed = x == ring.start.x && y == ring.start.y && z == ring.start.z;
+  const bool is_closed = x == start.x && y == start.y && z == start.z;
   if (!is_always_inside || !is_closed) return false;
   links_ += links;
   if (links_ > max_links)
@@ -95,12 +96,23 @@ bool SurfaceBuilder::is_sound(const OpenRing& ring, const std::vector<Run>& runs
   return true;
 }
 
-void SurfaceBuilder::add_simple_rings(const OpenRing& ring, const std::vector<Run>& runs,
+void SurfaceBuilder::add_normals(const Vertex& start, const std::vector<Side>& sides) {
+  Vertex vertex = start;
+  for (const Side& side : sides) {
+    if (!side.normal.is_none()) surface_.normals.emplace(vertex, side.normal);
+    vertex = vertex + displacement(incidence_, &side.run, 1);
+  }
+}
+
+void SurfaceBuilder::add_simple_rings(const Vertex& start, const std::vector<Side>& sides,
                                       Polygon& polygon) {
+  std::vector<Run> runs;
+  runs.reserve(sides.size());
+  for (const Side& side : sides) runs.push_back(side.run);
   const auto run_count = static_cast<std::uint32_t>(runs.size());
   std::vector<Vertex> vertices(link_count(runs.data(), run_count));
   std::vector<std::uint32_t> scratch(2 * vertices.size());
-  unfold(polygon.incidence, ring.start, runs.data(), run_count, vertices.data());
+  unfold(polygon.incidence, start, runs.data(), run_count, vertices.data());
   const auto add = [](void* rings, const Vertex* begin, std::uint32_t count) {
     static_cast<std::vector<Ring>*>(rings)->emplace_back(begin, begin + count);
   };
@@ -111,11 +123,13 @@ void SurfaceBuilder::add_simple_rings(const OpenRing& ring, const std::vector<Ru
 void SurfaceBuilder::end_region() {
   Polygon polygon{incidence_, {}};
   bool is_whole = true;
-  std::vector<Run> runs;
+  std::vector<Side> sides;
   for (const OpenRing& ring : rings_) {
-    runs.clear();
-    is_whole = append(ring.runs, runs) && is_whole && is_sound(ring, runs);
-    if (is_whole) add_simple_rings(ring, runs, polygon);
+    sides.clear();
+    is_whole = append(ring.sides, sides) && is_whole && is_sound(ring.start, sides);
+    if (!is_whole) continue;
+    add_simple_rings(ring.start, sides, polygon);
+    add_normals(ring.start, sides);
   }
   const auto is_outer = [&](const Ring& ring) {
     return twice_area(incidence_, ring.data(), static_cast<std::uint32_t>(ring.size())) > 0;

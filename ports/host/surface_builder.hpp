@@ -29,23 +29,29 @@ class SurfaceBuilder {
   std::uint64_t incomplete_regions() const { return incomplete_regions_; }
 
  private:
+  // A run and the normal where it starts.
+  struct Side {
+    Run run;
+    OctahedralNormal normal;
+  };
   struct OpenRing {
     Vertex start;
-    std::vector<Run> runs;
+    std::vector<Side> sides;
   };
 
   void end_region();
-  bool is_sound(const OpenRing& ring, const std::vector<Run>& runs);
-  bool append(const std::vector<Run>& runs, std::vector<Run>& whole);
-  void add_simple_rings(const OpenRing& ring, const std::vector<Run>& runs, Polygon& polygon);
+  bool is_sound(const Vertex& start, const std::vector<Side>& sides);
+  bool append(const std::vector<Side>& sides, std::vector<Side>& whole);
+  void add_simple_rings(const Vertex& start, const std::vector<Side>& sides, Polygon& polygon);
+  void add_normals(const Vertex& start, const std::vector<Side>& sides);
 
   Surface surface_;
   std::uint64_t incomplete_regions_ = 0;
-  std::uint64_t links_ = 0;                                        // unfolded so far
-  std::unordered_map<std::uint32_t, std::vector<Run>> fragments_;  // sent, not yet put back
+  std::uint64_t links_ = 0;                                         // unfolded so far
+  std::unordered_map<std::uint32_t, std::vector<Side>> fragments_;  // sent, not yet put back
   Incidence incidence_ = no_incidence;
   std::vector<OpenRing> rings_;  // of the region under way
-  std::vector<Run> fragment_;    // under way
+  std::vector<Side> fragment_;   // under way
   std::uint32_t fragment_number_ = 0;
   bool in_fragment_ = false;
 };

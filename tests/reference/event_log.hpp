@@ -21,7 +21,9 @@ inline void write_down(const Event& event, std::vector<uint64_t>& words) {
     case Event::Kind::ring:
       return add(event.start.x, event.start.y, event.start.z, event.hole);
     case Event::Kind::run:
-      return add(event.run.code(), event.normal.u, event.normal.v);
+      // In one word, which without a normal is the run alone.
+      return add(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
+                 uint64_t{event.normal.v} << 40);
     case Event::Kind::fragment:
       return add(event.number, event.incidence);
     case Event::Kind::skipped:
