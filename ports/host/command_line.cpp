@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "mesh_reader.hpp"
 #include "option_checks.hpp"
 #include "output_file.hpp"
+#include "volume.hpp"
 
 namespace discmc::host {
 namespace {
@@ -54,6 +56,126 @@ CLI::App* add_stream_command(CLI::App& app, const char* name, const char* descri
   return command;
 }
 
+CLI::Option* add_border(CLI::App& app, Border& border) {
+  return app
+      .add_option_function<std::string>(
+          "--border",
+          [&border](const std::string& name) {
+            border = name == "open" ? Border::open : Border::closed;
+          },
+          "closed: off voxels all around; open: the surface ends at the outermost voxels")
+      ->check(CLI::IsMember({"closed", "open"}))
+      ->option_text("closed|open");
+}
+
+CLI::Option* add_type(CLI::App& app, std::optional<SampleType>& type) {
+  return app
+      .add_option_function<std::string>(
+          "--type",
+          [&type](const std::string& name) {
+            type = name == "u8"    ? SampleType::u8
+                   : name == "u16" ? SampleType::u16
+                                   : SampleType::i16;
+          },
+          "samples of a headerless file")
+      ->check(CLI::IsMember({"u8", "u16", "i16"}))
+      ->option_text("u8|u16|i16");
+}
+
+// The layout of a headerless file but for its spacing, --dims first.
+std::vector<CLI::Option*> add_layout(CLI::App& app, LayoutArguments& arguments) {
+  CLI::Option* dims =
+      app.add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
+          ->delimiter(',')
+          ->expected(3)
+          ->option_text("X,Y,Z");
+  CLI::Option* type = add_type(app, arguments.type);
+  dims->needs(type);
+  type->needs(dims);
+  CLI::Option* big_endian =
+      app.add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
+          ->needs(dims);
+  return {dims, type, big_endian};
+}
+
+// All that says how a volume is read, --iso first.
+std::vector<CLI::Option*> add_volume_options(CLI::App& app, VolumeArguments& arguments) {
+  std::vector<CLI::Option*> options;
+  options.push_back(app.add_option("--iso", arguments.iso,
+                                   "on means value >= ISO, in the units that the file declares")
+                        ->check(finite()));
+  options.push_back(add_border(app, arguments.border));
+  options.push_back(
+      add_memory_option(app, arguments.memory,
+                        "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)"));
+  const std::vector<CLI::Option*> layout = add_layout(app, arguments.layout);
+  options.insert(options.end(), layout.begin(), layout.end());
+  options.push_back(app.add_option("--spacing", arguments.layout.spacing,
+                                   "of a headerless file, in millimetres (default: 1,1,1)")
+                        ->delimiter(',')
+                        ->expected(3)
+                        ->option_text("X,Y,Z")
+                        ->check(usable_spacing())
+                        ->needs(layout[0]));
+  return options;
+}
+
+CLI::Option* add_output(CLI::App& app, std::string& output, const char* standard_output) {
+  return app
+      .add_option(
+          "-o,--output", output,
+          std::string("by extension .dmc, .obj, .ply, .stl or .jsonl; - is ") + standard_output)
+      ->check(known_format());
+}
+
+void add_normals(CLI::App& app, Normals& normals) {
+  app.add_option_function<std::string>(
+         "--normals",
+         [&normals](const std::string& name) {
+           normals = name == "surface"    ? Normals::surface
+                     : name == "gradient" ? Normals::gradient
+                                          : Normals::none;
+         },
+         "at the vertices of a .ply or .obj mesh: none (default); surface: from the polygons that "
+         "meet there; gradient: from the samples of the volume")
+      ->check(CLI::IsMember({"none", "surface", "gradient"}))
+      ->option_text("none|surface|gradient");
+}
+
+// Only some formats hold normals of vertices.
+void check_normals(Normals normals, const std::string& output) {
+  if (normals == Normals::none) return;
+  const Format format = format_of(output);
+  if (format == Format::ply || format == Format::obj) return;
+  throw CLI::ValidationError(
+      "--normals",
+      format == Format::stream
+          ? "a stream is written without: give a .ply or .obj name, or --normals to discmc decode"
+          : output + " cannot hold normals of vertices: give a .ply or .obj name");
+}
+
+// By the name; but what is given a threshold must be a volume.
+InputKind kind_of(const std::string& input, bool has_iso) {
+  if (is_mesh_name(input)) return InputKind::mesh;
+  const bool is_stream = input == "-" || std::filesystem::path(input).extension() == ".dmc";
+  return is_volume_name(input) || (has_iso && !is_stream) ? InputKind::volume : InputKind::stream;
+}
+
+void check_kind(const RenderArguments& arguments, const std::vector<CLI::Option*>& of_volumes) {
+  if (arguments.kind == InputKind::volume) {
+    if (of_volumes[0]->count() == 0)
+      throw CLI::ValidationError(arguments.input,
+                                 "a volume is drawn at a threshold: give --iso VALUE");
+    return;
+  }
+  for (const CLI::Option* option : of_volumes)
+    if (option->count() > 0)
+      throw CLI::ValidationError(option->get_name(),
+                                 "is for volumes, and " + arguments.input + " is " +
+                                     (arguments.kind == InputKind::mesh ? "a mesh" : "a stream") +
+                                     ": leave it out");
+}
+
 }  // namespace
 
 void add_extract(CLI::App& app, ExtractArguments& arguments) {
@@ -62,73 +184,41 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
       ->add_option("VOLUME", arguments.volume,
                    "NRRD, NIfTI-1 or MetaImage file, or headerless samples with --dims and --type")
       ->required();
-  extract
-      ->add_option("--iso", arguments.iso,
-                   "on means value >= ISO, in the units that the file declares")
-      ->check(finite())
-      ->required();
-  extract
-      ->add_option_function<std::string>(
-          "--border",
-          [&arguments](const std::string& name) {
-            arguments.border = name == "open" ? Border::open : Border::closed;
-          },
-          "closed: off voxels all around; open: the surface ends at the outermost voxels")
-      ->check(CLI::IsMember({"closed", "open"}))
-      ->option_text("closed|open");
-  add_memory_option(*extract, arguments.memory,
-                    "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)");
-  extract
-      ->add_option("-o,--output", arguments.output,
-                   "by extension .dmc, .obj, .ply, .stl or .jsonl; - is the stream on standard "
-                   "output (default)")
-      ->check(known_format());
-  CLI::Option* dims =
-      extract->add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
-          ->delimiter(',')
-          ->expected(3)
-          ->option_text("X,Y,Z");
-  CLI::Option* type = extract
-                          ->add_option_function<std::string>(
-                              "--type",
-                              [&arguments](const std::string& name) {
-                                arguments.type = name == "u8"    ? SampleType::u8
-                                                 : name == "u16" ? SampleType::u16
-                                                                 : SampleType::i16;
-                              },
-                              "samples of a headerless file")
-                          ->check(CLI::IsMember({"u8", "u16", "i16"}))
-                          ->option_text("u8|u16|i16");
-  dims->needs(type);
-  type->needs(dims);
-  extract->add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
-      ->needs(dims);
-  extract
-      ->add_option("--spacing", arguments.spacing,
-                   "of a headerless file, in millimetres (default: 1,1,1)")
-      ->delimiter(',')
-      ->expected(3)
-      ->option_text("X,Y,Z")
-      ->check(usable_spacing())
-      ->needs(dims);
+  add_volume_options(*extract, arguments.reading)[0]->required();
+  add_output(*extract, arguments.output, "the stream on standard output (default)");
+  add_normals(*extract, arguments.normals);
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
   extract->add_flag("-q,--quiet", arguments.quiet, "no table");
+  extract->callback([&arguments] { check_normals(arguments.normals, arguments.output); });
 }
 
 void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
   CLI::App* decode =
       add_stream_command(app, "decode", "Turn a stream into a mesh, or pack it anew", arguments);
-  decode
-      ->add_option(
-          "-o,--output", arguments.output,
-          "by extension .dmc, .obj, .ply, .stl or .jsonl; - is a stream on standard output")
-      ->check(known_format())
-      ->required();
+  add_output(*decode, arguments.output, "a stream on standard output")->required();
+  add_normals(*decode, arguments.normals);
+  CLI::Option* volume = decode->add_option(
+      "--volume", arguments.volume, "the file that the stream was made of, for --normals gradient");
+  add_layout(*decode, arguments.layout)[0]->needs(volume);
   decode->add_flag("--conforming,!--no-conforming", arguments.conforming,
                    "a mesh without T-junctions (default), or corners alone");
+  decode->callback([&arguments] {
+    check_normals(arguments.normals, arguments.output);
+    if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
+      throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
+  });
   add_stream_command(app, "info", "Tell what a stream holds, one key and value a line", arguments);
-  CLI::App* render = add_stream_command(app, "render", "Draw a stream as a PNG picture", arguments);
+}
+
+void add_render(CLI::App& app, RenderArguments& arguments) {
+  CLI::App* render =
+      app.add_subcommand("render", "Draw a stream, a mesh or a volume as a PNG picture");
+  render
+      ->add_option("INPUT", arguments.input,
+                   "a .dmc stream (- reads standard input), a .ply, .obj or .stl mesh, or a volume "
+                   "as extract takes it")
+      ->required();
   render->add_option("-o,--output", arguments.output, "the PNG file; - is standard output")
       ->check(png_name())
       ->required();
@@ -142,7 +232,34 @@ void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
       ->expected(2)
       ->check(CLI::Range(1, 8192))
       ->option_text("W,H");
+  render->add_option("--zoom", arguments.zoom, "times nearer than what shows all (default: 1)")
+      ->check(CLI::Range(1e-3, 1e3))
+      ->option_text("FACTOR");
+  render
+      ->add_option("--at", arguments.at,
+                   "the point in the middle of the picture, in millimetres as in meshes")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->option_text("X,Y,Z");
+  render
+      ->add_option_function<std::string>(
+          "--shade", [&arguments](const std::string& name) { arguments.smooth = name == "smooth"; },
+          "flat: every face in one colour (default); smooth: by the normals of vertices")
+      ->check(CLI::IsMember({"flat", "smooth"}))
+      ->option_text("flat|smooth");
   render->add_flag("--edges", arguments.outlines, "outline the merged polygons");
+  std::vector<CLI::Option*> of_volumes = add_volume_options(*render, arguments.reading);
+  of_volumes.push_back(
+      render
+          ->add_flag(
+              "--classic", arguments.classic,
+              "triangles of classic Marching Cubes, with interpolated vertices, for comparison")
+          ->excludes("--memory"));
+  render->callback([&arguments, of_volumes] {
+    arguments.kind = kind_of(arguments.input, of_volumes[0]->count() > 0);
+    check_kind(arguments, of_volumes);
+  });
 }
 
 }  // namespace discmc::host

@@ -13,36 +13,70 @@
 
 namespace discmc::host {
 
-/// Of `extract`.
-struct ExtractArguments {
-  std::string volume;
-  std::string output = "-";
-  double iso = 0;
-  Border border = Border::closed;
-  std::uint64_t memory = 0;
+/// How a headerless file is read; no dims where it has a header.
+struct LayoutArguments {
   std::vector<std::uint32_t> dims;
   std::optional<SampleType> type;
   bool big_endian = false;
   std::vector<double> spacing;
+};
+
+/// How a volume is read and its surface taken: of every command that takes one.
+struct VolumeArguments {
+  double iso = 0;
+  Border border = Border::closed;
+  std::uint64_t memory = 0;
+  LayoutArguments layout;
+};
+
+/// Where the normals of a mesh's vertices come from: its polygons, or the samples.
+enum class Normals { none, surface, gradient };
+
+/// Of `extract`.
+struct ExtractArguments {
+  std::string volume;
+  VolumeArguments reading;
+  std::string output = "-";
+  Normals normals = Normals::none;
   bool conforming = true;
   bool quiet = false;
 };
 
-/// Of `decode`, `info` and `render`; each uses what it needs.
+/// Of `decode` and `info`; each uses what it needs.
 struct StreamArguments {
   std::string stream;
   std::string output;
+  Normals normals = Normals::none;
+  std::string volume;  ///< whose gradient it is
+  LayoutArguments layout;
   bool conforming = true;
+};
+
+enum class InputKind { stream, mesh, volume };
+
+/// Of `render`.
+struct RenderArguments {
+  std::string input;
+  InputKind kind = InputKind::stream;
+  VolumeArguments reading;
+  bool classic = false;
+  std::string output;
   std::vector<double> view = {-0.9, -1.6, 0.8};
   std::vector<int> size = {1024, 1024};
+  double zoom = 1;
+  std::vector<double> at;
+  bool smooth = false;
   bool outlines = false;
 };
 
 /// Adds `extract` to a command line that fills the arguments, which must outlive the parsing.
 void add_extract(CLI::App& app, ExtractArguments& arguments);
 
-/// Adds `decode`, `info` and `render` likewise.
+/// Adds `decode` and `info` likewise.
 void add_stream_commands(CLI::App& app, StreamArguments& arguments);
+
+/// Adds `render` likewise.
+void add_render(CLI::App& app, RenderArguments& arguments);
 
 }  // namespace discmc::host
 

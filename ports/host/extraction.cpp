@@ -1,10 +1,13 @@
 #include "extraction.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "stream_file.hpp"
 
 namespace discmc::host {
 namespace {
@@ -58,15 +61,6 @@ class CrossingCounter {
   std::uint32_t slices_ = 0;
   std::uint64_t count_ = 0;
 };
-
-std::int32_t nanometres(double millimetres) {
-  const double value = std::round(millimetres * 1e6);
-  if (!(std::fabs(value) <= 2147483647.0))
-    throw std::invalid_argument("spacing " + std::to_string(millimetres) +
-                                " mm is more than the 2147 mm that a stream can hold: give the "
-                                "volume a smaller unit");
-  return static_cast<std::int32_t>(value);
-}
 
 // What the index width that goes with so little memory asks for at least. Units: bytes.
 std::uint64_t least_bytes(const Limits& limits) {
@@ -126,6 +120,15 @@ Extraction extract_indexed(VolumeReader& volume, const Limits& limits,
   return extract_samples<Index, std::int16_t>(volume, limits, options, memory, sink);
 }
 
+// Three numbers, for people.
+template <class Numbers>
+std::string list(const Numbers& numbers, const char* separator) {
+  std::ostringstream text;
+  text.precision(9);
+  text << numbers[0] << separator << numbers[1] << separator << numbers[2];
+  return text.str();
+}
+
 }  // namespace
 
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options) {
@@ -133,11 +136,31 @@ StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& opti
   header.width = info.dims[0];
   header.height = info.dims[1];
   header.depth = info.dims[2];
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    header.spacing_nm[axis] = nanometres(info.spacing_mm[axis]);
+  const auto spacing = spacing_nm(info.spacing_mm);
+  std::copy(spacing.begin(), spacing.end(), header.spacing_nm);
   header.threshold = options.threshold;
   header.border = options.border;
   return header;
+}
+
+void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
+  const std::uint32_t extents[] = {header.width, header.height, header.depth};
+  const auto spacing = spacing_nm(info.spacing_mm);
+  bool has_extents = true, has_spacing = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (extents[axis] != 0 && extents[axis] != info.dims[axis]) has_extents = false;
+    const std::int64_t known = header.spacing_nm[axis];
+    constexpr std::int64_t rounding = 1;
+    if (known != 0 && std::abs(known - spacing[axis]) > rounding) has_spacing = false;
+  }
+  const char* remedy = ": give the volume that the stream was made of";
+  if (!has_extents)
+    throw std::invalid_argument("the volume has " + list(info.dims, "x") +
+                                " voxels, and the stream is of " + list(extents, "x") + remedy);
+  if (!has_spacing)
+    throw std::invalid_argument("the volume has the spacing " + list(info.spacing_mm, ",") +
+                                " mm, and the stream is of " + list(spacing_mm(header), ",") +
+                                " mm" + remedy);
 }
 
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {

@@ -32,6 +32,10 @@ struct Extraction {
 /// The header of a volume's stream.
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
 
+/// Throws std::invalid_argument when the stream cannot be of this volume, because their extents or
+/// spacings differ; the text tells both. What the header does not say is not compared.
+void require_same_volume(const VolumeInfo& info, const StreamHeader& header);
+
 /// Reads the volume to its end and gives its surface to the sink, which must not say "not now".
 /// Throws VolumeError as the reader does, std::invalid_argument when the memory is too small (the
 /// text names the minimum).

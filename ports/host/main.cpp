@@ -5,21 +5,27 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "classic.hpp"
 #include "command_line.hpp"
 #include "counts.hpp"
 #include "extraction.hpp"
 #include "mesh.hpp"
+#include "mesh_reader.hpp"
 #include "output_file.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 #include "stream_file.hpp"
 #include "summary.hpp"
 #include "surface_builder.hpp"
+#include "surface_normals.hpp"
+#include "vertex_normals.hpp"
 #include "volume.hpp"
 
 namespace discmc::host {
@@ -40,7 +46,7 @@ struct Tee {
   }
 };
 
-std::optional<RawLayout> raw_layout(const ExtractArguments& arguments) {
+std::optional<RawLayout> raw_layout(const LayoutArguments& arguments) {
   if (arguments.dims.empty()) return std::nullopt;
   RawLayout layout;
   std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
@@ -60,35 +66,63 @@ void require_written(std::ostream& out) {
 }
 
 // Writes a surface to the file; what goes wrong is told with its name.
-void write_surface(const Surface& surface, Format format, bool conforming, OutputFile& file) {
+void write_surface(const Surface& surface, Format format, bool conforming,
+                   const std::function<void(Mesh&)>& add_normals, OutputFile& file) {
   try {
-    write_surface(surface, format, conforming, file.stream());
+    write_surface(surface, format, conforming, add_normals, file.stream());
   } catch (const std::runtime_error&) {
-    file.commit();  // throws
+    if (!file.stream()) file.commit();  // throws
     throw;
   }
+}
+
+// A second pass over the volume of a mesh.
+void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {
+  Progress progress("normals: slice", volume.info().dims[2]);
+  set_gradient_normals(volume, mesh, [&progress](std::uint32_t slices) { progress.show(slices); });
+}
+
+// Opens the volume, and says what of its file is dropped.
+std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
+                                                const VolumeArguments& arguments) {
+  auto volume = open_volume(path, raw_layout(arguments.layout));
+  for (const std::string& note : volume->info().notes)
+    std::cerr << "discmc: " << path << ": " << note << '\n';
+  return volume;
+}
+
+ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArguments& arguments,
+                                     Progress& progress) {
+  return {stored_threshold(info, arguments.iso), arguments.border, arguments.memory,
+          [&progress](std::uint32_t slices) { progress.show(slices); }};
+}
+
+void add_normals(const ExtractArguments& arguments, const Surface& surface, Mesh& mesh) {
+  if (arguments.normals == Normals::none) return;
+  set_polygon_normals(surface, mesh);
+  if (arguments.normals == Normals::surface) return;
+  const auto again = open_volume(arguments.volume, raw_layout(arguments.reading.layout));
+  add_gradient_normals(*again, mesh);
 }
 
 int run_extract(const ExtractArguments& arguments) {
   const Format format = format_of(arguments.output);
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
     throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
-  const auto volume = open_volume(arguments.volume, raw_layout(arguments));
+  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo& info = volume->info();
-  for (const std::string& note : info.notes)
-    std::cerr << "discmc: " << arguments.volume << ": " << note << '\n';
   OutputFile file(arguments.output);
   StreamOutput output(format == Format::stream ? &file.stream() : nullptr);
   Tee tee;
-  ExtractionOptions options{
-      stored_threshold(info, arguments.iso), arguments.border, arguments.memory, {}};
-  require(tee.encoder.start(stream_header(info, options), output.byte_output()));
   Progress progress("slice", info.dims[2]);
-  options.progress = [&progress](std::uint32_t slices) { progress.show(slices); };
+  const ExtractionOptions options = extraction_options(info, arguments.reading, progress);
+  require(tee.encoder.start(stream_header(info, options), output.byte_output()));
   const Extraction extraction = extract(*volume, options, sink_to(tee));
   tee.builder.surface().spacing_mm = info.spacing_mm;
   if (format != Format::stream)
-    write_surface(tee.builder.surface(), format, arguments.conforming, file);
+    write_surface(
+        tee.builder.surface(), format, arguments.conforming,
+        [&](Mesh& mesh) { add_normals(arguments, tee.builder.surface(), mesh); }, file);
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
@@ -173,6 +207,31 @@ class Recoder {
   bool is_started_ = false;
 };
 
+// Opens the volume that a stream was made of. A headerless one has the stream's spacing.
+std::unique_ptr<VolumeReader> open_volume_of(const StreamHeader& header,
+                                             const StreamArguments& arguments) {
+  std::optional<RawLayout> layout = raw_layout(arguments.layout);
+  if (layout) layout->spacing_mm = spacing_mm(header);
+  auto volume = open_volume(arguments.volume, layout);
+  try {
+    require_same_volume(volume->info(), header);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(arguments.volume + ": " + error.what());
+  }
+  return volume;
+}
+
+void add_normals(const StreamArguments& arguments, const DecodedStream& decoded, Mesh& mesh) {
+  if (arguments.normals == Normals::none) return;
+  set_polygon_normals(decoded.surface, mesh);
+  if (arguments.normals == Normals::surface) return;
+  if (arguments.volume.empty())
+    throw std::invalid_argument(arguments.stream +
+                                ": the stream holds no normals: name the volume that it was made "
+                                "of with --volume FILE, or take --normals surface");
+  add_gradient_normals(*open_volume_of(decoded.header, arguments), mesh);
+}
+
 int run_decode(const StreamArguments& arguments) {
   const Format format = format_of(arguments.output);
   OutputFile file(arguments.output);
@@ -186,7 +245,9 @@ int run_decode(const StreamArguments& arguments) {
     report = decoder.report();
   } else {
     const DecodedStream decoded = decode_surface(arguments.stream);
-    write_surface(decoded.surface, format, arguments.conforming, file);
+    write_surface(
+        decoded.surface, format, arguments.conforming,
+        [&](Mesh& mesh) { add_normals(arguments, decoded, mesh); }, file);
     report = decoded.report;
   }
   file.commit();
@@ -200,16 +261,50 @@ int run_info(const StreamArguments& arguments) {
   return completeness(arguments.stream, decoded.report);
 }
 
-int run_render(const StreamArguments& arguments) {
-  const DecodedStream decoded = decode_surface(arguments.stream);
-  const Mesh mesh = build_mesh(decoded.surface, {true, Faces::polygons});
+// A mesh that can be shaded smoothly if that is asked.
+Mesh mesh_to_draw(const Surface& surface, bool smooth) {
+  return build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+}
+
+Mesh volume_to_draw(const RenderArguments& arguments) {
+  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  Progress progress("slice", volume->info().dims[2]);
+  const auto options = extraction_options(volume->info(), arguments.reading, progress);
+  if (arguments.classic) return classic_mesh(*volume, options);
+  SurfaceBuilder builder;
+  extract(*volume, options, sink_to(builder));
+  builder.surface().spacing_mm = volume->info().spacing_mm;
+  return mesh_to_draw(builder.surface(), arguments.smooth);
+}
+
+PictureOptions picture_options(const RenderArguments& arguments) {
   PictureOptions options;
   options.width = arguments.size[0];
   options.height = arguments.size[1];
   options.from = {arguments.view[0], arguments.view[1], arguments.view[2]};
+  options.zoom = arguments.zoom;
+  if (!arguments.at.empty()) options.at = {arguments.at[0], arguments.at[1], arguments.at[2]};
+  options.shading = arguments.smooth ? Shading::smooth : Shading::flat;
   options.outlines = arguments.outlines;
-  write_picture(mesh, options, arguments.output);
-  return completeness(arguments.stream, decoded.report);
+  return options;
+}
+
+int run_render(const RenderArguments& arguments) {
+  Mesh mesh;
+  int code = exit_ok;
+  if (arguments.kind == InputKind::mesh) {
+    mesh = read_mesh(arguments.input);
+    if (arguments.smooth) mesh = triangulated(mesh);
+  } else if (arguments.kind == InputKind::volume) {
+    mesh = volume_to_draw(arguments);
+  } else {
+    const DecodedStream decoded = decode_surface(arguments.input);
+    mesh = mesh_to_draw(decoded.surface, arguments.smooth);
+    code = completeness(arguments.input, decoded.report);
+  }
+  if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
+  write_picture(mesh, picture_options(arguments), arguments.output);
+  return code;
 }
 
 int run(int argc, char** argv) {
@@ -221,8 +316,10 @@ int run(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
   ExtractArguments extract_arguments;
   StreamArguments stream_arguments;
+  RenderArguments render_arguments;
   add_extract(app, extract_arguments);
   add_stream_commands(app, stream_arguments);
+  add_render(app, render_arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -231,7 +328,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("extract")) return run_extract(extract_arguments);
   if (app.got_subcommand("decode")) return run_decode(stream_arguments);
   if (app.got_subcommand("info")) return run_info(stream_arguments);
-  return run_render(stream_arguments);
+  return run_render(render_arguments);
 }
 
 }  // namespace

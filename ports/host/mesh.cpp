@@ -169,6 +169,7 @@ class Builder {
       result = static_cast<std::uint32_t>(mesh_.vertices_mm.size());
       const Vertex& position = numbering_.positions()[number];
       const Point& s = surface_.spacing_mm;
+      mesh_.lattice.push_back(position);
       mesh_.vertices_mm.push_back(
           {position.x * s[0] / 2, position.y * s[1] / 2, position.z * s[2] / 2});
     }
@@ -199,6 +200,23 @@ Point outward_normal(Incidence incidence, const Point& spacing_mm) {
   const Point scaled = {n.x / spacing_mm[0], n.y / spacing_mm[1], n.z / spacing_mm[2]};
   const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
   return {scaled[0] / length, scaled[1] / length, scaled[2] / length};
+}
+
+Point area_vector(const Mesh& mesh, std::size_t face) {
+  const std::uint32_t* corners = mesh.face(face);
+  const Point& origin = mesh.vertices_mm[corners[0]];
+  Point sum{};
+  for (std::size_t i = 2; i < mesh.face_size(face); ++i) {
+    const Point doubled = cross(difference(mesh.vertices_mm[corners[i - 1]], origin),
+                                difference(mesh.vertices_mm[corners[i]], origin));
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += doubled[axis] / 2;
+  }
+  return sum;
+}
+
+Point face_normal(const Mesh& mesh, std::size_t face) {
+  return mesh.incidences.empty() ? unit_or_zero(area_vector(mesh, face))
+                                 : outward_normal(mesh.incidences[face], mesh.spacing_mm);
 }
 
 Ring corners_of(const Ring& ring) {

@@ -72,6 +72,16 @@ std::size_t largest_face(const Mesh& mesh) {
   return largest;
 }
 
+// A line of OBJ.
+void write_point(const char* key, const Point& point, Writer& writer) {
+  writer.text(key);
+  for (const double coordinate : point) {
+    writer.text(" ");
+    writer.decimal(coordinate);
+  }
+  writer.text("\n");
+}
+
 void write_vertex(const Vertex& vertex, Writer& writer) {
   writer.text("[");
   writer.decimal(vertex.x);
@@ -98,19 +108,17 @@ void write_ring(const Ring& ring, Writer& writer) {
 void write_obj(const Mesh& mesh, std::ostream& out) {
   Writer writer(out);
   writer.text("# discmc, millimetres\n");
-  for (const Point& vertex : mesh.vertices_mm) {
-    writer.text("v");
-    for (const double coordinate : vertex) {
-      writer.text(" ");
-      writer.decimal(coordinate);
-    }
-    writer.text("\n");
-  }
+  for (const Point& vertex : mesh.vertices_mm) write_point("v", vertex, writer);
+  for (const Point& normal : mesh.normals) write_point("vn", normal, writer);
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     writer.text("f");
     for (std::size_t i = 0; i < mesh.face_size(face); ++i) {
+      const std::uint64_t number = std::uint64_t{mesh.face(face)[i]} + 1;
       writer.text(" ");
-      writer.decimal(std::uint64_t{mesh.face(face)[i]} + 1);
+      writer.decimal(number);
+      if (mesh.normals.empty()) continue;
+      writer.text("//");
+      writer.decimal(number);
     }
     writer.text("\n");
   }
@@ -123,11 +131,17 @@ void write_ply(const Mesh& mesh, std::ostream& out) {
   const bool byte_counts = largest_face(mesh) <= 0xFF;
   writer.text("ply\nformat binary_little_endian 1.0\ncomment discmc, millimetres\nelement vertex ");
   writer.decimal(mesh.vertices_mm.size());
-  writer.text("\nproperty float x\nproperty float y\nproperty float z\nelement face ");
+  writer.text("\nproperty float x\nproperty float y\nproperty float z");
+  if (!mesh.normals.empty())
+    writer.text("\nproperty float nx\nproperty float ny\nproperty float nz");
+  writer.text("\nelement face ");
   writer.decimal(mesh.face_count());
   writer.text(byte_counts ? "\nproperty list uchar int" : "\nproperty list uint int");
   writer.text(" vertex_indices\nend_header\n");
-  for (const Point& vertex : mesh.vertices_mm) writer.point(vertex);
+  for (std::size_t vertex = 0; vertex < mesh.vertices_mm.size(); ++vertex) {
+    writer.point(mesh.vertices_mm[vertex]);
+    if (!mesh.normals.empty()) writer.point(mesh.normals[vertex]);
+  }
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     writer.bytes(static_cast<std::uint32_t>(mesh.face_size(face)), byte_counts ? 1 : 4);
     for (std::size_t i = 0; i < mesh.face_size(face); ++i) writer.bytes(mesh.face(face)[i], 4);

@@ -13,10 +13,11 @@ namespace discmc::host {
 
 /// Wavefront OBJ, n-gons, exact decimal coordinates. Units: millimetres.
 /// Many readers cut n-gons into fans, which is wrong where they are not convex: give those
-/// triangles.
+/// triangles. Every vertex has its normal, where the mesh has normals.
 void write_obj(const Mesh& mesh, std::ostream& out);
 
-/// PLY, binary little endian, n-gons, coordinates as 32-bit floats. Units: millimetres.
+/// PLY, binary little endian, n-gons, coordinates as 32-bit floats, and so are normals, where the
+/// mesh has them. Units: millimetres.
 void write_ply(const Mesh& mesh, std::ostream& out);
 
 /// Binary STL, coordinates as 32-bit floats. Units: millimetres.

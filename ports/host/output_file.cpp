@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "mesh.hpp"
 #include "mesh_files.hpp"
 
 namespace discmc::host {
@@ -87,22 +86,17 @@ void OutputFile::commit() {
   set_unfinished({});
 }
 
-void write_surface(const Surface& surface, Format format, bool conforming, std::ostream& out) {
+void write_surface(const Surface& surface, Format format, bool conforming,
+                   const std::function<void(Mesh&)>& add_normals, std::ostream& out) {
+  if (format == Format::stream)
+    throw std::invalid_argument("a stream is not written from a surface");
+  if (format == Format::jsonl) return write_jsonl(surface, out);
   const Faces faces = format == Format::stl ? Faces::triangles : Faces::polygons;
-  const MeshOptions options{conforming, faces};
-  switch (format) {
-    case Format::obj:
-      return write_obj(build_mesh(surface, options), out);
-    case Format::ply:
-      return write_ply(build_mesh(surface, options), out);
-    case Format::stl:
-      return write_stl(build_mesh(surface, options), out);
-    case Format::jsonl:
-      return write_jsonl(surface, out);
-    case Format::stream:
-      break;
-  }
-  throw std::invalid_argument("a stream is not written from a surface");
+  Mesh mesh = build_mesh(surface, {conforming, faces});
+  if (add_normals) add_normals(mesh);
+  if (format == Format::obj) write_obj(mesh, out);
+  if (format == Format::ply) write_ply(mesh, out);
+  if (format == Format::stl) write_stl(mesh, out);
 }
 
 }  // namespace discmc::host

@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <ostream>
 
+#include "mesh.hpp"
 #include "surface.hpp"
 
 namespace discmc::host {
@@ -40,9 +42,11 @@ class OutputFile {
   bool is_committed_ = false;
 };
 
-/// Writes a surface as a mesh or as lines of polygons. conforming: see MeshOptions; without a value
-/// true for meshes. Limit: not Format::stream.
-void write_surface(const Surface& surface, Format format, bool conforming, std::ostream& out);
+/// Writes a surface as a mesh or as lines of polygons. conforming: see MeshOptions.
+/// add_normals: called with the mesh before it is written; only PLY and OBJ hold what it gives.
+/// Limit: not Format::stream.
+void write_surface(const Surface& surface, Format format, bool conforming,
+                   const std::function<void(Mesh&)>& add_normals, std::ostream& out);
 
 }  // namespace discmc::host
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "output_file.hpp"
+#include "shading.hpp"
 
 namespace discmc::host {
 namespace {
@@ -20,27 +21,12 @@ constexpr double margin = 0.05;         // of the picture, on each side
 constexpr double field_of_view = 0.45;  // radians
 constexpr float outline_light = 0.30f;  // what an outline leaves of the light
 
-using Colour = std::array<float, 3>;  // linear light
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Point unit(const Point& a) {
-  const double length = std::hypot(a[0], a[1], a[2]);
-  if (!(length > 0) || !std::isfinite(length))
+  const Point result = unit_or_zero(a);
+  if (result == Point{})
     throw std::invalid_argument("a direction of no length: give one that is not 0,0,0");
-  return {a[0] / length, a[1] / length, a[2] / length};
+  return result;
 }
-
-// Axes of the viewer: right, upwards, and out of the picture towards him.
-struct Axes {
-  Point right, upward, towards;
-};
 
 Axes axes_of(const PictureOptions& options) {
   const Point towards = unit(options.from);
@@ -50,12 +36,6 @@ Axes axes_of(const PictureOptions& options) {
   right = unit(right);
   return {right, cross(towards, right), towards};
 }
-
-// A vertex in the picture: x to the right and y downwards in samples, and a nearness that grows
-// towards the viewer and is linear over the picture of a plane.
-struct Projected {
-  double x, y, nearness;
-};
 
 struct Box {
   Point low, high;
@@ -72,46 +52,64 @@ struct Box {
   }
 };
 
+// From space into the picture, in units of any size.
+class Camera {
+ public:
+  Camera(const Box& space, const Axes& axes, Projection projection)
+      : axes_(axes), projection_(projection) {
+    double radius = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      centre_[i] = (space.low[i] + space.high[i]) / 2;
+      radius = std::hypot(radius, (space.high[i] - space.low[i]) / 2);
+    }
+    distance_ = radius / std::sin(field_of_view / 2);
+  }
+
+  Projected project(const Point& point) const {
+    const Point p = difference(point, centre_);
+    Projected q = {dot(p, axes_.right), -dot(p, axes_.upward), dot(p, axes_.towards), 1};
+    if (projection_ == Projection::orthographic) return q;
+    q.nearness = q.weight = 1 / (distance_ - q.nearness);
+    q.x *= q.weight;
+    q.y *= q.weight;
+    return q;
+  }
+
+ private:
+  Axes axes_;
+  Projection projection_;
+  Point centre_{};
+  double distance_;
+};
+
 std::vector<Projected> project(const Mesh& mesh, const Axes& axes, const PictureOptions& options) {
   Box space;
   for (const Point& vertex : mesh.vertices_mm) space.add(vertex);
-  Point centre{};
-  double radius = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    centre[i] = (space.low[i] + space.high[i]) / 2;
-    radius = std::hypot(radius, (space.high[i] - space.low[i]) / 2);
-  }
-  const double distance = radius / std::sin(field_of_view / 2);
+  const Camera camera(space, axes, options.projection);
 
   std::vector<Projected> vertices;
   vertices.reserve(mesh.vertices_mm.size());
   Box plane;
   for (const Point& vertex : mesh.vertices_mm) {
-    const Point p = {vertex[0] - centre[0], vertex[1] - centre[1], vertex[2] - centre[2]};
-    Projected q = {dot(p, axes.right), -dot(p, axes.upward), dot(p, axes.towards)};
-    if (options.projection == Projection::perspective) {
-      q.nearness = 1 / (distance - q.nearness);
-      q.x *= q.nearness;
-      q.y *= q.nearness;
-    }
-    plane.add({q.x, q.y, 0});
-    vertices.push_back(q);
+    vertices.push_back(camera.project(vertex));
+    plane.add({vertices.back().x, vertices.back().y, 0});
   }
+  Projected middle = {(plane.low[0] + plane.high[0]) / 2, (plane.low[1] + plane.high[1]) / 2, 0, 1};
+  if (options.at && !vertices.empty()) middle = camera.project(*options.at);
+  if (!(middle.weight > 0))
+    throw std::invalid_argument(
+        "the point to look at lies behind the viewer: give one of the mesh");
 
   const double width = options.width * samples_per_side;
   const double height = options.height * samples_per_side;
-  const double scale = (1 - 2 * margin) * std::min(width / (plane.high[0] - plane.low[0]),
-                                                   height / (plane.high[1] - plane.low[1]));
+  const double scale =
+      options.zoom * (1 - 2 * margin) *
+      std::min(width / (plane.high[0] - plane.low[0]), height / (plane.high[1] - plane.low[1]));
   for (Projected& q : vertices) {
-    q.x = (q.x - (plane.low[0] + plane.high[0]) / 2) * scale + width / 2;
-    q.y = (q.y - (plane.low[1] + plane.high[1]) / 2) * scale + height / 2;
+    q.x = (q.x - middle.x) * scale + width / 2;
+    q.y = (q.y - middle.y) * scale + height / 2;
   }
   return vertices;
-}
-
-float linear(std::uint8_t srgb) {
-  const float value = static_cast<float>(srgb) / 255;
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
 std::uint8_t srgb(float linear) {
@@ -121,43 +119,11 @@ std::uint8_t srgb(float linear) {
   return static_cast<std::uint8_t>(std::lround(value * 255));
 }
 
-// There are only 26 normals, each seen from two sides: all shading is a small table.
-class Palette {
- public:
-  Palette(const Mesh& mesh, const Axes& axes, const PictureOptions& options) {
-    const Point key = unit({-0.6, 0.7, 0.5});  // right, upward, towards: over the left shoulder
-    for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
-      if (incidence == no_incidence) continue;
-      const Point n = outward_normal(incidence, mesh.spacing_mm);
-      const Point seen = {dot(n, axes.right), dot(n, axes.upward), dot(n, axes.towards)};
-      for (const bool inside : {false, true}) {
-        const double side = inside ? -1 : 1;
-        const auto fill = static_cast<float>(0.14 + 0.08 * side * seen[1]);
-        const auto light = static_cast<float>(0.28 * std::max(0.0, side * seen[2]) +
-                                              0.74 * std::max(0.0, side * dot(seen, key)));
-        const Colour tone = inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
-        const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool fill tells shade from a dark colour
-        for (std::size_t i = 0; i < 3; ++i)
-          colours_[inside][incidence][i] =
-              linear(options.colour[i]) * tone[i] * (fill * sky[i] + light);
-      }
-    }
-  }
-
-  const Colour& colour(Incidence incidence, bool inside) const {
-    return colours_[inside][incidence];
-  }
-
- private:
-  Colour colours_[2][incidence_codes] = {};
-};
-
-constexpr std::uint32_t no_polygon = 0xFFFFFFFFu;
+constexpr std::uint32_t no_face = 0xFFFFFFFFu;
 
 struct Sample {
   float nearness = -std::numeric_limits<float>::infinity();
-  std::uint32_t polygon = no_polygon;
-  Incidence incidence = no_incidence;
+  std::uint32_t face = no_face;
   bool inside = false;
 };
 
@@ -169,9 +135,11 @@ class Canvas {
         height_(height),
         samples_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
+  int width() const { return width_; }
+  int height() const { return height_; }
   const Sample& at(int x, int y) const { return samples_[place(x, y)]; }
 
-  void fill(const std::vector<Projected>& outline, Sample sample) {
+  void fill(const std::vector<Projected>& outline, std::uint32_t face) {
     // Newell's normal of the picture's polygon: exact enough also when corners are collinear.
     double nx = 0, ny = 0, nz = 0;
     const Projected& o = outline[0];
@@ -182,7 +150,9 @@ class Canvas {
       nz += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
     }
     if (std::abs(nz) < 1e-9) return;  // seen edge-on
-    sample.inside = nz > 0;           // y points downwards
+    Sample sample;
+    sample.face = face;
+    sample.inside = nz > 0;  // y points downwards
     find_crossings(outline);
     for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
       const int y = crossings_[i].first;
@@ -229,47 +199,82 @@ class Canvas {
 
 // An outline runs where a sample and the next one belong to different polygons, so nothing that
 // is hidden can shine through.
-bool on_outline(const Canvas& canvas, int x, int y, int width, int height) {
-  const std::uint32_t polygon = canvas.at(x, y).polygon;
-  return (x + 1 < width && canvas.at(x + 1, y).polygon != polygon) ||
-         (y + 1 < height && canvas.at(x, y + 1).polygon != polygon);
+class Outlines {
+ public:
+  Outlines(const Canvas& canvas, const Mesh& mesh) : canvas_(canvas), mesh_(mesh) {}
+
+  bool pass(int x, int y) const {
+    const std::uint64_t polygon = polygon_at(x, y);
+    return (x + 1 < canvas_.width() && polygon_at(x + 1, y) != polygon) ||
+           (y + 1 < canvas_.height() && polygon_at(x, y + 1) != polygon);
+  }
+
+ private:
+  std::uint64_t polygon_at(int x, int y) const {
+    const std::uint32_t face = canvas_.at(x, y).face;
+    return face == no_face ? ~std::uint64_t{0} : mesh_.polygons[face];
+  }
+
+  const Canvas& canvas_;
+  const Mesh& mesh_;
+};
+
+std::vector<std::uint8_t> srgb_of_4096() {
+  std::vector<std::uint8_t> table(4096);
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = srgb(static_cast<float>(i) / static_cast<float>(table.size() - 1));
+  return table;
 }
 
-Picture develop(const Canvas& canvas, const Palette& palette, const PictureOptions& options) {
-  std::vector<std::uint8_t> to_srgb(4096);
-  for (std::size_t i = 0; i < to_srgb.size(); ++i)
-    to_srgb[i] = srgb(static_cast<float>(i) / static_cast<float>(to_srgb.size() - 1));
-  const int width = options.width * samples_per_side, height = options.height * samples_per_side;
+Picture develop(const Canvas& canvas, const Mesh& mesh, Shader& shader,
+                const PictureOptions& options) {
+  const std::vector<std::uint8_t> to_srgb = srgb_of_4096();
+  const Outlines outlines(canvas, mesh);
+  constexpr int samples = samples_per_side * samples_per_side;
   Picture picture{options.width, options.height, {}};
   for (int row = 0; row < options.height; ++row) {
-    const float background = 0.90f - 0.50f * static_cast<float>(row) / static_cast<float>(height);
+    const float background =
+        0.90f - 0.50f * static_cast<float>(row) / static_cast<float>(canvas.height());
     for (int column = 0; column < options.width; ++column) {
       Colour sum{};
-      for (int i = 0; i < samples_per_side * samples_per_side; ++i) {
+      for (int i = 0; i < samples; ++i) {
         const int x = column * samples_per_side + i % samples_per_side;
         const int y = row * samples_per_side + i / samples_per_side;
         const Sample& sample = canvas.at(x, y);
         Colour colour = {background, background, background};
-        if (sample.polygon != no_polygon) colour = palette.colour(sample.incidence, sample.inside);
-        const bool dark = options.outlines && on_outline(canvas, x, y, width, height);
+        if (sample.face != no_face)
+          colour = shader.colour(sample.face, sample.inside, x + 0.5, y + 0.5);
+        const bool dark = options.outlines && outlines.pass(x, y);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] * (dark ? outline_light : 1);
       }
       for (const float light : sum) {
-        const float mean = std::min(light / (samples_per_side * samples_per_side), 1.0f);
-        picture.pixels.push_back(to_srgb[static_cast<std::size_t>(mean * 4095 + 0.5f)]);
+        const float mean = std::min(light / samples, 1.0f);
+        picture.pixels.push_back(to_srgb[static_cast<std::size_t>(std::lround(mean * 4095))]);
       }
     }
   }
   return picture;
 }
 
-}  // namespace
-
-Picture draw(const Mesh& mesh, const PictureOptions& options) {
+void check(const Mesh& mesh, const PictureOptions& options) {
   constexpr int largest = 8192;
   if (options.width < 1 || options.height < 1 || options.width > largest ||
       options.height > largest)
     throw std::invalid_argument("picture size out of range");
+  if (!(options.zoom >= 1e-3 && options.zoom <= 1e3))
+    throw std::invalid_argument("zoom out of range");
+  if (options.shading == Shading::flat) return;
+  if (mesh.normals.size() != mesh.vertices_mm.size())
+    throw std::invalid_argument("smooth shading of a mesh without normals");
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    if (mesh.face_size(face) != 3)
+      throw std::invalid_argument("smooth shading takes triangles only");
+}
+
+}  // namespace
+
+Picture draw(const Mesh& mesh, const PictureOptions& options) {
+  check(mesh, options);
   const Axes axes = axes_of(options);
   Canvas canvas(options.width * samples_per_side, options.height * samples_per_side);
   const std::vector<Projected> vertices = project(mesh, axes, options);
@@ -278,13 +283,10 @@ Picture draw(const Mesh& mesh, const PictureOptions& options) {
     outline.clear();
     for (std::size_t i = 0; i < mesh.face_size(face); ++i)
       outline.push_back(vertices[mesh.face(face)[i]]);
-    if (outline.empty()) continue;
-    Sample sample;
-    sample.polygon = mesh.polygons[face];
-    sample.incidence = mesh.incidences[face];
-    canvas.fill(outline, sample);
+    if (!outline.empty()) canvas.fill(outline, static_cast<std::uint32_t>(face));
   }
-  return develop(canvas, Palette(mesh, axes, options), options);
+  Shader shader(mesh, vertices, axes, options);
+  return develop(canvas, mesh, shader, options);
 }
 
 void write_picture(const Mesh& mesh, const PictureOptions& options,

@@ -1,10 +1,23 @@
 #include "stream_file.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace discmc::host {
+namespace {
+
+std::int32_t nanometres(double millimetres) {
+  const double value = std::round(millimetres * 1e6);
+  if (!(std::fabs(value) <= 2147483647.0))
+    throw std::invalid_argument("spacing " + std::to_string(millimetres) +
+                                " mm is more than the 2147 mm that a stream can hold: give the "
+                                "volume a smaller unit");
+  return static_cast<std::int32_t>(value);
+}
+
+}  // namespace
 
 ByteOutput StreamOutput::byte_output() {
   return {this, [](void* context, const std::uint8_t* bytes, std::size_t count) {
@@ -33,6 +46,10 @@ void read_stream(std::istream& in, Decoder& decoder,
         "the stream is of a version that this program does not know (it knows " +
         std::to_string(wire::version) + "): use a newer discmc");
   if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm) {
+  return {nanometres(spacing_mm[0]), nanometres(spacing_mm[1]), nanometres(spacing_mm[2])};
 }
 
 std::array<double, 3> spacing_mm(const StreamHeader& header) {

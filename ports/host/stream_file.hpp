@@ -32,6 +32,9 @@ class StreamOutput {
 void read_stream(std::istream& in, Decoder& decoder,
                  const std::function<void(std::uint64_t)>& progress = {});
 
+/// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
+std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
+
 /// The header's spacing, 1 where the stream does not say. Units: millimetres.
 std::array<double, 3> spacing_mm(const StreamHeader& header);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <string_view>
 
@@ -11,24 +10,35 @@
 namespace discmc::host {
 namespace {
 
-bool ends_with_one_of(const std::string& name, std::initializer_list<std::string_view> ends) {
+constexpr std::string_view nrrd_names[] = {".nrrd", ".nhdr"};
+constexpr std::string_view metaimage_names[] = {".mha", ".mhd"};
+constexpr std::string_view nifti_names[] = {".nii",    ".nii.gz", ".hdr",
+                                            ".hdr.gz", ".img",    ".img.gz"};
+constexpr std::string_view raw_names[] = {".raw", ".raw.gz"};
+
+template <std::size_t count>
+bool ends_with_one_of(const std::filesystem::path& file, const std::string_view (&ends)[count]) {
+  const std::string name = lower(file.filename().string());
   const std::string_view text = name;
-  return std::any_of(ends.begin(), ends.end(), [text](std::string_view end) {
+  return std::any_of(ends, ends + count, [text](std::string_view end) {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
   });
 }
 
 }  // namespace
 
+bool is_volume_name(const std::filesystem::path& file) {
+  return ends_with_one_of(file, nrrd_names) || ends_with_one_of(file, metaimage_names) ||
+         ends_with_one_of(file, nifti_names) || ends_with_one_of(file, raw_names);
+}
+
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const std::optional<RawLayout>& layout) {
   if (layout) return open_raw(file, *layout);
 
-  const std::string name = lower(file.filename().string());
-  if (ends_with_one_of(name, {".nrrd", ".nhdr"})) return open_nrrd(file);
-  if (ends_with_one_of(name, {".mha", ".mhd"})) return open_metaimage(file);
-  if (ends_with_one_of(name, {".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"}))
-    return open_nifti(file);
+  if (ends_with_one_of(file, nrrd_names)) return open_nrrd(file);
+  if (ends_with_one_of(file, metaimage_names)) return open_metaimage(file);
+  if (ends_with_one_of(file, nifti_names)) return open_nifti(file);
 
   ByteStream stream(file);
   constexpr std::size_t nifti_magic = 344;

@@ -84,6 +84,9 @@ class VolumeReader {
   virtual void read_slice(void* samples) = 0;
 };
 
+/// Whether the name is that of a volume, by its extension; headerless ones may have any name.
+bool is_volume_name(const std::filesystem::path& file);
+
 /// Opens a volume. With a layout the file is taken as headerless samples, inflated first when its
 /// name ends in .gz; without one the format follows from the name, or else from the first bytes.
 /// Throws VolumeError when the file cannot be opened, is in no known format, or holds what the

@@ -121,13 +121,19 @@ inline Mesh mesh_of_obj(const std::string& text) {
     std::istringstream words(line);
     std::string key;
     words >> key;
-    if (key == "v") {
+    if (key == "v" || key == "vn") {
       Point point{};
       words >> point[0] >> point[1] >> point[2];
-      mesh.vertices_mm.push_back(point);
+      (key == "v" ? mesh.vertices_mm : mesh.normals).push_back(point);
     } else if (key == "f") {
       std::vector<std::uint32_t> face;
-      for (std::uint32_t number = 0; words >> number;) face.push_back(number - 1);
+      for (std::string corner; words >> corner;) {
+        const std::size_t slashes = corner.find("//");
+        const std::string number = corner.substr(0, slashes);
+        CHECK((slashes == std::string::npos) == mesh.normals.empty());
+        if (slashes != std::string::npos) CHECK(corner.substr(slashes + 2) == number);
+        face.push_back(static_cast<std::uint32_t>(std::stoul(number)) - 1);
+      }
       add_face(mesh, face);
     }
   }
@@ -193,10 +199,13 @@ inline Mesh mesh_of_ply(const std::string& bytes) {
   REQUIRE(contains(bytes, end));
   const std::size_t body = bytes.find(end) + end.size();
   const std::string header = bytes.substr(0, body);
+  const std::string normals = "\nproperty float nx\nproperty float ny\nproperty float nz\n";
   Mesh mesh;
   Taker taker(bytes, body);
-  for (std::size_t left = count_after(header, "element vertex "); left > 0; --left)
+  for (std::size_t left = count_after(header, "element vertex "); left > 0; --left) {
     mesh.vertices_mm.push_back(taker.point());
+    if (contains(header, normals)) mesh.normals.push_back(taker.point());
+  }
   for (std::size_t left = count_after(header, "element face "); left > 0; --left) {
     std::vector<std::uint32_t> face(taker.integer(contains(header, "list uchar") ? 1 : 4));
     for (std::uint32_t& number : face) number = taker.integer(4);

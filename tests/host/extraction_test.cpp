@@ -3,14 +3,16 @@
 
 #include <doctest/doctest.h>
 
-#include <cstring>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "../stream.hpp"
 #include "command.hpp"
 #include "hand_made.hpp"
+#include "sample_reader.hpp"
 #include "surface_builder.hpp"
 
 namespace {
@@ -21,42 +23,16 @@ using discmc::host::Extraction;
 using discmc::host::ExtractionOptions;
 using discmc::host::SampleType;
 using discmc::host::SurfaceBuilder;
-using discmc::host::VolumeInfo;
 using discmc::reference::ball;
 using discmc::reference::BitVolume;
 using discmc::reference::box;
 using discmc::reference::checkerboard;
 using discmc::reference::Size;
+using sample_reader::SampleReader;
 
 constexpr std::int32_t threshold = 100;
 
-// Reads a volume of bits as samples of any type: 150 where on, 50 where off.
-class BitReader final : public discmc::host::VolumeReader {
- public:
-  explicit BitReader(const BitVolume& volume, SampleType type = SampleType::u8) : volume_(volume) {
-    info_.dims = {volume.width, volume.height, volume.depth};
-    info_.type = type;
-    info_.spacing_mm = {0.5, -2, 1.25};
-  }
-  const VolumeInfo& info() const override { return info_; }
-  void read_slice(void* samples) override {
-    auto* bytes = static_cast<unsigned char*>(samples);
-    const std::size_t count = std::size_t{info_.dims[0]} * info_.dims[1];
-    const std::size_t size = discmc::host::sample_bytes(info_.type);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint16_t sample = volume_.on.at(slice_ * count + i) != 0 ? 150 : 50;
-      const auto narrow = static_cast<std::uint8_t>(sample);
-      if (size == 1) bytes[i] = narrow;
-      if (size == 2) std::memcpy(bytes + 2 * i, &sample, 2);
-    }
-    ++slice_;
-  }
-
- private:
-  const BitVolume& volume_;
-  VolumeInfo info_;
-  std::size_t slice_ = 0;
-};
+const discmc::host::Point spacing_mm = {0.5, -2, 1.25};
 
 ExtractionOptions options(Border border = Border::closed, std::uint64_t memory = 0) {
   return {threshold, border, memory, {}};
@@ -70,7 +46,7 @@ struct Extracted {
 
 Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
                     SampleType type = SampleType::u8) {
-  BitReader reader(volume, type);
+  SampleReader reader(volume, spacing_mm, type);
   discmc::test::Log log;
   const Extraction extraction = extract(reader, options, discmc::sink_to(log));
   SurfaceBuilder builder;
@@ -97,7 +73,7 @@ std::uint64_t crossings(const BitVolume& volume, Border border) {
 }
 
 std::string refusal(const BitVolume& volume, std::uint64_t memory) {
-  BitReader reader(volume);
+  SampleReader reader(volume, spacing_mm);
   discmc::test::Log log;
   try {
     extract(reader, options(Border::closed, memory), discmc::sink_to(log));
@@ -219,7 +195,7 @@ TEST_CASE("both widths of indices make the same surface") {
 
 TEST_CASE("the header of a stream tells the volume") {
   const BitVolume volume({9, 8, 7});
-  const BitReader reader(volume);
+  const SampleReader reader(volume, spacing_mm);
   const auto header = discmc::host::stream_header(reader.info(), options(Border::open));
   CHECK(header.width == 9);
   CHECK(header.height == 8);
@@ -229,4 +205,33 @@ TEST_CASE("the header of a stream tells the volume") {
   CHECK(header.spacing_nm[2] == 1250000);
   CHECK(header.threshold == threshold);
   CHECK(header.border == Border::open);
+}
+
+TEST_CASE("a stream is of a volume of its extents and spacing, as far as it tells them") {
+  const SampleReader reader(BitVolume({9, 8, 7}), spacing_mm);
+  const auto header = discmc::host::stream_header(reader.info(), options());
+  const auto complaint = [&reader](const discmc::StreamHeader& other) -> std::string {
+    try {
+      require_same_volume(reader.info(), other);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK(complaint(header).empty());
+  CHECK(complaint({}).empty());
+  for (int axis = 0; axis < 3; ++axis) {
+    discmc::StreamHeader other = header;
+    (axis == 0 ? other.width : axis == 1 ? other.height : other.depth) += 1;
+    CHECK(contains(complaint(other), "9x8x7"));
+    other = header;
+    other.spacing_nm[axis] += 1;  // rounded another way
+    CHECK(complaint(other).empty());
+    other.spacing_nm[axis] += 1;
+    CHECK(contains(complaint(other), "0.5,-2,1.25"));
+    other.spacing_nm[axis] = 0;
+    CHECK(complaint(other).empty());
+    other.spacing_nm[axis] = -header.spacing_nm[axis];
+    CHECK(contains(complaint(other), "0.5,-2,1.25"));
+  }
 }

@@ -20,16 +20,6 @@ using namespace hand_made;
 
 const Faces both_kinds[] = {Faces::polygons, Faces::triangles};
 
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 double six_volumes(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
@@ -105,8 +95,8 @@ TEST_CASE("faces look outside whichever way the axes run") {
           CHECK(six_volumes(mesh) == doctest::Approx(6 * 384 * 1.4 / 8));
           for (std::size_t face = 0; face < mesh.face_count(); ++face) {
             const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
-            const Point area = cross(minus(mesh.vertices_mm[mesh.face(face)[1]], a),
-                                     minus(mesh.vertices_mm[mesh.face(face)[2]], a));
+            const Point area = cross(difference(mesh.vertices_mm[mesh.face(face)[1]], a),
+                                     difference(mesh.vertices_mm[mesh.face(face)[2]], a));
             const Point normal = outward_normal(mesh.incidences[face], mesh.spacing_mm);
             CHECK(dot(area, normal) == doctest::Approx(std::sqrt(dot(area, area))));
           }
@@ -120,7 +110,7 @@ TEST_CASE("normals follow the spacing as planes do") {
     CHECK(dot(normal, normal) == doctest::Approx(1));
     const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
     for (const int i : {1, 2})
-      CHECK(std::abs(dot(normal, minus(mesh.vertices_mm[mesh.face(face)[i]], a))) < 1e-12);
+      CHECK(std::abs(dot(normal, difference(mesh.vertices_mm[mesh.face(face)[i]], a))) < 1e-12);
     CHECK(dot(normal, a) > 0);
   }
 }
@@ -296,4 +286,59 @@ TEST_CASE("the report counts each kind of damage") {
   CHECK(check_mesh(flat).degenerate_faces == 0);
   flat.vertices_mm = {{0.1, 0.3, 0}, {0.2, 0.6, 0}, {0.3, 0.9, 0}};
   CHECK(check_mesh(flat).degenerate_faces == 1);
+}
+
+TEST_CASE("faces of any shape are cut into triangles that cover them and keep their number") {
+  for (const Surface& surface :
+       {octahedron(), box_with_hole(), leaning_wall(), pitted_block({{0, 0}, {1, 1}}), saw()}) {
+    Mesh mesh = build_mesh(surface);
+    for (const bool has_incidences : {true, false}) {
+      if (!has_incidences) mesh.incidences.clear();
+      const Mesh cut = triangulated(mesh);
+      const MeshReport before = check_mesh(mesh), after = check_mesh(cut);
+      CHECK(after.open_edges == before.open_edges);
+      CHECK(after.non_manifold_edges + after.wrongly_oriented + after.degenerate_faces == 0);
+      CHECK(cut.face_count() == mesh.corners.size() - 2 * mesh.face_count());
+      CHECK(cut.incidences.size() == (has_incidences ? cut.face_count() : 0));
+      std::vector<double> areas(surface.polygons.size());
+      for (std::size_t face = 0; face < mesh.face_count(); ++face)
+        areas[mesh.polygons[face]] +=
+            std::sqrt(dot(area_vector(mesh, face), area_vector(mesh, face)));
+      for (std::size_t face = 0; face < cut.face_count(); ++face) {
+        REQUIRE(cut.face_size(face) == 3);
+        const Point normal =
+            outward_normal(surface.polygons[cut.polygons[face]].incidence, surface.spacing_mm);
+        CHECK(dot(face_normal(cut, face), normal) == doctest::Approx(1));
+        areas[cut.polygons[face]] -= dot(area_vector(cut, face), normal);
+      }
+      for (const double left : areas) CHECK(std::abs(left) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("a face that crosses itself, or lies in a line, becomes a fan") {
+  Mesh mesh;
+  mesh.vertices_mm = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 0}, {3, 3, 0}};
+  mesh.corners = {0, 1, 2, 3, 0, 1, 4, 5};
+  mesh.face_begin = {0, 4, 8};
+  mesh.polygons = {4, 5};
+  mesh.normals.assign(6, {0, 0, 1});
+  const Mesh cut = triangulated(mesh);
+  CHECK(cut.corners == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 1, 4, 0, 4, 5});
+  CHECK(cut.polygons == std::vector<std::uint32_t>{4, 4, 5, 5});
+  CHECK(cut.normals == mesh.normals);
+}
+
+TEST_CASE("a face has the normal of its plane, with and without an incidence") {
+  Mesh mesh = build_mesh(octahedron({1, -2, 3}));
+  std::vector<Point> expected;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    expected.push_back(face_normal(mesh, face));
+  mesh.incidences.clear();
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    CHECK(dot(expected[face], expected[face]) == doctest::Approx(1));
+    CHECK(dot(face_normal(mesh, face), expected[face]) == doctest::Approx(1));
+  }
+  mesh.vertices_mm.assign(mesh.vertices_mm.size(), {1, 1, 1});
+  CHECK(face_normal(mesh, 0) == Point{});
 }

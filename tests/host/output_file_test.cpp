@@ -21,7 +21,7 @@ using volume_files::Folder;
 
 std::string written(Format format, bool conforming) {
   std::ostringstream out;
-  write_surface(hand_made::leaning_wall(), format, conforming, out);
+  write_surface(hand_made::leaning_wall(), format, conforming, {}, out);
   return out.str();
 }
 

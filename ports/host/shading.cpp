@@ -1,0 +1,74 @@
+#include "shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace discmc::host {
+namespace {
+
+// Between the normal of a face and that of a vertex. Facets lean up to 55 degrees away from the
+// surface that they stand for, and walls at which a volume ends are 90 degrees away.
+constexpr double least_cosine = 0.3;
+
+float linear(std::uint8_t srgb) {
+  const float value = static_cast<float>(srgb) / 255;
+  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+// Twice the area of a triangle, positive when it is clockwise, as y points downwards.
+double doubled_area(double ax, double ay, const Projected& b, const Projected& c) {
+  return (b.x - ax) * (c.y - ay) - (b.y - ay) * (c.x - ax);
+}
+
+}  // namespace
+
+Shader::Shader(const Mesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
+               const PictureOptions& options)
+    : mesh_(mesh),
+      vertices_(vertices),
+      axes_(axes),
+      shading_(options.shading),
+      surface_{linear(options.colour[0]), linear(options.colour[1]), linear(options.colour[2])},
+      face_(mesh.face_count()) {}
+
+Colour Shader::colour(std::size_t face, bool inside, double x, double y) {
+  if (face != face_) take(face);
+  return light(shading_ == Shading::flat ? face_normal_ : normal_at(x, y), inside);
+}
+
+void Shader::take(std::size_t face) {
+  face_ = face;
+  face_normal_ = face_normal(mesh_, face);
+  if (shading_ == Shading::flat) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point& normal = mesh_.normals[mesh_.face(face)[i]];
+    normals_[i] = dot(normal, face_normal_) < least_cosine ? face_normal_ : normal;
+  }
+}
+
+Point Shader::normal_at(double x, double y) const {
+  const std::uint32_t* corners = mesh_.face(face_);
+  Point sum{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Projected &b = vertices_[corners[(i + 1) % 3]], &c = vertices_[corners[(i + 2) % 3]];
+    const double share = std::abs(doubled_area(x, y, b, c)) * vertices_[corners[i]].weight;
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += share * normals_[i][axis];
+  }
+  return unit_or_zero(sum);
+}
+
+Colour Shader::light(const Point& normal, bool inside) const {
+  const double side = inside ? -1 : 1;
+  const Point seen = {side * dot(normal, axes_.right), side * dot(normal, axes_.upward),
+                      side * dot(normal, axes_.towards)};
+  const auto fill = static_cast<float>(0.14 + 0.08 * seen[1]);
+  const auto light = static_cast<float>(0.28 * std::max(0.0, seen[2]) +
+                                        0.74 * std::max(0.0, dot(seen, key_light_)));
+  const Colour tone = inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
+  const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool fill tells shade from a dark colour
+  Colour colour{};
+  for (std::size_t i = 0; i < 3; ++i) colour[i] = surface_[i] * tone[i] * (fill * sky[i] + light);
+  return colour;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,63 @@
+#include "surface_normals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+namespace discmc::host {
+namespace {
+
+// For every vertex the first one at its position.
+std::vector<std::uint32_t> first_at_position(const std::vector<Point>& vertices) {
+  std::vector<std::uint32_t> sorted(vertices.size());
+  std::iota(sorted.begin(), sorted.end(), 0U);
+  std::sort(sorted.begin(), sorted.end(), [&vertices](std::uint32_t a, std::uint32_t b) {
+    return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
+  });
+  std::vector<std::uint32_t> first(vertices.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const bool is_same = i > 0 && vertices[sorted[i]] == vertices[sorted[i - 1]];
+    first[sorted[i]] = is_same ? first[sorted[i - 1]] : sorted[i];
+  }
+  return first;
+}
+
+// An area vector cut down to the root of its length.
+Point weighted(const Point& area) {
+  const double root = std::sqrt(std::hypot(area[0], area[1], area[2]));
+  return root > 0 ? Point{area[0] / root, area[1] / root, area[2] / root} : Point{};
+}
+
+void add(Point& sum, const Point& vector) {
+  for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += vector[axis];
+}
+
+}  // namespace
+
+std::vector<Point> surface_normals(const Mesh& mesh) {
+  const std::vector<std::uint32_t> first = first_at_position(mesh.vertices_mm);
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> last(first.size(), none);  // where the polygon added last begins
+  std::vector<Point> normals(first.size());
+  std::size_t face = 0;
+  while (face < mesh.face_count()) {
+    // The faces of a polygon follow each other.
+    const std::size_t begin = face;
+    Point area{};
+    for (; face < mesh.face_count() && mesh.polygons[face] == mesh.polygons[begin]; ++face)
+      add(area, area_vector(mesh, face));
+    for (std::size_t i = mesh.face_begin[begin]; i < mesh.face_begin[face]; ++i) {
+      const std::uint32_t vertex = first[mesh.corners[i]];
+      if (last[vertex] == begin) continue;
+      last[vertex] = begin;
+      add(normals[vertex], weighted(area));
+    }
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    normals[i] = first[i] == i ? unit_or_zero(normals[i]) : normals[first[i]];
+  return normals;
+}
+
+}  // namespace discmc::host

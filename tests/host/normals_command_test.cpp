@@ -1,0 +1,184 @@
+// Normals of vertices from the command: their sources, their files, and what does not go together.
+#include "../reference/angle.hpp"
+#include "../reference/ramp_ball.hpp"
+#include "../stream.hpp"
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::host::Point;
+using discmc::reference::degrees_between;
+
+constexpr std::uint32_t extent = 16;
+const std::string layout = " --dims 16,16,16 --type u16 --big-endian";
+const std::vector<std::string> sources = {"surface", "gradient"};
+const std::vector<std::string> formats = {"ply", "obj"};
+
+// A ball of radius 5 with a ramp of 100 a voxel about 1000: big-endian, two bytes a sample.
+const std::string ball_samples = [] {
+  std::string samples;
+  for (const int sample : discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000}).samples) {
+    samples += static_cast<char>(sample >> 8);
+    samples += static_cast<char>(sample & 0xFF);
+  }
+  return samples;
+}();
+
+std::string header(const std::string& space_directions) {
+  return "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nendian: big\n"
+         "space dimension: 3\nspace directions: " +
+         space_directions + "\n\n";
+}
+
+// v.raw and v.nrrd hold the same ball, v.dmc its stream.
+void write_ball(const Workshop& workshop) {
+  workshop.write("v.raw", ball_samples);
+  workshop.write("v.nrrd", header("(0.5,0,0) (0,-1,0) (0,0,2)") + ball_samples);
+  workshop.done("extract v.nrrd --iso 1000 -o v.dmc");
+}
+
+Mesh mesh_in(const Workshop& workshop, const std::string& name) {
+  return mesh_of(name, workshop.read(name));
+}
+
+void check_refusal(const Workshop& workshop, int code, const std::string& arguments,
+                   const std::vector<std::string>& parts) {
+  const auto before = workshop.names();
+  const Result result = workshop.run(arguments);
+  INFO(arguments, "\n", result.error);
+  CHECK(result.code == code);
+  CHECK(result.out.empty());
+  for (const std::string& part : parts) CHECK(contains(result.error, part));
+  CHECK(workshop.names() == before);
+}
+
+}  // namespace
+
+TEST_CASE("decode gives the normals that extract gives") {
+  const Workshop workshop;
+  write_ball(workshop);
+  for (const std::string& format : formats)
+    for (const std::string& source : sources)
+      for (const std::string mesh : {"", " --no-conforming"}) {
+        const std::string normals = " --normals " + source + mesh;
+        workshop.done("extract v.nrrd --iso 1000 -q -o e." + format + normals);
+        workshop.done("decode v.dmc -o d." + format + normals +
+                      (source == "gradient" ? " --volume v.nrrd" : ""));
+        CHECK(workshop.read("e." + format) == workshop.read("d." + format));
+        const Mesh written = mesh_in(workshop, "d." + format);
+        CHECK(written.normals.size() == written.vertices_mm.size());
+        CHECK(!written.normals.empty());
+      }
+}
+
+TEST_CASE("both formats hold the same normals, and without a source there are none") {
+  const Workshop workshop;
+  write_ball(workshop);
+  for (const std::string& source : sources) {
+    for (const std::string& format : formats)
+      workshop.done("extract v.nrrd --iso 1000 -q --normals " + source + " -o v." + format);
+    const Mesh ply = mesh_in(workshop, "v.ply"), obj = mesh_in(workshop, "v.obj");
+    CHECK(ply.normals == obj.normals);
+    CHECK(ply.corners == obj.corners);
+  }
+  for (const std::string& format : formats) {
+    workshop.done("decode v.dmc -o plain." + format);
+    workshop.done("decode v.dmc --normals none -o none." + format);
+    CHECK(workshop.read("plain." + format) == workshop.read("none." + format));
+    CHECK(mesh_in(workshop, "none." + format).normals.empty());
+  }
+  for (const std::string format : {"stl", "jsonl", "dmc"})
+    workshop.done("decode v.dmc --normals none -o none." + format);
+}
+
+TEST_CASE("normals point outside and faces look there, whichever way the axes run") {
+  const Workshop workshop;
+  write_ball(workshop);
+  for (const double x : {0.5, -0.5})
+    for (const double y : {1.0, -1.0})
+      for (const double z : {2.0, -2.0}) {
+        std::ostringstream spacing;
+        spacing << " --spacing=" << x << ',' << y << ',' << z;
+        const std::string volume = "v.raw --iso 1000" + layout + spacing.str();
+        workshop.done("extract " + volume + " -o m.dmc");
+        for (const std::string& source : sources) {
+          INFO(spacing.str(), " ", source);
+          workshop.done("extract " + volume + " -q --normals " + source + " -o e.ply");
+          workshop.done("decode m.dmc -o d.ply --normals " + source +
+                        (source == "gradient" ? " --volume v.raw" + layout : ""));
+          CHECK(workshop.read("d.ply") == workshop.read("e.ply"));
+          const Mesh mesh = mesh_in(workshop, "d.ply");
+          CHECK(volume_of(mesh) > 0);
+          double worst = 0;
+          for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+            // Of an ellipsoid: planes transform by the inverse of the spacing.
+            const Point& at = mesh.vertices_mm[i];
+            const Point out = {(at[0] / x - 7.5) / x, (at[1] / y - 7.5) / y, (at[2] / z - 7.5) / z};
+            worst = std::max(worst, degrees_between(mesh.normals[i], out));
+          }
+          CHECK(worst < (source == "gradient" ? 3 : 40));
+        }
+      }
+}
+
+TEST_CASE("what has no normals of vertices is refused before anything is read") {
+  const Workshop workshop;
+  for (const std::string& source : sources) {
+    const std::string normals = " --normals " + source;
+    for (const std::string name : {"no.stl", "no.jsonl"}) {
+      for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
+        check_refusal(workshop, 2, command + " -o " + name + normals,
+                      {"--normals", name, ".ply or .obj"});
+    }
+    for (const std::string output : {" -o no.dmc", " -o -"})
+      for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
+        check_refusal(workshop, 2, command + output + normals,
+                      {"--normals", "stream", ".ply or .obj"});
+    check_refusal(workshop, 2, "extract no.nrrd --iso 1" + normals, {"--normals", "stream"});
+  }
+  for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
+    check_refusal(workshop, 2, command + " -o no.ply --normals smooth", {"--normals", "smooth"});
+}
+
+TEST_CASE("a volume is for gradient normals, and its layout for a volume") {
+  const Workshop workshop;
+  for (const std::string normals : {"", " --normals surface", " --normals none"})
+    check_refusal(workshop, 2, "decode no.dmc -o no.ply --volume no.nrrd" + normals,
+                  {"--volume", "--normals gradient"});
+  check_refusal(workshop, 2, "decode no.dmc -o no.ply --normals gradient" + layout,
+                {"--dims", "--volume"});
+  check_refusal(workshop, 2,
+                "decode no.dmc -o no.ply --normals gradient --volume no.raw --dims 1,1,1",
+                {"--dims", "--type"});
+}
+
+TEST_CASE("a stream without normals asks for its volume, and only for its own") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const std::string decode = "decode v.dmc -o no.ply --normals gradient";
+  check_refusal(workshop, 1, decode, {"v.dmc", "--volume FILE", "--normals surface"});
+  check_refusal(workshop, 1, decode + " --volume no.nrrd", {"no.nrrd"});
+  workshop.write("cut.nrrd", header("(0.5,0,0) (0,-1,0) (0,0,2)") + ball_samples.substr(0, 8000));
+  check_refusal(workshop, 1, decode + " --volume cut.nrrd", {"cut.nrrd", "slice 15"});
+  check_refusal(workshop, 1, decode + " --volume v.raw --dims 16,8,32 --type u16",
+                {"v.raw", "16x8x32", "16x16x16", "the volume that the stream was made of"});
+  workshop.write("turned.nrrd", header("(0.5,0,0) (0,1,0) (0,0,2)") + ball_samples);
+  check_refusal(workshop, 1, decode + " --volume turned.nrrd",
+                {"turned.nrrd", "0.5,1,2 mm", "0.5,-1,2 mm"});
+}
+
+TEST_CASE("an incomplete stream has normals where it has a surface") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const std::string stream = workshop.read("v.dmc");
+  auto frames = discmc::test::frames_of(discmc::test::Bytes(stream.begin(), stream.end()));
+  REQUIRE(frames.size() > 3);
+  frames.resize(frames.size() - 2);
+  const discmc::test::Bytes bytes = discmc::test::joined(frames);
+  workshop.write("cut.dmc", std::string(bytes.begin(), bytes.end()));
+  const Result result = workshop.run("decode cut.dmc -o v.ply --normals gradient --volume v.nrrd");
+  CHECK(result.code == 3);
+  const Mesh mesh = mesh_in(workshop, "v.ply");
+  CHECK(mesh.normals.size() == mesh.vertices_mm.size());
+}

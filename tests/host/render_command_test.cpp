@@ -1,0 +1,131 @@
+// The command that draws: streams, meshes and volumes, and what does not go together.
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::reference::ball;
+
+const std::string raw_layout = " --dims 20,20,20 --type u8 --spacing 0.5,-1,2";
+const std::string small = " --size 60,50";
+
+// v.nrrd and v.raw hold the same volume, v.dmc its stream.
+void write_volumes(const Workshop& workshop) {
+  const BitVolume volume = ball({20, 20, 20}, {19, 19, 15}, 100);
+  workshop.write("v.nrrd", volume,
+                 "space dimension: 3\nspace directions: (0.5,0,0) (0,-1,0) (0,0,2)\n");
+  std::string samples;
+  for (const std::uint8_t on : volume.on) samples += static_cast<char>(on != 0 ? 200 : 10);
+  workshop.write("v.raw", samples);
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+}
+
+// The picture that the command makes.
+std::string picture(const Workshop& workshop, const std::string& arguments) {
+  const std::string bytes = workshop.done("render " + arguments + small + " -o -");
+  CHECK(bytes.substr(1, 3) == "PNG");
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("a volume is drawn as its stream is") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  for (const std::string look : {"", " --shade smooth", " --shade smooth --edges", " --edges"}) {
+    INFO(look);
+    const std::string expected = picture(workshop, "v.dmc" + look);
+    CHECK(picture(workshop, "v.nrrd --iso 100" + look) == expected);
+    CHECK(picture(workshop, "v.raw --iso 100" + raw_layout + look) == expected);
+  }
+  CHECK(picture(workshop, "v.nrrd --iso 100 --border open") != picture(workshop, "v.dmc"));
+  CHECK(picture(workshop, "v.nrrd --iso 100 --memory 1500 --edges") !=
+        picture(workshop, "v.dmc --edges"));
+}
+
+TEST_CASE("a volume of any name is one when it has a threshold, and a stream otherwise") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  workshop.shell("cp v.raw samples; cp v.nrrd headed; cp v.dmc stream");
+  const std::string expected = picture(workshop, "v.dmc");
+  CHECK(picture(workshop, "samples --iso 100" + raw_layout) == expected);
+  CHECK(picture(workshop, "headed --iso 100") == expected);
+  CHECK(picture(workshop, "stream") == expected);
+}
+
+TEST_CASE("meshes are drawn in every format and shade") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::string empty = picture(workshop, "v.nrrd --iso 250");
+  for (const std::string format : {"ply", "obj", "stl"}) {
+    workshop.done("decode v.dmc -o v." + format);
+    const std::string flat = picture(workshop, "v." + format);
+    const std::string smooth = picture(workshop, "v." + format + " --shade smooth");
+    CHECK(flat != smooth);
+    CHECK(flat != empty);
+    CHECK(smooth != empty);
+  }
+  workshop.write("v.obj", "v 0 0 0\nf 1 1 2\n");
+  const Result result = workshop.run("render v.obj -o o.png");
+  CHECK(result.code == 1);
+  CHECK(contains(result.error, "v.obj: a face names vertex 2"));
+  CHECK(contains(workshop.run("render none.ply -o o.png").error, "none.ply: cannot be read"));
+}
+
+TEST_CASE("classic Marching Cubes has a picture of its own") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::string classic = picture(workshop, "v.nrrd --iso 100 --classic");
+  CHECK(classic != picture(workshop, "v.nrrd --iso 100"));
+  CHECK(classic != picture(workshop, "v.nrrd --iso 100 --classic --shade smooth"));
+  CHECK(classic != picture(workshop, "v.nrrd --iso 150 --classic"));  // where samples cross
+  CHECK(classic == picture(workshop, "v.raw --iso 100 --classic" + raw_layout));
+}
+
+TEST_CASE("a picture can be taken from near, and of a place") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::string whole = picture(workshop, "v.dmc");
+  CHECK(picture(workshop, "v.dmc --zoom 1") == whole);
+  const std::string near = picture(workshop, "v.dmc --zoom 3");
+  CHECK(near != whole);
+  CHECK(picture(workshop, "v.dmc --zoom 3 --at 7,-9,20") != near);
+  const Result result = workshop.run("render v.dmc -o o.png --view 0,0,1 --at 0,0,1e6");
+  CHECK(result.code == 1);
+  CHECK(contains(result.error, "behind the viewer"));
+}
+
+TEST_CASE("wrong usage of render is told, and nothing is written") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  workshop.done("decode v.dmc -o v.ply");
+  const auto names = workshop.names();
+  const std::pair<std::string, std::string> wrong[] = {
+      {"v.nrrd", "v.nrrd: a volume is drawn at a threshold: give --iso"},
+      {"v.raw" + raw_layout, "give --iso"},
+      {"v.dmc --iso 100", "--iso: is for volumes, and v.dmc is a stream"},
+      {"- --iso 100", "- is a stream"},
+      {"v.dmc --memory 64K", "--memory: is for volumes"},
+      {"v.dmc --border open", "--border: is for volumes"},
+      {"v.dmc --classic", "--classic: is for volumes"},
+      {"v.ply --iso 100", "v.ply is a mesh"},
+      {"v.ply" + raw_layout, "--dims: is for volumes, and v.ply is a mesh"},
+      {"v.ply --classic", "--classic: is for volumes"},
+      {"v.nrrd --iso 100 --classic --memory 1M", "--memory"},
+      {"v.raw --iso 100 --dims 20,20,20", "--type"},
+      {"v.nrrd --iso much", "much"},
+      {"v.dmc --shade phong", "phong"},
+      {"v.dmc --shade", "--shade"},
+      {"v.dmc --zoom 0", "--zoom"},
+      {"v.dmc --zoom 1001", "--zoom"},
+      {"v.dmc --at 1,2", "--at"},
+      {"v.dmc --at 1,2,nan", "nan"}};
+  for (const auto& [arguments, part] : wrong) {
+    INFO(arguments);
+    const Result result = workshop.run("render " + arguments + " -o o.png");
+    INFO(result.error);
+    CHECK(result.code == 2);
+    CHECK(contains(result.error, part));
+  }
+  CHECK(workshop.names() == names);
+}
