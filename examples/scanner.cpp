@@ -58,6 +58,7 @@ void rows::end_of_scan(uint32_t count, bool was_broken_off) {
 namespace {
 
 uint8_t arena[scan::arena_bytes];
+static_assert(sizeof arena >= minimum_bytes<uint16_t>(scan::limits), "see arena_bytes in scan.hpp");
 // Known at compile time, so that the firmware need not carry the code that works them out.
 constexpr Capacities capacities = default_capacities<uint16_t>(scan::limits, sizeof arena);
 Extractor16 extractor;
@@ -75,7 +76,9 @@ bool succeeds(Status status) {
 }
 
 bool start() {
-  const StreamHeader header{scan::limits.width, scan::limits.height, scan::depth, {},
+  const int32_t(&spacing)[3] = scan::spacing_nm;
+  const StreamHeader header{scan::limits.width, scan::limits.height,
+                            scan::depth,        {spacing[0], spacing[1], spacing[2]},
                             scan::threshold,    scan::limits.border};
   return succeeds(encoder.start(header, {nullptr, board::uart_write})) &&
          succeeds(extractor.start(scan::limits, capacities, scan::threshold, memory_of(arena),
@@ -121,7 +124,7 @@ bool end() {
 
 void report() {
   const Statistics total = extractor.statistics();
-  board::report("arena_used", static_cast<uint32_t>(extractor.bytes_used()));
+  board::report("arena_laid_out", static_cast<uint32_t>(extractor.bytes_used()));
   board::report("arena_bytes", sizeof arena);
   board::report("slices", extractor.slices());
   board::report("regions", static_cast<uint32_t>(total.regions));

@@ -1,5 +1,7 @@
-// Fuzz target: the lookup tables on any neighbourhood of cells. Eight bytes of the input are the
-// bits of 4 x 4 x 4 voxels, 27 cells; every further eight bytes are another such block.
+// Fuzz target. The promise: in any neighbourhood of cells the lookup tables draw a closed surface,
+// on which neighbours agree about every link between them, and patches are what facets make up.
+// Eight bytes of the input are the bits of 4 x 4 x 4 voxels, 27 cells; every further eight bytes
+// are another such block.
 //
 //   fuzz_table -max_len=64 corpus/table      with libFuzzer
 //   fuzz_table corpus/table                  with replay_main.cpp

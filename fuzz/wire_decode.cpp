@@ -1,6 +1,7 @@
-// Fuzz target: any bytes, as they are, and as packets under a correct checksum, so that the decoder
-// of regions sees hostile bits. Nothing may fault or go on for ever, the events must keep to the
-// grammar, portions and refusals may not show, and an encoder must take whatever comes out.
+// Fuzz target. The promise: on any bytes, as they are and as packets under a correct checksum, so
+// that the decoder of regions sees hostile bits, nothing faults or goes on for ever, the events
+// keep to their grammar, portions and refusals do not show, and an encoder takes whatever comes
+// out.
 //
 //   fuzz_wire_decode -max_len=1200 corpus/wire_decode      with libFuzzer
 //   fuzz_wire_decode corpus/wire_decode                    with replay_main.cpp

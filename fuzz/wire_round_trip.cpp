@@ -1,11 +1,12 @@
-// Fuzz target: any small volume in any memory, and any script of events within the limits of the
-// format, comes through the stream; with losses what arrives is a part of what was sent, and what
-// is missing is counted.
+// Fuzz target. The promise: any small volume in any memory, and any script of events within the
+// limits of the format, comes through the stream; with losses what arrives is a part of what was
+// sent, and what is missing is counted.
 //
 //   fuzz_wire_round_trip -max_len=400 corpus/wire_round_trip      with libFuzzer
 //   fuzz_wire_round_trip corpus/wire_round_trip                   with replay_main.cpp
 #include <algorithm>
 
+#include "input.hpp"
 #include "require.hpp"
 #include "stream_samples.hpp"
 
@@ -15,29 +16,11 @@ using reference::BitVolume;
 
 namespace {
 
-/// Numbers out of the input; zeros once it is used up.
-class Input {
- public:
-  Input(const uint8_t* data, size_t size) : data_(data), size_(size) {}
-  bool is_empty() const { return at_ == size_; }
-  uint32_t byte() { return is_empty() ? 0 : data_[at_++]; }
-  uint32_t below(uint32_t limit) { return byte() % limit; }
-  /// Small numbers as often as large ones.
-  uint32_t number(uint32_t most) {
-    const uint32_t bits = byte() % 32;
-    const uint32_t value = byte() | byte() << 8 | byte() << 16 | byte() << 24;
-    const uint32_t cut = value & ((uint32_t{1} << bits) - 1);
-    return cut <= most ? cut : most;
-  }
-
- private:
-  const uint8_t* data_;
-  size_t size_;
-  size_t at_ = 0;
-};
-
 BitVolume read_volume(Input& input) {
-  BitVolume volume({1 + input.below(12), 1 + input.below(8), 1 + input.below(6)});
+  reference::Size size{1 + input.below(12), 1 + input.below(8), 1 + input.below(6)};
+  // Few voxels, so that there are many volumes.
+  size.depth = std::min(size.depth, 1 + 150 / (size.width * size.height));
+  BitVolume volume(size);
   for (size_t i = 0; i < volume.on.size(); i += 8) {
     const uint32_t bits = input.byte();
     for (size_t k = i; k < i + 8 && k < volume.on.size(); ++k)

@@ -27,6 +27,11 @@ void board::report(const char* name, uint32_t value) {
   semihosting::print(text);
 }
 
+void board::fault() {
+  semihosting::print("fault\n");
+  semihosting::exit(2);
+}
+
 void board::stop(bool succeeded) {
   while (!uart::is_idle()) {
   }

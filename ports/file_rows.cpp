@@ -1,5 +1,6 @@
 // Rows from the file volume.raw, read by the debugger: as fast as they are wanted, as if a DMA
-// controller brought them. The samples are in the machine's own byte order, little-endian.
+// controller brought them. Of the size and type that scan.hpp says, x first, little-endian; what is
+// beyond its slices is left.
 #include <scan.hpp>
 
 #include "board.hpp"
@@ -18,6 +19,7 @@ bool ended = false;
 
 void source::start() {
   file = semihosting::open_to_read("volume.raw");
+  if (file < 0) semihosting::print("there is no volume.raw\n");
   cpu::request_rows();
 }
 
@@ -26,10 +28,12 @@ void board::half_is_free() {
 }
 
 void source::on_request() {
+  constexpr uint32_t all_rows = scan::limits.height * scan::depth;
   while (!ended) {
     void* half = rows::free_half();
     if (half == nullptr) return;
-    const size_t bytes = file < 0 ? 0 : semihosting::read(file, half, row_bytes);
+    const bool is_wanted = file >= 0 && next_row < all_rows;
+    const size_t bytes = is_wanted ? semihosting::read(file, half, row_bytes) : 0;
     if (bytes == row_bytes) {
       rows::half_is_full(next_row++);
     } else {

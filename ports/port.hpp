@@ -25,6 +25,13 @@ uintptr_t ask_debugger(uintptr_t operation, const void* arguments);
 
 }  // namespace cpu
 
+namespace board {
+
+/// The processor has faulted. Called on a fresh stack, as the old one may be what is at fault.
+[[noreturn]] void fault();
+
+}  // namespace board
+
 /// The UART by which the stream leaves: one driver a kind of UART, in uart/.
 namespace uart {
 

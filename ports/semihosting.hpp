@@ -1,7 +1,7 @@
 // Semihosting: files, a console and an exit code, lent by the debugger or by QEMU.
 //
 // Without either a request is a fault. A port to a board that has to run alone replaces what uses
-// this: board::report(), board::stop(), and the file as the source of rows.
+// this: board.cpp, and the file as the source of rows.
 #ifndef DISCMC_PORTS_SEMIHOSTING_HPP
 #define DISCMC_PORTS_SEMIHOSTING_HPP
 

@@ -321,6 +321,11 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
   CHECK(discmc_decoder_start(&decoder, &none) == DISCMC_BAD_SINK);
   const discmc_stream_header header = {0, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
   CHECK(discmc_encoder_start(&encoder, &header, {nullptr, write_bytes}) == DISCMC_BAD_LIMITS);
+  const auto is_busy = [](void*, const uint8_t*, size_t) { return size_t{0}; };
+  discmc_encoder waiting = {};
+  const discmc_stream_header small = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
+  CHECK(discmc_encoder_start(&waiting, &small, {nullptr, is_busy}) == DISCMC_OK);
+  CHECK(discmc_encoder_flush(&waiting) == 0);
   CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, 1, all, &sink) == DISCMC_BAD_LIMITS);
   CHECK(discmc_extractor16_start(&extractor, &good, nullptr, 1, all, &none) == DISCMC_BAD_SINK);
   CHECK(discmc_extractor16_start(&extractor, &good, &too_few, 1, all, &sink) ==
@@ -361,6 +366,13 @@ TEST_CASE("an extractor tells of itself through C what it tells in C++") {
   CHECK(discmc_bytes_for32(&limits, &split) <= memory.size());
   CHECK(discmc_extractor32_statistics(&extractor).cells > 0);
   CHECK(discmc_extractor32_high_water(&extractor).edges > 0);
+
+  discmc_extractor16 narrow = {};
+  REQUIRE(discmc_extractor16_start(&narrow, &limits, nullptr, threshold,
+                                   {memory.data(), memory.size()}, &sink) == DISCMC_OK);
+  CHECK(discmc_extractor16_limits(&narrow).width == width);
+  CHECK(discmc_extractor16_capacities(&narrow).runs ==
+        discmc_default_capacities16(&limits, memory.size()).runs);
 }
 
 TEST_CASE(
@@ -492,6 +504,8 @@ TEST_CASE("limits and capacities are valid in C when they are in C++") {
   CHECK(discmc_limits_are_valid(&too_large) == 0);
   const discmc_capacities too_few = {1, 34, 11, 5, 1};
   const discmc_capacities many = {40000, 34, 11, 40000, 1};
+  const discmc_capacities enough = {40, 34, 11, 40, 1};
+  CHECK(discmc_capacities_are_valid16(&enough) == 1);
   CHECK(discmc_capacities_are_valid16(&too_few) == 0);
   CHECK(discmc_capacities_are_valid32(&too_few) == 0);
   CHECK(discmc_capacities_are_valid16(&many) == 0);
@@ -499,8 +513,9 @@ TEST_CASE("limits and capacities are valid in C when they are in C++") {
 }
 
 TEST_CASE("every status has the text that it has in C++") {
-  for (discmc_status status = 0; status <= DISCMC_WRONG_VERSION; ++status)
+  for (discmc_status status = 0; status <= DISCMC_BAD_CHECKPOINT; ++status)
     CHECK(std::string_view(discmc_text(status)) == text(static_cast<Status>(status)));
+  CHECK(std::string_view(discmc_text(DISCMC_BAD_CHECKPOINT + 1)) == "unknown status");
 }
 
 TEST_CASE("chains and polygons are the same through C") {

@@ -90,7 +90,7 @@ class Device {
     std::memcpy(block_.memory().data, next, left);
     const Status status = encoder_.restore(stream_, store.output());
     if (status != Status::ok) return status;
-    return extractor_.restore(scan_, block_.memory(), sink_to(encoder_));
+    return extractor_.restore(scan_, {block_.memory().data, left}, sink_to(encoder_));
   }
 
   /// The bytes of stream before what comes next.

@@ -39,14 +39,15 @@ void tell_layer(Model& model, uint32_t slice) {
 
 // A part of a region across z or of a fragment; its items follow.
 template <class Model>
-void begin_part(Model& model, bool continues, bool is_fragment = false, Incidence incidence = up) {
+void begin_part(Model& model, bool continues, bool is_fragment = false, Incidence incidence = up,
+                uint32_t number = 6) {
   model.region_follows(false);
   model.other_kind(OtherKind::part);
   Record record;
   record.incidence = incidence;
   record.continues = continues;
   record.is_fragment = is_fragment;
-  record.number = 6;
+  record.number = number;
   model.part(record);
 }
 
@@ -67,6 +68,16 @@ template <class Model>
 void end_part(Model& model, bool is_last) {
   model.item_kind(Item::end);
   model.end_part(is_last);
+}
+
+template <class Model>
+void begin_compact_ring(Model& model, uint32_t runs) {
+  model.region_follows(true);
+  model.incidence(up);
+  model.ring_count(1);
+  model.start({1, 0, 0}, false);
+  model.parallelogram(false);
+  model.run_count(runs);
 }
 
 // A payload of one part, told by hand and unreadable, between two marks.
@@ -199,6 +210,19 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
       CHECK(cut.report.packets == frame);
     }
   }
+}
+
+TEST_CASE("a frame too long at the end does not spoil a stream that follows all the same") {
+  const Bytes noise(1000, 7);
+  const Bytes stream = encode(Script().finish().events, any_header());
+  Log log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(noise.data(), noise.size()).status == Status::ok);
+  REQUIRE(decoder.finish() == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  CHECK(decoder.report().has_header);
+  CHECK(decoder.report().damaged_packets == 1);
 }
 
 TEST_CASE("noise before, between and after the frames does no harm") {
@@ -390,6 +414,24 @@ TEST_CASE("records that break the grammar are refused") {
     model.incidence(up);
     model.ring_count(0);
   });
+  check_unreadable([](auto& model) {  // a ring of 0 runs, by a count that wraps
+    begin_compact_ring(model, 0);
+  });
+  check_unreadable([](auto& model) {  // a run of a compact ring that is too long
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(max_compact_length + 1);
+    model.direction(2);
+    model.length(1);
+    model.direction(4);
+    model.direction(6);
+  });
+  check_unreadable([](auto& model) {  // two parallel runs that are too long to reckon with: without
+    begin_compact_ring(model, 2);     // the look at it, it is the sanitizer that tells
+    model.direction(0);
+    model.direction(4);
+    model.length(INT32_MAX);
+  });
 }
 
 TEST_CASE(
@@ -418,6 +460,83 @@ TEST_CASE("a part of another incidence, kind or number does not go on with what 
       })}));
       CHECK(arrival.events == Script().region(up).ring({1, 0, 0}).lost().events);
     }
+}
+
+TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
+  constexpr uint32_t longest = Record::max_words - Record::ring_words;
+  for (const uint32_t runs : {longest, longest + 1, longest + 2, longest + 3, longest + 4}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_compact_ring(model, runs);
+      for (uint32_t i = 0; i + 2 < runs; ++i) {
+        model.direction(i % 2 == 0 ? 0 : 2);
+        model.length(1);
+      }
+      model.direction(4);
+      model.direction(6);
+    })}));
+    CHECK(regions_of(arrival.events).size() == (runs == longest ? 1 : 0));
+    CHECK(arrival.report.damaged_packets == (runs == longest ? 0 : 1));
+  }
+}
+
+TEST_CASE("a part of another fragment does not go on with the one that is open") {
+  for (const uint32_t number : {6U, 7U}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_part(model, false, true);
+      tell_run(model, 0, 2);
+      end_part(model, false);
+      begin_part(model, true, true, up, number);
+      tell_run(model, 2, 3);
+      end_part(model, true);
+    })}));
+    Script expected;
+    expected.fragment(up, 6).run(0, 2);
+    if (number == 6)
+      expected.run(2, 3).fragment_end();
+    else
+      expected.lost();
+    CHECK(arrival.events == expected.events);
+  }
+}
+
+TEST_CASE("a header that arrives behind its packets is the first all the same") {
+  std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
+  std::swap(frames[0], frames[1]);
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.report.has_header);
+  CHECK(arrival.report.repeated_packets == 1);
+  CHECK(arrival.header.width == any_header().width);
+}
+
+TEST_CASE("a sink may refuse what the end of a stream brings, as often as it likes") {
+  const Bytes stream = stream_of({payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, false);
+  })});
+  for (const uint32_t refusals : {0U, 1U, 3U}) {
+    struct Sullen {
+      Answer take(const Event& event) {
+        if (refused++ < refusals) return Answer::not_now;
+        refused = 0;
+        return log.take(event);
+      }
+      uint32_t refusals;
+      uint32_t refused = 0;
+      Log log{};
+    } sullen{refusals};
+    Decoder decoder;
+    REQUIRE(decoder.start(sink_to(sullen)) == Status::ok);
+    const Decoded decoded = decoder.push(stream.data(), stream.size());
+    CHECK(decoded.bytes == stream.size());
+    CHECK(decoded.status == (refusals == 0 ? Status::ok : Status::more));
+    // What push() did not get rid of, and the loss, which only the end tells.
+    uint32_t calls = 1;
+    while (decoder.finish() == Status::more) ++calls;
+    CHECK(calls == (refusals == 0 ? 1 : 4 * refusals));
+    CHECK(sullen.log.events == Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events);
+  }
 }
 
 TEST_CASE("a payload that ends before its records do is refused") {

@@ -109,6 +109,11 @@ TEST_CASE("a flush hands over what is there, once") {
   CHECK(decode(line.bytes).report.is_complete());
 }
 
+TEST_CASE("before a start there is nothing to flush") {
+  Encoder encoder;
+  CHECK(encoder.flush());
+}
+
 TEST_CASE("a flush into a slow line goes on where it was") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
@@ -232,4 +237,28 @@ TEST_CASE("a region that is lost before its end is told as lost, whatever follow
       CHECK(regions_of(arrival.events) == regions_of(events));
       CHECK(arrival.events.back() == events.back());
     }
+}
+
+TEST_CASE("an encoder that is not started takes nothing") {
+  Encoder encoder;
+  CHECK(encoder.take(Script().layer(1).events.front().event()) == Answer::not_now);
+}
+
+TEST_CASE("an event of a kind that there is not leaves nothing in the stream") {
+  Event unknown{};
+  unknown.kind = static_cast<Event::Kind>(200);
+  Script script;
+  script.region(up).square({1, 0, 0}, 2).region_end();
+  Events with_unknown = script.events;
+  with_unknown.insert(with_unknown.begin() + 2, Told(unknown));
+  CHECK(encode(with_unknown) == encode(script.events));
+}
+
+TEST_CASE("a region whose first run is in no ring does harm to nothing but its packet") {
+  Script script;
+  script.region(up).run(0, 2).ring({1, 0, 0}).run(0, 2).region_end();
+  const Arrival arrival = decode(encode(script.layer(1).finish().events));
+  CHECK(regions_of(arrival.events).empty());
+  CHECK(arrival.report.damaged_packets == 1);
+  CHECK(arrival.report.has_trailer);
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <discmc/hash_table.hpp>
 
+#include <algorithm>
 #include <unordered_map>
 #include <vector>
 
@@ -18,6 +19,9 @@ class Table : public HashTable<Index> {
     this->clear();
   }
 
+  /// The slots as they are, to forge entries where the table itself would put none.
+  std::vector<uint32_t>& keys() { return keys_; }
+
  private:
   std::vector<uint32_t> keys_;
   std::vector<Index> values_;
@@ -26,6 +30,26 @@ class Table : public HashTable<Index> {
 uint32_t next_random(uint32_t& state) {
   state = state * 1664525 + 1013904223;
   return state >> 8;
+}
+
+// Where in an empty table a key has gone: the begin of its window.
+uint32_t slot_of(Table<uint16_t>& table, uint32_t key) {
+  const auto place = std::find(table.keys().begin(), table.keys().end(), key + 1);
+  return static_cast<uint32_t>(place - table.keys().begin());
+}
+
+// Keys whose windows begin at one slot: what an adversary would choose who knows the hash.
+std::vector<uint32_t> colliding_keys(uint32_t slots, uint32_t range, size_t count) {
+  std::vector<uint32_t> found;
+  uint32_t first = 0;
+  for (uint32_t key = range - 1; found.size() < count; --key) {
+    Table<uint16_t> table(slots, range);
+    REQUIRE(table.insert(key, 1));
+    const uint32_t slot = slot_of(table, key);
+    if (found.empty()) first = slot;
+    if (slot == first) found.push_back(key);
+  }
+  return found;
 }
 
 // The frontier clears rarely; here it happens often.
@@ -134,6 +158,35 @@ TEST_CASE("the window goes round the end of the table") {
   for (uint32_t key = 0; key < 32; ++key)
     CHECK(table.insert(999999 - 31337 * key, static_cast<uint16_t>(key)));
   for (uint32_t key = 0; key < 32; ++key) CHECK(table.take(999999 - 31337 * key) == key);
+}
+
+TEST_CASE("no key is looked for beyond its window, wherever in the table that begins") {
+  constexpr uint32_t window = HashTable<uint16_t>::window;
+  for (const uint32_t slots : {window + 1, 40U, 257U})
+    for (uint32_t key = 0; key < 999; key += 111) {
+      Table<uint16_t> table(slots, 1000);
+      REQUIRE(table.insert(key, 1));
+      const uint32_t first = slot_of(table, key);
+      CHECK(table.take(key) == 1);
+      for (uint32_t distance = 0; distance < slots; ++distance) {
+        CAPTURE(distance);
+        table.clear();
+        table.keys()[(first + distance) % slots] = key + 1;  // forged
+        CHECK((table.take(key) != no_record) == (distance < window));
+      }
+    }
+}
+
+TEST_CASE("of keys that all collide a table takes a window full, and not one more") {
+  constexpr uint32_t window = HashTable<uint16_t>::window;
+  constexpr uint32_t slots = 257;
+  const std::vector<uint32_t> keys = colliding_keys(slots, 0x7FFFFFFF, window + 1);
+  Table<uint16_t> table(slots, 0x7FFFFFFF);
+  for (uint32_t i = 0; i < window; ++i) REQUIRE(table.insert(keys[i], static_cast<uint16_t>(i)));
+  CHECK_FALSE(table.insert(keys[window], 99));
+  CHECK(table.take(keys[window]) == no_record);
+  for (uint32_t i = 1; i < window; ++i) CHECK(table.take(keys[i]) == i);
+  CHECK(table.insert(keys[window], 99));
 }
 
 TEST_CASE("with a slot for every key there is always room") {

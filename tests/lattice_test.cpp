@@ -187,3 +187,15 @@ TEST_CASE("seen from the other side of a plane the directions go round the other
     CHECK(turn(opposite(incidence), there(from), there(to)) == -turn(incidence, from, to));
   });
 }
+
+TEST_CASE("the links are the same when they are derived at run time") {
+  LinkTable derived{};
+  derived = derive::link_table();  // what is initialised the compiler would work out
+  for (Link link = 0; link < link_codes; ++link)
+    CHECK(derive::link_of(derived, derive::link_vector(links, link)) == link);
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    CHECK(derived.direction_count[incidence] == links.direction_count[incidence]);
+    for (int i = 0; i < max_directions / 2; ++i)
+      CHECK(derived.link[incidence][i] == links.link[incidence][i]);
+  }
+}

@@ -73,7 +73,7 @@ Status start_with(const Limits& limits, const Capacities& capacities, size_t byt
   Extractor<Index> extractor;
   const Status status = extractor.start(limits, capacities, 1, block.memory(), collector.sink());
   CHECK(block.is_intact());
-  if (status == Status::ok) CHECK(extractor.bytes_used() <= bytes);
+  if (status == Status::ok) CHECK(extractor.bytes_used() == bytes_for<Index>(limits, capacities));
   return status;
 }
 

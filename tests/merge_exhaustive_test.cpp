@@ -65,6 +65,7 @@ std::string sweep_all(Size size, bool closed, uint64_t sample, uint64_t stride =
       if (scanner.has_cut()) return name + ": a cut";
       if (fingerprint(swept) != fingerprint_of_cells(volume, closed))
         return first_difference(name, swept, volume, closed);
+      if (closed && surface_of(swept).open_links != 0) return name + ": not closed";
       if (bits / stride % sample != 0) continue;
       if (canonical(simple_rings(swept)) != canonical(merge(volume, closed)))
         return first_difference(name, swept, volume, closed);

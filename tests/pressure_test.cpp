@@ -2,6 +2,8 @@
 // regions.
 #include <doctest/doctest.h>
 
+#include <iterator>
+
 #include "reference/agreement.hpp"
 #include "reference/sanitized.hpp"
 #include "reference/scan.hpp"
@@ -43,7 +45,58 @@ class Pressed {
     }
   }
 
+  /// The high-water marks of a scan that lacks nothing.
+  HighWater needed() const {
+    Collector collector(plan_.takes_fragments);
+    Block block(bytes_for<uint16_t>(limits(), ample()));
+    Extractor16 extractor;
+    require_ok(extractor.start(limits(), ample(), 1, block.memory(), collector.sink()));
+    push_all(extractor, volume_.on);
+    finish_all(extractor);
+    return extractor.high_water();
+  }
+
+  /// What is wrong with a scan in the memory of one that was broken off by reset(), or nothing.
+  std::string fault_after_reset(const Capacities& capacities, bool may_cut) const {
+    Collector collector(plan_.takes_fragments);
+    Collector broken_off(plan_.takes_fragments);
+    Switch receiver{&broken_off};
+    const Block::Kind kind = ++scans_ % 2 == 0 ? Block::Kind::exact : Block::Kind::guarded;
+    Block block(bytes_for<uint16_t>(limits(), capacities), kind);
+    Extractor16 extractor;
+    require_ok(extractor.start(limits(), capacities, 1, block.memory(),
+                               sink_to(receiver, plan_.takes_fragments)));
+    const std::vector<uint8_t>& on = volume_.on;
+    push_all(extractor, std::vector<uint8_t>(on.data(), on.data() + scans_ % on.size()));
+    require_ok(extractor.reset());
+    receiver.collector = &collector;
+    push_all(extractor, on);
+    finish_all(extractor);
+    return block.is_intact() ? fault_of(collector, may_cut) : "a write outside the arena";
+  }
+
+  /// The same of a start that must be refused before anything happens.
+  std::string fault_of_refusal(const Capacities& capacities) const {
+    Collector collector(plan_.takes_fragments);
+    const size_t bytes = bytes_for<uint16_t>(limits(), ample());
+    Block block(bytes);
+    Block untouched(bytes);
+    Extractor16 extractor;
+    const Status status =
+        extractor.start(limits(), capacities, 1, block.memory(), collector.sink());
+    if (status != Status::bad_capacities) return text(status);
+    const auto* written = static_cast<const uint8_t*>(block.memory().data);
+    const auto* as_it_was = static_cast<const uint8_t*>(untouched.memory().data);
+    if (!std::equal(written, written + bytes, as_it_was)) return "the memory was touched";
+    return extractor.finish() == Status::not_started ? "" : "something was started";
+  }
+
  private:
+  struct Switch {
+    Collector* collector;
+    Answer take(const Event& event) { return collector->take(event); }
+  };
+
   std::string fault_of(const Collector& collector, bool may_cut) const {
     const std::vector<Region>& swept = collector.regions();
     if (collector.split_sides() != 0) return "a straight side in more runs than it needs";
@@ -130,6 +183,29 @@ TEST_CASE("a lack of regions cuts and keeps the surface") {
 
 TEST_CASE("a lack of slots cuts and keeps the surface") {
   press_pool<uint16_t>(&Capacities::slots, false);
+}
+
+TEST_CASE("every capacity of every pool from nothing to what is needed is refused or does") {
+  constexpr uint32_t Capacities::*pools[] = {&Capacities::edges, &Capacities::runs,
+                                             &Capacities::rings, &Capacities::regions,
+                                             &Capacities::slots};
+  constexpr uint32_t HighWater::*marks[] = {&HighWater::edges, &HighWater::runs, &HighWater::rings,
+                                            &HighWater::regions, &HighWater::slots};
+  const Capacities least = minimum_capacities();
+  for_each_case([&](const Pressed& pressed, bool takes_fragments) {
+    const HighWater needed = pressed.needed();
+    for (size_t i = 0; i < std::size(pools); ++i) {
+      CAPTURE(i);
+      const auto pool = pools[i];
+      const bool may_cut = !(pool == &Capacities::runs && takes_fragments);
+      Capacities capacities = pressed.ample();
+      const uint32_t most = needed.*marks[i] + 2 * least.*pool;
+      for (capacities.*pool = 0; capacities.*pool < least.*pool; ++(capacities.*pool))
+        CHECK(pressed.fault_of_refusal(capacities) == "");
+      for (; capacities.*pool <= most; capacities.*pool += step(19))
+        CHECK(pressed.fault_after_reset(capacities, may_cut) == "");
+    }
+  });
 }
 
 TEST_CASE("a region whose many edges all become boundary at once finds the runs it needs") {

@@ -169,6 +169,59 @@ void check_many_refusals(const Scenario& scenario) {
   }
 }
 
+// Hands the events on to whichever log is in its turn.
+struct Switch {
+  EventLog* log;
+  Answer take(const Event& event) { return log->take(event); }
+};
+
+// Pushes what is left, and finishes, until the sink refuses.
+Status push_until_refused(Extractor16& extractor, const Scenario& scenario, uint32_t& at) {
+  Status status = Status::ok;
+  while (at < scenario.samples && status == Status::ok) {
+    const Pushed pushed = extractor.push(scenario.volume.on.data() + at, scenario.samples - at);
+    at += pushed.samples;
+    status = pushed.status;
+  }
+  return status == Status::ok ? extractor.finish() : status;
+}
+
+bool is_held(Extractor16& extractor, const Scenario& scenario, uint32_t at) {
+  const Pushed pushed = extractor.push(scenario.volume.on.data() + at, scenario.samples - at);
+  return extractor.resume() == Status::more && pushed.samples == 0 &&
+         (pushed.status == Status::more || pushed.status == Status::finished);
+}
+
+// A sink that takes `k` events and no more holds the scan where it is, whatever the caller tries.
+// Then it recovers, or the scan is given up for the next one in the same memory.
+std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, uint64_t k) {
+  bool is_dead = false;
+  EventLog log([&](uint64_t offer) { return (is_dead = is_dead || offer == k); },
+               scenario.takes_fragments);
+  EventLog next({}, scenario.takes_fragments);
+  Switch receiver{&log};
+  const Limits limits = limits_of(scenario.volume, scenario.border);
+  Block block(bytes_for<uint16_t>(limits, scenario.capacities));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(),
+                             sink_to(receiver, scenario.takes_fragments)));
+  uint32_t at = 0;
+  if (push_until_refused(extractor, scenario, at) != Status::more) return "not refused";
+  for (int i = 0; i < 3; ++i)
+    if (!is_held(extractor, scenario, at) || log.events() != k) return "not held";
+  is_dead = false;
+  if (k % 2 == 1) {
+    receiver.log = &next;
+    at = 0;
+    require_ok(extractor.reset());
+  }
+  Status status = Status::more;
+  while (status == Status::more) status = push_until_refused(extractor, scenario, at);
+  require_ok(status);
+  if (!block.is_intact()) return "a write outside the arena";
+  return receiver.log->words() == plain.words() ? "" : "other events";
+}
+
 // Few runs: this scenario spills. How many runs decides which fragments are spilled when.
 Scenario spilling(uint64_t seed, Border border) {
   const auto step = static_cast<uint32_t>(seed % 7);
@@ -288,6 +341,20 @@ TEST_CASE("an ending that was refused goes on with resume() alone, whatever was 
       CHECK(status == Status::ok);
       CHECK(log.collector().is_finished());
       CHECK(log.collector().was_abandoned() == (ending == Ending::abandon));
+    }
+}
+
+TEST_CASE(
+    "a sink that dies at any event is waited for, and nothing is lost; or the scan begins anew") {
+  for (uint64_t seed = 0; seed < 6; ++seed)
+    for (const Scenario& scenario : {spilling(seed, seed % 2 == 0 ? Border::closed : Border::open),
+                                     cutting(5 * seed, seed % 2 == 0)}) {
+      CAPTURE(seed);
+      const EventLog plain = run<uint16_t>(scenario);
+      for (uint64_t k = 0; k < plain.events(); k += step(11)) {
+        CAPTURE(k);
+        CHECK(fault_of_dead_sink(scenario, plain, k) == "");
+      }
     }
 }
 

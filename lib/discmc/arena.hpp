@@ -38,7 +38,8 @@ class Arena {
         left_(memory.bytes),
         is_exhausted_(memory.data == nullptr || memory.bytes < alignment - 1) {
     if (is_exhausted_) return;
-    next_ += (alignment - reinterpret_cast<uintptr_t>(begin_) % alignment) % alignment;
+    begin_ += (alignment - reinterpret_cast<uintptr_t>(begin_) % alignment) % alignment;
+    next_ = begin_;
     left_ -= alignment - 1;
   }
 
@@ -51,8 +52,8 @@ class Arena {
   /// Whether an array did not fit.
   bool is_exhausted() const { return is_exhausted_; }
 
-  /// The bytes taken so far, from the first of the memory on.
-  size_t used() const { return static_cast<size_t>(next_ - begin_); }
+  /// The bytes taken so far, with what is set aside: memory of as many has room for the same.
+  size_t used() const { return static_cast<size_t>(next_ - begin_) + alignment - 1; }
 
  private:
   uint8_t* take_records(uint32_t count, uint32_t record_bytes) {

@@ -45,18 +45,15 @@ static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == D
                   wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME,
               "constants are the same");
 
-template <class Index>
-constexpr bool sizes_agree() {
-  constexpr uint64_t i = sizeof(Index);
-  return DISCMC_EDGE_BYTES_(i) == sizeof(Edge<Index>) &&
-         DISCMC_RUN_BYTES_(i) == sizeof(RunNode<Index>) &&
-         DISCMC_RING_BYTES_(i) == sizeof(ClosedRing<Index>) &&
-         DISCMC_REGION_BYTES_(i) == sizeof(RegionNode<Index>) &&
-         DISCMC_MINIMUM_BYTES_(i, 31, 7, DISCMC_OPEN) ==
-             minimum_bytes<Index>({31, 7, Border::open}) &&
-         DISCMC_WORST_CASE_BYTES_(i, 31, 7, DISCMC_CLOSED) == worst_case_bytes<Index>({31, 7});
-}
-static_assert(sizes_agree<uint16_t>() && sizes_agree<uint32_t>(),
+template <class Index, uint64_t i = sizeof(Index)>
+constexpr bool sizes_agree =
+    DISCMC_EDGE_BYTES_(i) == sizeof(Edge<Index>) &&
+    DISCMC_RUN_BYTES_(i) == sizeof(RunNode<Index>) &&
+    DISCMC_RING_BYTES_(i) == sizeof(ClosedRing<Index>) &&
+    DISCMC_REGION_BYTES_(i) == sizeof(RegionNode<Index>) &&
+    DISCMC_MINIMUM_BYTES_(i, 31, 7, DISCMC_OPEN) == minimum_bytes<Index>({31, 7, Border::open}) &&
+    DISCMC_WORST_CASE_BYTES_(i, 31, 7, DISCMC_CLOSED) == worst_case_bytes<Index>({31, 7});
+static_assert(sizes_agree<uint16_t> && sizes_agree<uint32_t>,
               "the constants of sizes.h are what the functions give; the tests have many more");
 
 Limits cpp(const discmc_limits& limits) {

@@ -36,12 +36,6 @@ struct CheckpointHead {
   uint64_t memory_bytes;   ///< the first ones of the memory, which belong to the checkpoint
   uint32_t memory_offset;  ///< of the memory from a multiple of Arena::alignment
   uint32_t checksum;       ///< of the head with 0 in this place, of the object and of the memory
-
-  bool operator==(const CheckpointHead& other) const {
-    return format == other.format && object_bytes == other.object_bytes &&
-           memory_bytes == other.memory_bytes && memory_offset == other.memory_offset &&
-           checksum == other.checksum;
-  }
 };
 
 /// An Object and the memory it works in, at one moment. It holds no addresses, is copied as plain
@@ -58,8 +52,10 @@ struct Checkpoint {
   /// Whether this and the memory are what was sealed. Never reads beyond memory.bytes.
   /// Cost: as seal().
   bool is_whole(Memory memory) const {
-    return head.memory_bytes <= memory.bytes &&
-           head == head_with({memory.data, static_cast<size_t>(head.memory_bytes)});
+    if (head.memory_bytes > memory.bytes) return false;
+    const CheckpointHead now = head_with({memory.data, static_cast<size_t>(head.memory_bytes)});
+    return head.format == now.format && head.object_bytes == now.object_bytes &&
+           head.memory_offset == now.memory_offset && head.checksum == now.checksum;
   }
 
  private:

@@ -46,6 +46,7 @@ Status Decoder::finish() {
   if (!deliver()) return Status::more;
   if (frame_bytes_ > 0) ++report_.damaged_packets;
   frame_bytes_ = 0;
+  frame_is_too_long_ = false;
   lose_open();
   return deliver() ? Status::ok : Status::more;
 }
@@ -54,7 +55,7 @@ Status Decoder::finish() {
 
 void Decoder::open_frame(size_t bytes) {
   using namespace wire;
-  if (bytes == 0 && !frame_is_too_long_) return;  // a spare delimiter
+  if (bytes == 0) return;  // a spare delimiter
   const size_t plain = frame_is_too_long_ ? 0 : cobs::unstuff(frame_, bytes);
   const uint8_t* const packet = frame_ + 1;
   if (plain < packet_head + packet_crc || plain > max_packet) return damage();
@@ -246,7 +247,7 @@ bool Decoder::read_ring(bool further) {
     if (!is_parallelogram && i + 2 >= count) continue;
     length[0] = length[1];
     length[1] = model_.length(1);
-    if (length[1] == 0 || length[1] > max_compact_length) return false;
+    if (length[1] > max_compact_length) return false;
     const Vertex step = direction_vector(record_.incidence, direction[1]);
     const int32_t steps = static_cast<int32_t>(length[1]);
     way = way - Vertex{steps * step.x, steps * step.y, steps * step.z};
@@ -292,7 +293,7 @@ bool Decoder::read_part() {
       const Direction direction = model_.direction(0);
       if (!is_direction(record_.incidence, direction)) return false;
       const uint32_t length = model_.length(1);
-      if (length == 0 || length > Run::max_length) return false;
+      if (length > Run::max_length) return false;
       record_.add_run(Run::straight(direction, length));
     }
   }
@@ -372,8 +373,7 @@ bool Decoder::deliver() {
         if (!deliver_record()) return false;
         stage_ = Stage::records;
         break;
-      case Stage::mark:
-      case Stage::finish:
+      default:  // mark or finish
         if (!offer(mark_)) return false;
         stage_ = stage_ == Stage::mark ? Stage::records : Stage::collect;
         break;

@@ -27,9 +27,10 @@ struct StreamReport {
   uint32_t slices = 0;           ///< of the trailer
   Statistics totals{};           ///< of the trailer
 
-  /// Nothing is missing from header to trailer.
+  /// Nothing is missing from header to trailer, and nothing came that the trailer does not count.
   bool is_complete() const {
-    return has_header && has_trailer && lost_packets == 0 && lost_regions == 0 && !is_unreadable;
+    return has_header && has_trailer && lost_packets == 0 && lost_regions == 0 &&
+           regions == totals.regions && !is_unreadable;
   }
 };
 

@@ -93,7 +93,7 @@ void Merge<Index>::go_on(Run run, Statistics& statistics) {
       break;
     default:  // fragment_end
       fragment_->tail = Run::fragment(next_fragment_);
-      next_fragment_ = next_fragment_ < Run::max_fragment ? next_fragment_ + 1 : 0;
+      next_fragment_ = (next_fragment_ + 1) & Run::max_fragment;
       ++statistics.spills;
       is_delivering_ = false;
   }

@@ -1,9 +1,10 @@
 /* discmc for C: the whole library, C99, linked by the C linker.
  *
- *   discmc_encoder_start, discmc_extractor16_start      once
- *   discmc_extractor16_push_u8                          as often as samples arrive
- *   discmc_extractor16_resume                           after DISCMC_MORE, when the sink may take
- * on discmc_extractor16_finish                           after the last slice
+ *   discmc_encoder_start        once
+ *   discmc_extractor16_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
+ *   discmc_extractor16_push_u8  as often as samples arrive
+ *   discmc_extractor16_resume   after DISCMC_MORE, when the output takes bytes again
+ *   discmc_extractor16_finish   after the last slice; the stream is whole then, without a flush
  *
  * Names and meanings are those of the C++ headers, which say more where a reference is given.
  * Objects are opaque and lie in your memory. They must be zero before they are first used, as
@@ -41,12 +42,12 @@ typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,
   DISCMC_MORE,              /* suspended by the sink; nothing is lost */
-  DISCMC_BAD_LIMITS,        /* width or height is 0 or above DISCMC_MAX_EXTENT */
+  DISCMC_BAD_LIMITS,        /* width or height is 0 or above DISCMC_MAX_EXTENT, or no border */
   DISCMC_BAD_CAPACITIES,    /* below the minimum, or beyond what the index can count */
   DISCMC_TOO_LITTLE_MEMORY, /* smaller than the limits or capacities need, or null */
   DISCMC_BAD_SINK,          /* the sink has no function */
   DISCMC_NOT_STARTED,       /* ..._start() has not succeeded yet */
-  DISCMC_FINISHED,          /* only ..._reset() or ..._start() go on from here */
+  DISCMC_FINISHED,          /* it takes no more samples: ..._reset() or ..._start() */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
   DISCMC_TOO_DEEP,          /* DISCMC_MAX_SLICES are there; finish still works */
@@ -133,7 +134,11 @@ typedef struct discmc_statistics {
   uint64_t skipped_rows;
 } discmc_statistics;
 
-/* The kinds of events, in the grammar that sink.hpp gives. */
+/* The kinds of events, in this grammar:
+ *
+ *   scan     = { region | fragment | skipped | layer } finish
+ *   region   = region { ring { run } } region_end       outer ring first, then the holes
+ *   fragment = fragment { run } fragment_end            only when the sink takes fragments */
 enum {
   DISCMC_REGION,       /* a complete region begins: incidence */
   DISCMC_RING,         /* one of its rings begins: start, hole */
@@ -333,7 +338,8 @@ typedef struct discmc_stream_header {
 /* Where bytes go. Owner: the context is the caller's. */
 typedef struct discmc_byte_output {
   void* context;
-  /* Takes up to `count` bytes and returns how many it took; 0 means "not now". */
+  /* Takes up to `count` bytes and returns how many it took; 0 means "not now". An error is no
+   * number of bytes: answer 0. */
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
 } discmc_byte_output;
 

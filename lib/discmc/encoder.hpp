@@ -12,7 +12,8 @@ namespace discmc {
 /// Where bytes go: a UART, a ring buffer, a file. Owner: the context belongs to the caller.
 struct ByteOutput {
   void* context = nullptr;
-  /// Takes up to `count` bytes and returns how many it took; 0 means "not now".
+  /// Takes up to `count` bytes and returns how many it took; 0 means "not now". An error is no
+  /// number of bytes: answer 0.
   size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
 };
 
@@ -29,7 +30,7 @@ class Encoder {
   Answer take(const Event& event);
 
   /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
-  /// stream. False when the output does not take all of it now: call again.
+  /// stream. False when the output does not take all of it now: call again. Nothing before start().
   [[nodiscard]] bool flush();
 
   /// Writes down where the stream is: at the beginning of a frame, which restore() may thus send

@@ -30,10 +30,10 @@ Status Extractor<Index>::start(const Limits& limits, const Capacities& capacitie
 template <class Index>
 bool Extractor<Index>::lay_out(Memory memory, const PatchTable* table) {
   Arena arena(memory);
-  rows_.start(arena.take<uint32_t>(limits_.row_words() * (limits_.height + 3)), limits_);
+  rows_.start(arena, limits_);
   merge_.start(arena, limits_, capacities_, table, sink_.takes_fragments);
-  used_ = {memory.data, arena.used()};
-  return !arena.is_exhausted();
+  used_ = arena.is_exhausted() ? Memory{} : Memory{memory.data, arena.used()};
+  return used_.data != nullptr;
 }
 
 template <class Index>
@@ -232,7 +232,7 @@ bool Extractor<Index>::sweep_row() {
       if (active_ == 0) break;
       const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(active_));
       active_ &= active_ - 1;
-      visit({word_ * 32 + bit, cell_row_, z, seals, configuration_at(quad, word_, bit, words)});
+      visit({word_ * 32 + bit, cell_row_, z, seals, configuration_at(quad, word_, bit)});
     }
     word_begun_ = false;
   }

@@ -95,7 +95,7 @@ class Extractor {
   const Limits& limits() const { return limits_; }
   const Capacities& capacities() const { return capacities_; }
   HighWater high_water() const { return merge_.high_water(); }
-  /// The bytes of the caller's memory that are in use at all.
+  /// The bytes of the caller's memory that are laid out: bytes_for() these capacities.
   size_t bytes_used() const { return used_.bytes; }
   /// Complete slices so far.
   uint32_t slices() const { return rows_.slices(); }

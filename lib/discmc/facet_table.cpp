@@ -34,7 +34,7 @@ constexpr bool is_rectangle(const Loop& loop) {
   if (loop.count != 4) return false;
   const FacetRing ring{4, {loop.point[0], loop.point[1], loop.point[2], loop.point[3]}};
   const Vertex n = normal(ring_incidence(ring));
-  return dot(n, n) == 2 && dot(n, position(ring.point[3]) - position(ring.point[0])) == 0;
+  return dot(n, n) == 2;
 }
 
 struct FacetList {

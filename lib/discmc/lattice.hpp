@@ -126,7 +126,7 @@ constexpr LinkTable link_table() {
       for (int8_t x = -2; x <= 2; ++x) {
         const int length_squared = x * x + y * y + z * z;
         const bool diagonal = length_squared == 2;
-        const bool axis = length_squared == 4 && x % 2 == 0 && y % 2 == 0 && z % 2 == 0;
+        const bool axis = length_squared == 4;
         if (!diagonal && !axis) continue;
         table.vector[count][0] = x;
         table.vector[count][1] = y;

@@ -23,7 +23,8 @@ struct Limits {
   Border border = Border::closed;
 
   constexpr bool are_valid() const {
-    return width >= 1 && width <= max_extent && height >= 1 && height <= max_extent;
+    return width >= 1 && width <= max_extent && height >= 1 && height <= max_extent &&
+           border <= Border::open;
   }
   constexpr uint32_t halo() const { return border == Border::closed ? 1 : 0; }
   /// Cells a row and rows of cells a layer. An open slice one voxel wide has none.
@@ -127,7 +128,8 @@ constexpr uint64_t minimum_bytes(const Limits& limits) {
 
 /// The memory with which no volume ever cuts a region apart (see worst_case_capacities()).
 /// Only with those capacities: the default split of as many bytes has fewer rings and regions. Far
-/// more than real volumes need: see default_capacities().
+/// more than real volumes need: see default_capacities(). Limit: the capacities are valid, which
+/// those of slices near the greatest extents are not.
 template <class Index>
 constexpr uint64_t worst_case_bytes(const Limits& limits) {
   return bytes_for<Index>(limits, worst_case_capacities(limits));

@@ -106,7 +106,7 @@ class RegionModel {
   Direction direction(Direction direction);
   /// Whether the last direction of a ring is that of the run before, or opposite to it.
   bool is_parallel() const { return turns_ == 1 || turns_ == 1 + direction_count() / 2; }
-  /// A run's length, after its direction. Limit: at least 1.
+  /// A run's length, after its direction. Limit: at least 1, and decoding it is.
   uint32_t length(uint32_t length);
 
   /// A part of a region that is not compact, or of a fragment: part(), then item_kind() with
@@ -139,14 +139,16 @@ class RegionModel {
   }
 
   Coder coder_;
+  // Of the last run, or 3 when it is longer; 0 before the first. As wide as leaves no padding,
+  // whose bytes would be anything in a checkpoint.
+  uint16_t length_ = 0;
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;  // of its planes: diagonal, corner, axis
   bool after_region_ = false;
   // Of the chain:
   bool further_ = false;
   Direction direction_ = 0;
-  uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
-  uint8_t length_ = 0;  // of the last run, or 3 when it is longer; 0 before the first
+  uint8_t turns_ = 0;  // the last turn and one more; 0 before the first
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
   uint32_t fragment_ = 0;
@@ -293,7 +295,7 @@ uint32_t RegionModel<Coder>::length(uint32_t length) {
   const uint32_t by = 4 * (is_axis_link ? 3U : link_class_) + length_;
   const uint32_t coded =
       1 + number(run_length + by * size_of_run_length, size_of_run_length, length - 1);
-  length_ = static_cast<uint8_t>(coded < 3 ? coded : 3);
+  length_ = static_cast<uint16_t>(coded < 3 ? coded : 3);
   return coded;
 }
 

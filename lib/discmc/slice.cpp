@@ -3,14 +3,14 @@
 
 namespace discmc {
 
-void BitRows::start(uint32_t* words, const Limits& limits) {
+void BitRows::start(Arena& arena, const Limits& limits) {
   words_ = limits.row_words();
   ring_rows_ = limits.height + 2;
   width_ = limits.width;
   height_ = limits.height;
   halo_ = limits.halo();
-  ring_ = words;
-  off_ = ring_ + size_t{ring_rows_} * words_;
+  ring_ = arena.take<uint32_t>(words_ * ring_rows_);
+  off_ = arena.take<uint32_t>(words_);
 }
 
 void BitRows::clear() {

@@ -42,14 +42,14 @@ inline uint32_t skip_off(const RowQuad& rows, uint32_t word, uint32_t words) {
   return word > begin && word < words ? word - 1 : word;
 }
 
-/// The configuration of the cell of bits 32 * word + bit and the one after.
-inline Configuration configuration_at(const RowQuad& rows, uint32_t word, uint32_t bit,
-                                      uint32_t words) {
+/// The configuration of the cell of bits 32 * word + bit and the one after. Limit: both are bits of
+/// the rows.
+inline Configuration configuration_at(const RowQuad& rows, uint32_t word, uint32_t bit) {
   uint32_t configuration = 0;
   for (uint32_t i = 0; i < 4; ++i) {
     const uint32_t* const row = rows.row[i];
     uint32_t pair = row[word] >> bit;
-    if (bit == 31 && word + 1 < words) pair |= row[word + 1] << 1;
+    if (bit == 31) pair |= row[word + 1] << 1;
     configuration |= (pair & 3) << 2 * i;
   }
   return static_cast<Configuration>(configuration);
@@ -59,7 +59,7 @@ inline Configuration configuration_at(const RowQuad& rows, uint32_t word, uint32
 class BitRows {
  public:
   /// Takes row_words() * (height + 3) words from the arena, and writes nothing there; clear() does.
-  void start(uint32_t* words, const Limits& limits);
+  void start(Arena& arena, const Limits& limits);
   void clear();
 
   /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples

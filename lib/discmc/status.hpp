@@ -12,16 +12,16 @@ namespace discmc {
 enum class Status : uint8_t {
   ok,
   more,               ///< suspended by the sink; nothing is lost, call resume()
-  bad_limits,         ///< width or height is 0 or above Limits::max_extent
+  bad_limits,         ///< width or height is 0 or above Limits::max_extent, or no border
   bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
   too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
   bad_sink,           ///< the sink has no function
   not_started,        ///< start() has not succeeded yet
-  finished,           ///< finish() or abandon() was called; only reset() or start() go on from here
+  finished,           ///< finish() or abandon() was called: reset() or start() for another scan
   row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
   too_deep,       ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
-  wrong_version,   ///< the stream's version is not known to this decoder
+  wrong_version,  ///< the stream's version is not known to this decoder
   bad_checkpoint,  ///< the checkpoint, or the memory that goes with it, is not what was saved
 };
 
@@ -33,7 +33,7 @@ constexpr const char* text(Status status) {
     case Status::more:
       return "the sink is busy: call resume()";
     case Status::bad_limits:
-      return "width and height must be 1 to 32766";
+      return "width and height must be 1 to 32766, and the border closed or open";
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type";
     case Status::too_little_memory:

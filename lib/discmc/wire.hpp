@@ -71,7 +71,6 @@ class ByteReader {
     for (int i = 0; i < bytes; ++i) value |= uint64_t{next()} << 8 * i;
     return value;
   }
-  size_t left() const { return left_; }
 
  private:
   uint8_t next() {

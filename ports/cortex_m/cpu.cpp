@@ -4,7 +4,6 @@
 
 #include "board.hpp"
 #include "port.hpp"
-#include "semihosting.hpp"
 
 extern "C" {
 // From sections.ld.
@@ -73,8 +72,7 @@ void start() {
 }
 
 void fault() {
-  semihosting::print("fault\n");
-  semihosting::exit(2);
+  board::fault();
 }
 
 void on_request() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "option_checks.hpp"
 #include "output_file.hpp"
 
 namespace discmc::host {
@@ -17,24 +18,6 @@ CLI::Validator finite() {
       [](std::string& text) {
         const bool is_finite = !text.empty() && std::isfinite(std::strtod(text.c_str(), nullptr));
         return is_finite ? std::string() : "'" + text + "' is no finite number";
-      },
-      "");
-}
-
-CLI::Validator usable_spacing() {
-  return CLI::Validator(
-      [](std::string& text) {
-        const double size = std::fabs(std::strtod(text.c_str(), nullptr));
-        return size >= 1e-6 && size <= 2147 ? std::string()
-                                            : "'" + text + "' is not within 1e-6 to 2147 mm";
-      },
-      "");
-}
-
-CLI::Validator not_negative() {
-  return CLI::Validator(
-      [](std::string& text) {
-        return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
       },
       "");
 }
@@ -93,12 +76,8 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
           "closed: off voxels all around; open: the surface ends at the outermost voxels")
       ->check(CLI::IsMember({"closed", "open"}))
       ->option_text("closed|open");
-  extract
-      ->add_option("--memory", arguments.memory,
-                   "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)")
-      ->transform(CLI::AsSizeValue(false))
-      ->transform(not_negative())  // which comes before the other
-      ->option_text("BYTES");
+  add_memory_option(*extract, arguments.memory,
+                    "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)");
   extract
       ->add_option("-o,--output", arguments.output,
                    "by extension .dmc, .obj, .ply, .stl or .jsonl; - is the stream on standard "

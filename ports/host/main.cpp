@@ -55,6 +55,10 @@ void require(Status status) {
   if (status != Status::ok) throw std::runtime_error(text(status));
 }
 
+void require_written(std::ostream& out) {
+  if (!out.flush()) throw std::runtime_error("the table cannot be written: is the disk full?");
+}
+
 // Writes a surface to the file; what goes wrong is told with its name.
 void write_surface(const Surface& surface, Format format, bool conforming, OutputFile& file) {
   try {
@@ -86,9 +90,10 @@ int run_extract(const ExtractArguments& arguments) {
   if (format != Format::stream)
     write_surface(tee.builder.surface(), format, arguments.conforming, file);
   file.commit();
-  if (!arguments.quiet)
-    write_table(extraction, count(tee.builder.surface()), output.bytes(),
-                arguments.output == "-" ? std::cerr : std::cout);
+  if (arguments.quiet) return exit_ok;
+  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  write_table(extraction, count(tee.builder.surface()), output.bytes(), out);
+  require_written(out);
   return exit_ok;
 }
 
@@ -191,7 +196,7 @@ int run_decode(const StreamArguments& arguments) {
 int run_info(const StreamArguments& arguments) {
   const DecodedStream decoded = decode_surface(arguments.stream);
   write_info(decoded.header, decoded.report, count(decoded.surface), std::cout);
-  if (!std::cout.flush()) throw std::runtime_error("standard output: writing failed");
+  require_written(std::cout);
   return completeness(arguments.stream, decoded.report);
 }
 

@@ -18,6 +18,10 @@ constexpr std::int64_t most_slices = (std::int64_t{1} << 30) - 1;
 constexpr double least_spacing_mm = 1e-6;
 constexpr double most_spacing_mm = 1e6;
 
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
 double determinant(const Axes& a) {
   return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
          a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
@@ -43,8 +47,7 @@ void fail_type(const std::filesystem::path& file, std::string_view type) {
 std::string shown(std::string_view text) {
   constexpr std::size_t most_shown = 60;
   std::string result = "'";
-  for (const char c : text.substr(0, most_shown))
-    result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  for (const char c : text.substr(0, most_shown)) result += is_control(c) ? '?' : c;
   return result + (text.size() > most_shown ? "...'" : "'");
 }
 
@@ -89,6 +92,10 @@ std::vector<std::string_view> words(std::string_view text) {
 }
 
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name) {
+  // A zero byte would end the name early, and every message that shows it.
+  if (std::any_of(name.begin(), name.end(), is_control))
+    fail(header, "the data file " + shown(name) + " has control characters in its name",
+         "correct the header");
   return header.parent_path() / std::filesystem::path(std::string(name));
 }
 

@@ -47,7 +47,7 @@ std::string lower(std::string_view text);
 /// Returns the words between blanks.
 std::vector<std::string_view> words(std::string_view text);
 
-/// Returns the file beside the header that its text names.
+/// Returns the file beside the header that its text names. Throws when that is no name.
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name);
 
 /// Return the number when the text is one and nothing else; a real may be nan. The file and the

@@ -1,35 +1,29 @@
 #include "scan_arguments.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <map>
 #include <new>
+#include <vector>
+
+#include "option_checks.hpp"
 
 namespace discmc::device {
 namespace {
 
 constexpr std::uint64_t generous_memory = std::uint64_t{16} << 20;
 
-// The header's spacing is a count of nanometres in 32 bits.
-constexpr double least_mm = 1e-6;
-constexpr double most_mm = 2147;
-
-CLI::Validator not_negative() {
-  return CLI::Validator(
-      [](std::string& text) {
-        return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
-      },
-      "");
-}
-
 std::string refusal_of(const ScanPlan& plan) {
   const auto& dims = plan.volume.dims;
   for (const std::uint32_t extent : {dims[0], dims[1]})
     if (extent < 1 || extent > Limits::max_extent)
-      return "a slice is 1 to " + std::to_string(Limits::max_extent) + " voxels wide and high";
+      return std::to_string(extent) + ": a slice is 1 to " + std::to_string(Limits::max_extent) +
+             " voxels wide and high";
   const std::uint64_t rows = std::uint64_t{dims[1]} * dims[2];
   if (dims[2] < 1 || dims[2] > Limits::max_slices || rows > UINT32_MAX)
-    return "there is at least one slice, and at most 2^30 - 1 slices and 2^32 - 1 rows";
+    return std::to_string(dims[2]) +
+           ": there is at least one slice, and at most 2^30 - 1 slices and 2^32 - 1 rows";
   return "";
 }
 
@@ -39,8 +33,15 @@ void add_scan_options(CLI::App& command, ScanArguments& arguments) {
   host::VolumeInfo& volume = arguments.plan.volume;
   host::ExtractionOptions& options = arguments.plan.options;
   options.memory = generous_memory;
-  command.add_option("--dims", volume.dims, "voxels of a row, rows of a slice, and slices at most")
+  command
+      .add_option_function<std::vector<std::uint32_t>>(
+          "--dims",
+          [&volume](const std::vector<std::uint32_t>& extents) {
+            std::copy_n(extents.begin(), 3, volume.dims.begin());
+          },
+          "voxels of a row, rows of a slice, and slices at most")
       ->delimiter(',')
+      ->expected(3)
       ->required()
       ->option_text("X,Y,Z");
   command.add_option("--type", volume.type, "samples, the low byte first (default: u8)")
@@ -56,16 +57,18 @@ void add_scan_options(CLI::App& command, ScanArguments& arguments) {
           std::map<std::string, Border>{{"closed", Border::closed}, {"open", Border::open}}))
       ->option_text("closed|open");
   command
-      .add_option("--spacing", volume.spacing_mm, "between voxels, in millimetres (default: 1,1,1)")
+      .add_option_function<std::vector<double>>(
+          "--spacing",
+          [&volume](const std::vector<double>& spacing) {
+            std::copy_n(spacing.begin(), 3, volume.spacing_mm.begin());
+          },
+          "between voxels, in millimetres (default: 1,1,1)")
       ->delimiter(',')
-      ->check(CLI::Range(least_mm, most_mm) | CLI::Range(-most_mm, -least_mm))
+      ->expected(3)
+      ->check(host::usable_spacing())
       ->option_text("X,Y,Z");
-  command
-      .add_option("--memory", options.memory,
-                  "bytes of the arena, with K or M for 1024 and 1024^2 (default: 16M)")
-      ->transform(CLI::AsSizeValue(false))
-      ->transform(not_negative())  // which comes before the other
-      ->option_text("BYTES");
+  host::add_memory_option(command, options.memory,
+                          "bytes of the arena, with K or M for 1024 and 1024^2 (default: 16M)");
   command.add_option("-o,--output", arguments.output,
                      "the stream (.dmc); - is standard output (default)");
   command.add_flag("-q,--quiet", arguments.quiet, "no report in the end");

@@ -48,9 +48,9 @@ std::size_t list_hid_devices(std::ostream& out) {
 
 HidDevice::HidDevice(const std::string& name) : name_(name), device_(open(name)) {
   if (device_ == nullptr)
-    throw std::runtime_error("HID device '" + name + "' cannot be opened (" +
-                             narrow(hid_error(nullptr)) +
-                             "): see discmc-hid list, and whether you may read and write its path");
+    throw std::runtime_error(
+        "HID device '" + name +
+        "' cannot be opened: see discmc-hid list, and whether you may read and write its path");
 }
 
 std::size_t HidDevice::read(Bytes& report, std::chrono::milliseconds timeout) {

@@ -5,7 +5,6 @@
 
 #include "board.hpp"
 #include "port.hpp"
-#include "semihosting.hpp"
 
 extern "C" {
 // From sections.ld.
@@ -90,8 +89,7 @@ void start() {
 }
 
 void fault() {
-  semihosting::print("fault\n");
-  semihosting::exit(2);
+  board::fault();
 }
 
 [[gnu::interrupt]] void on_interrupt() {

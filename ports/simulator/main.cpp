@@ -39,6 +39,20 @@ void print_skipped(const Options& options, const ReceivedStream& stream) {
   std::cout << '\n';
 }
 
+// A disturbance at a row that never comes would be a test of nothing.
+void require_in_scan(const Options& options, std::uint32_t count) {
+  const auto require = [count](const char* option, std::uint32_t row) {
+    if (row >= count)
+      throw std::invalid_argument(std::string(option) + ' ' + std::to_string(row) +
+                                  ": the scan has rows 0 to " + std::to_string(count - 1));
+  };
+  for (const std::uint32_t row : options.scanner.dropped) require("--drop-row", row);
+  for (const std::uint32_t row : options.scanner.damaged) require("--damage-row", row);
+  for (const auto& pause : options.scanner.pauses) require("--pause", pause.first);
+  for (const auto& stall : options.listener.stalls) require("--stall", stall.first);
+  if (options.reset_at != ScannerBehaviour::never) require("--reset-at", options.reset_at);
+}
+
 void print_summary(const Rows& rows, const Options& options, const Simulation& simulation) {
   const Scanner& scanner = simulation.scanner();
   for (const auto& stream : simulation.received().streams()) {
@@ -73,6 +87,7 @@ void write_stream(const ReceivedStream& stream, const std::string& path) {
 int simulate(const Options& options) {
   const auto volume = host::open_volume(options.volume, options.layout);
   const Rows rows(*volume);
+  require_in_scan(options, rows.count());
   const Device device(options);
   Simulation simulation(rows, options, device.lines());
   try {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "option_checks.hpp"
+
 namespace discmc::simulator {
 namespace {
 
@@ -37,10 +39,8 @@ void add_volume(CLI::App& app, Options& options) {
                           ->option_text("u8|u16|i16");
   dims->needs(type);
   type->needs(dims);
-  app.add_option("--memory", options.memory,
-                 "the arena_bytes of the firmware's scan.hpp; K for 1024 (required)")
-      ->transform(CLI::AsSizeValue(false))
-      ->option_text("BYTES")
+  host::add_memory_option(app, options.memory,
+                          "the arena_bytes of the firmware's scan.hpp; K for 1024 (required)")
       ->required();
 }
 

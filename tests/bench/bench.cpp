@@ -166,9 +166,10 @@ template <class Sample, class AfterRow>
 void pack(const Volume& volume, const std::vector<Sample>& samples, std::vector<uint32_t>& words,
           AfterRow after_row) {
   const Limits limits = volume.limits();
-  words.resize(size_t{limits.row_words()} * (limits.height + 3));
+  words.resize(size_t{limits.row_words()} * (limits.height + 3) + 1);
+  Arena arena({words.data(), sizeof(uint32_t) * words.size()});
   BitRows rows;
-  rows.start(words.data(), limits);
+  rows.start(arena, limits);
   rows.clear();
   const Sample* next = samples.data();
   for (uint32_t z = 0; z < volume.depth; ++z) {
@@ -193,7 +194,7 @@ uint64_t scan_row(const BitRows& rows, int64_t y, uint32_t columns) {
     if (columns - word * 32 < 32) active &= (uint32_t{1} << (columns - word * 32)) - 1;
     for (; active != 0; active &= active - 1) {
       const auto bit = static_cast<uint32_t>(__builtin_ctz(active));
-      facets += cell_facts.facets[configuration_at(quad, word, bit, words)];
+      facets += cell_facts.facets[configuration_at(quad, word, bit)];
     }
   }
   return facets;

@@ -43,7 +43,7 @@ Bytes stream_of(const std::vector<scan::Sample>& samples) {
       encoder.start({scan::limits.width,
                      scan::limits.height,
                      scan::depth,
-                     {},
+                     {scan::spacing_nm[0], scan::spacing_nm[1], scan::spacing_nm[2]},
                      scan::threshold,
                      scan::limits.border},
                     {&stream, append}) == Status::ok &&

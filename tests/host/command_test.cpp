@@ -223,6 +223,15 @@ TEST_CASE("a surface of nothing is valid in every format") {
   }
 }
 
+TEST_CASE("a table that cannot be written is a failure, and the stream is there") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  if (workshop.shell("test -c /dev/full").code != 0) return;
+  const Result result = workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -o v.dmc >/dev/full");
+  check_failure(result, 1, {"the table cannot be written"});
+  CHECK(workshop.run("info v.dmc").code == 0);
+}
+
 TEST_CASE("little memory costs polygons and never the surface") {
   const Workshop workshop;
   const BitVolume volume = discmc::reference::random({16, 16, 16}, 128, 2);
@@ -270,6 +279,8 @@ TEST_CASE("wrong usage exits with 2") {
                                 "extract v.nrrd --iso inf",
                                 "extract v.nrrd --iso ''",
                                 "extract v.nrrd --iso 1 --memory -5",
+                                "extract v.nrrd --iso 1 --memory 0",
+                                "extract v.nrrd --iso 1 --memory 99999999999999999999",
                                 "extract v.nrrd --iso 1 -o v.vtk",
                                 "extract v.raw --iso 1 --type u16 --dims 13,12,11 --spacing 0,1,1",
                                 "render v.dmc -o v.jpg",

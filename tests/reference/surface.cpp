@@ -4,8 +4,6 @@
 
 namespace discmc::reference {
 
-namespace {
-
 // The finalizer of splitmix64 (Steele, Lea, Flood 2014).
 uint64_t mix(uint64_t value) {
   value += 0x9E3779B97F4A7C15;
@@ -30,6 +28,8 @@ uint64_t link_hash(const Vertex& from, const Vertex& to) {
 uint64_t of_incidence(uint64_t link, Incidence incidence) {
   return link * (mix(incidence) | 1);
 }
+
+namespace {
 
 void add_ring(Surface& surface, Incidence incidence, const Ring& ring) {
   uint64_t links = 0;

@@ -31,6 +31,14 @@ Surface surface_of(const std::vector<Region>& regions);
 /// The same, summed over the facets of a volume's cells.
 Surface surface_of_cells(const BitVolume& volume, bool closed);
 
+/// What the hashes are sums of: a pseudo-random number for a directed link, which its opposite
+/// cancels, and the same for a link on a plane of an incidence.
+uint64_t link_hash(const Vertex& from, const Vertex& to);
+uint64_t of_incidence(uint64_t link, Incidence incidence);
+
+/// A sum of links as the fingerprint counts it, so that equal sums of two regions do not add up.
+uint64_t mix(uint64_t value);
+
 /// One number for a set of regions: which links bound each of them, whatever the rings. The same
 /// for sweep rings and simple rings, as slits cancel.
 uint64_t fingerprint(const std::vector<Region>& regions);

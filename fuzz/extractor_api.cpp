@@ -1,0 +1,491 @@
+// Fuzz target. The promise: whatever is called, in whatever order and with whatever memory, samples
+// and sink, every call comes to the status that the headers give it, nothing is touched but the
+// memory given, the events keep to their grammar, and the surface of a scan that ends is that of
+// the rows it was given.
+//
+//   fuzz_extractor_api -max_len=600 corpus/extractor_api      with libFuzzer
+//   fuzz_extractor_api corpus/extractor_api                   with replay_main.cpp
+
+#include <exception>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "input.hpp"
+#include "reference/agreement.hpp"
+#include "reference/event_log.hpp"
+#include "reference/scan.hpp"
+#include "require.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+constexpr size_t most_voxels = 3000;  // of one scan, so that a run takes no longer than it must
+
+/// Memory that ends where a heap block ends and begins at any address.
+class Place {
+ public:
+  Place(size_t bytes, size_t offset)
+      : offset_(offset), bytes_(bytes), all_(new uint8_t[offset + bytes]) {
+    std::fill_n(all_.get(), offset_ + bytes_, filling);
+  }
+
+  Memory memory() { return {all_.get() + offset_, bytes_}; }
+  size_t offset() const { return offset_; }
+  bool is_intact() const { return is_filled(0, offset_); }
+  bool is_untouched() const { return is_filled(0, offset_ + bytes_); }
+
+ private:
+  static constexpr uint8_t filling = 0xA5;
+
+  bool is_filled(size_t from, size_t to) const {
+    return std::all_of(all_.get() + from, all_.get() + to,
+                       [](uint8_t byte) { return byte == filling; });
+  }
+
+  size_t offset_;
+  size_t bytes_;
+  std::unique_ptr<uint8_t[]> all_;
+};
+
+/// The sink: a log of the scan under way, which refuses at random. It outlives the scans.
+class Listener {
+ public:
+  void listen(bool takes_fragments) {
+    log_.emplace([this](uint64_t) { return refuses(); }, takes_fragments);
+    refuses_now_ = false;
+  }
+  void refuse(uint32_t of_256, uint32_t seed) {
+    refusals_ = of_256;
+    seed_ = seed;
+  }
+  const EventLog& log() const { return *log_; }
+  /// Whether the last event offered was refused.
+  bool refuses_now() const { return refuses_now_; }
+
+  Answer take(const Event& event) try {
+    require(log_.has_value(), "an event before any scan");
+    const Answer answer = log_->take(event);
+    refuses_now_ = answer == Answer::not_now;
+    return answer;
+  } catch (const std::exception& error) {
+    require(false, error.what());
+    return Answer::taken;
+  }
+
+ private:
+  bool refuses() {
+    seed_ = seed_ * 1664525 + 1013904223;
+    return seed_ >> 24 < refusals_;
+  }
+
+  std::optional<EventLog> log_;
+  uint32_t refusals_ = 0;
+  uint32_t seed_ = 0;
+  bool refuses_now_ = false;
+};
+
+/// A row of samples that are to come out as the bits given, whatever their type and the threshold.
+template <class Sample>
+Sample sample_of(bool on, int32_t threshold, uint32_t noise) {
+  constexpr int64_t least = std::numeric_limits<Sample>::min();
+  constexpr int64_t most = std::numeric_limits<Sample>::max();
+  const int64_t first_on = std::clamp<int64_t>(threshold, least, most);
+  if (on) return static_cast<Sample>(first_on + int64_t{noise} % (most - first_on + 1));
+  if (first_on == least) return static_cast<Sample>(least);
+  return static_cast<Sample>(first_on - 1 - int64_t{noise} % (first_on - least));
+}
+
+/// Calls an extractor and holds what it does against what the headers say it does.
+template <class Index>
+class Caller {
+ public:
+  explicit Caller(Input& input) : input_(input) {}
+
+  void run() {
+    while (!input_.is_empty()) call();
+    end();
+    check_own_memory();
+  }
+
+ private:
+  enum class State : uint8_t { idle, scanning, finishing, finished };
+
+  void call() {
+    const uint32_t what = input_.byte();
+    if (what < 24) return start();
+    if (what < 28) return reset();
+    if (what < 40) return change_mood();
+    if (what < 56) return resume();
+    if (what < 72) return finish();
+    if (what < 76) return abandon();
+    if (what < 100) return skip_row();
+    if (what < 140) return push_bits();
+    if (what < 190) return push<uint8_t>();
+    if (what < 220) return push<uint16_t>();
+    if (what < 250) return push<int16_t>();
+    if (what < 253) return fail_power();
+    look();
+  }
+
+  void change_mood() {
+    const uint32_t refusals = input_.byte();
+    listener_.refuse(refusals, input_.byte());
+  }
+
+  // ---- beginning ----
+
+  void start() {
+    const uint32_t flags = input_.byte();
+    Limits limits = read_limits(flags);
+    const uint64_t least = limits.are_valid() ? minimum_bytes<Index>(limits) : 64;
+    Capacities capacities = read_capacities(least);
+    const bool is_split = (flags & 2) != 0;
+    const bool is_good = are_valid<Index>(capacities);
+    const uint64_t needed =
+        is_split || !limits.are_valid() || !is_good ? least : bytes_for<Index>(limits, capacities);
+    if (needed > 1 << 20) return;
+    const uint64_t bytes = read_bytes(needed, is_split);
+    auto place = std::make_unique<Place>(bytes, input_.below(4));
+    const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : place->memory();
+    Sink sink = sink_to(listener_, (flags & 8) == 0);
+    if ((flags & 0xF0) == 0xF0) sink.take = nullptr;
+    const int32_t threshold = read_threshold();
+
+    const Status status = is_split ? extractor_.start(limits, threshold, memory, sink)
+                                   : extractor_.start(limits, capacities, threshold, memory, sink);
+    const Status expected = !limits.are_valid()     ? Status::bad_limits
+                            : !is_split && !is_good ? Status::bad_capacities
+                            : sink.take == nullptr  ? Status::bad_sink
+                            : bytes < needed        ? Status::too_little_memory
+                                                    : Status::ok;
+    require(status == expected, "start() comes to another status");
+    if (status == Status::too_little_memory) state_ = State::idle;
+    if (status != Status::ok) {
+      require(place->is_untouched(), "a start in vain has written");
+      return;
+    }
+    check_own_memory();
+    place_ = std::move(place);
+    limits_ = limits;
+    threshold_ = threshold;
+    takes_fragments_ = sink.takes_fragments;
+    require(extractor_.bytes_used() <= bytes, "more bytes in use than were given");
+    begin();
+  }
+
+  void reset() {
+    const Status expected = state_ == State::idle ? Status::not_started : Status::ok;
+    require(extractor_.reset() == expected, "reset() comes to another status");
+    if (expected == Status::ok) begin();
+  }
+
+  void begin() {
+    state_ = State::scanning;
+    was_abandoned_ = false;
+    on_.clear();
+    skipped_ = 0;
+    listener_.listen(takes_fragments_);
+  }
+
+  Limits read_limits(uint32_t flags) {
+    const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
+    const uint32_t width = input_.byte();
+    const uint32_t height = input_.byte();
+    // Mostly small, now and then longer than a word, now and then of no use.
+    if (width == 255) return {0, 1 + height, border};
+    if (width == 254) return {1 + height, Limits::max_extent + 1 + height, border};
+    return {width < 200 ? 1 + width % 9 : 28 + width % 40, 1 + height % 7, border};
+  }
+
+  Capacities read_capacities(uint64_t least_bytes) {
+    Capacities capacities = minimum_capacities();
+    const uint32_t kind = input_.below(8);
+    if (kind == 0) return capacities;
+    if (kind == 1) {
+      // One of no use: too few, or more than an index counts.
+      uint32_t* const all[] = {&capacities.edges, &capacities.runs, &capacities.rings,
+                               &capacities.regions, &capacities.slots};
+      uint32_t& one = *all[input_.below(5)];
+      one = input_.below(2) != 0 ? one - 1 : UINT32_MAX - input_.byte();
+      return capacities;
+    }
+    if (kind == 2) return default_capacities<Index>({9, 9}, least_bytes + 16 * input_.byte());
+    capacities.edges += input_.byte();
+    capacities.runs += input_.byte();
+    capacities.rings += input_.below(16);
+    capacities.regions += input_.byte();
+    capacities.slots += input_.byte();
+    return capacities;
+  }
+
+  // As a rule exactly enough, which is where a write beyond shows.
+  uint64_t read_bytes(uint64_t needed, bool is_split) {
+    const uint32_t kind = input_.byte();
+    if (kind < 20) return needed - 1 - (kind < 10 ? 0 : input_.byte() % needed);
+    if (kind < 24) return 0;
+    return needed + (is_split ? 8 * input_.byte() : kind % 4 == 0 ? input_.byte() : 0);
+  }
+
+  int32_t read_threshold() {
+    constexpr int32_t usual[] = {1,     128,   0,     -5,        255,      256,
+                                 40000, 65535, 65536, INT32_MIN, INT32_MAX};
+    return usual[input_.below(std::size(usual))];
+  }
+
+  // ---- samples ----
+
+  size_t column() const { return on_.size() % limits_.width; }
+  size_t rows() const { return on_.size() / limits_.width; }
+  bool is_refused() const { return listener_.refuses_now(); }
+
+  /// What a call that brings samples comes to when the sink takes everything.
+  Status for_samples() const {
+    if (state_ == State::idle) return Status::not_started;
+    return state_ == State::scanning ? Status::ok : Status::finished;
+  }
+
+  template <class Sample>
+  void push() {
+    const uint32_t stride = input_.below(16) == 0 ? 0 : 1 + input_.below(3);
+    // A stride of 0 is the same sample again and again.
+    uint32_t count = input_.byte() % (state_ == State::idle ? 4 : 3 * limits_.width + 2);
+    if (on_.size() + count > most_voxels) count = 0;
+    std::vector<uint8_t> on(count);
+    for (uint32_t i = 0; i < count; i += 8) {
+      const uint32_t bits = input_.byte();
+      for (uint32_t k = i; k < i + 8 && k < count; ++k) {
+        // Where the threshold is out of the type's reach all samples are on, or all off.
+        const bool reaches = threshold_ <= int64_t{std::numeric_limits<Sample>::max()};
+        const bool misses = threshold_ > int64_t{std::numeric_limits<Sample>::min()};
+        const uint32_t bit = stride == 0 ? bits & 1 : bits >> (k - i) & 1;
+        on[k] = reaches && (bit != 0 || !misses);
+        if (stride == 0) on[k] = on[0];
+      }
+    }
+    const uint32_t noise = input_.byte() * 0x101;
+    const size_t length = count == 0 ? 0 : size_t{count - 1} * stride + 1;
+    // What lies between is the contrary.
+    std::vector<Sample> samples(length);
+    for (size_t i = 0; i < length; ++i) {
+      const bool is_sample = stride == 0 || i % stride == 0;
+      const bool bit = on[stride == 0 ? 0 : i / stride] != 0;
+      samples[i] = sample_of<Sample>(is_sample ? bit : !bit, threshold_, noise);
+    }
+    took(extractor_.push(samples.data(), count, stride), on);
+  }
+
+  // Checks what push() came to and notes the samples it took.
+  void took(const Pushed& pushed, const std::vector<uint8_t>& on) {
+    if (for_samples() != Status::ok) {
+      require(pushed.status == for_samples(), "push() comes to another error");
+      require(pushed.samples == 0, "samples taken in spite of an error");
+      return;
+    }
+    require(pushed.samples <= on.size(), "push() took more than it was given");
+    on_.insert(on_.end(), on.begin(), on.begin() + pushed.samples);
+    require(pushed.status == Status::more || pushed.status == Status::ok, text(pushed.status));
+    require((pushed.status == Status::more) == is_refused(), "push() and the sink disagree");
+    if (pushed.status == Status::ok)
+      require(pushed.samples == on.size(), "push() came to ok and took a part");
+    else
+      require(pushed.samples == 0 || column() == 0, "suspended in the middle of a row");
+  }
+
+  template <class Call>
+  void whole_row(Call call, const std::vector<uint8_t>& on) {
+    const bool was_refused = is_refused();
+    const bool is_between = state_ == State::idle || column() == 0;
+    const Pushed pushed = call();
+    if (for_samples() != Status::ok) {
+      require(pushed.status == for_samples(), "a row comes to another error");
+      require(pushed.samples == 0, "a row taken in spite of an error");
+      return;
+    }
+    if (pushed.samples == 0) {
+      const bool is_suspended = pushed.status == Status::more && was_refused && is_refused();
+      const bool is_misuse = pushed.status == Status::row_in_progress && !is_between;
+      require(is_suspended || is_misuse, "a row is not taken for no reason");
+      return;
+    }
+    require(is_between, "a row taken in the middle of a row");
+    require(pushed.samples == limits_.width, "a part of a row taken");
+    require(pushed.status == (is_refused() ? Status::more : Status::ok), text(pushed.status));
+    on_.insert(on_.end(), on.begin(), on.end());
+  }
+
+  bool has_room() const {
+    return state_ == State::idle || on_.size() + limits_.width <= most_voxels;
+  }
+
+  void push_bits() {
+    if (!has_room()) return;
+    const uint32_t width = state_ == State::idle ? 1 : limits_.width;
+    std::vector<uint8_t> bits((width + 7) / 8);
+    for (uint8_t& byte : bits) byte = static_cast<uint8_t>(input_.byte());
+    std::vector<uint8_t> on(width);
+    for (size_t x = 0; x < width; ++x) on[x] = bits[x / 8] >> x % 8 & 1;
+    whole_row([&] { return extractor_.push_bits(bits.data()); }, on);
+  }
+
+  void skip_row() {
+    if (!has_room()) return;
+    const bool repeats = input_.below(2) != 0;
+    std::vector<uint8_t> on(state_ == State::idle ? 1 : limits_.width);
+    if (repeats && state_ == State::scanning && rows() > 0 && column() == 0)
+      std::copy(on_.end() - static_cast<std::ptrdiff_t>(on.size()), on_.end(), on.begin());
+    const size_t before = on_.size();
+    whole_row(
+        [&] { return extractor_.skip_row(repeats ? Substitute::previous_row : Substitute::off); },
+        on);
+    if (on_.size() > before) ++skipped_;
+  }
+
+  // ---- going on and ending ----
+
+  void resume() {
+    const Status status = extractor_.resume();
+    const Status expected = state_ == State::idle ? Status::not_started
+                            : is_refused()        ? Status::more
+                                                  : Status::ok;
+    require(status == expected, "resume() comes to another status");
+    look_for_end(status);
+  }
+
+  void finish() {
+    const bool is_between = state_ != State::idle && on_.size() % slice() == 0;
+    const State before = state_;
+    const Status status = extractor_.finish();
+    if (before == State::scanning && !is_between) {
+      require(status == Status::slice_in_progress, "a slice that is not complete is finished");
+      return;
+    }
+    if (before == State::scanning) state_ = State::finishing;
+    ended(status);
+  }
+
+  void abandon() {
+    const State before = state_;
+    const Status status = extractor_.abandon();
+    if (before == State::scanning) {
+      state_ = State::finishing;
+      was_abandoned_ = true;
+    }
+    ended(status);
+  }
+
+  void ended(Status status) {
+    const Status expected = state_ == State::idle ? Status::not_started
+                            : is_refused()        ? Status::more
+                                                  : Status::ok;
+    require(status == expected, "an ending comes to another status");
+    look_for_end(status);
+  }
+
+  void look_for_end(Status status) {
+    if (state_ == State::finishing && status == Status::ok) {
+      state_ = State::finished;
+      check_scan();
+    }
+    if (state_ == State::finished)
+      require(listener_.log().collector().is_finished(), "the scan has no finish event");
+  }
+
+  // Ends what is under way, so that no run is in vain.
+  void end() {
+    listener_.refuse(0, 0);
+    if (state_ == State::scanning && on_.size() % slice() == 0) finish();
+    abandon();
+    if (state_ != State::idle) look();
+  }
+
+  // The scan goes on in another object and in other memory of exactly the bytes in use.
+  void fail_power() {
+    const auto checkpoint = std::make_unique<Checkpoint<Extractor<Index>>>();
+    const Status expected = state_ == State::idle ? Status::not_started
+                            : is_refused()        ? Status::more
+                                                  : Status::ok;
+    require(extractor_.save(*checkpoint) == expected, "save() comes to another status");
+    if (expected != Status::ok) return;
+    auto place = std::make_unique<Place>(extractor_.bytes_used(), place_->offset());
+    const Memory memory = place->memory();
+    std::copy_n(static_cast<uint8_t*>(place_->memory().data), memory.bytes,
+                static_cast<uint8_t*>(memory.data));
+    check_own_memory();
+    place_ = std::move(place);
+    extractor_ = Extractor<Index>{};
+    const Sink sink = sink_to(listener_, takes_fragments_);
+    uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % memory.bytes];
+    any = static_cast<uint8_t>(any ^ 1);
+    require(extractor_.restore(*checkpoint, memory, sink) == Status::bad_checkpoint,
+            "memory with a wrong bit is taken for what was saved");
+    any = static_cast<uint8_t>(any ^ 1);
+    require(extractor_.restore(*checkpoint, memory, sink) == Status::ok, "restore() fails");
+  }
+
+  // ---- checks ----
+
+  size_t slice() const { return size_t{limits_.width} * limits_.height; }
+
+  void check_scan() const {
+    const Collector& collector = listener_.log().collector();
+    const bool closed = limits_.border == Border::closed;
+    const auto depth = static_cast<uint32_t>((on_.size() + slice() - 1) / slice());
+    BitVolume volume({limits_.width, limits_.height, depth});
+    std::copy(on_.begin(), on_.end(), volume.on.begin());
+    require(collector.was_abandoned() == was_abandoned_, "the sink is told another ending");
+    require(collector.layers().size() == depth, "another number of slices");
+    require(collector.skipped().size() == skipped_, "another number of skipped rows");
+    require(collector.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
+    const std::string unlike = unlike_surface(collector.regions(), volume, closed);
+    require(unlike.empty(), unlike.c_str());
+    if (collector.statistics().cuts != 0) return;
+    const std::string difference = unlike_merge(collector.regions(), volume, closed);
+    require(difference.empty(), difference.c_str());
+  }
+
+  void check_own_memory() const {
+    require(place_ == nullptr || place_->is_intact(), "a write before the memory");
+  }
+
+  // What an extractor tells of itself.
+  void look() const {
+    const HighWater most = extractor_.high_water();
+    const Capacities& room = extractor_.capacities();
+    if (state_ == State::idle) return;
+    require(most.edges <= room.edges && most.runs <= room.runs && most.rings <= room.rings &&
+                most.regions <= room.regions && most.slots <= room.slots,
+            "a pool was in use beyond its capacity");
+    require(extractor_.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
+    require(extractor_.limits().width == limits_.width, "other limits");
+    require(extractor_.bytes_used() <= place_->memory().bytes, "more bytes in use than given");
+    if (state_ == State::scanning)
+      require(size_t{extractor_.slices()} * limits_.height + extractor_.rows() == rows(),
+              "other rows counted than given");
+  }
+
+  Input& input_;
+  Listener listener_;
+  std::unique_ptr<Place> place_;
+  Extractor<Index> extractor_{};  // all of it set, also what lies between members, for checkpoints
+  Limits limits_{1, 1};
+  int32_t threshold_ = 0;
+  bool takes_fragments_ = true;
+  State state_ = State::idle;
+  bool was_abandoned_ = false;
+  std::vector<uint8_t> on_;  // of the voxels of this scan so far
+  uint64_t skipped_ = 0;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  Input input(data, size);
+  if (input.below(2) != 0)
+    Caller<uint32_t>(input).run();
+  else
+    Caller<uint16_t>(input).run();
+  return 0;
+}

@@ -1,0 +1,239 @@
+// Fuzz target. The promise: any bytes as NRRD, NIfTI-1, MetaImage or headerless samples, in one
+// file or two, compressed or not, end in a VolumeError that names the file and the remedy, or in a
+// volume within the limits of volume.hpp, the same at every reading.
+//
+//   fuzz_volume_readers -max_len=1500 -dict=volume_readers.dict corpus/volume_readers
+//   fuzz_volume_readers corpus/volume_readers                      with replay_main.cpp
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <random>
+
+#include "input.hpp"
+#include "require.hpp"
+#include "volume.hpp"
+
+using namespace discmc::host;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+/// A folder for this process, removed at its end.
+class Folder {
+ public:
+  Folder()
+      : path_(fs::temp_directory_path() /
+              ("discmc-fuzz-" + std::to_string(std::random_device()()))) {
+    fs::create_directory(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// A file that is gone again before the next input, which may name it.
+class File {
+ public:
+  File(const fs::path& path, const Bytes& bytes) : path_(path) {
+    std::ofstream stream(path_, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(bytes.data()),
+                 static_cast<std::streamsize>(bytes.size()));
+    require(!stream.fail(), "cannot write into the folder for temporary files");
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// The file to open, and the one beside it that it may need.
+struct Names {
+  const char* opened;
+  const char* other;
+  bool is_raw;
+};
+constexpr Names names[] = {
+    {"v.nrrd", nullptr, false}, {"v.nhdr", "data", false}, {"v.mha", nullptr, false},
+    {"v.mhd", "data", false},   {"v.nii", nullptr, false}, {"v.nii.gz", nullptr, false},
+    {"v.hdr", "v.img", false},  {"v.img", "v.hdr", false}, {"v.hdr", "v.img.gz", false},
+    {"v", nullptr, false},      {"v.raw", nullptr, true},  {"v.raw.gz", nullptr, true},
+};
+
+enum class Packing : uint8_t { none, gzip, zlib };
+
+Bytes packed(const Bytes& bytes, Packing packing) {
+  if (packing == Packing::none) return bytes;
+  z_stream state{};
+  const int window = packing == Packing::gzip ? 31 : 15;
+  require(deflateInit2(&state, 1, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY) == Z_OK, "no zlib");
+  Bytes in = bytes;
+  Bytes out(deflateBound(&state, in.size()));
+  state.next_in = in.data();
+  state.avail_in = static_cast<uInt>(in.size());
+  state.next_out = out.data();
+  state.avail_out = static_cast<uInt>(out.size());
+  require(deflate(&state, Z_FINISH) == Z_STREAM_END, "zlib does not end");
+  out.resize(state.total_out);
+  deflateEnd(&state);
+  return out;
+}
+
+Bytes joined(Bytes head, const Bytes& tail) {
+  head.insert(head.end(), tail.begin(), tail.end());
+  return head;
+}
+
+/// What is told of one opening, to compare with another.
+struct Reading {
+  VolumeInfo info;
+  Bytes samples;
+  std::string error;  ///< empty when all that was asked for was read
+
+  bool operator==(const Reading& other) const {
+    return info.dims == other.info.dims && info.type == other.info.type &&
+           info.spacing_mm == other.info.spacing_mm && info.slope == other.info.slope &&
+           info.intercept == other.info.intercept && info.format == other.info.format &&
+           info.notes == other.info.notes && samples == other.samples && error == other.error;
+  }
+};
+
+void check_info(const VolumeInfo& info, size_t file_bytes) {
+  require(info.dims[0] >= 1 && info.dims[0] <= 32766, "a width out of its limits");
+  require(info.dims[1] >= 1 && info.dims[1] <= 32766, "a height out of its limits");
+  require(info.dims[2] >= 1 && info.dims[2] < 1U << 30, "a depth out of its limits");
+  for (const double spacing : info.spacing_mm)
+    require(std::fabs(spacing) >= 1e-6 && std::fabs(spacing) <= 1e6, "a spacing of no use");
+  require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
+  require(std::isfinite(info.intercept), "an intercept of no use");
+  require(!info.format.empty(), "a format without a name");
+  constexpr size_t most_inflation = 1032;
+  require(info.slice_bytes() <= most_inflation * file_bytes, "a slice that no file can hold");
+}
+
+// "file: what; remedy"; the file may be one that a header names, anywhere.
+void check_error(const std::string& text) {
+  const size_t colon = text.find(": ");
+  require(colon != std::string::npos && colon > 0, "an error that does not name the file");
+  require(text.find("; ", colon) != std::string::npos, "an error without a remedy");
+}
+
+Reading read(const fs::path& file, const std::optional<RawLayout>& layout, size_t file_bytes) {
+  constexpr uint32_t most_slices = 20;
+  Reading reading;
+  try {
+    const std::unique_ptr<VolumeReader> reader = open_volume(file, layout);
+    reading.info = reader->info();
+    check_info(reading.info, file_bytes);
+    const uint32_t slices = std::min(reading.info.dims[2], most_slices);
+    Bytes slice(reading.info.slice_bytes());
+    for (uint32_t i = 0; i < slices; ++i) {
+      reader->read_slice(slice.data());
+      if (slice.size() < 4096)
+        reading.samples.insert(reading.samples.end(), slice.begin(), slice.end());
+    }
+    if (slices < reading.info.dims[2]) return reading;
+    bool is_refused = false;
+    try {
+      reader->read_slice(slice.data());
+    } catch (const VolumeError&) {
+      is_refused = true;
+    }
+    require(is_refused, "a slice after the last one");
+  } catch (const VolumeError& error) {
+    reading.error = error.what();
+    check_error(reading.error);
+  }
+  return reading;
+}
+
+/// stored >= threshold exactly where value >= iso, but for the rounding of decimal numbers.
+void check_threshold(const VolumeInfo& info, double iso) {
+  const int32_t threshold = stored_threshold(info, iso);
+  const auto value = [&](double stored) { return info.slope * stored + info.intercept; };
+  const double rounding = 1e-12 * (std::fabs(iso) + std::fabs(info.intercept));
+  if (threshold != INT32_MAX)
+    require(value(threshold) >= iso - rounding, "a threshold below the iso value");
+  if (threshold != INT32_MIN)
+    require(value(threshold - 1.0) < iso + rounding, "a threshold above the iso value");
+}
+
+RawLayout read_layout(Input& input) {
+  RawLayout layout;
+  for (uint32_t& size : layout.dims) size = input.byte();
+  const uint32_t flags = input.byte();
+  layout.type = static_cast<SampleType>(flags % 3);
+  layout.big_endian = (flags & 4) != 0;
+  if ((flags & 8) != 0) layout.spacing_mm[1] = std::ldexp(-1, static_cast<int>(input.byte()) - 128);
+  return layout;
+}
+
+/// Headerless samples are what the file holds, in the machine's byte order.
+void check_raw(const Reading& reading, const RawLayout& layout, const Bytes& file) {
+  for (size_t at = 0; at < reading.samples.size(); at += sample_bytes(layout.type)) {
+    if (layout.type == SampleType::u8) {
+      require(reading.samples[at] == file[at], "not the sample of the file");
+      continue;
+    }
+    uint16_t sample = 0;
+    std::memcpy(&sample, reading.samples.data() + at, 2);
+    const int first = file[at] << (layout.big_endian ? 8 : 0);
+    const int second = file[at + 1] << (layout.big_endian ? 0 : 8);
+    require(sample == (first | second), "not the sample of the file");
+  }
+}
+
+}  // namespace
+
+// The first byte names the files, the second the packing; raw samples have a layout. What follows
+// is the first file, and behind a file separator (ASCII 28) its packed rest, or the other file.
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  static const Folder folder;
+  Input input(data, size);
+  const Names& name = names[input.below(std::size(names))];
+  const auto packing = static_cast<Packing>(input.below(3));
+  std::optional<RawLayout> layout;
+  if (name.is_raw) layout = read_layout(input);
+  const double iso = (input.byte() - 128.0) / 4;
+
+  const Bytes all = input.bytes(size);
+  constexpr uint8_t file_separator = 28;
+  auto separator = name.is_raw ? all.end() : std::find(all.begin(), all.end(), file_separator);
+  Bytes head(all.begin(), separator);
+  Bytes tail(separator == all.end() ? separator : separator + 1, all.end());
+  if (separator == all.end() && name.other == nullptr) std::swap(head, tail);
+  tail = packed(tail, packing);
+  if (name.other == nullptr) head = joined(head, tail);
+  // Asked for the data of a pair, what comes first is still its header.
+  const bool asks_for_data = name.other != nullptr && std::strcmp(name.other, "v.hdr") == 0;
+  if (asks_for_data) std::swap(head, tail);
+
+  const fs::path opened = folder.path() / name.opened;
+  const File first(opened, head);
+  std::optional<File> second;
+  if (name.other != nullptr) second.emplace(folder.path() / name.other, tail);
+
+  const size_t file_bytes = std::max(head.size(), tail.size());
+  const Reading reading = read(opened, layout, file_bytes);
+  require(read(opened, layout, file_bytes) == reading, "another reading of the same file");
+  if (!reading.info.format.empty()) check_threshold(reading.info, iso);
+  if (name.is_raw && reading.info.format == "raw") check_raw(reading, *layout, head);
+  return 0;
+}

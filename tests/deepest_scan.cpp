@@ -1,0 +1,58 @@
+// A scan of as many slices as a z coordinate can count, every one of them pushed: what lies in the
+// last ones comes out as it would near the first, and one slice more is refused.
+
+#include <cstdint>
+#include <cstdio>
+#include <discmc/extractor.hpp>
+#include <vector>
+
+using namespace discmc;
+
+namespace {
+
+// What is delivered, z relative to a slice; layers are counted.
+class Log {
+ public:
+  explicit Log(uint32_t slice) : origin_(2 * static_cast<int32_t>(slice)) {}
+  Answer take(const Event& event) {
+    layers += event.kind == Event::Kind::layer;
+    if (event.kind == Event::Kind::region) words.push_back(event.incidence);
+    if (event.kind == Event::Kind::run) words.push_back(static_cast<int32_t>(event.run.code()));
+    if (event.kind == Event::Kind::ring)
+      words.insert(words.end(), {event.start.x, event.start.y, event.start.z - origin_});
+    return Answer::taken;
+  }
+
+  std::vector<int32_t> words;
+  uint32_t layers = 0;
+
+ private:
+  int32_t origin_;
+};
+
+// One voxel in each of the last three of so many slices; then one slice more.
+bool scan(uint32_t slices, Status beyond, Log& log) {
+  static uint8_t memory[minimum_bytes<uint16_t>({1, 1}) + 2000];
+  Extractor16 extractor;
+  if (extractor.start({1, 1}, 1, memory_of(memory), sink_to(log)) != Status::ok) return false;
+  for (uint32_t slice = 0; slice < slices; ++slice) {
+    const uint8_t voxel = slice + 3 < slices ? 0 : 1;
+    if (extractor.push_bits(&voxel).status != Status::ok) return false;
+  }
+  const uint8_t off = 0;
+  return extractor.push_bits(&off).status == beyond && extractor.finish() == Status::ok &&
+         extractor.statistics().cuts == 0;
+}
+
+}  // namespace
+
+int main() {
+  constexpr uint32_t few = 5;
+  Log shallow(few);
+  Log deep(Limits::max_slices);
+  const bool good =
+      scan(few, Status::ok, shallow) && scan(Limits::max_slices, Status::too_deep, deep) &&
+      deep.layers == Limits::max_slices && deep.words == shallow.words && !deep.words.empty();
+  if (!good) std::fputs("deepest_scan: the last slices are not as the first\n", stderr);
+  return good ? 0 : 1;
+}

@@ -1,0 +1,308 @@
+// The library's output for a fixed set of volumes, in a few numbers that must be the same on every
+// machine (golden.txt): the events, the bytes of the streams, and the events that these decode to.
+//
+// It runs in 16 KiB of RAM without a C library: see scripts/test-portability.
+#include <board.hpp>
+#include <discmc/decoder.hpp>
+#include <discmc/encoder.hpp>
+#include <discmc/extractor.hpp>
+
+using namespace discmc;
+
+namespace {
+
+// ---- volumes: values from 0 to 255, on from `threshold` on ----
+
+constexpr uint32_t width = 33, height = 6, depth = 4;  // the rows of bits take two words
+constexpr int32_t threshold = 128;
+
+struct Voxel {
+  int32_t x, y, z;
+};
+using Volume = int32_t (*)(Voxel);
+
+int32_t ball(Voxel v) {
+  const Vertex from_centre{2 * v.x - 8, 2 * v.y - 5, 2 * v.z - 3};
+  return dot(from_centre, from_centre) <= 49 ? 200 : 20;
+}
+
+// Blocks, and a corner cut off at a slant.
+int32_t bricks(Voxel v) {
+  return (v.x / 9 + v.y / 4 + v.z / 5) % 2 == 0 && v.x + v.y + v.z > 7 ? 255 : 0;
+}
+
+int32_t checkerboard(Voxel v) {
+  return (v.x + v.y + v.z) % 2 == 0 ? 128 : 127;
+}
+
+int32_t columns(Voxel v) {
+  return (v.x + v.y) % 2 == 0 ? 255 : 0;
+}
+
+// Of all repetitions of one cell one with the most links.
+int32_t tiling(Voxel v) {
+  return (61 >> (v.x % 2 + 2 * (v.y % 2) + 4 * (v.z % 2)) & 1) != 0 ? 129 : 1;
+}
+
+int32_t noise(Voxel v) {
+  uint32_t mixed = static_cast<uint32_t>(v.x + 64 * v.y + 4096 * v.z) * 0x9E3779B9;
+  mixed = (mixed ^ mixed >> 16) * 0x85EBCA6B;
+  return static_cast<int32_t>(mixed >> 24);
+}
+
+constexpr Volume volumes[] = {ball, bricks, checkerboard, columns, tiling, noise};
+
+// The same value in each type of sample.
+template <class Sample>
+constexpr Sample sample_of(int32_t value) {
+  return static_cast<Sample>(value * 256);
+}
+template <>
+constexpr uint8_t sample_of(int32_t value) {
+  return static_cast<uint8_t>(value);
+}
+template <>
+constexpr int16_t sample_of(int32_t value) {
+  return static_cast<int16_t>((value - 128) * 256);
+}
+
+// ---- what comes out ----
+
+// FNV-1a, 64 bits, of bytes and of words in little-endian order.
+class Hash {
+ public:
+  void add(uint8_t byte) { value_ = (value_ ^ byte) * 0x100000001B3; }
+  void add_word(uint64_t word) {
+    for (int i = 0; i < 8; ++i) add(static_cast<uint8_t>(word >> 8 * i));
+  }
+  uint64_t value() const { return value_; }
+
+ private:
+  uint64_t value_ = 0xCBF29CE484222325;
+};
+
+Hash golden;
+uint32_t scans, events, cuts, spills;
+
+// A sink that hashes the members that an event's kind names.
+class EventHash {
+ public:
+  Answer take(const Event& event) {
+    add(static_cast<uint32_t>(event.kind));
+    switch (event.kind) {
+      case Event::Kind::region:
+        add(event.incidence);
+        break;
+      case Event::Kind::ring:
+        add(static_cast<uint32_t>(event.start.x));
+        add(static_cast<uint32_t>(event.start.y));
+        add(static_cast<uint32_t>(event.start.z));
+        add(event.hole);
+        break;
+      case Event::Kind::run:
+        add(event.run.code());
+        break;
+      case Event::Kind::fragment:
+        add(event.number);
+        add(event.incidence);
+        break;
+      case Event::Kind::skipped:
+        add(event.slice);
+        add(event.row);
+        add(event.repeated);
+        break;
+      case Event::Kind::layer:
+        add(event.slice);
+        break;
+      case Event::Kind::finish:
+        add(event.slice);
+        add(event.abandoned);
+        for (const auto total : wire::trailer_totals) add(event.statistics->*total);
+        break;
+      case Event::Kind::region_end:
+      case Event::Kind::fragment_end:
+      case Event::Kind::lost:
+        break;
+    }
+    ++events_;
+    return Answer::taken;
+  }
+  uint64_t value() const { return hash_.value(); }
+  uint32_t events() const { return events_; }
+
+ private:
+  void add(uint64_t word) { hash_.add_word(word); }
+
+  Hash hash_;
+  uint32_t events_ = 0;
+};
+
+// Where an extractor's events go: to a hash, and through an encoder and a decoder to another. The
+// bytes in between are hashed as well, and every third time the line is busy.
+class Wire {
+ public:
+  bool start(const StreamHeader& header) {
+    sent_ = EventHash();
+    received_ = EventHash();
+    good_ = true;
+    return encoder_.start(header, {this, write}) == Status::ok &&
+           decoder_.start(sink_to(received_)) == Status::ok;
+  }
+  Answer take(const Event& event) {
+    const Answer answer = encoder_.take(event);
+    if (answer == Answer::taken) (void)sent_.take(event);
+    return answer;
+  }
+  /// Whether all that was sent has arrived.
+  bool finish() {
+    return decoder_.finish() == Status::ok && good_ && decoder_.report().is_complete() &&
+           received_.value() == sent_.value();
+  }
+  const EventHash& sent() const { return sent_; }
+
+ private:
+  static size_t write(void* context, const uint8_t* bytes, size_t count) {
+    return static_cast<Wire*>(context)->write(bytes, count);
+  }
+  size_t write(const uint8_t* bytes, size_t count) {
+    if (++calls_ % 3 == 0) return 0;
+    if (count > 13) count = 13;
+    for (size_t i = 0; i < count; ++i) golden.add(bytes[i]);
+    good_ = good_ && decoder_.push(bytes, count).status == Status::ok;
+    return count;
+  }
+
+  Encoder encoder_;
+  Decoder decoder_;
+  EventHash sent_, received_;
+  uint32_t calls_ = 0;
+  bool good_ = false;
+};
+
+// ---- scans ----
+
+struct Setting {
+  Capacities capacities;
+  bool takes_fragments;
+};
+// The least; memory for a part, which is answered by spills or by cuts; and for most of it.
+constexpr Setting settings[] = {{minimum_capacities(), true},
+                                {{32, 80, 12, 24, 40}, true},
+                                {{32, 120, 12, 24, 40}, false},
+                                {{128, 240, 16, 80, 160}, true}};
+constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
+
+uint8_t memory[bytes_for<uint32_t>(sizes[0], settings[3].capacities)];
+Wire wire_between;
+
+template <class Index, class Sample>
+class Scan {
+ public:
+  bool start(const Limits& limits, const Setting& setting) {
+    const int32_t on_from = sample_of<Sample>(threshold);
+    return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
+           is_done(extractor_.start(limits, setting.capacities, on_from, memory_of(memory),
+                                    sink_to(wire_between, setting.takes_fragments)));
+  }
+
+  // A row in one of the ways in which rows come.
+  bool push_row(Volume volume, int32_t y, int32_t z) {
+    const auto value = [&](uint32_t x) { return volume({static_cast<int32_t>(x), y, z}); };
+    switch (y % 4) {
+      case 1: {
+        uint8_t bits[(width + 7) / 8] = {};
+        for (uint32_t x = 0; x < width; ++x)
+          if (value(x) >= threshold) bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | 1 << x % 8);
+        return is_done(extractor_.push_bits(bits).status);
+      }
+      case 2:
+        return push_samples(value, width, 2);
+      case 3:
+        if (z % 4 == 3)
+          return is_done(
+              extractor_.skip_row(y == 3 ? Substitute::off : Substitute::previous_row).status);
+        return push_samples(value, 5, 1);
+      default:
+        return push_samples(value, width, 1);
+    }
+  }
+
+  bool end(bool abandons) {
+    const Status status = abandons ? extractor_.abandon() : extractor_.finish();
+    if (!is_done(status) || !wire_between.finish()) return false;
+    cuts += static_cast<uint32_t>(extractor_.statistics().cuts);
+    spills += static_cast<uint32_t>(extractor_.statistics().spills);
+    return true;
+  }
+
+ private:
+  bool is_done(Status status) {
+    while (status == Status::more) status = extractor_.resume();
+    return status == Status::ok;
+  }
+
+  template <class Value>
+  bool push_samples(const Value& value, uint32_t portion, uint32_t stride) {
+    Sample row[2 * width] = {};
+    for (uint32_t x = 0; x < width; ++x) row[x * stride] = sample_of<Sample>(value(x));
+    for (uint32_t x = 0; x < width;) {
+      const uint32_t left = width - x;
+      const Pushed pushed =
+          extractor_.push(row + x * stride, left < portion ? left : portion, stride);
+      if (!is_done(pushed.status)) return false;
+      x += pushed.samples;
+    }
+    return true;
+  }
+
+  Extractor<Index> extractor_;
+};
+
+// Scans a volume. The events are those of the scans with other samples and indices before.
+template <class Index, class Sample>
+bool scan(Volume volume, const Limits& limits, const Setting& setting, uint64_t& expected) {
+  static Scan<Index, Sample> scan;
+  if (!scan.start(limits, setting)) return false;
+  // Scans of an open volume are broken off in the middle of the last slice.
+  const bool abandons = limits.border == Border::open;
+  const uint32_t rows = height * depth - (abandons ? height / 2 : 0);
+  for (uint32_t i = 0; i < rows; ++i)
+    if (!scan.push_row(volume, static_cast<int32_t>(i % height), static_cast<int32_t>(i / height)))
+      return false;
+  if (!scan.end(abandons)) return false;
+  ++scans;
+  events += wire_between.sent().events();
+  golden.add_word(wire_between.sent().value());
+  if (expected == 0) expected = wire_between.sent().value();
+  return wire_between.sent().value() == expected;
+}
+
+// Every volume in every setting, in turn with either border.
+bool scan_all() {
+  uint32_t turn = 0;
+  for (const Volume volume : volumes) {
+    ++turn;
+    for (const Setting& setting : settings) {
+      const Limits limits = sizes[turn++ % 2];
+      uint64_t hash = 0;
+      if (!scan<uint16_t, uint8_t>(volume, limits, setting, hash) ||
+          !scan<uint32_t, uint16_t>(volume, limits, setting, hash) ||
+          !scan<uint16_t, int16_t>(volume, limits, setting, hash))
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+int main() {
+  const bool good = scan_all();
+  board::report("scans", scans);
+  board::report("events", events);
+  board::report("cuts", cuts);
+  board::report("spills", spills);
+  board::report("hash_high", static_cast<uint32_t>(golden.value() >> 32));
+  board::report("hash_low", static_cast<uint32_t>(golden.value()));
+  board::stop(good);
+}

@@ -1,0 +1,401 @@
+#include "table_statements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <discmc/crc32.hpp>
+#include <iterator>
+#include <vector>
+
+#include "region.hpp"
+
+namespace discmc::reference {
+
+namespace {
+
+struct PointLink {
+  Point from, to;
+};
+
+bool operator==(const PointLink& a, const PointLink& b) {
+  return a.from == b.from && a.to == b.to;
+}
+bool operator<(const PointLink& a, const PointLink& b) {
+  return a.from == b.from ? a.to < b.to : a.from < b.from;
+}
+
+// A few links; no cell has more than seven facets of four.
+class LinkList {
+ public:
+  // A link and its opposite leave nothing.
+  void add(const PointLink& link) {
+    const auto opposite = std::find(links_.begin(), end(), PointLink{link.to, link.from});
+    if (opposite == end())
+      links_[count_++] = link;
+    else
+      *opposite = links_[--count_];
+  }
+  void add(const Point* points, int count) {
+    for (int i = 0; i < count; ++i) add({points[i], points[(i + 1) % count]});
+  }
+  void sort() { std::sort(links_.begin(), end()); }
+  bool operator==(const LinkList& other) const {
+    return count_ == other.count_ && std::equal(links_.begin(), end(), other.links_.begin());
+  }
+
+ private:
+  using Links = std::array<PointLink, 32>;
+  Links::const_iterator end() const { return links_.begin() + count_; }
+  Links::iterator end() { return links_.begin() + count_; }
+
+  Links links_{};
+  uint8_t count_ = 0;
+};
+
+bool is_incidence(int code) {
+  return code < incidence_codes && code != no_incidence;
+}
+
+int squared_length(const Vertex& vector) {
+  return dot(vector, vector);
+}
+
+bool is_surface_point(Point point) {
+  const Vertex p = position(point);
+  const bool inside = p.x <= 2 && p.y <= 2 && p.z <= 2;
+  return inside && (point == centroid || p.x % 2 + p.y % 2 + p.z % 2 == 1);
+}
+
+const Loops& loops_of(int configuration) {
+  static const std::vector<Loops> all = [] {
+    std::vector<Loops> loops;
+    for (int c = 0; c < configurations; ++c)
+      loops.push_back(derive::loops(static_cast<Configuration>(c)));
+    return loops;
+  }();
+  return all[static_cast<size_t>(configuration)];
+}
+
+// ---- links ----
+
+bool is_link(const Vertex& vector) {
+  const int length = squared_length(vector);
+  const bool is_odd = ((vector.x | vector.y | vector.z) & 1) != 0;
+  return length == 2 || (length == 4 && !is_odd);
+}
+
+bool are_links_in_order(const LinkTable& links) {
+  for (Link link = 0; link < link_codes; ++link) {
+    const Vertex vector = derive::link_vector(links, link);
+    if (!is_link(vector)) return false;
+    if (link > 0 && !before(derive::link_vector(links, static_cast<Link>(link - 1)), vector))
+      return false;
+  }
+  return true;
+}
+
+bool counts_directions(const LinkTable& links) {
+  constexpr int by_squared_length[] = {0, 8, 4, 6};
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    if (links.direction_count[incidence] != by_squared_length[squared_length(normal(incidence))])
+      return false;
+  return true;
+}
+
+// Half a round of directions: each is less than half a turn from the first and beyond the one
+// before it.
+bool turns_counter_clockwise(const LinkTable& links, Incidence incidence) {
+  const Vertex n = normal(incidence);
+  const Link* half = links.link[incidence];
+  if (half[0] >= link_codes || dot(derive::link_vector(links, half[0]), n) != 0) return false;
+  for (int i = 1; i < links.direction_count[incidence] / 2; ++i) {
+    if (half[i] >= link_codes) return false;
+    const Vertex vector = derive::link_vector(links, half[i]);
+    if (dot(vector, n) != 0) return false;
+    for (int earlier = 0; earlier < i; ++earlier)
+      if (dot(cross(derive::link_vector(links, half[earlier]), vector), n) <= 0) return false;
+  }
+  return true;
+}
+
+bool begins_with_lowest(const LinkTable& links, Incidence incidence) {
+  for (Link link = 0; link < links.link[incidence][0]; ++link)
+    if (dot(derive::link_vector(links, link), normal(incidence)) == 0) return false;
+  return true;
+}
+
+// ---- facets ----
+
+bool is_partition(const FacetTable& table) {
+  if (table.first[0] != 0 || table.first[configurations] != FacetTable::total) return false;
+  for (int c = 0; c < configurations; ++c) {
+    if (table.first[c + 1] > FacetTable::total || table.first[c] > table.first[c + 1]) return false;
+    if (table.first[c + 1] - table.first[c] > 7) return false;
+  }
+  return true;
+}
+
+bool is_ring(const FacetRing& ring) {
+  if (ring.count != 3 && ring.count != 4) return false;
+  return std::all_of(ring.point, ring.point + ring.count, is_surface_point);
+}
+
+bool has_rings_of_its_facets(const FacetTables& facets) {
+  std::array<bool, facet_codes> occurs{};
+  for (const Facet facet : facets.table.facet) occurs[facet] = true;
+  for (size_t code = 0; code < facet_codes; ++code)
+    if (occurs[code] ? !is_ring(facets.rings.ring[code]) : facets.rings.ring[code].count != 0)
+      return false;
+  return true;
+}
+
+// Counter-clockwise about the normal at every point.
+bool lies_as_its_code_says(const FacetRing& ring, Facet facet) {
+  if (!is_incidence(incidence_of(facet))) return false;
+  const Vertex n = normal(incidence_of(facet));
+  for (int i = 0; i < ring.count; ++i) {
+    const Vertex a = position(ring.point[i]);
+    const Vertex b = position(ring.point[(i + 1) % ring.count]);
+    const Vertex c = position(ring.point[(i + 2) % ring.count]);
+    if (dot(n, b - a) != 0 || dot(n, cross(b - a, c - b)) <= 0) return false;
+  }
+  return true;
+}
+
+bool fills_the_loops(const FacetTables& facets, int configuration) {
+  LinkList links;
+  for (int i = facets.table.first[configuration]; i < facets.table.first[configuration + 1]; ++i) {
+    const FacetRing& ring = facets.rings.ring[facets.table.facet[i]];
+    links.add(ring.point, ring.count);
+  }
+  LinkList expected;
+  const Loops& loops = loops_of(configuration);
+  for (int l = 0; l < loops.count; ++l) expected.add(loops.loop[l].point, loops.loop[l].count);
+  links.sort();
+  expected.sort();
+  return links == expected;
+}
+
+int classic_triangles(int configuration) {
+  const Loops& loops = loops_of(configuration);
+  int triangles = 0;
+  for (int l = 0; l < loops.count; ++l) triangles += loops.loop[l].count - 2;
+  return triangles;
+}
+
+// In 48ths of a cell: pyramids with their tips at corner 0, over the facets and over the on parts
+// of the three faces that do not meet there.
+int enclosed(const FacetTables& facets, int configuration) {
+  constexpr int twice_on_area[] = {0, 1, 4, 7, 8};
+  int sum = 0;
+  for (const int face : {face_right, face_back, face_above}) {
+    const derive::FaceCorners ring = derive::face_corners(face);
+    bool on[4] = {};
+    int count = 0;
+    for (int i = 0; i < 4; ++i) count += on[i] = (configuration >> ring.corner[i] & 1) != 0;
+    sum += 2 * (count == 2 && on[0] == on[2] ? 2 : twice_on_area[count]);
+  }
+  for (int i = facets.table.first[configuration]; i < facets.table.first[configuration + 1]; ++i) {
+    const FacetRing& ring = facets.rings.ring[facets.table.facet[i]];
+    for (int p = 2; p < ring.count; ++p)
+      sum +=
+          dot(position(ring.point[0]), cross(position(ring.point[p - 1]), position(ring.point[p])));
+  }
+  return sum;
+}
+
+bool states_the_facts(const FacetTables& facets, int configuration) {
+  const int count = facets.table.first[configuration + 1] - facets.table.first[configuration];
+  return facets.facts.facets[configuration] == count &&
+         facets.facts.classic_triangles[configuration] == classic_triangles(configuration) &&
+         facets.facts.enclosed[configuration] == enclosed(facets, configuration);
+}
+
+// ---- patches ----
+
+bool is_partition(const PatchTable& table) {
+  if (table.first(0) != 0 || table.first(configurations) != PatchTable::total) return false;
+  for (int c = 0; c < configurations; ++c) {
+    const uint32_t first = table.first(c);
+    const uint32_t end = table.first(c + 1);
+    if (end > PatchTable::total || first > end || end - first > uint32_t{cell_bounds.patches})
+      return false;
+  }
+  return true;
+}
+
+bool counts_distinct_patches(const PatchTable& table) {
+  int patches = 0;
+  int bytes = 0;
+  for (int i = 0; i < PatchTable::counts; ++i) {
+    patches += table.of_count[i];
+    bytes += table.of_count[i] * (2 + Patch::min_links + i);
+  }
+  return patches == PatchTable::distinct && bytes == sizeof(table.patch);
+}
+
+// Links run from point to point of the cell, in the places where they lie, and back to the start.
+bool is_closed_ring_in_its_places(const Patch& patch) {
+  Point from = patch.start;
+  for (int i = 0; i < patch.count; ++i) {
+    if (!is_surface_point(from)) return false;
+    if (patch.direction(i) >= direction_count(patch.incidence)) return false;
+    const Point to = point_after(from, link_of(patch.incidence, patch.direction(i)));
+    if (!is_surface_point(to)) return false;
+    const int face = face_of(from, to);
+    if (patch.place(i) != (face == faces ? spoke : 2 * face + place_in_face(from, to)))
+      return false;
+    from = to;
+  }
+  return from == patch.start;
+}
+
+bool is_of_its_kind(const Patch& patch) {
+  bool has_spoke = false;
+  for (int i = 0; i < patch.count; ++i) has_spoke = has_spoke || patch.place(i) == spoke;
+  return has_spoke == (patch.kind == Patch::Kind::sectors);
+}
+
+bool begins_ahead(const Patch& patch) {
+  for (int i = 0; i < patch.count; ++i)
+    if (is_ahead(patch.place(i))) return is_ahead(patch.place(0));
+  return true;
+}
+
+const char* broken(const Patch& patch) {
+  if (!is_incidence(patch.incidence) || patch.kind > Patch::Kind::sectors)
+    return "a patch has an incidence and a kind";
+  if (!is_closed_ring_in_its_places(patch))
+    return "a patch is a closed ring, and each link is where its place says";
+  if (!is_of_its_kind(patch)) return "sectors, and no other patch, have spokes";
+  if (!begins_ahead(patch)) return "a patch with a link ahead begins with one";
+  return nullptr;
+}
+
+LinkList links_of(const Patch& patch) {
+  LinkList links;
+  Point from = patch.start;
+  for (int i = 0; i < patch.count; ++i) {
+    const Point to = point_after(from, link_of(patch.incidence, patch.direction(i)));
+    links.add({from, to});
+    from = to;
+  }
+  links.sort();
+  return links;
+}
+
+// The facets of one configuration and incidence.
+struct PlaneFacets {
+  uint32_t count = 0;
+  LinkList links;
+};
+
+using Planes = std::array<PlaneFacets, incidence_codes>;
+
+const Planes& planes_of(int configuration) {
+  static const std::vector<Planes> all = [] {
+    std::vector<Planes> planes(configurations);
+    for (size_t c = 0; c < configurations; ++c) {
+      for (int i = facet_table.first[c]; i < facet_table.first[c + 1]; ++i) {
+        const Facet facet = facet_table.facet[i];
+        PlaneFacets& plane = planes[c].at(incidence_of(facet));
+        ++plane.count;
+        plane.links.add(facet_rings.ring[facet].point, facet_rings.ring[facet].count);
+      }
+      for (PlaneFacets& plane : planes[c]) plane.links.sort();
+    }
+    return planes;
+  }();
+  return all[static_cast<size_t>(configuration)];
+}
+
+bool has_a_patch_for_its_facets(const PatchTable& table, int configuration) {
+  const Planes& planes = planes_of(configuration);
+  uint32_t incidences = 0;
+  for (uint32_t i = table.first(configuration); i < table.first(configuration + 1); ++i) {
+    const Patch patch = table.at(i);
+    const PlaneFacets& plane = planes.at(patch.incidence);
+    if ((incidences >> patch.incidence & 1) != 0) return false;
+    incidences |= uint32_t{1} << patch.incidence;
+    if (plane.count != patch.facets() || !(plane.links == links_of(patch))) return false;
+  }
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    if ((incidences >> incidence & 1) != (planes.at(incidence).count > 0)) return false;
+  return true;
+}
+
+bool tells_the_links_below(const PatchTable& table, int configuration) {
+  int found = 0;
+  for (uint32_t i = table.first(configuration); i < table.first(configuration + 1); ++i) {
+    const Patch patch = table.at(i);
+    for (int l = 0; l < patch.count; ++l)
+      if (patch.place(l) / 2 == face_below) found |= 1 << patch.place(l) % 2;
+  }
+  return table.below[configuration & 15] == found;
+}
+
+}  // namespace
+
+const char* broken(const LinkTable& links) {
+  if (!are_links_in_order(links)) return "the 18 links are numbered by z, y, x";
+  if (!counts_directions(links)) return "axis planes have 8 directions, diagonal 4, corner 6";
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    if (incidence == no_incidence) continue;
+    if (!turns_counter_clockwise(links, incidence))
+      return "the directions of a plane go round counter-clockwise";
+    if (!begins_with_lowest(links, incidence)) return "direction 0 is the lowest link of the plane";
+  }
+  return nullptr;
+}
+
+const char* broken(const FacetTables& facets) {
+  if (!is_partition(facets.table)) return "every facet belongs to a configuration";
+  if (!has_rings_of_its_facets(facets)) return "a code has a ring exactly if it occurs";
+  for (size_t code = 0; code < facet_codes; ++code) {
+    const FacetRing& ring = facets.rings.ring[code];
+    if (ring.count != 0 && !lies_as_its_code_says(ring, static_cast<Facet>(code)))
+      return "a facet is flat and counter-clockwise about the normal of its code";
+  }
+  for (int c = 0; c < configurations; ++c) {
+    if (!fills_the_loops(facets, c)) return "the facets of a cell leave its loops over";
+    if (!states_the_facts(facets, c)) return "facets, triangles and volume of a cell";
+  }
+  return nullptr;
+}
+
+const char* broken(const PatchTable& patches) {
+  if (!is_partition(patches)) return "every patch belongs to a configuration";
+  if (!counts_distinct_patches(patches)) return "222 distinct patches of 3 to 6 links";
+  for (const uint8_t index : patches.index)
+    if (index >= PatchTable::distinct) return "an index names one of the distinct patches";
+  // Each of the distinct patches once: PatchTable::at() finds them by index.
+  PatchTable all = patches;
+  for (size_t i = 0; i < PatchTable::distinct; ++i) all.index[i] = static_cast<uint8_t>(i);
+  for (uint32_t i = 0; i < PatchTable::distinct; ++i)
+    if (const char* statement = broken(all.at(i))) return statement;
+  for (int c = 0; c < configurations; ++c)
+    if (!has_a_patch_for_its_facets(patches, c))
+      return "a cell has a patch for the facets of each plane";
+  for (int c = 0; c < configurations; ++c)
+    if (!tells_the_links_below(patches, c))
+      return "the lower corners tell the links on the face below";
+  return nullptr;
+}
+
+FacetTables facet_tables() {
+  return {facet_table, facet_rings, cell_facts};
+}
+
+ModelTable model_table() {
+  ModelTable model;
+  std::copy(std::begin(region_model), std::end(region_model), model.of);
+  return model;
+}
+
+// Other numbers are another format: a new wire::version, new golden files, a new WIRE.md.
+const char* broken(const ModelTable& model) {
+  const uint32_t version_1 = 0x7A3F2617;
+  return crc32(model.of, context::count) == version_1 ? nullptr
+                                                      : "the probabilities are those of version 1";
+}
+
+}  // namespace discmc::reference
