@@ -152,6 +152,102 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   CHECK(decoder.report().is_complete());
 }
 
+TEST_CASE("a decoder that is started again counts from the first packet on") {
+  const std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
+  const Bytes stream = joined(frames);
+  Log log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.header().width == 0);
+  // Number 1: whoever hears it first has missed one.
+  REQUIRE(decoder.push(frames[1].data(), frames[1].size()).status == Status::ok);
+  CHECK(decoder.report().packets == 1);
+  CHECK(decoder.report().lost_packets == 1);
+  CHECK(decoder.report().repeated_packets == 0);
+}
+
+TEST_CASE("half of the counts of regions, and of the numbers, lie behind") {
+  const auto is_taken = [](uint8_t number, uint16_t regions) {
+    Bytes stream = stream_of({});
+    const Bytes frame = frame_of({records_kind, number, regions, payload_of([](auto&) {})});
+    stream.insert(stream.end(), frame.begin(), frame.end());
+    const StreamReport report = decode(stream).report;
+    CHECK(report.packets + report.repeated_packets == 2);
+    return report.packets == 2;
+  };
+  CHECK(is_taken(1, 0x7FFF));
+  CHECK_FALSE(is_taken(1, 0x8000));
+  CHECK_FALSE(is_taken(1, 0xFFFF));
+  CHECK(is_taken(1 + 127, 0));
+  CHECK_FALSE(is_taken(1 + 128, 0));
+  CHECK(is_taken(1 + 128, 1));
+}
+
+TEST_CASE("a lost region is counted when the next packet arrives, not by the trailer alone") {
+  const Bytes heard =
+      joined({stream_of({}), frame_of({records_kind, 2, 3, payload_of([](auto&) {})})});
+  CHECK(decode(heard).report.lost_packets == 1);
+  CHECK(decode(heard).report.lost_regions == 3);
+}
+
+TEST_CASE("a trailer that tells of fewer regions than came counts none of them as lost") {
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  std::vector<Bytes> frames = frames_of(encode(square));
+  REQUIRE(frames.size() == 3);
+  Packet trailer = packet_of(frames[2]);
+  trailer.regions = 0;
+  // After the slices, the flag and three totals.
+  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(0);
+  frames[2] = frame_of(trailer);
+  const StreamReport report = decode(joined(frames)).report;
+  CHECK(report.has_trailer);
+  CHECK(report.regions == 1);
+  CHECK(report.lost_regions == 0);
+}
+
+TEST_CASE("a stream without a header is not complete, even if no number is missing") {
+  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
+  Packet trailer = packet_of(frames[1]);
+  trailer.number = 0;
+  const StreamReport report = decode(frame_of(trailer)).report;
+  CHECK(report.has_trailer);
+  CHECK(report.lost_packets == 0);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a header of another stream that lies behind does not replace the first") {
+  StreamHeader other = any_header();
+  other.width = 77;
+  std::vector<Bytes> frames = frames_of(encode(Script().layer(0).finish().events));
+  frames.pop_back();  // the trailer, after which nothing is heard
+  frames.push_back(frames_of(encode(Script().finish().events, other)).front());
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.header.width == any_header().width);
+  CHECK(arrival.report.repeated_packets == 1);
+}
+
+TEST_CASE("a region does not go on behind a packet that cannot be read") {
+  const Bytes first = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, false);
+  });
+  const Bytes unreadable = payload_of([](auto& model) {
+    model.region_follows(false);
+    model.other_kind(static_cast<OtherKind>(6));
+  });
+  const Bytes last = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 2, 2);
+    end_part(model, true);
+  });
+  const Events expected = Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events;
+  CHECK(decode(stream_of({first, unreadable, last})).events == expected);
+}
+
 TEST_CASE("the longest run and the last fragment number are read, in parts") {
   const Arrival arrival = decode(stream_of({payload_of([](auto& model) {
     begin_part(model, false);
@@ -206,6 +302,7 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
       REQUIRE(cut.events == expected);
       CHECK(regions_of(cut.events).size() == cut.report.regions);
       CHECK_FALSE(cut.report.is_complete());
+      CHECK_FALSE(cut.report.abandoned);
       CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
       CHECK(cut.report.packets == frame);
     }
@@ -379,6 +476,12 @@ TEST_CASE("records that break the grammar are refused") {
     begin_part(model, false, true);
     tell_ring(model, false);
     tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a direction that the plane does not have
+    begin_part(model, false, false, incidence_of({1, 1, 0}));
+    tell_ring(model, false);
+    tell_run(model, 5, 2);
     end_part(model, true);
   });
   check_unreadable([](auto& model) {  // a run too long
