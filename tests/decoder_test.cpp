@@ -205,6 +205,7 @@ TEST_CASE("a trailer that tells of fewer regions than came counts none of them a
   CHECK(report.has_trailer);
   CHECK(report.regions == 1);
   CHECK(report.lost_regions == 0);
+  CHECK_FALSE(report.is_complete());
 }
 
 TEST_CASE("a stream without a header is not complete, even if no number is missing") {
@@ -303,6 +304,7 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
       CHECK(regions_of(cut.events).size() == cut.report.regions);
       CHECK_FALSE(cut.report.is_complete());
       CHECK_FALSE(cut.report.abandoned);
+      CHECK(cut.report.slices == 0);
       CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
       CHECK(cut.report.packets == frame);
     }

@@ -171,6 +171,24 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
   CHECK(log.words() == events_of(volume).words());
 }
 
+TEST_CASE("cuts are told while the scan goes on, and of the next scan anew") {
+  const BitVolume volume = random({9, 8, 7}, 128, 1);
+  const Limits limits = limits_of(volume, Border::closed);
+  Counter counter;
+  Block block(minimum_bytes<uint16_t>(limits));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(counter)));
+  CHECK(extractor.statistics().cuts == 0);
+  push_all(extractor, volume.on);
+  const uint64_t cuts = extractor.statistics().cuts;
+  CHECK(cuts > 0);
+  require_ok(extractor.reset());
+  CHECK(extractor.statistics().cuts == 0);
+  CHECK(extractor.high_water().edges == 0);
+  push_all(extractor, volume.on);
+  CHECK(extractor.statistics().cuts == cuts);
+}
+
 TEST_CASE("a scan without slices is an empty one") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{1, 1, 0}, Size{5, 3, 0}}) {
