@@ -194,3 +194,9 @@ TEST_CASE("a single voxel is encoded as it always was") {
 TEST_CASE("a small random volume is encoded as it always was") {
   check_golden("noise.dmc", golden_noise());
 }
+
+TEST_CASE("parts, fragments and marks are encoded as they always were") {
+  const Bytes stream = encode(monstrous_events());
+  CHECK(stream.size() == 22018);
+  CHECK(crc32(stream.data(), stream.size()) == 0x6654598D);
+}
