@@ -71,9 +71,9 @@ void end_part(Model& model, bool is_last) {
 }
 
 template <class Model>
-void begin_compact_ring(Model& model, uint32_t runs) {
+void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
   model.region_follows(true);
-  model.incidence(up);
+  model.incidence(incidence);
   model.ring_count(1);
   model.start({1, 0, 0}, false);
   model.parallelogram(false);
@@ -530,6 +530,36 @@ TEST_CASE("records that break the grammar are refused") {
     model.length(1);
     model.direction(4);
     model.direction(6);
+  });
+  check_unreadable([](auto& model) {  // so many runs that their count and the start's words wrap
+    begin_compact_ring(model, UINT32_MAX);
+  });
+  check_unreadable([](auto& model) {  // a second run of a compact ring that is too long
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(1);
+    model.direction(2);
+    model.length(max_compact_length + 1);
+    model.direction(4);
+    model.direction(6);
+  });
+  check_unreadable([](auto& model) {  // a turn out of the plane's directions, from 3 to 6 of 4
+    begin_compact_ring(model, 4, incidence_of({1, 1, 0}));
+    model.direction(3);
+    model.length(1);
+    model.direction(10);
+    model.length(1);
+    model.direction(1);
+    model.direction(2);
+  });
+  check_unreadable([](auto& model) {  // a ring that its last two runs cannot close
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(5);
+    model.direction(2);
+    model.length(3);
+    model.direction(0);
+    model.direction(2);
   });
   check_unreadable([](auto& model) {  // two parallel runs that are too long to reckon with: without
     begin_compact_ring(model, 2);     // the look at it, it is the sanitizer that tells
