@@ -23,6 +23,17 @@ Bytes stream_of(const std::vector<Bytes>& payloads) {
   return stream;
 }
 
+// The frame of a header that comes after so many packets and regions.
+Bytes header_after(uint32_t packets, uint64_t regions) {
+  Packet header = packet_of(stream_of({}));
+  header.number = static_cast<uint8_t>(packets);
+  header.regions = static_cast<uint16_t>(regions);
+  wire::ByteWriter counts(header.payload.data() + header.payload.size() - 12);
+  counts.put(packets, 4);
+  counts.put_long(regions);
+  return frame_of(header);
+}
+
 template <class Tell>
 Bytes payload_of(Tell tell) {
   Payload payload;
@@ -227,6 +238,54 @@ TEST_CASE("a header of another stream that lies behind does not replace the firs
   const Arrival arrival = decode(joined(frames));
   CHECK(arrival.header.width == any_header().width);
   CHECK(arrival.report.repeated_packets == 1);
+}
+
+TEST_CASE("a later header tells in full how many packets and regions came before it") {
+  struct Before {
+    uint32_t packets, regions;
+  };
+  for (const Before before : {Before{1, 0}, Before{2, 0}, Before{257, 0}, Before{300, 70000},
+                              Before{1, 5}, Before{1, 65536}, Before{2, 70000}}) {
+    CAPTURE(before.packets);
+    CAPTURE(before.regions);
+    const StreamReport report =
+        decode(joined({stream_of({}), header_after(before.packets, before.regions)})).report;
+    CHECK(report.packets == 2);
+    CHECK(report.lost_packets == before.packets - 1);
+    CHECK(report.lost_regions == before.regions);
+  }
+}
+
+TEST_CASE(
+    "a header that tells of more lost packets ends what is open, unless a gap lay before it") {
+  const Bytes first = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, false);
+  });
+  const Bytes last = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 2, 2);
+    end_part(model, true);
+  });
+  // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
+  for (const bool gap_is_seen : {false, true}) {
+    const uint32_t number = gap_is_seen ? 258 : 257;
+    const auto frame = [](uint32_t at, const Bytes& payload) {
+      return frame_of({records_kind, static_cast<uint8_t>(at), 0, payload});
+    };
+    const Arrival arrival = decode(joined({stream_of({}), frame(number, first),
+                                           header_after(number + 1, 0), frame(number + 2, last)}));
+    Script expected;
+    expected.region(up).ring({1, 0, 0}).run(0, 2);
+    if (gap_is_seen)
+      expected.run(2, 2).region_end();
+    else
+      expected.lost();
+    CHECK(arrival.events == expected.events);
+    CHECK(arrival.report.lost_packets == number - 1);
+  }
 }
 
 TEST_CASE("a region does not go on behind a packet that cannot be read") {
