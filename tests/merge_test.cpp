@@ -258,6 +258,12 @@ TEST_CASE("what is spilled, and when, is this, on every machine") {
   CHECK(hash == 980924252697165415ULL);
 }
 
+TEST_CASE("the rings of regions with many holes come in this order, on every machine") {
+  const BitVolume volume = random({40, 40, 2}, 235, 3);
+  const EventLog log = events_of(volume, Border::closed, ample(volume, Border::closed), false);
+  CHECK(hash_of(log) == 10878942357253382453ULL);
+}
+
 TEST_CASE("which of some long fragments are spilled, and when, is this, on every machine") {
   const BitVolume volume = spiral({45, 45, 3});
   Capacities few = ample(volume, Border::closed);
