@@ -146,6 +146,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   Log log;
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
+  CHECK_FALSE(decoder.report().has_header);
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
   CHECK(log.events == Script().region(up).ring({1, 0, 0}).events);
@@ -227,6 +228,27 @@ TEST_CASE("a stream without a header is not complete, even if no number is missi
   CHECK(report.has_trailer);
   CHECK(report.lost_packets == 0);
   CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a stream that has only begun is neither complete nor abandoned") {
+  const StreamReport report = decode(stream_of({})).report;
+  CHECK(report.has_header);
+  CHECK(report.slices == 0);
+  CHECK_FALSE(report.has_trailer);
+  CHECK_FALSE(report.abandoned);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a region may fill a record with parallelograms to the last word") {
+  constexpr uint32_t rings = Record::max_words / (Record::ring_words + 4);
+  static_assert(rings * (Record::ring_words + 4) == Record::max_words, "to the last word");
+  Script script;
+  script.region(up);
+  for (uint32_t ring = 0; ring < rings; ++ring)
+    script.square({1, 4 * static_cast<int32_t>(ring), 0}, 2, ring > 0);
+  const Arrival arrival = decode(encode(script.region_end().finish().events));
+  CHECK(arrival.events == script.events);
+  CHECK(arrival.report.damaged_packets == 0);
 }
 
 TEST_CASE("a header of another stream that lies behind does not replace the first") {
