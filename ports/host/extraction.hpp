@@ -17,10 +17,10 @@ struct ExtractionOptions {
   Border border = Border::closed;
   /// The arena. 0 takes a generous default. Units: bytes
   std::uint64_t memory = 0;
-  /// Whether the events tell gradient normals. The arena then also holds three slices.
-  bool normals = false;
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
+  /// Whether the events tell gradient normals. The arena then also holds three slices.
+  bool normals = false;
 };
 
 struct Extraction {

@@ -93,7 +93,7 @@ std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
 
 ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArguments& arguments,
                                      Progress& progress) {
-  return {stored_threshold(info, arguments.iso), arguments.border, arguments.memory, false,
+  return {stored_threshold(info, arguments.iso), arguments.border, arguments.memory,
           [&progress](std::uint32_t slices) { progress.show(slices); }};
 }
 
