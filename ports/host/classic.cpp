@@ -43,7 +43,8 @@ class Cubes {
         width_(info.dims[0] + 2 * border_),
         height_(info.dims[1] + 2 * border_),
         level_(options.threshold - 0.5) {
-    const Point& s = mesh_.spacing_mm = info.spacing_mm;
+    mesh_.spacing_mm = info.spacing_mm;
+    const Point& s = mesh_.spacing_mm;
     mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
     for (Slice* slice : {&below_, &above_}) {
       slice->value.assign(width_ * height_, halo);

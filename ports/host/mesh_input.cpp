@@ -1,20 +1,10 @@
 #include "mesh_input.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
 namespace discmc::host {
-
-MeshInput::MeshInput(const std::filesystem::path& file) : file_(file) {
-  std::ifstream in;
-  if (std::filesystem::is_regular_file(file)) in.open(file, std::ios::binary);
-  if (!in.is_open()) refuse("cannot be read", "check the name and its permissions");
-  bytes_.resize(std::filesystem::file_size(file));
-  in.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
-  bytes_.resize(static_cast<std::size_t>(in.gcount()));
-}
 
 void MeshInput::refuse(const std::string& what, const std::string& remedy) const {
   throw std::runtime_error(file_.string() + ": " + what + "; " + remedy);

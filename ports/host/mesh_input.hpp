@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "mesh.hpp"
@@ -18,8 +19,8 @@ namespace discmc::host {
 
 class MeshInput {
  public:
-  /// Reads the whole file. Throws as refuse() does when it cannot.
-  explicit MeshInput(const std::filesystem::path& file);
+  MeshInput(std::filesystem::path file, std::string bytes)
+      : file_(std::move(file)), bytes_(std::move(bytes)) {}
 
   const std::string& bytes() const { return bytes_; }
   std::size_t vertex_count() const { return mesh_.vertices_mm.size(); }

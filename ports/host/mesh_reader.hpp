@@ -3,6 +3,7 @@
 #define DISCMC_HOST_MESH_READER_HPP
 
 #include <filesystem>
+#include <string>
 
 #include "mesh.hpp"
 
@@ -18,6 +19,9 @@ bool is_mesh_name(const std::filesystem::path& file);
 /// Any bytes end in a mesh whose numbers are in range or in a std::runtime_error that names the
 /// file, the fault and the remedy. What is allocated is in proportion to the bytes of the file.
 Mesh read_mesh(const std::filesystem::path& file);
+
+/// The same from the bytes of a file at hand.
+Mesh read_mesh(const std::filesystem::path& name, std::string bytes);
 
 }  // namespace discmc::host
 
