@@ -40,7 +40,7 @@ struct Surface {
   std::array<double, 3> spacing_mm;
   std::vector<Polygon> polygons;
   /// Of corners, where the scan or the stream told them: in space, pointing from on to off.
-  std::unordered_map<discmc::Vertex, discmc::OctahedralNormal, VertexHash> normals;
+  std::unordered_map<discmc::Vertex, discmc::OctahedralNormal, VertexHash> normals{};
 };
 
 }  // namespace discmc::host

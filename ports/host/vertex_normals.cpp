@@ -19,10 +19,13 @@ AxisWeights weights_of(const Mesh& mesh) {
   return axis_weights({spacing[0], spacing[1], spacing[2]});
 }
 
-Point normal_along(const LongVector& direction, const AxisWeights& weights) {
-  const UnitNormal normal = unit_normal(weighted(direction, weights));
+Point point_of(const UnitNormal& normal) {
   constexpr double one = UnitNormal::one;
   return {normal.x / one, normal.y / one, normal.z / one};
+}
+
+Point normal_along(const LongVector& direction, const AxisWeights& weights) {
+  return point_of(unit_normal(weighted(direction, weights)));
 }
 
 LongVector area_vector(const Polygon& polygon) {
@@ -97,6 +100,14 @@ void set_polygon_normals(const Surface& surface, Mesh& mesh) {
   const AxisWeights weights = weights_of(mesh);
   mesh.normals.clear();
   for (const LongVector& sum : sums) mesh.normals.push_back(normal_along(sum, weights));
+}
+
+void set_told_normals(const Surface& surface, Mesh& mesh) {
+  mesh.normals.resize(mesh.lattice.size());
+  for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
+    const auto told = surface.normals.find(mesh.lattice[i]);
+    if (told != surface.normals.end()) mesh.normals[i] = point_of(unit_normal(told->second));
+  }
 }
 
 void set_gradient_normals(VolumeReader& volume, Mesh& mesh,
