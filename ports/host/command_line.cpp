@@ -202,8 +202,9 @@ void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
       add_stream_command(app, "decode", "Turn a stream into a mesh, or pack it anew", arguments);
   add_output(*decode, arguments.output, "a stream on standard output")->required();
   add_normals(*decode, arguments.normals);
-  CLI::Option* volume = decode->add_option(
-      "--volume", arguments.volume, "the file that the stream was made of, for --normals gradient");
+  CLI::Option* volume = decode->add_option("--volume", arguments.volume,
+                                           "the file that the stream was made of, for --normals "
+                                           "gradient (default: what the stream tells of it)");
   add_layout(*decode, arguments.layout)[0]->needs(volume);
   decode->add_flag("--conforming,!--no-conforming", arguments.conforming,
                    "a mesh without T-junctions (default), or corners alone");

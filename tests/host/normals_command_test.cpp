@@ -1,6 +1,9 @@
 // Normals of vertices from the command: their sources, their files, and what does not go together.
+#include <discmc/gradient_normals.hpp>
+
 #include "../reference/angle.hpp"
 #include "../reference/ramp_ball.hpp"
+#include "../reference/scan.hpp"
 #include "../stream.hpp"
 #include "command.hpp"
 
@@ -15,10 +18,15 @@ const std::string layout = " --dims 16,16,16 --type u16 --big-endian";
 const std::vector<std::string> sources = {"surface", "gradient"};
 const std::vector<std::string> formats = {"ply", "obj"};
 
-// A ball of radius 5 with a ramp of 100 a voxel about 1000: big-endian, two bytes a sample.
+// A ball of radius 5 with a ramp of 100 a voxel about 1000.
+discmc::reference::SampleVolume<int> ball() {
+  return discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000});
+}
+
+// Big-endian, two bytes a sample.
 const std::string ball_samples = [] {
   std::string samples;
-  for (const int sample : discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000}).samples) {
+  for (const int sample : ball().samples) {
     samples += static_cast<char>(sample >> 8);
     samples += static_cast<char>(sample & 0xFF);
   }
@@ -29,6 +37,32 @@ std::string header(const std::string& space_directions) {
   return "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nendian: big\n"
          "space dimension: 3\nspace directions: " +
          space_directions + "\n\n";
+}
+
+// The stream of v.nrrd as a device makes it that has the samples at hand: with normals.
+std::string stream_with_normals() {
+  using WithNormals = discmc::GradientNormals<std::uint16_t>;
+  discmc::StreamHeader header;
+  header.width = header.height = header.depth = extent;
+  header.spacing_nm[0] = 500000;
+  header.spacing_nm[1] = -1000000;
+  header.spacing_nm[2] = 2000000;
+  header.threshold = 1000;
+  const discmc::Limits limits{extent, extent};
+  const discmc::Capacities capacities = worst_case_capacities(limits);
+  discmc::reference::Block block(discmc::bytes_for<std::uint32_t, WithNormals>(limits, capacities));
+  discmc::test::Line line;
+  discmc::NormalEncoder encoder;
+  discmc::reference::require_ok(encoder.start(header, line.output()));
+  discmc::Extractor<std::uint32_t, WithNormals> extractor;
+  extractor.set_spacing(header.spacing_nm);
+  discmc::reference::require_ok(extractor.start(limits, capacities, header.threshold,
+                                                block.memory(), discmc::sink_to(encoder)));
+  std::vector<std::uint16_t> samples;
+  for (const int sample : ball().samples) samples.push_back(static_cast<std::uint16_t>(sample));
+  discmc::reference::push_all(extractor, samples);
+  discmc::reference::finish_all(extractor);
+  return std::string(line.bytes.begin(), line.bytes.end());
 }
 
 // v.raw and v.nrrd hold the same ball, v.dmc its stream.
@@ -166,6 +200,37 @@ TEST_CASE("a stream without normals asks for its volume, and only for its own") 
   workshop.write("turned.nrrd", header("(0.5,0,0) (0,1,0) (0,0,2)") + ball_samples);
   check_refusal(workshop, 1, decode + " --volume turned.nrrd",
                 {"turned.nrrd", "0.5,1,2 mm", "0.5,-1,2 mm"});
+}
+
+TEST_CASE("normals that a stream tells are those of its volume, in two bytes each") {
+  const Workshop workshop;
+  write_ball(workshop);
+  workshop.write("told.dmc", stream_with_normals());
+  for (const std::string mesh : {"", " --no-conforming"}) {
+    const std::string gradient = " -o v.ply --normals gradient" + mesh;
+    workshop.done("decode v.dmc --volume v.nrrd" + gradient);
+    const std::string of_volume = workshop.read("v.ply");
+    workshop.done("decode told.dmc --volume v.nrrd" + gradient);
+    CHECK(workshop.read("v.ply") == of_volume);
+    workshop.done("decode told.dmc" + gradient);
+    const Mesh told = mesh_in(workshop, "v.ply"), exact = mesh_of_ply(of_volume);
+    REQUIRE(told.vertices_mm == exact.vertices_mm);
+    double worst = 0;
+    for (std::size_t i = 0; i < told.normals.size(); ++i)
+      worst = std::max(worst, degrees_between(told.normals[i], exact.normals[i]));
+    CHECK(worst > 0.1);
+    CHECK(worst < 0.97);
+  }
+}
+
+TEST_CASE("without a surface there is nothing to have a normal") {
+  const Workshop workshop;
+  write_ball(workshop);
+  workshop.done("extract v.nrrd --iso 5000 -o none.dmc");
+  for (const std::string& source : sources) {
+    workshop.done("decode none.dmc -o none.ply --normals " + source);
+    CHECK(mesh_in(workshop, "none.ply").normals.empty());
+  }
 }
 
 TEST_CASE("an incomplete stream has normals where it has a surface") {
