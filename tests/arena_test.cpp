@@ -88,6 +88,17 @@ TEST_CASE("too little memory to align, or none, gives nothing") {
   CHECK(none.take<uint8_t>(1) == nullptr);
 }
 
+TEST_CASE("three bytes, the ones set aside, are memory that has room for nothing") {
+  alignas(4) uint8_t bytes[4] = {};
+  for (const size_t count : {3U, 4U}) {
+    Arena arena({bytes, count});
+    CHECK_FALSE(arena.is_exhausted());
+    CHECK(arena.take<uint8_t>(0) != nullptr);
+    CHECK(arena.take<uint8_t>(1) == nullptr);
+  }
+  CHECK(Arena({bytes, 2}).is_exhausted());
+}
+
 TEST_CASE("the bytes of an array are rounded up to the alignment and do not wrap") {
   CHECK(Arena::bytes_of(0, 12) == 0);
   CHECK(Arena::bytes_of(1, 1) == 4);

@@ -267,7 +267,9 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   CHECK(header.width == width);
   CHECK(header.height == height);
   CHECK(header.depth == depth);
+  CHECK(header.spacing_nm[0] == 1000);
   CHECK(header.spacing_nm[1] == -2000);
+  CHECK(header.spacing_nm[2] == 3000);
   CHECK(header.threshold == threshold);
   CHECK(header.border == DISCMC_CLOSED);
 }

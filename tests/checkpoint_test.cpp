@@ -5,6 +5,7 @@
 #include <discmc/checkpoint.hpp>
 #include <set>
 
+#include "reference/sanitized.hpp"
 #include "stream.hpp"
 
 using namespace discmc;
@@ -279,7 +280,7 @@ TEST_CASE("a flipped bit in a checkpoint is found out, wherever it is") {
   device.scan_to(9);
   const Image image = device.save();
   auto other = device_for<uint16_t>(scan);
-  for (size_t bit = 0; bit < 8 * image.size(); ++bit) {
+  for (size_t bit = 0; bit < 8 * image.size(); bit += step(7)) {
     CAPTURE(bit);
     Image flipped = image;
     flipped[bit / 8] = static_cast<uint8_t>(flipped[bit / 8] ^ 1 << bit % 8);

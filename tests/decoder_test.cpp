@@ -23,6 +23,17 @@ Bytes stream_of(const std::vector<Bytes>& payloads) {
   return stream;
 }
 
+// The frame of a header that comes after so many packets and regions.
+Bytes header_after(uint32_t packets, uint64_t regions) {
+  Packet header = packet_of(stream_of({}));
+  header.number = static_cast<uint8_t>(packets);
+  header.regions = static_cast<uint16_t>(regions);
+  wire::ByteWriter counts(header.payload.data() + header.payload.size() - 12);
+  counts.put(packets, 4);
+  counts.put_long(regions);
+  return frame_of(header);
+}
+
 template <class Tell>
 Bytes payload_of(Tell tell) {
   Payload payload;
@@ -71,9 +82,9 @@ void end_part(Model& model, bool is_last) {
 }
 
 template <class Model>
-void begin_compact_ring(Model& model, uint32_t runs) {
+void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
   model.region_follows(true);
-  model.incidence(up);
+  model.incidence(incidence);
   model.ring_count(1);
   model.start({1, 0, 0}, false);
   model.parallelogram(false);
@@ -135,6 +146,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   Log log;
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
+  CHECK_FALSE(decoder.report().has_header);
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
   CHECK(log.events == Script().region(up).ring({1, 0, 0}).events);
@@ -150,6 +162,172 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
   CHECK(again.events == sample.events);
   CHECK(decoder.report().is_complete());
+}
+
+TEST_CASE("a decoder that is started again counts from the first packet on") {
+  const std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
+  const Bytes stream = joined(frames);
+  Log log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.header().width == 0);
+  // Number 1: whoever hears it first has missed one.
+  REQUIRE(decoder.push(frames[1].data(), frames[1].size()).status == Status::ok);
+  CHECK(decoder.report().packets == 1);
+  CHECK(decoder.report().lost_packets == 1);
+  CHECK(decoder.report().repeated_packets == 0);
+}
+
+TEST_CASE("half of the counts of regions, and of the numbers, lie behind") {
+  const auto is_taken = [](uint8_t number, uint16_t regions) {
+    Bytes stream = stream_of({});
+    const Bytes frame = frame_of({records_kind, number, regions, payload_of([](auto&) {})});
+    stream.insert(stream.end(), frame.begin(), frame.end());
+    const StreamReport report = decode(stream).report;
+    CHECK(report.packets + report.repeated_packets == 2);
+    return report.packets == 2;
+  };
+  CHECK(is_taken(1, 0x7FFF));
+  CHECK_FALSE(is_taken(1, 0x8000));
+  CHECK_FALSE(is_taken(1, 0xFFFF));
+  CHECK(is_taken(1 + 127, 0));
+  CHECK_FALSE(is_taken(1 + 128, 0));
+  CHECK(is_taken(1 + 128, 1));
+}
+
+TEST_CASE("a lost region is counted when the next packet arrives, not by the trailer alone") {
+  const Bytes heard =
+      joined({stream_of({}), frame_of({records_kind, 2, 3, payload_of([](auto&) {})})});
+  CHECK(decode(heard).report.lost_packets == 1);
+  CHECK(decode(heard).report.lost_regions == 3);
+}
+
+TEST_CASE("a trailer that tells of fewer regions than came counts none of them as lost") {
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  std::vector<Bytes> frames = frames_of(encode(square));
+  REQUIRE(frames.size() == 3);
+  Packet trailer = packet_of(frames[2]);
+  trailer.regions = 0;
+  // After the slices, the flag and three totals.
+  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(0);
+  frames[2] = frame_of(trailer);
+  const StreamReport report = decode(joined(frames)).report;
+  CHECK(report.has_trailer);
+  CHECK(report.regions == 1);
+  CHECK(report.lost_regions == 0);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a stream without a header is not complete, even if no number is missing") {
+  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
+  Packet trailer = packet_of(frames[1]);
+  trailer.number = 0;
+  const StreamReport report = decode(frame_of(trailer)).report;
+  CHECK(report.has_trailer);
+  CHECK(report.lost_packets == 0);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a stream that has only begun is neither complete nor abandoned") {
+  const StreamReport report = decode(stream_of({})).report;
+  CHECK(report.has_header);
+  CHECK(report.slices == 0);
+  CHECK_FALSE(report.has_trailer);
+  CHECK_FALSE(report.abandoned);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a region may fill a record with parallelograms to the last word") {
+  constexpr uint32_t rings = Record::max_words / (Record::ring_words + 4);
+  static_assert(rings * (Record::ring_words + 4) == Record::max_words, "to the last word");
+  Script script;
+  script.region(up);
+  for (uint32_t ring = 0; ring < rings; ++ring)
+    script.square({1, 4 * static_cast<int32_t>(ring), 0}, 2, ring > 0);
+  const Arrival arrival = decode(encode(script.region_end().finish().events));
+  CHECK(arrival.events == script.events);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
+TEST_CASE("a header of another stream that lies behind does not replace the first") {
+  StreamHeader other = any_header();
+  other.width = 77;
+  std::vector<Bytes> frames = frames_of(encode(Script().layer(0).finish().events));
+  frames.pop_back();  // the trailer, after which nothing is heard
+  frames.push_back(frames_of(encode(Script().finish().events, other)).front());
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.header.width == any_header().width);
+  CHECK(arrival.report.repeated_packets == 1);
+}
+
+TEST_CASE("a later header tells in full how many packets and regions came before it") {
+  struct Before {
+    uint32_t packets, regions;
+  };
+  for (const Before before : {Before{1, 0}, Before{2, 0}, Before{257, 0}, Before{300, 70000},
+                              Before{1, 5}, Before{1, 65536}, Before{2, 70000}}) {
+    CAPTURE(before.packets);
+    CAPTURE(before.regions);
+    const StreamReport report =
+        decode(joined({stream_of({}), header_after(before.packets, before.regions)})).report;
+    CHECK(report.packets == 2);
+    CHECK(report.lost_packets == before.packets - 1);
+    CHECK(report.lost_regions == before.regions);
+  }
+}
+
+TEST_CASE(
+    "a header that tells of more lost packets ends what is open, unless a gap lay before it") {
+  const Bytes first = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, false);
+  });
+  const Bytes last = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 2, 2);
+    end_part(model, true);
+  });
+  // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
+  for (const bool gap_is_seen : {false, true}) {
+    const uint32_t number = gap_is_seen ? 258 : 257;
+    const auto frame = [](uint32_t at, const Bytes& payload) {
+      return frame_of({records_kind, static_cast<uint8_t>(at), 0, payload});
+    };
+    const Arrival arrival = decode(joined({stream_of({}), frame(number, first),
+                                           header_after(number + 1, 0), frame(number + 2, last)}));
+    Script expected;
+    expected.region(up).ring({1, 0, 0}).run(0, 2);
+    if (gap_is_seen)
+      expected.run(2, 2).region_end();
+    else
+      expected.lost();
+    CHECK(arrival.events == expected.events);
+    CHECK(arrival.report.lost_packets == number - 1);
+  }
+}
+
+TEST_CASE("a region does not go on behind a packet that cannot be read") {
+  const Bytes first = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, false);
+  });
+  const Bytes unreadable = payload_of([](auto& model) {
+    model.region_follows(false);
+    model.other_kind(static_cast<OtherKind>(6));
+  });
+  const Bytes last = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 2, 2);
+    end_part(model, true);
+  });
+  const Events expected = Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events;
+  CHECK(decode(stream_of({first, unreadable, last})).events == expected);
 }
 
 TEST_CASE("the longest run and the last fragment number are read, in parts") {
@@ -206,6 +384,8 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
       REQUIRE(cut.events == expected);
       CHECK(regions_of(cut.events).size() == cut.report.regions);
       CHECK_FALSE(cut.report.is_complete());
+      CHECK_FALSE(cut.report.abandoned);
+      CHECK(cut.report.slices == 0);
       CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
       CHECK(cut.report.packets == frame);
     }
@@ -381,6 +561,12 @@ TEST_CASE("records that break the grammar are refused") {
     tell_run(model, 0, 2);
     end_part(model, true);
   });
+  check_unreadable([](auto& model) {  // a direction that the plane does not have
+    begin_part(model, false, false, incidence_of({1, 1, 0}));
+    tell_ring(model, false);
+    tell_run(model, 5, 2);
+    end_part(model, true);
+  });
   check_unreadable([](auto& model) {  // a run too long
     begin_part(model, false);
     tell_ring(model, false);
@@ -425,6 +611,36 @@ TEST_CASE("records that break the grammar are refused") {
     model.length(1);
     model.direction(4);
     model.direction(6);
+  });
+  check_unreadable([](auto& model) {  // so many runs that their count and the start's words wrap
+    begin_compact_ring(model, UINT32_MAX);
+  });
+  check_unreadable([](auto& model) {  // a second run of a compact ring that is too long
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(1);
+    model.direction(2);
+    model.length(max_compact_length + 1);
+    model.direction(4);
+    model.direction(6);
+  });
+  check_unreadable([](auto& model) {  // a turn out of the plane's directions, from 3 to 6 of 4
+    begin_compact_ring(model, 4, incidence_of({1, 1, 0}));
+    model.direction(3);
+    model.length(1);
+    model.direction(10);
+    model.length(1);
+    model.direction(1);
+    model.direction(2);
+  });
+  check_unreadable([](auto& model) {  // a ring that its last two runs cannot close
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(5);
+    model.direction(2);
+    model.length(3);
+    model.direction(0);
+    model.direction(2);
   });
   check_unreadable([](auto& model) {  // two parallel runs that are too long to reckon with: without
     begin_compact_ring(model, 2);     // the look at it, it is the sanitizer that tells

@@ -176,6 +176,37 @@ TEST_CASE("the trailer is written once, however often the end is told") {
   }
 }
 
+TEST_CASE("a line that is never busy never makes an event wait") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    Line line;
+    Encoder encoder;
+    REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
+    for (const Told& told : sample.events) REQUIRE(encoder.take(told.event()) == Answer::taken);
+  }
+}
+
+TEST_CASE("the trailer says with a byte of 1 that the scan was abandoned, else 0") {
+  for (const bool abandoned : {false, true}) {
+    const Told finish = Script().finish().events.front();
+    Event event = finish.event();
+    event.abandoned = abandoned;
+    const std::vector<Packet> packets = packets_of(encode({Told(event)}));
+    CHECK(packets.back().payload[4] == (abandoned ? 1 : 0));
+  }
+}
+
+TEST_CASE("an encoder that is started again after the end begins a new stream") {
+  const Events events = many_regions(3);
+  Line line, again;
+  Encoder encoder;
+  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  take_all(encoder, events);
+  REQUIRE(encoder.start(any_header(), again.output()) == Status::ok);
+  take_all(encoder, events);
+  CHECK(again.bytes == encode(events));
+}
+
 TEST_CASE("an encoder that is started again begins a new stream") {
   const Events events = many_regions(100);
   for (size_t told = 0; told < events.size(); told += 1 + told / 3) {

@@ -171,6 +171,43 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
   CHECK(log.words() == events_of(volume).words());
 }
 
+TEST_CASE("cuts are told while the scan goes on, and of the next scan anew") {
+  const BitVolume volume = random({9, 8, 7}, 128, 1);
+  const Limits limits = limits_of(volume, Border::closed);
+  Counter counter;
+  Block block(minimum_bytes<uint16_t>(limits));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(counter)));
+  CHECK(extractor.statistics().cuts == 0);
+  push_all(extractor, volume.on);
+  const uint64_t cuts = extractor.statistics().cuts;
+  CHECK(cuts > 0);
+  require_ok(extractor.reset());
+  CHECK(extractor.statistics().cuts == 0);
+  CHECK(extractor.high_water().edges == 0);
+  push_all(extractor, volume.on);
+  CHECK(extractor.statistics().cuts == cuts);
+}
+
+TEST_CASE("a reset forgets the holes of regions that were open") {
+  const BitVolume volume = random({20, 20, 3}, 235, 3);
+  const Limits limits = limits_of(volume, Border::closed);
+  Capacities capacities = worst_case_capacities(limits);
+  capacities.rings = CellReserve::rings + 8;
+  Block block(bytes_for<uint16_t>(limits, capacities));
+  Counter counter;
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(counter)));
+  uint64_t cuts = 0;
+  for (int scan = 0; scan < 5; ++scan) {
+    push_all(extractor, volume.on);
+    if (scan == 0) cuts = extractor.statistics().cuts;
+    CHECK(extractor.statistics().cuts == cuts);
+    require_ok(extractor.reset());
+  }
+  CHECK(cuts > 0);
+}
+
 TEST_CASE("a scan without slices is an empty one") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{1, 1, 0}, Size{5, 3, 0}}) {

@@ -92,6 +92,13 @@ TEST_CASE("memory whose size was known at compile time starts a scan") {
         Status::ok);
 }
 
+TEST_CASE("twice a number and some more is the largest number where it would wrap") {
+  CHECK(sizing::twice(7, 34) == 48);
+  CHECK(sizing::twice((UINT32_MAX - 34) / 2, 34) == UINT32_MAX - 1);
+  CHECK(sizing::twice((UINT32_MAX - 34) / 2 + 1, 34) == UINT32_MAX);
+  CHECK(sizing::twice(UINT32_MAX, 34) == UINT32_MAX);
+}
+
 TEST_CASE("cells, halo and words of a row follow from the limits") {
   for_each_limits([](const Limits& limits) {
     const uint32_t halo = limits.border == Border::closed ? 1 : 0;

@@ -258,6 +258,21 @@ TEST_CASE("what is spilled, and when, is this, on every machine") {
   CHECK(hash == 980924252697165415ULL);
 }
 
+TEST_CASE("the rings of regions with many holes come in this order, on every machine") {
+  const BitVolume volume = random({40, 40, 2}, 235, 3);
+  const EventLog log = events_of(volume, Border::closed, ample(volume, Border::closed), false);
+  CHECK(hash_of(log) == 10878942357253382453ULL);
+}
+
+TEST_CASE("which of some long fragments are spilled, and when, is this, on every machine") {
+  const BitVolume volume = spiral({45, 45, 3});
+  Capacities few = ample(volume, Border::closed);
+  uint64_t hash = 0;
+  for (few.runs = 100; few.runs < 1000; few.runs += 90)
+    hash = hash * 31 + hash_of(events_of(volume, Border::closed, few, false));
+  CHECK(hash == 16116699775052057539ULL);
+}
+
 TEST_CASE("what is cut, and when, is this, on every machine") {
   const BitVolume volume = random({14, 13, 8}, 110, 5);
   const Capacities enough = ample(volume, Border::closed);

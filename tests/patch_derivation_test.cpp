@@ -24,9 +24,27 @@ TEST_CASE("the patch table is the same when it is derived at run time") {
   CHECK(are_equal(again.table.of_count, patch_table.of_count));
   CHECK(are_equal(again.table.patch, patch_table.patch));
   CHECK(are_equal(again.table.below, patch_table.below));
+  CHECK(again.bounds.patches == cell_bounds.patches);
   CHECK(again.bounds.links == cell_bounds.links);
+  CHECK(again.bounds.behind_links == cell_bounds.behind_links);
+  CHECK(again.bounds.ahead_links == cell_bounds.ahead_links);
   CHECK(again.one_patch_an_incidence);
   CHECK(again.one_fan_a_cell);
+}
+
+TEST_CASE("two patches of one incidence in a cell would be noticed") {
+  for (int c = 0; c < configurations; ++c) {
+    const uint32_t first = patch_table.first(c);
+    if (patch_table.first(c + 1) < first + 2) continue;
+    Derived altered{};
+    altered.table = patch_table;
+    altered.one_patch_an_incidence = true;
+    measure_cell(altered, c);
+    CHECK(altered.one_patch_an_incidence);
+    altered.table.index[first + 1] = altered.table.index[first];
+    measure_cell(altered, c);
+    CHECK_FALSE(altered.one_patch_an_incidence);
+  }
 }
 
 }  // namespace

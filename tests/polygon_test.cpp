@@ -18,7 +18,7 @@ using Rings = std::vector<Ring>;
 Rings split(Ring ring) {
   Rings rings;
   // Memory of exactly the size asked for.
-  std::vector<uint32_t> scratch(2 * ring.size());
+  std::vector<uint32_t> scratch(2 * ring.size(), UINT32_MAX);  // any contents will do
   const auto take = [](void* context, const Vertex* vertices, uint32_t count) {
     static_cast<Rings*>(context)->emplace_back(vertices, vertices + count);
   };
@@ -125,6 +125,21 @@ TEST_CASE("a slit that leads to a hole leaves an outer ring and a hole") {
     areas[i] = twice_area(up, rings[i].data(), static_cast<uint32_t>(rings[i].size()));
   CHECK(std::min(areas[0], areas[1]) == -18);
   CHECK(std::max(areas[0], areas[1]) == 162);
+}
+
+TEST_CASE("a ring is split alike in planes across any axis") {
+  for (uint32_t seed = 0; seed < 300; ++seed) {
+    Ring ring = random_walk(seed, seed % 60, 7);
+    const Rings expected = split(ring);
+    for (int axis = 0; axis < 2; ++axis) {
+      for (Vertex& vertex : ring) vertex = {vertex.z, vertex.x, vertex.y};
+      Rings turned = split(ring);
+      for (Ring& simple : turned)
+        for (Vertex& vertex : simple)
+          for (int back = 0; back <= axis; ++back) vertex = {vertex.y, vertex.z, vertex.x};
+      CHECK(turned == expected);
+    }
+  }
 }
 
 TEST_CASE("any ring is split as by a naive splitter, and no area is lost") {

@@ -200,6 +200,19 @@ TEST_CASE("a decoder that reads on is exhausted after a bounded number of bits")
   }
 }
 
+TEST_CASE("a decoder is exhausted by the fifth byte beyond the end, and not by the fourth") {
+  for (size_t count = 0; count < 5; ++count) {
+    const Bytes bytes(count, 0x55);
+    RangeDecoder decoder(bytes.data(), bytes.size());
+    // Nine bits of one half are worth a byte, and a little more.
+    for (size_t byte = 0; byte < count; ++byte)
+      for (int bit = 0; bit < 8; ++bit) (void)decoder.decode(128);
+    CHECK_FALSE(decoder.is_exhausted());
+    for (int bit = 0; bit < 9; ++bit) (void)decoder.decode(128);
+    CHECK(decoder.is_exhausted());
+  }
+}
+
 TEST_CASE("any bytes decode without harm, beyond their end as well") {
   Chance chance(7);
   for (int round = 0; round < 300; ++round) {

@@ -96,6 +96,28 @@ TEST_CASE("steps and lengths of every size are told as version 1 tells them") {
   CHECK(crc32(bytes.data(), bytes.size()) == 0x45D51FA9);
 }
 
+TEST_CASE("small steps, and every direction after every other, are told as version 1 tells them") {
+  Bytes bytes(UINT16_MAX);
+  RegionModel<test::WritingCoder> model(test::WritingCoder{{bytes.data(), bytes.size()}});
+  for_each_incidence([&](Incidence incidence) {
+    model.incidence(incidence);
+    Vertex at{0, 0, 1};
+    for (int step = -4; step <= 4; ++step)
+      for (const bool further : {false, true}) {
+        at = at + Vertex{2 * step, step, -step};
+        model.start(at, further);
+        for (Direction i = 0; i < direction_count(incidence); ++i)
+          for (Direction j = 0; j < direction_count(incidence); ++j) {
+            model.direction(i);
+            model.direction(j);
+          }
+      }
+  });
+  bytes.resize(model.coder().range.finish());
+  CHECK(bytes.size() == 18062);
+  CHECK(crc32(bytes.data(), bytes.size()) == 0x0E60167A);
+}
+
 TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
   const std::vector<uint32_t> values = numbers();
   check_round_trip(

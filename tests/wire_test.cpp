@@ -194,3 +194,28 @@ TEST_CASE("a single voxel is encoded as it always was") {
 TEST_CASE("a small random volume is encoded as it always was") {
   check_golden("noise.dmc", golden_noise());
 }
+
+TEST_CASE("parts, fragments and marks are encoded as they always were") {
+  const Bytes stream = encode(monstrous_events());
+  CHECK(stream.size() == 22018);
+  CHECK(crc32(stream.data(), stream.size()) == 0x6654598D);
+}
+
+TEST_CASE("fields of one to eight bytes are read as they were written, and zeros beyond the end") {
+  Bytes bytes(1 + 2 + 4 + 8);
+  wire::ByteWriter writer(bytes.data());
+  writer.put(0xFE, 1);
+  writer.put(0x1234, 2);
+  writer.put(0x89ABCDEF, 4);
+  writer.put_long(0x0123456789ABCDEF);
+  CHECK(bytes == Bytes{0xFE, 0x34, 0x12, 0xEF, 0xCD, 0xAB, 0x89,  //
+                       0xEF, 0xCD, 0xAB, 0x89, 0x67, 0x45, 0x23, 0x01});
+  wire::ByteReader reader(bytes.data(), bytes.size());
+  CHECK(reader.get(1) == 0xFE);
+  CHECK(reader.get(2) == 0x1234);
+  CHECK(reader.get(4) == 0x89ABCDEF);
+  CHECK(reader.get(8) == 0x0123456789ABCDEF);
+  CHECK(reader.get(4) == 0);
+  const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader knows two
+  CHECK(wire::ByteReader(three, 2).get(4) == 0x0201);
+}

@@ -137,21 +137,25 @@ void add_normals(CLI::App& app, Normals& normals) {
                                           : Normals::none;
          },
          "at the vertices of a .ply or .obj mesh: none (default); surface: from the polygons that "
-         "meet there; gradient: from the samples of the volume")
+         "meet there; gradient: from the samples of the volume, also in a stream")
       ->check(CLI::IsMember({"none", "surface", "gradient"}))
       ->option_text("none|surface|gradient");
 }
 
 // Only some formats hold normals of vertices.
-void check_normals(Normals normals, const std::string& output) {
+void check_normals(Normals normals, const std::string& output, bool has_samples) {
   if (normals == Normals::none) return;
   const Format format = format_of(output);
   if (format == Format::ply || format == Format::obj) return;
+  if (format == Format::stream && normals == Normals::gradient && has_samples) return;
   throw CLI::ValidationError(
       "--normals",
-      format == Format::stream
-          ? "a stream is written without: give a .ply or .obj name, or --normals to discmc decode"
-          : output + " cannot hold normals of vertices: give a .ply or .obj name");
+      format != Format::stream
+          ? output + " cannot hold normals of vertices: give a .ply or .obj name"
+      : has_samples ? "a stream holds normals of the gradient alone: give --normals gradient, or "
+                      "a .ply or .obj name"
+                    : "a stream keeps the normals that it has: leave it out, or give a .ply or "
+                      ".obj name");
 }
 
 // By the name; but what is given a threshold must be a volume.
@@ -190,7 +194,7 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
   extract->add_flag("-q,--quiet", arguments.quiet, "no table");
-  extract->callback([&arguments] { check_normals(arguments.normals, arguments.output); });
+  extract->callback([&arguments] { check_normals(arguments.normals, arguments.output, true); });
 }
 
 void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
@@ -205,7 +209,7 @@ void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
   decode->add_flag("--conforming,!--no-conforming", arguments.conforming,
                    "a mesh without T-junctions (default), or corners alone");
   decode->callback([&arguments] {
-    check_normals(arguments.normals, arguments.output);
+    check_normals(arguments.normals, arguments.output, false);
     if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
       throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
   });

@@ -63,33 +63,38 @@ class CrossingCounter {
 };
 
 // What the index width that goes with so little memory asks for at least. Units: bytes.
+template <class Normals>
 std::uint64_t least_bytes(const Limits& limits) {
-  const std::uint64_t narrow = minimum_bytes<std::uint16_t>(limits);
-  return narrow < small_arena ? narrow : minimum_bytes<std::uint32_t>(limits);
+  const std::uint64_t narrow = minimum_bytes<std::uint16_t, Normals>(limits);
+  return narrow < small_arena ? narrow : minimum_bytes<std::uint32_t, Normals>(limits);
 }
 
-template <class Index>
-std::uint64_t used_bytes(const Extractor<Index>& extractor) {
+template <class Index, class Normals>
+std::uint64_t used_bytes(const Extractor<Index, Normals>& extractor) {
   const HighWater high = extractor.high_water();
-  return bytes_for<Index>(extractor.limits(),
-                          {high.edges, high.runs, high.rings, high.regions, high.slots});
+  return bytes_for<Index, Normals>(extractor.limits(),
+                                   {high.edges, high.runs, high.rings, high.regions, high.slots});
 }
 
-template <class Index, class Sample>
+template <class Index, class Sample, class Normals>
 Extraction extract_samples(VolumeReader& volume, const Limits& limits,
                            const ExtractionOptions& options, std::uint64_t memory,
                            const Sink& sink) {
+  const VolumeInfo& info = volume.info();
   std::vector<std::uint8_t> arena(memory);
-  Extractor<Index> extractor;
+  Extractor<Index, Normals> extractor;
+  if constexpr (Normals::hold_samples) {
+    const auto spacing = spacing_nm(info.spacing_mm);
+    extractor.set_spacing({spacing[0], spacing[1], spacing[2]});
+  }
   const Status started =
       extractor.start(limits, options.threshold, {arena.data(), arena.size()}, sink);
   if (started == Status::too_little_memory)
     throw std::invalid_argument("--memory " + std::to_string(memory) +
                                 " is too little for slices of " + std::to_string(limits.width) +
                                 "x" + std::to_string(limits.height) + ": give at least " +
-                                std::to_string(least_bytes(limits)) + " bytes");
+                                std::to_string(least_bytes<Normals>(limits)) + " bytes");
   if (started != Status::ok) throw std::invalid_argument(text(started));
-  const VolumeInfo& info = volume.info();
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
   CrossingCounter crossings(limits, options.threshold);
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
@@ -105,19 +110,27 @@ Extraction extract_samples(VolumeReader& volume, const Limits& limits,
           crossings.count(), memory, used_bytes(extractor)};
 }
 
-template <class Index>
-Extraction extract_indexed(VolumeReader& volume, const Limits& limits,
-                           const ExtractionOptions& options, std::uint64_t memory,
-                           const Sink& sink) {
-  switch (volume.info().type) {
-    case SampleType::u8:
-      return extract_samples<Index, std::uint8_t>(volume, limits, options, memory, sink);
-    case SampleType::u16:
-      return extract_samples<Index, std::uint16_t>(volume, limits, options, memory, sink);
-    case SampleType::i16:
-      break;
-  }
-  return extract_samples<Index, std::int16_t>(volume, limits, options, memory, sink);
+// With the memory that is asked for, or a generous one.
+template <class Sample, class Normals>
+Extraction extract_in(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
+  const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
+  const std::uint64_t least = 2 * minimum_bytes<std::uint32_t, Normals>(limits);
+  const std::uint64_t most = std::max(worst_case_bytes<std::uint32_t, Normals>(limits), least);
+  const std::uint64_t generous = std::max(std::min(generous_bytes, most), least);
+  // More than the worst case needs is never touched.
+  const std::uint64_t memory =
+      options.memory > 0 ? std::min(options.memory, std::max(most, small_arena)) : generous;
+  return options.memory > 0 && memory < small_arena
+             ? extract_samples<std::uint16_t, Sample, Normals>(volume, limits, options, memory,
+                                                               sink)
+             : extract_samples<std::uint32_t, Sample, Normals>(volume, limits, options, memory,
+                                                               sink);
+}
+
+template <class Sample>
+Extraction extract_as(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
+  return options.normals ? extract_in<Sample, GradientNormals<Sample>>(volume, options, sink)
+                         : extract_in<Sample, NoNormals>(volume, options, sink);
 }
 
 // Three numbers, for people.
@@ -164,17 +177,15 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
 }
 
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
-  const VolumeInfo& info = volume.info();
-  const Limits limits{info.dims[0], info.dims[1], options.border};
-  const std::uint64_t least = 2 * minimum_bytes<std::uint32_t>(limits);
-  const std::uint64_t most = std::max(worst_case_bytes<std::uint32_t>(limits), least);
-  const std::uint64_t generous = std::max(std::min(generous_bytes, most), least);
-  // More than the worst case needs is never touched.
-  const std::uint64_t memory =
-      options.memory > 0 ? std::min(options.memory, std::max(most, small_arena)) : generous;
-  return options.memory > 0 && memory < small_arena
-             ? extract_indexed<std::uint16_t>(volume, limits, options, memory, sink)
-             : extract_indexed<std::uint32_t>(volume, limits, options, memory, sink);
+  switch (volume.info().type) {
+    case SampleType::u8:
+      return extract_as<std::uint8_t>(volume, options, sink);
+    case SampleType::u16:
+      return extract_as<std::uint16_t>(volume, options, sink);
+    case SampleType::i16:
+      break;
+  }
+  return extract_as<std::int16_t>(volume, options, sink);
 }
 
 }  // namespace discmc::host

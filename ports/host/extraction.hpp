@@ -19,6 +19,8 @@ struct ExtractionOptions {
   std::uint64_t memory = 0;
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
+  /// Whether the events tell gradient normals. The arena then also holds three slices.
+  bool normals = false;
 };
 
 struct Extraction {

@@ -38,7 +38,7 @@ constexpr int exit_incomplete = 3;
 
 // Gives every event to the encoder and to the surface.
 struct Tee {
-  Encoder encoder;
+  NormalEncoder encoder;
   SurfaceBuilder builder;
   Answer take(const Event& event) {
     if (encoder.take(event) != Answer::taken) return Answer::not_now;
@@ -115,7 +115,8 @@ int run_extract(const ExtractArguments& arguments) {
   StreamOutput output(format == Format::stream ? &file.stream() : nullptr);
   Tee tee;
   Progress progress("slice", info.dims[2]);
-  const ExtractionOptions options = extraction_options(info, arguments.reading, progress);
+  ExtractionOptions options = extraction_options(info, arguments.reading, progress);
+  options.normals = format == Format::stream && arguments.normals == Normals::gradient;
   require(tee.encoder.start(stream_header(info, options), output.byte_output()));
   const Extraction extraction = extract(*volume, options, sink_to(tee));
   tee.builder.surface().spacing_mm = info.spacing_mm;
@@ -202,7 +203,7 @@ class Recoder {
  private:
   const Decoder& decoder_;
   ByteOutput output_;
-  Encoder encoder_;
+  NormalEncoder encoder_;
   std::vector<Event> early_;  // before any header
   bool is_started_ = false;
 };
@@ -226,13 +227,12 @@ void add_normals(const StreamArguments& arguments, const DecodedStream& decoded,
   set_polygon_normals(decoded.surface, mesh);
   if (arguments.normals == Normals::surface || mesh.vertices_mm.empty()) return;
   if (!arguments.volume.empty())
-    add_gradient_normals(*open_volume_of(decoded.header, arguments), mesh);
-  else if (!decoded.surface.normals.empty())
-    set_told_normals(decoded.surface, mesh);
-  else
+    return add_gradient_normals(*open_volume_of(decoded.header, arguments), mesh);
+  if (decoded.surface.normals.empty())
     throw std::invalid_argument(arguments.stream +
                                 ": the stream holds no normals: name the volume that it was made "
                                 "of with --volume FILE, or take --normals surface");
+  set_told_normals(decoded.surface, mesh);
 }
 
 int run_decode(const StreamArguments& arguments) {
@@ -265,14 +265,20 @@ int run_info(const StreamArguments& arguments) {
 }
 
 // A mesh that can be shaded smoothly if that is asked.
+// With the normals that the surface has, if it has any.
 Mesh mesh_to_draw(const Surface& surface, bool smooth) {
-  return build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+  Mesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+  if (!smooth || surface.normals.empty()) return mesh;
+  mesh.normals = surface_normals(mesh);
+  set_told_normals(surface, mesh);
+  return mesh;
 }
 
 Mesh volume_to_draw(const RenderArguments& arguments) {
   const auto volume = open_noted_volume(arguments.input, arguments.reading);
   Progress progress("slice", volume->info().dims[2]);
-  const auto options = extraction_options(volume->info(), arguments.reading, progress);
+  auto options = extraction_options(volume->info(), arguments.reading, progress);
+  options.normals = arguments.smooth;
   if (arguments.classic) return classic_mesh(*volume, options);
   SurfaceBuilder builder;
   extract(*volume, options, sink_to(builder));

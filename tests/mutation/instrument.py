@@ -150,8 +150,8 @@ class Instrumenter:
 
     def is_constant_variable(self, cursor):
         if cursor.kind == Kind.UNEXPOSED_DECL:  # a template of a variable is one
-            head = self.text[cursor.extent.start.offset:].partition('=')[0].split()
-            return head[0] == 'template' and 'constexpr' in head
+            head = self.text[cursor.extent.start.offset:].partition('=')[0]
+            return 'constexpr' in head.split() and '{' not in head
         if cursor.kind != Kind.VAR_DECL:
             return False
         is_global = cursor.semantic_parent.kind == Kind.NAMESPACE

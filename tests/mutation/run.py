@@ -1,12 +1,12 @@
 """scripts/mutate: breaks the library in one place after another and counts what its tests catch.
 
 The mutants are all in one program (instrument.py), which the environment tells the active one. Of
-each only the test cases that reach it are run, the quickest first, until one fails.
+each only the test cases that reach it are run, until one fails: first those that caught others of
+the same file, then the quickest.
 """
 import argparse
 import concurrent.futures as futures
 import itertools
-import math
 import os
 import re
 import resource
@@ -26,7 +26,7 @@ PROGRAM = BUILD / 'mutants'
 RESULTS = BUILD / 'results.tsv'
 EQUIVALENT = Path(__file__).with_name('equivalent.txt')
 REQUIRED = 0.95
-BATCH = 0.2  # s of test cases that run in one process
+BATCH = 0.05  # s of test cases that run in one process
 MEMORY = 2 << 30  # bytes that a mutant may take
 
 
@@ -81,10 +81,10 @@ class Case:
 
 
 def outcome(cases, seconds, **environment):
-    """The exit code of one process with these cases. The time is the processor's."""
+    """The exit code of one process with these cases."""
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        signal.setitimer(signal.ITIMER_PROF, seconds)  # of the processor's time
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     names = ','.join(case.name.replace(',', '?') for case in cases)  # a comma divides filters
@@ -98,7 +98,7 @@ def measure(case, slowest):
     """How long the case takes, and what it reaches. None when it is too slow to be asked."""
     file = BUILD / f'reached.{id(case)}'
     code = outcome([case], slowest, MUTANTS_REACHED=str(file))
-    if code == -signal.SIGXCPU:
+    if code == -signal.SIGPROF:
         return None
     if code != 0:
         sys.exit(f'mutate: "{case.name}" fails without a mutant')
@@ -123,7 +123,7 @@ def measured_cases(slowest):
 # ---- a mutant ----
 
 def batches(cases):
-    """The quickest first, and many of them in one process: but a mutant may make the first hang."""
+    """In their order, and many of them in one process: but a mutant may make the first hang."""
     batch = []
     for case in cases:
         if batch and sum(each.seconds for each in batch + [case]) > BATCH:
@@ -133,14 +133,16 @@ def batches(cases):
     yield batch
 
 
-def verdict(mutant, cases):
+def verdict(mutant, orders):
     """killed, survived, unreached, or constant: evaluated by the compiler alone."""
+    cases = orders[mutant.file]
     asked = [case for case in cases if mutant.site in case.sites]
     if not asked:
         return 'constant' if mutant.constant else 'unreached'
     for batch in batches(asked):
-        seconds = 1 + math.ceil(10 * sum(case.seconds for case in batch))
+        seconds = 0.3 + 5 * sum(case.seconds for case in batch)
         if outcome(batch, seconds, MUTANT=str(mutant.id)) != 0:
+            orders[mutant.file] = batch + [case for case in cases if case not in batch]
             return 'killed'
     return 'survived'
 
@@ -161,10 +163,11 @@ def run(mutants, cases, listed, resume):
     # Survivors take the longest: so they are asked again last.
     left = sorted((mutant for mutant in mutants if mutant.key() not in results),
                   key=lambda mutant: mutant.key() in known)
+    orders = defaultdict(lambda: cases)  # by file: the order in which cases are asked
     begin = shown = time.monotonic()
     with open(RESULTS, 'a' if resume else 'w') as file, \
             futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {pool.submit(verdict, mutant, cases): mutant for mutant in left}
+        jobs = {pool.submit(verdict, mutant, orders): mutant for mutant in left}
         for done, job in enumerate(futures.as_completed(jobs), 1):
             key = jobs[job].key()
             results[key] = job.result()
