@@ -227,12 +227,13 @@ void add_normals(const StreamArguments& arguments, const DecodedStream& decoded,
   set_polygon_normals(decoded.surface, mesh);
   if (arguments.normals == Normals::surface || mesh.vertices_mm.empty()) return;
   if (!arguments.volume.empty())
-    return add_gradient_normals(*open_volume_of(decoded.header, arguments), mesh);
-  if (decoded.surface.normals.empty())
+    add_gradient_normals(*open_volume_of(decoded.header, arguments), mesh);
+  else if (!decoded.surface.normals.empty())
+    set_told_normals(decoded.surface, mesh);
+  else
     throw std::invalid_argument(arguments.stream +
                                 ": the stream holds no normals: name the volume that it was made "
                                 "of with --volume FILE, or take --normals surface");
-  set_told_normals(decoded.surface, mesh);
 }
 
 int run_decode(const StreamArguments& arguments) {

@@ -103,7 +103,7 @@ void set_polygon_normals(const Surface& surface, Mesh& mesh) {
 }
 
 void set_told_normals(const Surface& surface, Mesh& mesh) {
-  mesh.normals.resize(mesh.vertices_mm.size());
+  mesh.normals.resize(mesh.lattice.size());
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     const auto told = surface.normals.find(mesh.lattice[i]);
     if (told != surface.normals.end()) mesh.normals[i] = point_of(unit_normal(told->second));
