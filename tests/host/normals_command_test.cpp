@@ -166,11 +166,12 @@ TEST_CASE("what has no normals of vertices is refused before anything is read") 
                       {"--normals", name, ".ply or .obj"});
     }
     for (const std::string output : {" -o no.dmc", " -o -"})
-      for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
-        check_refusal(workshop, 2, command + output + normals,
-                      {"--normals", "stream", ".ply or .obj"});
-    check_refusal(workshop, 2, "extract no.nrrd --iso 1" + normals, {"--normals", "stream"});
+      check_refusal(workshop, 2, "decode no.dmc" + output + normals,
+                    {"--normals", "stream", ".ply or .obj"});
   }
+  for (const std::string output : {"", " -o no.dmc", " -o -"})
+    check_refusal(workshop, 2, "extract no.nrrd --iso 1 --normals surface" + output,
+                  {"--normals", "stream", "--normals gradient", ".ply or .obj"});
   for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
     check_refusal(workshop, 2, command + " -o no.ply --normals smooth", {"--normals", "smooth"});
 }
@@ -221,6 +222,16 @@ TEST_CASE("normals that a stream tells are those of its volume, in two bytes eac
     CHECK(worst > 0.1);
     CHECK(worst < 0.97);
   }
+}
+
+TEST_CASE("extract writes the normals that a device tells, and decode keeps them in a stream") {
+  const Workshop workshop;
+  write_ball(workshop);
+  workshop.done("extract v.nrrd --iso 1000 --normals gradient -o told.dmc");
+  CHECK(workshop.read("told.dmc") == stream_with_normals());
+  workshop.done("decode told.dmc -o again.dmc");
+  CHECK(workshop.read("again.dmc") == workshop.read("told.dmc"));
+  CHECK(workshop.read("told.dmc").size() > workshop.read("v.dmc").size());
 }
 
 TEST_CASE("without a surface there is nothing to have a normal") {

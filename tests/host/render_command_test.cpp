@@ -29,12 +29,13 @@ std::string picture(const Workshop& workshop, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("a volume is drawn as its stream is") {
+TEST_CASE("a volume is drawn as its stream is that tells normals") {
   const Workshop workshop;
   write_volumes(workshop);
+  workshop.done("extract v.nrrd --iso 100 --normals gradient -o told.dmc");
   for (const std::string look : {"", " --shade smooth", " --shade smooth --edges", " --edges"}) {
     INFO(look);
-    const std::string expected = picture(workshop, "v.dmc" + look);
+    const std::string expected = picture(workshop, "told.dmc" + look);
     CHECK(picture(workshop, "v.nrrd --iso 100" + look) == expected);
     CHECK(picture(workshop, "v.raw --iso 100" + raw_layout + look) == expected);
   }
