@@ -97,7 +97,8 @@ extern template class BasicEncoder<NoRecordNormals>;
 extern template class BasicEncoder<RecordNormals>;
 
 using Encoder = BasicEncoder<NoRecordNormals>;
-/// Takes about two and a half times the bytes of stream, and 192 bytes more.
+/// Takes 2 to 3 bytes of stream a normal, about four times the stream in all, and 192 bytes more of
+/// RAM.
 using NormalEncoder = BasicEncoder<RecordNormals>;
 
 }  // namespace discmc

@@ -265,8 +265,7 @@ int run_info(const StreamArguments& arguments) {
   return completeness(arguments.stream, decoded.report);
 }
 
-// A mesh that can be shaded smoothly if that is asked.
-// With the normals that the surface has, if it has any.
+// A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
 Mesh mesh_to_draw(const Surface& surface, bool smooth) {
   Mesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
   if (!smooth || surface.normals.empty()) return mesh;

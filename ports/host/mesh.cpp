@@ -140,6 +140,7 @@ class Builder {
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 
     std::vector<PlanePoint> points;
+    points.reserve(numbers.size());
     for (const std::uint32_t number : numbers)
       points.push_back(in_plane(numbering_.positions()[number], numbering_.positions()[numbers[0]],
                                 normal(incidence)));
