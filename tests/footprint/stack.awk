@@ -8,7 +8,7 @@ function want(class, names,    count, name, i) {
 
 BEGIN {
   FS = OFS = "\t"
-  want("Extractor16::", "start reset push push_row_of_bits skip_row resume finish abandon")
+  want("Extractor16::", "start reset push push_bits skip_row resume finish abandon")
   want("Encoder::", "start take flush")
   want("Decoder::", "start push finish")
   want("", "unfold twice_area split_ring is_corner")
@@ -19,6 +19,7 @@ BEGIN {
   sub(/^discmc::/, "", name)
   sub(/Extractor<unsigned short, discmc::NoNormals>/, "Extractor16", name)
   sub(/BasicEncoder<discmc::NoRecordNormals>/, "Encoder", name)
+  sub(/push_row_of_bits/, "push_bits", name)
   sub(/<.*$/, "", name)
   if (!(name in most) || $1 > most[name]) most[name] = $1
 }
