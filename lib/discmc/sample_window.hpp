@@ -65,7 +65,7 @@ class SampleWindow {
 
   /// Whether downhill() can tell: of the slices that it takes, those around the vertex and one more
   /// on either side, all that the volume has are held. True of vertices outside the volume below,
-  /// and of those above after end().
+  /// and of those above after end(). Of a vertex whose slices have passed it stays false.
   bool covers(const Vertex& vertex) const {
     const int64_t below = vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;
