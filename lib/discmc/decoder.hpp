@@ -40,6 +40,7 @@ struct [[nodiscard]] Decoded {
   size_t bytes;
 };
 
+/// Runs come with the normals where they start, if the stream tells any.
 class Decoder {
  public:
   /// Begins a stream. Errors: bad_sink.

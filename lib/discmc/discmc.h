@@ -1,4 +1,4 @@
-/* discmc for C: the whole library, C99, linked by the C linker.
+/* discmc for C: the library but for the making of normals, C99, linked by the C linker.
  *
  *   discmc_encoder_start        once
  *   discmc_extractor16_start    once, with {&encoder, discmc_encoder_take, 1} as the sink

@@ -97,8 +97,8 @@ extern template class BasicEncoder<NoRecordNormals>;
 extern template class BasicEncoder<RecordNormals>;
 
 using Encoder = BasicEncoder<NoRecordNormals>;
-/// Takes 2 to 3 bytes of stream a normal, about four times the stream in all, and 192 bytes more of
-/// RAM.
+/// A normal takes 2 to 3 bytes, and a stream with them about four times the bytes of one without.
+/// The object has 192 bytes more.
 using NormalEncoder = BasicEncoder<RecordNormals>;
 
 }  // namespace discmc

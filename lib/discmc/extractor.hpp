@@ -49,8 +49,10 @@ class Extractor {
                              Memory memory, const Sink& sink,
                              const PatchTable& table = patch_table);
 
-  /// Tells how far apart voxels are, for the normals of the scans to come: without it voxels are
-  /// cubes. spacing: negative where an axis is mirrored; Units: any. Limit: GradientNormals.
+  /// Tells how far apart voxels are, for the normals of the scans to come, until told otherwise:
+  /// without it voxels are cubes. It is not told to the stream: StreamHeader::spacing_nm has to say
+  /// the same. spacing: negative where an axis is mirrored; Units: any. Limit: GradientNormals, and
+  /// not during a scan, whose normals would differ from then on.
   template <class N = Normals>
   void set_spacing(const int32_t (&spacing)[3]) {
     static_assert(N::hold_samples, "an extractor without normals has no use for the spacing");

@@ -1,5 +1,11 @@
-// Gradient normals in the first pass: an Extractor<Index, GradientNormals<Sample>> tells with every
-// run the normal where it starts.
+// Gradient normals in the first pass: an extractor that tells with every run the normal where it
+// starts.
+//
+//   using Normals = GradientNormals<uint8_t>;           // of the samples' type
+//   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
+//   static Extractor<uint16_t, Normals> extractor;      // used like any other
+//   static NormalEncoder encoder;                       // and an Encoder leaves them out
+//   extractor.set_spacing(header.spacing_nm);           // before start(), unless voxels are cubes
 //
 // It keeps the samples of three slices and two rows, and lets every row wait for a slice: row y of
 // slice k becomes bits when row y of slice k + 1 is there, so that samples on all sides are at hand
@@ -13,7 +19,8 @@
 
 namespace discmc {
 
-/// The samples and where in them the sweep is. Sample is uint8_t, uint16_t or int16_t.
+/// The samples and where in them the sweep is: its functions are for the extractor to call. Sample
+/// is uint8_t, uint16_t or int16_t.
 template <class Sample>
 class GradientNormals {
  public:

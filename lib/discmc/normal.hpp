@@ -1,6 +1,7 @@
 // Normals in integers: unit vectors in fixed point, from vectors of any length.
 //
-// A normal points outside, from on to off. It comes from one of three sources:
+// A normal points outside, from on to off; that of a gradient may not where walls are thinner than
+// two voxels. It comes from one of three sources:
 //
 //   the facet      normal(incidence) of lattice.hpp, weighted(): exact, and free
 //   the samples    SampleWindow::downhill(), weighted(): the gradient (Montani et al. 1994, 2.4)
@@ -29,7 +30,7 @@ struct UnitNormal {
 
 /// A unit vector in two bytes: its place on the octahedron |x| + |y| + |z| = 127, whose lower half
 /// (z < 0) is folded outwards, plus 128 (Meyer et al., "On Floating-Point Normal Vectors", 2010).
-/// Both bytes zero where there is no normal. At most 0.96 degrees from what it stands for.
+/// u is zero where there is no normal. At most 0.96 degrees from what it stands for.
 struct OctahedralNormal {
   uint8_t u, v;
 

@@ -7,7 +7,7 @@
 //     for the vertices that are due, lowest z first, while window.covers(vertex):
 //       ... unit_normal(weighted(window.downhill(vertex), axis_weights(spacing_nm))) ...
 //   window.end();
-//   and those that are left
+//   and those that are left, lowest z first
 //
 // So memory is bounded by four slices and the vertices of one layer.
 #ifndef DISCMC_SAMPLE_WINDOW_HPP
@@ -65,7 +65,7 @@ class SampleWindow {
 
   /// Whether downhill() can tell: of the slices that it takes, those around the vertex and one more
   /// on either side, all that the volume has are held. True of vertices outside the volume below,
-  /// and of those above after end().
+  /// and of those above after end(). Of a vertex whose slices have passed it stays false.
   bool covers(const Vertex& vertex) const {
     const int64_t below = vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;

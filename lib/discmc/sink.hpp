@@ -51,7 +51,8 @@ struct Event {
   bool hole;
   bool repeated;
   bool abandoned;
-  OctahedralNormal normal;  ///< where the run starts; none without GradientNormals or a gradient
+  OctahedralNormal normal;  ///< where the run starts, in space: see unit_normal(); none where there
+                            ///< is no gradient, without GradientNormals, or in a stream without
   Run run;
   uint32_t number;
   uint32_t slice;

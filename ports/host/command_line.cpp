@@ -128,7 +128,7 @@ CLI::Option* add_output(CLI::App& app, std::string& output, const char* standard
       ->check(known_format());
 }
 
-void add_normals(CLI::App& app, Normals& normals) {
+void add_normals(CLI::App& app, Normals& normals, const std::string& gradient) {
   app.add_option_function<std::string>(
          "--normals",
          [&normals](const std::string& name) {
@@ -137,7 +137,8 @@ void add_normals(CLI::App& app, Normals& normals) {
                                           : Normals::none;
          },
          "at the vertices of a .ply or .obj mesh: none (default); surface: from the polygons that "
-         "meet there; gradient: from the samples of the volume, also in a stream")
+         "meet there, by area; gradient: " +
+             gradient)
       ->check(CLI::IsMember({"none", "surface", "gradient"}))
       ->option_text("none|surface|gradient");
 }
@@ -190,7 +191,8 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
       ->required();
   add_volume_options(*extract, arguments.reading)[0]->required();
   add_output(*extract, arguments.output, "the stream on standard output (default)");
-  add_normals(*extract, arguments.normals);
+  add_normals(*extract, arguments.normals,
+              "from the samples of the volume, and what a .dmc stream can hold");
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
   extract->add_flag("-q,--quiet", arguments.quiet, "no table");
@@ -201,7 +203,8 @@ void add_stream_commands(CLI::App& app, StreamArguments& arguments) {
   CLI::App* decode =
       add_stream_command(app, "decode", "Turn a stream into a mesh, or pack it anew", arguments);
   add_output(*decode, arguments.output, "a stream on standard output")->required();
-  add_normals(*decode, arguments.normals);
+  add_normals(*decode, arguments.normals,
+              "those that the stream tells, or from the samples of --volume");
   CLI::Option* volume = decode->add_option("--volume", arguments.volume,
                                            "the file that the stream was made of, for --normals "
                                            "gradient (default: what the stream tells of it)");
@@ -253,7 +256,8 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
           "flat: every face in one colour (default); smooth: by the normals of vertices")
       ->check(CLI::IsMember({"flat", "smooth"}))
       ->option_text("flat|smooth");
-  render->add_flag("--edges", arguments.outlines, "outline the merged polygons");
+  render->add_flag("--edges", arguments.outlines,
+                   "outline the faces: of a stream or a volume its merged polygons");
   std::vector<CLI::Option*> of_volumes = add_volume_options(*render, arguments.reading);
   of_volumes.push_back(
       render

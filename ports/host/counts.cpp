@@ -6,6 +6,7 @@ namespace discmc::host {
 
 Counts count(const Surface& surface) {
   Counts counts;
+  counts.normals = surface.normals.size();
   for (const Polygon& polygon : surface.polygons) {
     std::uint64_t corners = 0;
     for (const Ring& ring : polygon.rings) {

@@ -8,7 +8,7 @@
 
 namespace discmc::host {
 
-/// Counts of simple rings and their corners.
+/// Counts of simple rings and their corners, and of the vertices that have a normal.
 struct Counts {
   std::uint64_t regions = 0;
   std::uint64_t rings = 0;
@@ -18,6 +18,7 @@ struct Counts {
   std::uint64_t three = 0;  ///< regions with three corners in all
   std::uint64_t four = 0;   ///< with four
   std::uint64_t more = 0;   ///< with more
+  std::uint64_t normals = 0;
 };
 
 Counts count(const Surface& surface);

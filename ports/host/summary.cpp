@@ -70,6 +70,7 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << "three " << counts.three << '\n'
       << "four " << counts.four << '\n'
       << "more " << counts.more << '\n'
+      << "normals " << counts.normals << '\n'
       << "cut " << report.totals.cuts << '\n'
       << "spilled " << report.totals.spills << '\n'
       << "skipped_rows " << report.totals.skipped_rows << '\n'

@@ -72,6 +72,9 @@ TEST_CASE("info counts simple rings and their corners") {
   CHECK(info["three"] == "8");
   CHECK(info["four"] == "18");
   CHECK(info["corners"] == "96");
+  CHECK(info["normals"] == "0");
+  workshop.done("extract v.nrrd --iso 100 --normals gradient -o v.dmc");
+  CHECK(workshop.info("v.dmc")["normals"] == "24");
 }
 
 TEST_CASE("decode, info and render read standard input, pipes too") {
