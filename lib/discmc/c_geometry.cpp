@@ -45,8 +45,8 @@ const Vertex* cpp(const discmc_vertex* vertices) {
 
 }  // namespace
 
-discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal told) {
-  const UnitNormal unit = unit_normal(OctahedralNormal{told.u, told.v});
+discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal normal) {
+  const UnitNormal unit = unit_normal(OctahedralNormal{normal.u, normal.v});
   return {unit.x, unit.y, unit.z};
 }
 

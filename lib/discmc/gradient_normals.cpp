@@ -5,11 +5,13 @@
 
 namespace discmc {
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the arguments are types.
 #define DISCMC_INSTANTIATE(Index, Sample)                                                  \
   template class Merge<Index, GradientNormals<Sample>>;                                    \
   template class Extractor<Index, GradientNormals<Sample>>;                                \
   template Pushed Extractor<Index, GradientNormals<Sample>>::push(const Sample*, uint32_t, \
                                                                   uint32_t);
+// NOLINTEND(bugprone-macro-parentheses)
 
 DISCMC_INSTANTIATE(uint16_t, uint8_t)
 DISCMC_INSTANTIATE(uint16_t, uint16_t)

@@ -21,7 +21,7 @@ void SampleRows<Sample>::clear() {
 template <class Sample>
 void SampleRows<Sample>::append(const Sample* samples, uint32_t count, uint32_t stride) {
   Sample* const row = row_at(place_) + column_;
-  for (uint32_t i = 0; i < count; ++i) row[i] = samples[size_t{i} * stride];
+  for (size_t i = 0; i < count; ++i) row[i] = samples[i * stride];
   column_ += count;
 }
 
