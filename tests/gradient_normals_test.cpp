@@ -209,6 +209,30 @@ TEST_CASE("rows that are skipped, and slices that break off, are told as without
   }
 }
 
+TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is just off") {
+  const Size size{5, 4, 3};
+  const Limits limits{size.width, size.height};
+  const int32_t threshold = 100;
+  // So that every cell tells its normals when it is swept, and not when its neighbours are.
+  const Capacities least = minimum_capacities();
+  for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
+    SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);
+    Block block(bytes_for<uint16_t, WithNormals<uint8_t>>(limits, least));
+    Log log;
+    Extractor<uint16_t, WithNormals<uint8_t>> extractor;
+    extractor.set_spacing(uneven_spacing);
+    require_ok(extractor.start(limits, least, threshold, block.memory(), sink_to(log)));
+    require_ok(extractor.push(volume.samples.data(), given).status);
+    require_ok(extractor.abandon());
+    const uint32_t slice = size.width * size.height;
+    volume.size.depth = (given + slice - 1) / slice;
+    for (size_t i = given; i < volume.samples.size(); ++i) volume.samples[i] = threshold - 1;
+    for_each_start(log.events, [&](const Vertex& vertex, OctahedralNormal normal) {
+      REQUIRE(normal == reference_normal(volume, vertex));
+    });
+  }
+}
+
 TEST_CASE("a scan with normals is saved between rows, and goes on with the same events") {
   const Size size{8, 6, 5};
   const Limits limits{size.width, size.height};

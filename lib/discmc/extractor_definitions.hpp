@@ -227,8 +227,10 @@ bool Extractor<Index, Normals>::work() {
 template <class Index, class Normals>
 void Extractor<Index, Normals>::add_last_row() {
   if constexpr (Normals::hold_samples) {
-    if (arriving().rows() > 0 || arriving().column() > 0) merge_.normals().fill_off(threshold_);
-    pass_on();
+    const bool is_slice_begun = arriving().rows() > 0 || arriving().column() > 0;
+    if (is_slice_begun) merge_.normals().fill_off(threshold_);
+    // In the first slice a row that passed now would go before the row after it had come.
+    if (!is_slice_begun || merge_.normals().has_due_row()) pass_on();
   } else {
     rows_.fill_off();
     end_row(false, false);

@@ -58,12 +58,12 @@ struct AxisWeights {
 };
 
 /// The weights of a spacing. Units: any; negative where an axis is mirrored. Where one is zero, as
-/// in a header that does not know it, voxels are taken as cubes. Error: less than 2^-30 of the
+/// in a header that does not know it, voxels are taken as cubes. Error: at most 2^-30 of the
 /// largest.
 AxisWeights axis_weights(const int32_t (&spacing)[3]);
 
 /// A vector in units of voxels, such as a normal or a gradient, as it is in space.
-/// Error: none below 2^31, else less than 2^-31 of the largest component.
+/// Error: none below 2^31, else at most 2^-31 of the largest component.
 LongVector weighted(const LongVector& vector, const AxisWeights& weights);
 
 /// The unit vector of a direction, of any length; none for the zero vector.

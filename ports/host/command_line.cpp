@@ -241,6 +241,7 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
       ->check(CLI::Range(1, 8192))
       ->option_text("W,H");
   render->add_option("--zoom", arguments.zoom, "times nearer than what shows all (default: 1)")
+      ->check(finite())
       ->check(CLI::Range(1e-3, 1e3))
       ->option_text("FACTOR");
   render
