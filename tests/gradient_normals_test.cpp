@@ -2,6 +2,7 @@
 // a second pass, bit for bit.
 #include <doctest/doctest.h>
 
+#include <cstring>
 #include <discmc/extractor.hpp>
 #include <discmc/sample_window.hpp>
 #include <vector>
@@ -262,6 +263,25 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
     require_ok(second.finish());
     REQUIRE(log.events == whole);
   }
+}
+
+TEST_CASE("a checkpoint of samples of another type is refused") {
+  using Scan = Extractor<uint16_t, WithNormals<uint16_t>>;
+  using Other = Extractor<uint16_t, WithNormals<int16_t>>;
+  const Limits limits{8, 6};
+  Block block(minimum_bytes<uint16_t, WithNormals<uint16_t>>(limits));
+  Log log;
+  Scan scan;
+  require_ok(scan.start(limits, 1, block.memory(), sink_to(log)));
+  // From zeros, so that no byte of the checkpoint is any.
+  const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
+  require_ok(scan.save(*checkpoint));
+  const auto bytes = std::make_unique<Checkpoint<Other>>();
+  static_assert(sizeof(Checkpoint<Scan>) == sizeof(Checkpoint<Other>));
+  std::memcpy(static_cast<void*>(bytes.get()), checkpoint.get(), sizeof *bytes);
+  Other other;
+  CHECK(other.restore(*bytes, block.memory(), sink_to(log)) == Status::bad_checkpoint);
+  CHECK(scan.restore(*checkpoint, block.memory(), sink_to(log)) == Status::ok);
 }
 
 TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {

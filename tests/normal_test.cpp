@@ -156,7 +156,8 @@ TEST_CASE("the extreme spacings and vectors do not overflow") {
   CHECK(even.x > 0);
   const AxisWeights steep = axis_weights({1, least, most});
   CHECK(steep.x > 0);
-  CHECK(steep.y <= 0);
+  CHECK(steep.y < 0);
+  CHECK(unit_normal(weighted({0, 1, 0}, steep)) == UnitNormal{0, -16384, 0});
   CHECK(unit_normal(weighted({1, 1, 1}, steep)) == UnitNormal{16384, 0, 0});
   const AxisWeights mirrored = axis_weights({-5, 5, 5});
   CHECK(unit_normal(weighted({INT64_MAX, 0, 0}, mirrored)) == UnitNormal{-16384, 0, 0});

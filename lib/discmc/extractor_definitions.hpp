@@ -198,6 +198,8 @@ Status Extractor<Index, Normals>::restore(const Checkpoint<Extractor>& checkpoin
   const Extractor& image = checkpoint.object;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
+  if constexpr (Normals::hold_samples)
+    if (!image.merge_.normals().is_of_this_type()) return Status::bad_checkpoint;
   if (sink.take == nullptr || sink.takes_fragments != image.sink_.takes_fragments)
     return Status::bad_sink;
   *this = image;

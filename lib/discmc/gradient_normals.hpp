@@ -44,6 +44,9 @@ class GradientNormals {
     waiting_ = 0;
   }
 
+  /// Whether the bytes of this object were one of this class, as those of a checkpoint should be.
+  bool is_of_this_type() const { return type_ == type; }
+
   /// How the normals are bent where voxels are not cubes.
   void set_weights(const AxisWeights& weights) { weights_ = weights; }
 
@@ -98,6 +101,9 @@ class GradientNormals {
   }
 
  private:
+  // Objects for other samples are as large.
+  static constexpr uint32_t type = 2 * sizeof(Sample) + (static_cast<Sample>(-1) < 0 ? 1 : 0);
+
   // In the place of how many samples of a row were given.
   static constexpr uint16_t skipped_off = 0xFFFE;
   static constexpr uint16_t skipped_repeated = 0xFFFF;
@@ -126,6 +132,7 @@ class GradientNormals {
   uint32_t width_ = 0;
   uint32_t height_ = 0;
   uint32_t waiting_ = 0;
+  uint32_t type_ = type;
 };
 
 }  // namespace discmc

@@ -76,8 +76,10 @@ AxisWeights axis_weights(const int32_t (&spacing)[3]) {
   LongVector weight = {product(1, 2), product(2, 0), product(0, 1)};
   const int excess = bits_of(weight) - 30;
   if (excess > 0) weight = shifted(weight, -excess);
+  // Never 0, which would lose a normal along the axis.
   const auto signed_as = [](int32_t value, int64_t size) {
-    return static_cast<int32_t>(value < 0 ? -size : size);
+    const int64_t some = size > 0 ? size : 1;
+    return static_cast<int32_t>(value < 0 ? -some : some);
   };
   return {signed_as(spacing[0], weight.x), signed_as(spacing[1], weight.y),
           signed_as(spacing[2], weight.z)};

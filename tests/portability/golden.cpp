@@ -191,7 +191,7 @@ struct Setting {
 constexpr Setting settings[] = {{minimum_capacities(), true},
                                 {{32, 80, 12, 24, 40}, true},
                                 {{32, 120, 12, 24, 40}, false},
-                                {{128, 240, 16, 80, 160}, true}};
+                                {{104, 180, 16, 70, 130}, true}};
 constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
 
 uint8_t memory[bytes_for<uint32_t>(sizes[0], settings[3].capacities)];
