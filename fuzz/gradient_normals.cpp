@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "input.hpp"
+#include "little_memory.hpp"
 #include "normal_events.hpp"
 #include "require.hpp"
 
@@ -99,12 +100,7 @@ void read_and_check(Input& input) {
   const reference::Size size{1 + input.below(10), 1 + input.below(6), 1 + input.below(6)};
   const uint32_t flags = input.byte();
   const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
-  Capacities capacities = minimum_capacities();
-  capacities.edges += input.byte();
-  capacities.runs += input.below(64);
-  capacities.rings += input.below(16);
-  capacities.regions += input.byte();
-  capacities.slots += input.byte();
+  const Capacities capacities = read_little_memory(input);
   const int32_t threshold = static_cast<int32_t>(input.byte()) - 2;
   const Setting setting{
       {size.width, size.height, border}, threshold, capacities, (flags & 2) != 0, (flags & 4) != 0};

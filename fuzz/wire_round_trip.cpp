@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "input.hpp"
+#include "little_memory.hpp"
 #include "require.hpp"
 #include "stream_samples.hpp"
 
@@ -34,12 +35,7 @@ Events read_scan(Input& input, StreamHeader& header) {
   const uint32_t flags = input.byte();
   plan.border = (flags & 1) != 0 ? Border::open : Border::closed;
   plan.takes_fragments = (flags & 2) == 0;
-  Capacities capacities = minimum_capacities();
-  capacities.edges += input.byte();
-  capacities.runs += input.below(64);
-  capacities.rings += input.below(16);
-  capacities.regions += input.byte();
-  capacities.slots += input.byte();
+  const Capacities capacities = read_little_memory(input);
   const BitVolume volume = read_volume(input);
   header = header_of(volume, plan.border);
   return events_of(volume, capacities, plan);

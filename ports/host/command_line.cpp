@@ -269,6 +269,8 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
   render->callback([&arguments, of_volumes] {
     arguments.kind = kind_of(arguments.input, of_volumes[0]->count() > 0);
     check_kind(arguments, of_volumes);
+    if (arguments.view == std::vector<double>{0, 0, 0})
+      throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
   });
 }
 

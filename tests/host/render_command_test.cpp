@@ -120,6 +120,7 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
       {"v.dmc --zoom 0", "--zoom"},
       {"v.dmc --zoom 1001", "--zoom"},
       {"v.dmc --zoom nan", "--zoom"},
+      {"v.dmc --view 0,0,0", "--view"},
       {"v.dmc --at 1,2", "--at"},
       {"v.dmc --at 1,2,nan", "nan"}};
   for (const auto& [arguments, part] : wrong) {
