@@ -100,6 +100,31 @@ TEST_CASE("a window covers a vertex until its slices have passed") {
   CHECK(block.is_intact());
 }
 
+TEST_CASE("rows of a slice that breaks off count where they are there") {
+  const Limits limits{2, 2};
+  Block block(SampleWindow<uint8_t>::bytes_for(limits));
+  SampleWindow<uint8_t> window;
+  REQUIRE(window.start(limits, block.memory()) == Status::ok);
+  const uint8_t samples[] = {10, 10, 10, 10, 20, 20, 20, 20, 70, 70};  // two slices and a row
+  REQUIRE(window.push(samples, 10) == Status::ok);
+  CHECK(!window.covers({1, 0, 2}));
+  window.end();
+  CHECK(window.downhill({1, 0, 2}).z == -2 * (70 - 10));      // central
+  CHECK(window.downhill({1, 2, 2}).z == -2 * 2 * (20 - 10));  // one-sided: nothing above
+}
+
+TEST_CASE("a row is enough for a slice to be gone") {
+  const Limits limits{1, 2};
+  Block block(SampleWindow<uint8_t>::bytes_for(limits));
+  SampleWindow<uint8_t> window;
+  REQUIRE(window.start(limits, block.memory()) == Status::ok);
+  const uint8_t samples[9] = {};
+  REQUIRE(window.push(samples, 8) == Status::ok);
+  CHECK(window.covers({0, 0, 3}));  // takes slices 0 to 3
+  REQUIRE(window.push(samples, 1) == Status::ok);
+  CHECK(!window.covers({0, 0, 3}));
+}
+
 TEST_CASE("samples may lie apart") {
   const Limits limits{2, 2};
   Block block(SampleWindow<uint8_t>::bytes_for(limits));

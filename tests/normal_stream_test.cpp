@@ -156,9 +156,12 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
     add_region(payload);
     add_normals(payload, 10, {1, 2, 3});
     add_region(payload);
+    add_normals(payload, 0, {1, 2, 3});
+    add_region(payload);
     add_normals(payload, 3, {});
     add_region(payload);
-    CHECK(normals_of(payload) == List{{5, 6}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}});
+    CHECK(normals_of(payload) ==
+          List{{5, 6}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}});
   }
   SUBCASE("differences of four bits, and more of them than runs") {
     Payload payload;

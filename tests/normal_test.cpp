@@ -6,6 +6,7 @@
 #include <cmath>
 #include <discmc/chain.hpp>
 #include <discmc/normal.hpp>
+#include <discmc/polygon.hpp>
 #include <vector>
 
 #include "stream.hpp"
@@ -162,8 +163,29 @@ TEST_CASE("the extreme spacings and vectors do not overflow") {
   const AxisWeights mirrored = axis_weights({-5, 5, 5});
   CHECK(unit_normal(weighted({INT64_MAX, 0, 0}, mirrored)) == UnitNormal{-16384, 0, 0});
   CHECK(unit_normal(weighted({INT64_MIN, 0, 0}, mirrored)) == UnitNormal{16384, 0, 0});
-  const AxisWeights unknown = axis_weights({0, 7, 9});
-  CHECK(unit_normal(weighted({3, 4, 0}, unknown)) == unit_normal({3, 4, 0}));
+}
+
+TEST_CASE("where a spacing is not known voxels are cubes") {
+  const int32_t spacings[][3] = {{0, 7, 9}, {7, 0, 9}, {7, 9, 0}};
+  for (const auto& spacing : spacings)
+    CHECK(unit_normal(weighted({3, 4, 0}, axis_weights(spacing))) == unit_normal({3, 4, 0}));
+}
+
+TEST_CASE("the area vectors of a closed surface cancel each other") {
+  const reference::BitVolume volume = reference::ball({14, 13, 12}, {13, 12, 11}, 30);
+  LongVector sum{0, 0, 0};
+  uint64_t lengths = 0;
+  const reference::Collector collector = reference::scan<uint32_t>(volume);
+  for (const reference::Region& region : collector.regions())
+    for (const reference::Ring& ring : region.rings) {
+      const int64_t doubled =
+          twice_area(region.incidence, ring.data(), static_cast<uint32_t>(ring.size()));
+      const LongVector area = area_vector(region.incidence, doubled);
+      sum = sum + area;
+      lengths += static_cast<uint64_t>(length(direction_of(area)));
+    }
+  CHECK(lengths > 1000);
+  CHECK(is_zero(sum));
 }
 
 TEST_CASE("area vectors have the length of the area, whatever the incidence") {

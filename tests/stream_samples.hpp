@@ -90,11 +90,16 @@ class Script {
 
 constexpr Incidence up = incidence_of({0, 0, 1});
 
+// A run by chance: its numbers are drawn in an order that no compiler chooses.
+inline void add_run(Script& script, Chance& chance, uint32_t directions, uint32_t most) {
+  const uint32_t length = 1 + chance.below(most);
+  script.run(static_cast<Direction>(chance.below(directions)), length);
+}
+
 /// One region of one ring with random runs, of up to `most` links, in a plane across z.
 inline void add_ragged_region(Script& script, Chance& chance, uint32_t runs, uint32_t most) {
   script.region(up).ring({1, 2, 2 * static_cast<int32_t>(chance.below(50))});
-  for (uint32_t i = 0; i < runs; ++i)
-    script.run(static_cast<Direction>(chance.below(8)), 1 + chance.below(most));
+  for (uint32_t i = 0; i < runs; ++i) add_run(script, chance, 8, most);
   script.region_end();
 }
 
@@ -111,7 +116,7 @@ inline Events monstrous_events() {
     script.fragment(static_cast<Incidence>(number % 13), number);
     const uint32_t count = direction_count(static_cast<Incidence>(number % 13));
     for (uint32_t i = 0; i < 200; ++i) {
-      script.run(static_cast<Direction>(chance.below(count)), 1 + chance.below(70000));
+      add_run(script, chance, count, 70000);
       if (i % 50 == 7) script.run(Run::fragment(chance.below(Run::max_fragment)));
     }
     script.fragment_end();

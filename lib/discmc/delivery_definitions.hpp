@@ -108,8 +108,9 @@ void Merge<Index, Normals>::go_on(Run run, Statistics& statistics) {
 // All runs of a ring or fragment are gone; what held them goes back to the pool.
 template <class Index, class Normals>
 void Merge<Index, Normals>::end_runs(Statistics& statistics) {
-  // A stand-in starts where the first run does.
-  if (ring_ == no_record) fragment_->set_start_normal(fragments_.start_normal(*fragment_));
+  // A stand-in starts where the first run does, which has a node: see should_spill().
+  if (ring_ == no_record)
+    fragment_->set_start_normal(fragments_.start_normal(fragments_.first(*fragment_)));
   fragments_.give_nodes(*fragment_);
   if (ring_ == no_record) {
     next_event_ = Event::Kind::fragment_end;

@@ -243,8 +243,10 @@ void Extractor<Index, Normals>::add_last_row() {
 template <class Index, class Normals>
 bool Extractor<Index, Normals>::is_last_layer() const {
   if (state_ != State::finishing || rows_.rows() > 0 || rows_.column() > 0) return false;
-  if constexpr (Normals::hold_samples) return !merge_.normals().has_rows();
-  return true;
+  if constexpr (Normals::hold_samples)
+    return !merge_.normals().has_rows();
+  else
+    return true;
 }
 
 // Rows of cells of the current layer whose four rows of voxels are there.

@@ -86,11 +86,6 @@ class FragmentStore : private Normals {
   Run run(Index node) const { return nodes_[node].run(); }
   Normal start_normal(Index node) const { return nodes_[node].start_normal(); }
 
-  /// Of the first run of a fragment, wherever that is.
-  Normal start_normal(const Part& fragment) const {
-    const Index node = first(fragment);
-    return node == no_record ? fragment.start_normal() : start_normal(node);
-  }
   /// Says that a fragment starts where the last run of its ring ends.
   void close(Part& fragment) {
     const Index node = first(fragment);

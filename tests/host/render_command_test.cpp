@@ -123,12 +123,12 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
       {"v.dmc --view 0,0,0", "--view"},
       {"v.dmc --at 1,2", "--at"},
       {"v.dmc --at 1,2,nan", "nan"}};
-  for (const auto& [arguments, part] : wrong) {
-    INFO(arguments);
-    const Result result = workshop.run("render " + arguments + " -o o.png");
+  for (const auto& usage : wrong) {
+    INFO(usage.first);
+    const Result result = workshop.run("render " + usage.first + " -o o.png");
     INFO(result.error);
     CHECK(result.code == 2);
-    CHECK(contains(result.error, part));
+    CHECK(contains(result.error, usage.second));
   }
   CHECK(workshop.names() == names);
 }

@@ -193,12 +193,12 @@ TEST_CASE("where the samples are level, and outside the volume, a vertex keeps i
   set_polygon_normals(surface, mesh);
   const Mesh before = mesh;
   set_gradient_normals_of(volume, SampleType::u8, mesh);
-  std::size_t outside = 0, level = 0, steep = 0;
+  std::size_t outside = 0, level = 0, steep_vertices = 0;
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     const Vertex& at = mesh.lattice[i];
     const auto up = gradient(volume, at);
     if (std::hypot(up[0], up[1], up[2]) > 0) {
-      ++steep;
+      ++steep_vertices;
       check_along(mesh.normals[i], {-up[0], -up[1], -up[2]});
       continue;
     }
@@ -208,7 +208,7 @@ TEST_CASE("where the samples are level, and outside the volume, a vertex keeps i
   }
   CHECK(outside > 0);
   CHECK(level > 0);
-  CHECK(steep > 0);
+  CHECK(steep_vertices > 0);
 }
 
 TEST_CASE("a mesh without normals gets those of the gradient alone") {
