@@ -111,6 +111,8 @@ TEST_CASE("rows of a slice that breaks off count where they are there") {
   window.end();
   CHECK(window.downhill({1, 0, 2}).z == -2 * (70 - 10));      // central
   CHECK(window.downhill({1, 2, 2}).z == -2 * 2 * (20 - 10));  // one-sided: nothing above
+  CHECK(window.covers({1, 0, 8}));
+  CHECK(window.downhill({1, 0, 8}).z == 0);  // above the volume
 }
 
 TEST_CASE("a row is enough for a slice to be gone") {
