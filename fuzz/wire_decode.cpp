@@ -42,11 +42,12 @@ void check(const Bytes& stream, size_t portion) {
   const Arrival again = decode(stream, portion, true);
   require(again.events == arrival.events, "portions or refusals show");
   require(again.report.lost_regions == arrival.report.lost_regions, "the report depends on them");
-  const Bytes copy = encode(arrival.events);
+  const Bytes copy = encode<NormalEncoder>(arrival.events);
   for (const Bytes& frame : frames_of(copy))
     require(frame.size() <= wire::max_frame, "a frame too long");
   require(regions_of(decode(copy).events) == regions, "a copy has other regions");
-  require(encode(arrival.events, any_header(), portion) == copy, "the output's portions show");
+  require(encode<NormalEncoder>(arrival.events, any_header(), portion) == copy,
+          "the output's portions show");
 }
 
 }  // namespace
