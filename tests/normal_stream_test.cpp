@@ -169,6 +169,12 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
     add_region(payload);
     CHECK(normals_of(payload) == List{{100, 100}, {101, 99}});
   }
+  SUBCASE("none, whatever its second byte") {
+    Payload payload;
+    add_normals(payload, 1, {0, 6});
+    add_region(payload);
+    CHECK(normals_of(payload) == List{{0, 0}, {0, 0}});
+  }
   SUBCASE("more than a record has runs") {
     Payload payload;
     add_normals(payload, 2, Bytes(200, 0xFF));

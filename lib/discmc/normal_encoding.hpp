@@ -44,7 +44,9 @@ class ToldNormals {
  public:
   void clear() { count_ = 0; }
   /// Of run number `i`; none beyond those told.
-  OctahedralNormal at(uint32_t i) const { return i < count_ ? normal_[i] : OctahedralNormal{0, 0}; }
+  OctahedralNormal at(uint32_t i) const {
+    return i < count_ && !normal_[i].is_none() ? normal_[i] : OctahedralNormal{0, 0};
+  }
   /// Reads an extension of so many bytes whose type is one of those for normals.
   template <class Model>
   void decode(Model& model, uint32_t type, uint32_t bytes);
