@@ -237,7 +237,6 @@ bool Decoder::read_region() {
   record_.begin(model_.incidence(no_incidence));
   record_.is_last = true;
   const uint32_t rings = model_.ring_count(1);
-  if (rings == 0) return false;
   for (uint32_t ring = 0; ring < rings; ++ring)
     if (!read_ring(ring > 0)) return false;
   return true;
@@ -289,7 +288,7 @@ bool Decoder::read_part() {
   model_.part(record_);
   if (record_.number > Run::max_fragment) return false;
   for (;;) {
-    if (!record_.has_room(Record::ring_words) && !record_.has_room(1)) {
+    if (!record_.has_room(1)) {
       if (model_.item_kind(Item::end) != Item::end) return false;
       break;
     }
