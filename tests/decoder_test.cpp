@@ -91,6 +91,40 @@ void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
   model.run_count(runs);
 }
 
+// A region across z that goes on in a packet to come.
+template <class Model>
+void tell_first_part(Model& model) {
+  begin_part(model, false);
+  tell_ring(model, false);
+  tell_run(model, 0, 2);
+  end_part(model, false);
+}
+
+// What goes on with it, to its end.
+template <class Model>
+void tell_last_part(Model& model) {
+  begin_part(model, true);
+  tell_run(model, 2, 2);
+  end_part(model, true);
+}
+
+// What the first part is delivered as.
+Script first_part() {
+  Script script;
+  script.region(up).ring({1, 0, 0}).run(0, 2);
+  return script;
+}
+
+Bytes first_payload() {
+  return payload_of([](auto& model) { tell_first_part(model); });
+}
+Bytes last_payload() {
+  return payload_of([](auto& model) { tell_last_part(model); });
+}
+Bytes frame_at(uint32_t number, const Bytes& payload, uint16_t regions = 0) {
+  return frame_of({records_kind, static_cast<uint8_t>(number), regions, payload});
+}
+
 // A payload of one part, told by hand and unreadable, between two marks.
 template <class Tell>
 void check_unreadable(Tell tell) {
@@ -109,7 +143,9 @@ void check_unreadable(Tell tell) {
 TEST_CASE("a decoder needs a sink and a start") {
   Decoder decoder;
   const uint8_t byte = 1;
-  CHECK(decoder.push(&byte, 1).status == Status::not_started);
+  const Decoded decoded = decoder.push(&byte, 1);
+  CHECK(decoded.status == Status::not_started);
+  CHECK(decoded.bytes == 0);
   CHECK(decoder.finish() == Status::not_started);
   CHECK(decoder.start(Sink{}) == Status::bad_sink);
   CHECK(decoder.push(&byte, 1).status == Status::not_started);
@@ -161,6 +197,43 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   REQUIRE(decoder.start(sink_to(again)) == Status::ok);
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
   CHECK(again.events == sample.events);
+  CHECK(decoder.report().is_complete());
+}
+
+TEST_CASE("a decoder that is started again does not go on with a region, nor tells it lost") {
+  struct Taker {
+    Answer take(const Event& event) {
+      if (log.events.size() == most) return Answer::not_now;
+      return log.take(event);
+    }
+    size_t most;
+    Log log{};
+  };
+  const Bytes begun = stream_of({first_payload()});
+  const Bytes end = frame_at(0, last_payload());
+  for (const bool is_ended : {false, true}) {
+    Taker taker{first_part().events.size()};
+    Decoder decoder;
+    REQUIRE(decoder.start(sink_to(taker)) == Status::ok);
+    REQUIRE(decoder.push(begun.data(), begun.size()).status == Status::ok);
+    if (is_ended) CHECK(decoder.finish() == Status::more);
+    Log log;
+    REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+    CHECK(decoder.push(end.data(), end.size()).status == Status::ok);
+    CHECK(decoder.finish() == Status::ok);
+    CHECK(log.events.empty());
+  }
+}
+
+TEST_CASE("a decoder that is started again after half a frame begins with a new one") {
+  const Bytes stream = encode(Script().layer(1).finish().events);
+  Log log;
+  Decoder decoder;
+  for (int i = 0; i < 2; ++i) {
+    REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), 20).status == Status::ok);
+  }
+  REQUIRE(decoder.push(stream.data() + 20, stream.size() - 20).status == Status::ok);
   CHECK(decoder.report().is_complete());
 }
 
@@ -280,27 +353,13 @@ TEST_CASE("a later header tells in full how many packets and regions came before
 
 TEST_CASE(
     "a header that tells of more lost packets ends what is open, unless a gap lay before it") {
-  const Bytes first = payload_of([](auto& model) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    end_part(model, false);
-  });
-  const Bytes last = payload_of([](auto& model) {
-    begin_part(model, true);
-    tell_run(model, 2, 2);
-    end_part(model, true);
-  });
   // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
   for (const bool gap_is_seen : {false, true}) {
     const uint32_t number = gap_is_seen ? 258 : 257;
-    const auto frame = [](uint32_t at, const Bytes& payload) {
-      return frame_of({records_kind, static_cast<uint8_t>(at), 0, payload});
-    };
-    const Arrival arrival = decode(joined({stream_of({}), frame(number, first),
-                                           header_after(number + 1, 0), frame(number + 2, last)}));
-    Script expected;
-    expected.region(up).ring({1, 0, 0}).run(0, 2);
+    const Arrival arrival =
+        decode(joined({stream_of({}), frame_at(number, first_payload()),
+                       header_after(number + 1, 0), frame_at(number + 2, last_payload())}));
+    Script expected = first_part();
     if (gap_is_seen)
       expected.run(2, 2).region_end();
     else
@@ -310,24 +369,76 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a region goes on behind a header, whatever was missed before it began") {
+  for (const uint32_t missed : {0U, 1U, 255U, 256U, 512U}) {
+    CAPTURE(missed);
+    const Arrival arrival =
+        decode(joined({frame_at(missed, first_payload()), header_after(missed + 1, 0),
+                       frame_at(missed + 2, last_payload())}));
+    CHECK(arrival.events == first_part().run(2, 2).region_end().events);
+    CHECK(arrival.report.lost_packets == missed);
+  }
+}
+
+TEST_CASE("a header that tells of a gap ends what is open, though a gap lay before it as well") {
+  struct Gap {
+    uint32_t packets;
+    uint64_t regions;
+  };
+  for (const Gap gap : {Gap{1, 0}, Gap{255, 0}, Gap{256, 1}, Gap{512, 2}}) {
+    CAPTURE(gap.packets);
+    const uint32_t number = 5;
+    const Arrival arrival = decode(joined(
+        {stream_of({}), frame_at(number, first_payload()),
+         header_after(number + 1 + gap.packets, gap.regions),
+         frame_at(number + 2 + gap.packets, last_payload(), static_cast<uint16_t>(gap.regions))}));
+    CHECK(arrival.events == first_part().lost().events);
+    CHECK(arrival.report.lost_packets == number - 1 + gap.packets);
+  }
+}
+
+TEST_CASE("a header counts as lost what neither came before it nor was known to be lost") {
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  const std::vector<Bytes> frames = frames_of(encode(square));
+  for (const uint64_t before : {0U, 1U, 2U, 7U}) {
+    const StreamReport report =
+        decode(joined({frames[0], frames[1], header_after(2, before)})).report;
+    CHECK(report.regions == 1);
+    CHECK(report.lost_regions == (before < 1 ? 0 : before - 1));
+  }
+}
+
+TEST_CASE("who hears no header tells a packet that comes again all the same") {
+  const Bytes frame = frame_at(200, payload_of([](auto& model) { tell_layer(model, 3); }));
+  const Arrival arrival = decode(joined({frame, frame}));
+  CHECK(arrival.events == Script().layer(3).events);
+  CHECK(arrival.report.lost_packets == 200);
+  CHECK(arrival.report.repeated_packets == 1);
+}
+
+TEST_CASE("the shortest and the longest of packets are packets, a longer one is none") {
+  const uint8_t unknown_kind = 9;
+  for (const size_t bytes : {size_t{0}, wire::max_payload - 1, wire::max_payload}) {
+    const StreamReport report = decode(frame_of({unknown_kind, 0, 0, Bytes(bytes, 0x33)})).report;
+    CHECK(report.packets == 1);
+    CHECK(report.damaged_packets == 0);
+  }
+  for (const size_t more : {1U, 2U, 3U, 300U}) {
+    Bytes frame = frame_of({unknown_kind, 0, 0, Bytes(wire::max_payload, 0x33)});
+    frame.insert(frame.end() - 1, more, 0x33);
+    const StreamReport report = decode(frame).report;
+    CHECK(report.packets == 0);
+    CHECK(report.damaged_packets == 1);
+  }
+}
+
 TEST_CASE("a region does not go on behind a packet that cannot be read") {
-  const Bytes first = payload_of([](auto& model) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    end_part(model, false);
-  });
   const Bytes unreadable = payload_of([](auto& model) {
     model.region_follows(false);
     model.other_kind(static_cast<OtherKind>(6));
   });
-  const Bytes last = payload_of([](auto& model) {
-    begin_part(model, true);
-    tell_run(model, 2, 2);
-    end_part(model, true);
-  });
-  const Events expected = Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events;
-  CHECK(decode(stream_of({first, unreadable, last})).events == expected);
+  CHECK(decode(stream_of({first_payload(), unreadable, last_payload()})).events ==
+        first_part().lost().events);
 }
 
 TEST_CASE("the longest run and the last fragment number are read, in parts") {
@@ -435,6 +546,7 @@ TEST_CASE("an unknown version is told and nothing of it is delivered") {
   CHECK(arrival.status == Status::wrong_version);
   CHECK(arrival.events.empty());
   CHECK_FALSE(arrival.report.has_header);
+  CHECK(arrival.report.packets == 0);
 }
 
 TEST_CASE("headers that make no sense are no headers") {
@@ -444,6 +556,7 @@ TEST_CASE("headers that make no sense are no headers") {
     packet.payload.resize(size);
     if (at < size) packet.payload[at] = value;
     const Arrival arrival = decode(frame_of(packet));
+    CHECK(arrival.report.packets + arrival.report.damaged_packets == 1);
     return !arrival.report.has_header && arrival.report.damaged_packets == 1;
   };
   CHECK(without_header(0, 'd', wire::header_payload));
@@ -452,6 +565,33 @@ TEST_CASE("headers that make no sense are no headers") {
   CHECK(without_header(6, 0, wire::header_payload));     // height 0
   CHECK(without_header(99, 0, wire::header_payload - 1));
   CHECK_FALSE(without_header(99, 0, wire::header_payload + 5));  // a later version may say more
+}
+
+TEST_CASE("what a longer header says behind its end counts for nothing") {
+  Packet packet = packet_of(stream_of({}));
+  packet.payload.insert(packet.payload.end(), 5, 0xFF);
+  const StreamReport report = decode(frame_of(packet)).report;
+  CHECK(report.packets == 1);
+  CHECK(report.lost_packets == 0);
+  CHECK(report.lost_regions == 0);
+}
+
+TEST_CASE("a trailer that is too short is none; one that tells of more regions counts these lost") {
+  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
+  Packet trailer = packet_of(frames[1]);
+  for (const uint32_t lost : {0U, 3U, 0x7FFFU, 0x8000U, 0x8001U, 65536U, 1000000U}) {
+    // After the slices, the flag and three totals.
+    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(lost);
+    trailer.regions = static_cast<uint16_t>(lost);
+    const StreamReport report = decode(joined({frames[0], frame_of(trailer)})).report;
+    CHECK(report.has_trailer);
+    CHECK(report.lost_regions == lost);
+    CHECK(report.lost_packets == 0);
+  }
+  trailer.payload.pop_back();
+  const StreamReport report = decode(joined({frames[0], frame_of(trailer)})).report;
+  CHECK_FALSE(report.has_trailer);
+  CHECK(report.damaged_packets == 1);
 }
 
 TEST_CASE("packets of unknown kinds are skipped and lose nothing") {
@@ -642,6 +782,48 @@ TEST_CASE("records that break the grammar are refused") {
     model.direction(0);
     model.direction(2);
   });
+  check_unreadable([](auto& model) {  // a run too long that others take back
+    begin_compact_ring(model, 5);
+    model.direction(0);
+    model.length(max_compact_length + 1);
+    model.direction(2);
+    model.length(1);
+    model.direction(4);
+    model.length(max_compact_length);
+    model.direction(6);
+    model.direction(4);
+  });
+  check_unreadable([](auto& model) {  // the last two runs of four: too long, though parallel
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(1);
+    model.direction(4);
+    model.length(1);
+    model.direction(0);
+    model.direction(4);
+    model.length(max_compact_length + 1);
+  });
+  check_unreadable([](auto& model) {  // a second ring that no record has room for
+    model.region_follows(true);
+    model.incidence(up);
+    model.ring_count(2);
+    for (const uint32_t runs : {2U, Record::max_words}) {
+      model.start({1, 0, 0}, runs > 2);
+      model.parallelogram(false);
+      model.run_count(runs);
+      model.direction(0);
+      model.direction(4);
+      model.length(1);
+    }
+  });
+  check_unreadable([](auto& model) {  // a ring where a part is full but for three words
+    begin_part(model, false);
+    tell_ring(model, false);
+    for (uint32_t i = 0; i < Record::max_words - 2 * Record::ring_words + 1; ++i)
+      tell_run(model, static_cast<Direction>(i % 4), 1);
+    tell_ring(model, true);
+    end_part(model, false);
+  });
   check_unreadable([](auto& model) {  // two parallel runs that are too long to reckon with: without
     begin_compact_ring(model, 2);     // the look at it, it is the sanitizer that tells
     model.direction(0);
@@ -662,6 +844,40 @@ TEST_CASE(
   CHECK_FALSE(decode(joined(frames)).report.is_complete());
 }
 
+TEST_CASE("a part that goes on with nothing ends what is open, and is all that is lost") {
+  const auto tell_stray = [](auto& model) {
+    begin_part(model, true, false, incidence_of({1, 0, 0}));
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  };
+  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    tell_first_part(model);
+    tell_stray(model);
+    tell_last_part(model);
+    tell_layer(model, 5);
+  })}));
+  CHECK(arrival.events == first_part().lost().layer(5).events);
+  CHECK(arrival.report.lost_regions == 2);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
+TEST_CASE("a stream in which a region is lost is not complete, though as many came as it counts") {
+  Events one = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  std::vector<Bytes> frames = frames_of(encode(one));
+  Packet packet = packet_of(frames[1]);
+  packet.payload = payload_of([](auto& model) {
+    tell_last_part(model);
+    tell_first_part(model);
+    tell_last_part(model);
+  });
+  frames[1] = frame_of(packet);
+  const StreamReport report = decode(joined(frames)).report;
+  CHECK(report.regions == report.totals.regions);
+  CHECK(report.lost_packets == 0);
+  CHECK(report.lost_regions == 1);
+  CHECK_FALSE(report.is_complete());
+}
+
 TEST_CASE("a part of another incidence, kind or number does not go on with what is open") {
   for (const bool is_fragment : {false, true})
     for (const Incidence incidence : {up, Incidence{0}}) {
@@ -676,6 +892,19 @@ TEST_CASE("a part of another incidence, kind or number does not go on with what 
       })}));
       CHECK(arrival.events == Script().region(up).ring({1, 0, 0}).lost().events);
     }
+}
+
+TEST_CASE("two runs there and back are told in full up to the longest compact run") {
+  for (const uint32_t length : {1U, max_compact_length}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_compact_ring(model, 2);
+      model.direction(0);
+      model.direction(4);
+      model.length(length);
+    })}));
+    CHECK(arrival.events ==
+          Script().region(up).ring({1, 0, 0}).run(0, length).run(4, length).region_end().events);
+  }
 }
 
 TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
@@ -693,6 +922,16 @@ TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
     CHECK(regions_of(arrival.events).size() == (runs == longest ? 1 : 0));
     CHECK(arrival.report.damaged_packets == (runs == longest ? 0 : 1));
   }
+}
+
+TEST_CASE("a part of fragment 0 does not go on with a region, whose number would be 0") {
+  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    tell_first_part(model);
+    begin_part(model, true, true, up, 0);
+    tell_run(model, 2, 3);
+    end_part(model, true);
+  })}));
+  CHECK(arrival.events == first_part().lost().events);
 }
 
 TEST_CASE("a part of another fragment does not go on with the one that is open") {
@@ -753,6 +992,17 @@ TEST_CASE("a sink may refuse what the end of a stream brings, as often as it lik
     CHECK(calls == (refusals == 0 ? 1 : 4 * refusals));
     CHECK(sullen.log.events == Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events);
   }
+}
+
+TEST_CASE("a mark that the sink does not take is kept for it") {
+  const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
+  Log log(true);
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::more);
+  CHECK(log.events.empty());
+  CHECK(decoder.finish() == Status::ok);
+  CHECK(log.events == Script().layer(4).events);
 }
 
 TEST_CASE("a payload that ends before its records do is refused") {

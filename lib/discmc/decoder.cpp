@@ -10,12 +10,9 @@ Status Decoder::start(const Sink& sink) {
   report_ = StreamReport{};
   is_started_ = true;
   is_refused_ = false;
-  has_number_ = false;
-  next_number_ = 0;
   regions_passed_ = 0;
   gap_is_noted_ = true;
   frame_bytes_ = 0;
-  frame_is_too_long_ = false;
   stage_ = Stage::collect;
   lost_is_untold_ = false;
   is_open_ = false;
@@ -32,11 +29,8 @@ Decoded Decoder::push(const uint8_t* bytes, size_t count) {
     if (bytes[taken] == 0) {
       open_frame(frame_bytes_);
       frame_bytes_ = 0;
-      frame_is_too_long_ = false;
     } else if (frame_bytes_ < sizeof(frame_)) {
       frame_[frame_bytes_++] = bytes[taken];
-    } else {
-      frame_is_too_long_ = true;
     }
   }
 }
@@ -46,7 +40,6 @@ Status Decoder::finish() {
   if (!deliver()) return Status::more;
   if (frame_bytes_ > 0) ++report_.damaged_packets;
   frame_bytes_ = 0;
-  frame_is_too_long_ = false;
   lose_open();
   return deliver() ? Status::ok : Status::more;
 }
@@ -56,7 +49,7 @@ Status Decoder::finish() {
 void Decoder::open_frame(size_t bytes) {
   using namespace wire;
   if (bytes == 0) return;  // a spare delimiter
-  const size_t plain = frame_is_too_long_ ? 0 : cobs::unstuff(frame_, bytes);
+  const size_t plain = cobs::unstuff(frame_, bytes);
   const uint8_t* const packet = frame_ + 1;
   if (plain < packet_head + packet_crc || plain > max_packet) return damage();
   const size_t checked = plain - packet_crc;
@@ -89,17 +82,13 @@ bool Decoder::is_expected(const uint8_t* packet) {
   const uint8_t number = packet[1];
   const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
   const uint16_t regions = static_cast<uint16_t>(low - regions_passed_);
-  const uint8_t gap = static_cast<uint8_t>(number - next_number_);
+  const uint8_t gap = static_cast<uint8_t>(number - packets_passed());
   const bool is_trailer = packet[0] == static_cast<uint8_t>(wire::PacketKind::trailer);
-  if (has_number_ && !is_trailer && (regions >= 0x8000 || (regions == 0 && gap >= 128))) {
+  if (packets_passed() > 0 && !is_trailer && (regions >= 0x8000 || (regions == 0 && gap >= 128))) {
     ++report_.repeated_packets;
     return false;
   }
-  // What half of the counts hide, a trailer tells in full.
-  const bool is_known = !has_number_ || regions < 0x8000;
-  has_number_ = true;
-  next_number_ = static_cast<uint8_t>(number + 1);
-  note_gap(gap, is_known ? regions : 0);
+  note_gap(gap, is_trailer ? 0 : regions);  // a trailer tells of regions in full
   return true;
 }
 
@@ -141,25 +130,22 @@ bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
     damage();
     return false;
   }
-  const uint64_t packets_passed = report_.packets + report_.lost_packets;
-  const bool is_behind = packets_before < packets_passed;
-  if (!is_behind || !report_.has_header) header_ = header;
+  if (!report_.has_header) header_ = header;
   report_.has_header = true;
-  if (is_behind) {
+  const uint64_t packets_missing = packets_before - packets_passed();
+  if (packets_before < packets_passed()) {
     ++report_.repeated_packets;
     return false;
   }
   const uint64_t regions = regions_before > regions_passed_ ? regions_before - regions_passed_ : 0;
   // A gap noted too small, by whole rounds of the short number, was before what is open.
-  const bool is_gap_here = static_cast<uint8_t>(packets_before) != next_number_ || regions > 0 ||
-                           (packets_before > packets_passed && !gap_is_noted_);
-  report_.lost_packets += packets_before - packets_passed;
+  const bool is_gap_here =
+      packets_missing % 256 != 0 || regions > 0 || (packets_missing > 0 && !gap_is_noted_);
+  report_.lost_packets += packets_missing;
   if (is_gap_here) {
     note_gap(0, regions);
     lose_open();
   }
-  has_number_ = true;
-  next_number_ = static_cast<uint8_t>(packets_before);
   gap_is_noted_ = false;
   return true;
 }
@@ -256,7 +242,7 @@ bool Decoder::read_ring(bool further) {
     direction[0] = direction[1];
     direction[1] = model_.direction(0);
     if (!is_direction(record_.incidence, direction[1])) return false;
-    if (!is_parallelogram && i + 2 >= count) continue;
+    if (i + 2 >= count) continue;
     length[0] = length[1];
     length[1] = model_.length(1);
     if (length[1] > max_compact_length) return false;
@@ -333,7 +319,7 @@ void Decoder::read_mark(OtherKind kind) {
 bool Decoder::begin_record() {
   told_ = 0;
   told_runs_ = 0;
-  const bool goes_on = record_.continues && is_open_ && open_.incidence == record_.incidence &&
+  const bool goes_on = is_open_ && open_.incidence == record_.incidence &&
                        open_.is_fragment == record_.is_fragment && open_.number == record_.number;
   if (record_.continues && !goes_on) {
     lose_open();

@@ -70,6 +70,8 @@ class Decoder {
 
   void open_frame(size_t bytes);
   bool is_expected(const uint8_t* packet);
+  // What the next packet is to be numbered.
+  uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
   void note_gap(uint64_t packets, uint64_t regions);
   void lose_open();
   bool read_header(const uint8_t* payload, size_t bytes);
@@ -93,14 +95,11 @@ class Decoder {
   StreamReport report_;
   bool is_started_ = false;
   bool is_refused_ = false;  // by its version
-  bool has_number_ = false;
-  uint8_t next_number_ = 0;
   uint64_t regions_passed_ = 0;  // complete regions sent before now, lost ones included
   bool gap_is_noted_ = true;     // since the last header; what came before the start is a gap
 
   uint8_t frame_[wire::max_frame];
-  size_t frame_bytes_ = 0;
-  bool frame_is_too_long_ = false;
+  size_t frame_bytes_ = 0;  // what is more than a frame is dropped: it is none
 
   Stage stage_ = Stage::collect;
   Model model_{Coder{}};
