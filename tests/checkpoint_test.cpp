@@ -6,7 +6,7 @@
 #include <set>
 
 #include "reference/sanitized.hpp"
-#include "stream.hpp"
+#include "stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -241,8 +241,11 @@ TEST_CASE("a checkpoint in the middle of a frame goes back to where the frame be
   REQUIRE_FALSE(first.flush());
   REQUIRE(first.bytes() == frame + 3);
   require_ok(first.save(stream));
-  require_ok(second.restore(stream, store.output()));
+  Line line;
+  require_ok(second.restore(stream, line.output()));
   CHECK(second.bytes() == frame);
+  REQUIRE(second.flush());
+  CHECK(decode(line.bytes).events == Script().layer(0).events);
 }
 
 TEST_CASE("a torn checkpoint is found out, wherever it is torn") {

@@ -218,7 +218,29 @@ TEST_CASE("an encoder that is started again begins a new stream") {
     REQUIRE(encoder.start(any_header(), again.output()) == Status::ok);
     take_all(encoder, events);
     CHECK(again.bytes == encode(events));
+    CHECK(encoder.bytes() == again.bytes.size());
   }
+}
+
+TEST_CASE("an encoder that is started again amid a region in parts tells the next one whole") {
+  size_t room = frames_of(encode({})).front().size();  // for the header
+  const ByteOutput narrow{&room, [](void* context, const uint8_t*, size_t count) {
+                            size_t& left = *static_cast<size_t*>(context);
+                            const size_t taken = std::min(left, count);
+                            left -= taken;
+                            return taken;
+                          }};
+  Encoder encoder;
+  REQUIRE(encoder.start(any_header(), narrow) == Status::ok);
+  size_t told = 0;
+  const Events long_region = many_regions(1, 500);
+  while (encoder.take(long_region[told].event()) == Answer::taken) ++told;
+  REQUIRE(long_region[told].is(Event::Kind::run));
+  Line line;
+  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  const Events events = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  take_all(encoder, events);
+  CHECK(line.bytes == encode(events));
 }
 
 TEST_CASE("records of every length end a packet at every fill without overrunning it") {

@@ -31,6 +31,7 @@ TEST_CASE("what the tables are asserted to hold is counted right, and other coun
   CHECK(configurations_with(8) == 0);
   CHECK(occurs(3, 93));
   CHECK_FALSE(occurs(3, 92));
+  CHECK_FALSE(occurs(1, 45));
   CHECK(facets_with_ring() == 112);
 }
 

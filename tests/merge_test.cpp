@@ -240,6 +240,72 @@ TEST_CASE("a region is delivered before the first layer mark that it does not re
     }
 }
 
+TEST_CASE("a sink takes fragments unless it says that it does not") {
+  CHECK(Sink{}.takes_fragments);
+}
+
+TEST_CASE("a sink that takes no fragments gets none, however long they grow") {
+  BitVolume comb({4, 1200, 1});  // its teeth lie along the rows, so hardly an edge waits
+  for (uint32_t i = 0; i < comb.voxels(); ++i) comb.on[i] = i / 4 % 2 == 0 || i % 4 == 0;
+  Capacities few = ample(comb, Border::closed);
+  few.runs = 4000;
+  Collector collector(false);
+  scan_into<uint32_t>(collector, comb, {Border::closed, false, 0}, few);
+  CHECK(collector.statistics().spills == 0);
+  CHECK(collector.statistics().cuts > 0);
+}
+
+TEST_CASE("what the rings of a region take is free again for the next, and for the next scan") {
+  // Plates with four holes in every other slice.
+  const auto plates = [](uint32_t count) {
+    BitVolume volume({13, 13, 2 * count});
+    for (uint32_t y = 0; y < 13; ++y)
+      for (uint32_t x = 0; x < 13; ++x)
+        for (uint32_t z = 0; z < count; ++z)
+          volume.on[volume.index(x, y, 2 * z)] = x % 8 != 4 || y % 8 != 4;
+    return volume;
+  };
+  const BitVolume one = plates(1);
+  const BitVolume many = plates(30);
+  const Limits limits = limits_of(one, Border::closed);
+  Capacities capacities = ample(one, Border::closed);
+  const auto cuts_of = [&](const BitVolume& volume) {
+    Collector collector;
+    scan_into<uint32_t>(collector, volume, {}, capacities);
+    return collector.statistics().cuts;
+  };
+  capacities.rings = minimum_capacities().rings;
+  REQUIRE(cuts_of(one) > 0);
+  while (cuts_of(one) > 0) ++capacities.rings;
+  CHECK(cuts_of(many) == 0);
+
+  Block block(bytes_for<uint32_t>(limits, capacities));
+  Extractor32 extractor;
+  Collector broken_off, collector;
+  Collector* current = &broken_off;
+  const Sink sink{&current, [](void* context, const Event& event) {
+                    return (*static_cast<Collector**>(context))->take(event);
+                  }};
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink));
+  push_all(extractor, std::vector<uint8_t>(one.on.data(), one.on.data() + 13 * 12));
+  require_ok(extractor.reset());
+  current = &collector;
+  push_all(extractor, many.on);
+  finish_all(extractor);
+  CHECK(collector.statistics().cuts == 0);
+}
+
+TEST_CASE("holes that are closed before their region is leave early when runs are short") {
+  const BitVolume volume = random({24, 24, 1}, 235, 3);
+  Capacities few = ample(volume, Border::closed);
+  few.runs = minimum_capacities().runs;
+  Collector collector;
+  scan_into<uint32_t>(collector, volume, {}, few);
+  CHECK(collector.statistics().spills > 0);
+  CHECK(collector.statistics().cuts == 0);
+  CHECK(unlike_merge(collector.regions(), volume, true) == "");
+}
+
 TEST_CASE("the events of a volume are these, on every machine") {
   const BitVolume volume = random({14, 13, 12}, 150, 11);
   const EventLog log = events_of(volume, Border::closed, ample(volume, Border::closed), false);

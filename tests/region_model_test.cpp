@@ -129,6 +129,17 @@ TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
       Values(values.begin(), values.end()));
 }
 
+TEST_CASE("a number reads no more than 63 bits, whatever they are") {
+  struct Ones {
+    uint32_t* bits;
+    bool bit(uint32_t, bool) { return ++*bits > 0; }
+  };
+  uint32_t bits = 0;
+  RegionModel<Ones> model(Ones{&bits});
+  CHECK(model.plain_number(0) == UINT32_MAX - 1);
+  CHECK(bits == 32 + 31);
+}
+
 TEST_CASE("a number with contexts comes back in every class of planes") {
   const std::vector<uint32_t> values = numbers();
   for_each_incidence([&](Incidence incidence) {

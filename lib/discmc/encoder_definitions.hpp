@@ -61,7 +61,6 @@ Answer BasicEncoder<Normals>::take(const Event& event) {
       done = put_trailer(event);
       break;
     case Event::Kind::lost:
-      is_emptying_ = false;
       break;
   }
   return done ? Answer::taken : Answer::not_now;

@@ -176,7 +176,7 @@ void Merge<Index, Normals>::begin_walk(Walk& walk) {
 template <class Index, class Normals>
 void Merge<Index, Normals>::walk_link(Walk& walk, int i) {
   const Patch& patch = walk.patch;
-  if (i > 0) turn_by(walk.current, walk.turn_into(i));
+  turn_by(walk.current, walk.turn_into(i));
   const Place place = patch.place(i);
   Index edge = no_record;
   if (walk.twin[i] != no_record && may_splice(walk, i)) {

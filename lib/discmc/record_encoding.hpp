@@ -13,7 +13,7 @@ inline uint32_t compact_runs(const Record& record, uint32_t first) {
   uint32_t end = first;
   for (; end < record.count && record.word[end] != Record::ring_mark; ++end) {
     const Run run = Run::from_code(record.word[end]);
-    if (run.is_fragment() || run.length() > max_compact_length) return 0;
+    if (run.length() > max_compact_length) return 0;  // a stand-in looks longer than any run
     way = way + displacement(record.incidence, &run, 1);
   }
   return way == Vertex{0, 0, 0} ? end - first : 0;
@@ -32,10 +32,9 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
   const bool parallelogram = count == 4 && are_opposite(incidence, run(0), run(2));
   if (!model.parallelogram(parallelogram)) model.run_count(count);
   const uint32_t directions = parallelogram ? 2 : count;
-  const uint32_t lengths = parallelogram ? 2 : count - 2;
   for (uint32_t i = 0; i < directions; ++i) {
     model.direction(run(i).direction());
-    if (i < lengths) model.length(run(i).length());
+    if (i + 2 < count) model.length(run(i).length());
   }
   if (!parallelogram && model.is_parallel()) model.length(run(count - 2).length());
 }

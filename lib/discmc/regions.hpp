@@ -78,7 +78,7 @@ class Regions {
     record.x = static_cast<uint16_t>(start.x + 1);
     record.y = static_cast<uint16_t>(start.y + 1);
     record.z = start.z;
-    record.hole = hole ? 1 : 0;
+    record.hole = hole;
     RegionNode<Index>& region = nodes_[root(node)];
     region.rings = joined_rings(region.rings, ring);
     return ring;
@@ -89,14 +89,13 @@ class Regions {
   Index first_complete() const { return first_complete_; }
 
   /// The last ring of a region's circular list, turned so that the outer ring is its first.
-  Index rings_outer_first(Index node) {
+  Index rings_outer_first(Index node) const {
     Index last = nodes_[node].rings;
     const Index end = last;
     while (rings_[rings_[last].next].hole != 0) {
       last = rings_[last].next;
       if (last == end) break;
     }
-    nodes_[node].rings = last;
     return last;
   }
 
@@ -125,14 +124,13 @@ class Regions {
   const Pool<Ring, Index>& rings() const { return rings_; }
 
  private:
-  // A complete root is in the queue; the last one names itself.
+  // A complete root is in the queue; the last one names itself, as any root does.
   void enqueue(Index node) {
     if (first_complete_ == no_record)
       first_complete_ = node;
     else
       nodes_[last_complete_].next = node;
     last_complete_ = node;
-    nodes_[node].next = node;
   }
 
   Index joined_rings(Index a, Index b) {
