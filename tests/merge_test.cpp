@@ -245,10 +245,10 @@ TEST_CASE("a sink takes fragments unless it says that it does not") {
 }
 
 TEST_CASE("a sink that takes no fragments gets none, however long they grow") {
-  BitVolume comb({4, 1200, 1});  // its teeth lie along the rows, so hardly an edge waits
-  for (uint32_t i = 0; i < comb.voxels(); ++i) comb.on[i] = i / 4 % 2 == 0 || i % 4 == 0;
+  BitVolume comb({3, 8, 1200});  // with its teeth above each other, so that few edges wait
+  for (uint32_t i = 0; i < comb.voxels(); ++i) comb.on[i] = i / 24 % 6 < 4 || i / 3 % 8 < 3;
   Capacities few = ample(comb, Border::closed);
-  few.runs = 4000;
+  few.runs = 1500;
   Collector collector(false);
   scan_into<uint32_t>(collector, comb, {Border::closed, false, 0}, few);
   CHECK(collector.statistics().spills == 0);
@@ -258,9 +258,9 @@ TEST_CASE("a sink that takes no fragments gets none, however long they grow") {
 TEST_CASE("what the rings of a region take is free again for the next, and for the next scan") {
   // Plates with four holes in every other slice.
   const auto plates = [](uint32_t count) {
-    BitVolume volume({13, 13, 2 * count});
-    for (uint32_t y = 0; y < 13; ++y)
-      for (uint32_t x = 0; x < 13; ++x)
+    BitVolume volume({17, 17, 2 * count});
+    for (uint32_t y = 0; y < 17; ++y)
+      for (uint32_t x = 0; x < 17; ++x)
         for (uint32_t z = 0; z < count; ++z)
           volume.on[volume.index(x, y, 2 * z)] = x % 8 != 4 || y % 8 != 4;
     return volume;
@@ -287,23 +287,15 @@ TEST_CASE("what the rings of a region take is free again for the next, and for t
                     return (*static_cast<Collector**>(context))->take(event);
                   }};
   require_ok(extractor.start(limits, capacities, 1, block.memory(), sink));
-  push_all(extractor, std::vector<uint8_t>(one.on.data(), one.on.data() + 13 * 12));
-  require_ok(extractor.reset());
+  for (int scan = 0; scan < 5; ++scan) {
+    push_all(extractor, std::vector<uint8_t>(one.on.data(), one.on.data() + 17 * 15));
+    require_ok(extractor.reset());
+  }
   current = &collector;
   push_all(extractor, many.on);
   finish_all(extractor);
   CHECK(collector.statistics().cuts == 0);
-}
-
-TEST_CASE("holes that are closed before their region is leave early when runs are short") {
-  const BitVolume volume = random({24, 24, 1}, 235, 3);
-  Capacities few = ample(volume, Border::closed);
-  few.runs = minimum_capacities().runs;
-  Collector collector;
-  scan_into<uint32_t>(collector, volume, {}, few);
-  CHECK(collector.statistics().spills > 0);
-  CHECK(collector.statistics().cuts == 0);
-  CHECK(unlike_merge(collector.regions(), volume, true) == "");
+  CHECK(unlike_merge(collector.regions(), many, true) == "");
 }
 
 TEST_CASE("the events of a volume are these, on every machine") {
