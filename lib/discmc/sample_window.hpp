@@ -67,12 +67,12 @@ class SampleWindow {
   /// on either side, all that the volume has are held. True of vertices outside the volume below,
   /// and of those above after end(). Of a vertex whose slices have passed it stays false.
   bool covers(const Vertex& vertex) const {
-    const int64_t below = vertex.z / 2 - 1;
+    const int64_t below = vertex.z < 4 ? 0 : vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;
     const int64_t slices = rows_.slices();
     const bool is_within_slice = rows_.rows() > 0 || rows_.column() > 0;
     const int64_t first_held = slices - slices_held + (is_within_slice ? 1 : 0);
-    return (below < 0 || below >= first_held) && (is_ended_ || above < slices);
+    return (vertex.z < 0 || below >= first_held) && (is_ended_ || above < slices);
   }
 
   /// As SampleRows::downhill(). Limit: covers(vertex).
