@@ -49,13 +49,13 @@ class SampleWindow {
   [[nodiscard]] Status push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     if (width_ == 0) return Status::not_started;
     if (is_ended_) return Status::finished;
-    while (count > 0) {
+    for (uint32_t done = 0; done < count;) {
       const uint32_t room = width_ - rows_.column();
-      const uint32_t taken = count < room ? count : room;
-      rows_.append(samples, taken, stride);
+      const uint32_t left = count - done;
+      const uint32_t taken = left < room ? left : room;
+      rows_.append(samples + size_t{done} * stride, taken, stride);
       if (rows_.row_is_complete()) rows_.next_row();
-      count -= taken;
-      if (count > 0) samples += size_t{taken} * stride;
+      done += taken;
     }
     return Status::ok;
   }
