@@ -2,6 +2,7 @@
 // a second pass, bit for bit.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <discmc/extractor.hpp>
 #include <discmc/sample_window.hpp>
@@ -115,6 +116,40 @@ TEST_CASE("under pressure normals are right in what is spilled and cut") {
   CHECK(spills > 1000);
 }
 
+TEST_CASE(
+    "where nearly all runs are spilled, runs and stand-ins have the normals where they start") {
+  const Size size{12, 10, 6};
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 3);
+  const Setting setting{100, Border::closed, {100, 34, 20, 300, 800}};
+  check_agreement(volume, setting);
+  int fragments = 0;
+  for (const Told& told : events_of<uint16_t, NoNormals>(volume, setting))
+    fragments += told.is(Event::Kind::fragment);
+  CHECK(fragments > 1000);
+}
+
+TEST_CASE("a scan that begins anew knows nothing of the one before") {
+  const SampleVolume<uint8_t> before = clouds<uint8_t>({11, 9, 3}, 1);
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>({7, 5, 6}, 2);
+  const Setting setting{128, Border::closed, ample(before.size)};
+  const Limits larger{before.size.width, before.size.height};
+  const Limits limits{volume.size.width, volume.size.height};
+  using Normals = WithNormals<uint8_t>;
+  Block block(bytes_for<uint16_t, Normals>(larger, setting.capacities));
+  Log log;
+  Extractor<uint16_t, Normals> extractor;
+  extractor.set_spacing(uneven_spacing);
+  require_ok(
+      extractor.start(larger, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  require_ok(extractor.push(before.samples.data(), 25 * 11 + 3).status);  // breaks off in a row
+  log.events.clear();
+  require_ok(
+      extractor.start(limits, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  push_all(extractor, volume.samples, setting.chunk);
+  finish_all(extractor);
+  CHECK(log.events == events_of<uint16_t, Normals>(volume, setting));
+}
+
 TEST_CASE("thresholds that all or no samples reach") {
   const Size size{5, 4, 3};
   for (const int32_t threshold : {INT32_MIN, -1, 0, 1, 255, 256, INT32_MAX})
@@ -152,34 +187,40 @@ TEST_CASE("every corner of a ball's polygons has a normal that points outside") 
 namespace {
 
 enum class Ending : uint8_t { finish, abandon };
+enum class Row : uint8_t { given, off, repeated };
 
-// Gives the samples row by row, leaves some out, and ends in the middle of one when abandoning.
+std::vector<Row> some_rows(uint32_t count, Chance& chance) {
+  std::vector<Row> rows;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t kind = chance.below(6);
+    rows.push_back(kind == 0 ? Row::off : kind == 1 ? Row::repeated : Row::given);
+  }
+  return rows;
+}
+
+// Gives the rows that are given, leaves the others out, and ends in the middle of the next when
+// abandoning.
 template <class Normals>
-Events events_with_gaps(const SampleVolume<uint8_t>& volume, int32_t threshold, uint64_t seed,
-                        Ending ending) {
+Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<Row>& rows,
+                        int32_t threshold, Ending ending, uint32_t part = 0) {
   const Limits limits{volume.size.width, volume.size.height};
   const Capacities capacities = worst_case_capacities(limits);
   Block block(bytes_for<uint16_t, Normals>(limits, capacities));
   Log log;
   Extractor<uint16_t, Normals> extractor;
+  if constexpr (Normals::hold_samples) extractor.set_spacing(uneven_spacing);
   require_ok(extractor.start(limits, capacities, threshold, block.memory(), sink_to(log)));
-  Chance chance(seed);
-  const uint32_t rows = volume.size.height * volume.size.depth;
-  const uint32_t given = ending == Ending::abandon ? chance.below(rows) : rows;
-  for (uint32_t row = 0; row < given; ++row) {
+  const uint8_t* samples = volume.samples.data();
+  for (uint32_t row = 0; row < rows.size(); ++row, samples += volume.size.width) {
     REQUIRE(extractor.slices() == row / volume.size.height);
     REQUIRE(extractor.rows() == row % volume.size.height);
-    const uint32_t kind = chance.below(6);
-    const uint8_t* const samples = volume.samples.data() + size_t{row} * volume.size.width;
-    if (kind < 2)
-      require_ok(extractor.skip_row(kind == 0 ? Substitute::off : Substitute::previous_row).status);
-    else
-      require_ok(extractor.push(samples, volume.size.width).status);
+    const Pushed pushed = rows[row] == Row::given ? extractor.push(samples, volume.size.width)
+                          : rows[row] == Row::off ? extractor.skip_row(Substitute::off)
+                                                  : extractor.skip_row(Substitute::previous_row);
+    require_ok(pushed.status);
   }
   if (ending == Ending::abandon) {
-    const uint32_t part = chance.below(volume.size.width);
-    require_ok(
-        extractor.push(volume.samples.data() + size_t{given} * volume.size.width, part).status);
+    require_ok(extractor.push(samples, part).status);
     if (part > 0) {
       REQUIRE(extractor.skip_row(Substitute::off).status == Status::row_in_progress);
       REQUIRE(extractor.finish() == Status::slice_in_progress);
@@ -193,6 +234,21 @@ Events events_with_gaps(const SampleVolume<uint8_t>& volume, int32_t threshold, 
   return log.events;
 }
 
+// The volume as a scan sees it that lacks some rows: others stand in for them, or they are `off`.
+SampleVolume<uint8_t> with_gaps(SampleVolume<uint8_t> volume, const std::vector<Row>& rows,
+                                uint8_t off) {
+  const auto width = static_cast<std::ptrdiff_t>(volume.size.width);
+  auto samples = volume.samples.begin();
+  for (size_t row = 0; row < rows.size(); ++row, samples += width) {
+    if (rows[row] == Row::given) continue;
+    if (rows[row] == Row::repeated && row > 0)
+      std::copy(samples - width, samples, samples);
+    else
+      std::fill(samples, samples + width, off);
+  }
+  return volume;
+}
+
 }  // namespace
 
 TEST_CASE("rows that are skipped, and slices that break off, are told as without normals") {
@@ -200,18 +256,42 @@ TEST_CASE("rows that are skipped, and slices that break off, are told as without
     const Size size{1 + static_cast<uint32_t>(seed % 7), 1 + static_cast<uint32_t>(seed % 5),
                     1 + static_cast<uint32_t>(seed % 6)};
     const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
+    Chance chance(seed);
+    const uint32_t all = size.height * size.depth;
     for (const Ending ending : {Ending::finish, Ending::abandon})
       for (const int32_t threshold : {0, 128, 300}) {
-        const Events plain = events_with_gaps<NoNormals>(volume, threshold, seed, ending);
+        const bool is_broken = ending == Ending::abandon;
+        const std::vector<Row> rows = some_rows(is_broken ? chance.below(all) : all, chance);
+        const uint32_t part = is_broken ? chance.below(size.width) : 0;
+        const Events plain = events_with_gaps<NoNormals>(volume, rows, threshold, ending, part);
         const Events events =
-            events_with_gaps<WithNormals<uint8_t>>(volume, threshold, seed, ending);
+            events_with_gaps<WithNormals<uint8_t>>(volume, rows, threshold, ending, part);
         REQUIRE(without_normals(events) == plain);
       }
   }
 }
 
+TEST_CASE(
+    "where rows are skipped, normals are those of the rows that stand in, or of rows just off") {
+  const Size size{5, 4, 6};
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
+    Chance chance(seed);
+    const std::vector<Row> rows = some_rows(size.height * size.depth, chance);
+    for (const int32_t threshold : {-1, 0, 1, 128}) {
+      const auto off = static_cast<uint8_t>(std::max(threshold - 1, 0));
+      const SampleVolume<uint8_t> seen = with_gaps(volume, rows, off);
+      const Events events =
+          events_with_gaps<WithNormals<uint8_t>>(volume, rows, threshold, Ending::finish);
+      for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal) {
+        REQUIRE(normal == reference_normal(seen, vertex));
+      });
+    }
+  }
+}
+
 TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is just off") {
-  const Size size{5, 4, 3};
+  const Size size{4, 3, 5};
   const Limits limits{size.width, size.height};
   const int32_t threshold = 100;
   // So that every cell tells its normals when it is swept, and not when its neighbours are.

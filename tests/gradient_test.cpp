@@ -90,10 +90,15 @@ TEST_CASE("a window covers a vertex until its slices have passed") {
   SampleWindow<uint8_t> window;
   REQUIRE(window.start(limits, block.memory()) == Status::ok);
   const uint8_t slice[2] = {1, 2};
-  const Vertex vertex{0, 0, 5};  // between slices 2 and 3: takes 1 to 4
+  const Vertex between{0, 0, 5};  // slices 2 and 3: takes 1 to 4
+  const Vertex within{1, 0, 4};   // slice 2: takes 1 to 3
+  const Vertex lowest{1, 0, 0};   // takes 0 and 1
   for (int slices = 1; slices <= 6; ++slices) {
     REQUIRE(window.push(slice, 2) == Status::ok);
-    CHECK(window.covers(vertex) == (slices == 5));
+    CHECK(window.covers(between) == (slices == 5));
+    CHECK(window.covers(within) == (slices == 4 || slices == 5));
+    CHECK(window.covers(lowest) == (slices >= 2 && slices <= 4));
+    CHECK(window.covers({0, 0, -1}) == (slices >= 2));  // outside: takes none
   }
   REQUIRE(window.push(slice, 1) == Status::ok);  // overwrites slice 2
   CHECK(!window.covers({0, 0, 7}));
@@ -109,6 +114,7 @@ TEST_CASE("rows of a slice that breaks off count where they are there") {
   REQUIRE(window.push(samples, 10) == Status::ok);
   CHECK(!window.covers({1, 0, 2}));
   window.end();
+  CHECK(window.downhill({1, 0, 4}).z == -2 * 2 * (70 - 20));  // one-sided: nothing above
   CHECK(window.downhill({1, 0, 2}).z == -2 * (70 - 10));      // central
   CHECK(window.downhill({1, 2, 2}).z == -2 * 2 * (20 - 10));  // one-sided: nothing above
   CHECK(window.covers({1, 0, 8}));
@@ -125,6 +131,21 @@ TEST_CASE("a row is enough for a slice to be gone") {
   CHECK(window.covers({0, 0, 3}));  // takes slices 0 to 3
   REQUIRE(window.push(samples, 1) == Status::ok);
   CHECK(!window.covers({0, 0, 3}));
+  CHECK(window.covers({0, 1, 4}));  // takes 1 to 3
+}
+
+TEST_CASE("a window that has ended is started again for another pass") {
+  const Limits limits{2, 1};
+  Block block(SampleWindow<uint8_t>::bytes_for(limits));
+  SampleWindow<uint8_t> window;
+  const uint8_t slice[2] = {1, 2};
+  for (int pass = 0; pass < 2; ++pass) {
+    REQUIRE(window.start(limits, block.memory()) == Status::ok);
+    REQUIRE(window.push(slice, 2) == Status::ok);
+    CHECK(!window.covers({1, 0, 0}));
+    window.end();
+    CHECK(window.covers({1, 0, 0}));
+  }
 }
 
 TEST_CASE("samples may lie apart") {

@@ -20,7 +20,7 @@ struct Side {
   OctahedralNormal normal;
 };
 
-//// Puts spilled fragments back and calls visit(incidence, vertex, normal) where a run starts.
+/// Puts spilled fragments back and calls visit(vertex, normal) where a run or a stand-in starts.
 template <class Visit>
 void for_each_start(const Events& events, Visit visit) {
   std::map<uint32_t, std::vector<Side>> fragments;
@@ -33,13 +33,13 @@ void for_each_start(const Events& events, Visit visit) {
     while (!waiting.empty()) {
       const Side side = waiting.back();
       waiting.pop_back();
+      visit(vertex, side.normal);
       if (side.run.is_fragment()) {
         std::vector<Side> inside = fragments.at(side.run.fragment_number());
         if (inside.front().normal.is_none()) inside.front().normal = side.normal;
         waiting.insert(waiting.end(), inside.rbegin(), inside.rend());
         continue;
       }
-      visit(vertex, side.normal);
       const Vertex step = direction_vector(incidence, side.run.direction());
       for (uint32_t i = 0; i < side.run.length(); ++i) vertex = vertex + step;
     }

@@ -5,7 +5,7 @@
 #include <discmc/gradient_normals.hpp>
 #include <discmc/record_encoding.hpp>
 
-#include "stream.hpp"
+#include "stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -36,29 +36,58 @@ Events pressed(const BitVolume& volume) {
   return events_of(volume, {200, 60, 20, 300, 400}, {});
 }
 
-// Regions of one ring with 2 to 200 runs, which go on to and fro: whole, or in parts.
+// A run of a ring that goes on to and fro.
+Run run_to_and_fro(uint32_t i) {
+  return Run::straight(static_cast<Direction>(4 * (i % 2)), 1 + i / 2 % 5);
+}
+
+void add_region(Script& script, uint32_t runs) {
+  script.region(up).ring({1, 0, 0});
+  for (uint32_t i = 0; i < runs; ++i) script.run(run_to_and_fro(i));
+  script.region_end();
+}
+
+// Regions of one ring with 2 to 200 runs: whole, or in parts.
 Events long_rings() {
-  Events events;
-  for (uint32_t pairs = 1; pairs <= 100; pairs += 3) {
-    Event event{};
-    event.incidence = incidence_of({0, 0, 1});
-    event.kind = Kind::region;
-    events.emplace_back(event);
-    event.kind = Kind::ring;
-    event.start = {1, 0, 0};
-    events.emplace_back(event);
-    event.kind = Kind::run;
-    for (uint32_t i = 0; i < 2 * pairs; ++i) {
-      event.run = Run::straight(static_cast<Direction>(4 * (i % 2)), 1 + i / 2 % 5);
-      events.emplace_back(event);
-    }
-    event.kind = Kind::region_end;
-    events.emplace_back(event);
-  }
-  return events;
+  Script script;
+  for (uint32_t runs = 2; runs <= 200; runs += 6) add_region(script, runs);
+  return script.events;
 }
 
 const OctahedralNormal none{0, 0};
+
+// ---- payloads by hand ----
+
+void add_region(Payload& payload, uint32_t runs = 2) {
+  Record record;
+  record.begin(up);
+  record.add_ring({1, 0, 0});
+  for (uint32_t i = 0; i < runs; ++i) record.add_run(run_to_and_fro(i));
+  record.is_last = true;
+  REQUIRE(encode_region(payload.model, record));
+}
+
+// `lacking`: the bytes at its end that are promised and not there.
+void add_normals(Payload& payload, uint32_t type, const Bytes& bytes, uint32_t lacking = 0) {
+  encode_kind(payload.model, OtherKind::extension);
+  payload.model.plain_bits(8, type);
+  payload.model.plain_bits(8, static_cast<uint32_t>(bytes.size()) + lacking);
+  for (const uint8_t byte : bytes) payload.model.plain_bits(8, byte);
+}
+
+using List = std::vector<std::vector<int>>;
+
+// Of the runs in packets of records with these payloads.
+List normals_of(const std::vector<Bytes>& payloads) {
+  Bytes stream = frames_of(encode({}))[0];
+  uint8_t number = 0;
+  for (const Bytes& payload : payloads)
+    for (const uint8_t byte : frame_of({2, ++number, 0, payload})) stream.push_back(byte);
+  List normals;
+  for (const Told& told : decode(stream).events)
+    if (told.is(Kind::run)) normals.push_back({told.event().normal.u, told.event().normal.v});
+  return normals;
+}
 
 }  // namespace
 
@@ -106,52 +135,21 @@ TEST_CASE("an encoder without normals leaves them out, and nothing else") {
 }
 
 TEST_CASE("a normal belongs to the record after it and to no other") {
-  Event event{};
-  event.incidence = incidence_of({0, 0, 1});
-  const auto add_region = [&](Payload& payload) {
-    Record record;
-    record.begin(event.incidence);
-    record.add_ring({1, 0, 0});
-    record.add_run(Run::straight(0, 1));
-    record.add_run(Run::straight(4, 1));
-    record.is_last = true;
-    REQUIRE(encode_region(payload.model, record));
-  };
-  const auto add_normals = [](Payload& payload, uint32_t type, const Bytes& bytes) {
-    payload.model.region_follows(false);
-    payload.model.other_kind(OtherKind::extension);
-    payload.model.plain_bits(8, type);
-    payload.model.plain_bits(8, static_cast<uint32_t>(bytes.size()));
-    for (const uint8_t byte : bytes) payload.model.plain_bits(8, byte);
-  };
-  const auto normals_of = [&](Payload& payload) {
-    std::vector<std::vector<int>> normals;
-    const Packet records{2, 1, 0, payload.finish()};
-    Bytes stream = frames_of(encode({}))[0];
-    for (const uint8_t byte : frame_of(records)) stream.push_back(byte);
-    for (const Told& told : decode(stream).events)
-      if (told.is(Kind::run)) normals.push_back({told.event().normal.u, told.event().normal.v});
-    return normals;
-  };
-  using List = std::vector<std::vector<int>>;
+  Payload payload;
   SUBCASE("told, then two regions") {
-    Payload payload;
     add_normals(payload, 1, {5, 6});  // differences of no bits
     add_region(payload);
     add_region(payload);
-    CHECK(normals_of(payload) == List{{5, 6}, {5, 6}, {0, 0}, {0, 0}});
+    CHECK(normals_of({payload.finish()}) == List{{5, 6}, {5, 6}, {0, 0}, {0, 0}});
   }
   SUBCASE("a layer mark comes between") {
-    Payload payload;
     add_normals(payload, 1, {5, 6});
-    payload.model.region_follows(false);
-    payload.model.other_kind(OtherKind::layer);
+    encode_kind(payload.model, OtherKind::layer);
     payload.model.layer(3);
     add_region(payload);
-    CHECK(normals_of(payload) == List{{0, 0}, {0, 0}});
+    CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});
   }
   SUBCASE("fewer than the region has runs, and an extension of another type") {
-    Payload payload;
     add_normals(payload, 9, {5, 6});
     add_region(payload);
     add_normals(payload, 10, {1, 2, 3});
@@ -160,27 +158,70 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
     add_region(payload);
     add_normals(payload, 3, {});
     add_region(payload);
-    CHECK(normals_of(payload) ==
+    CHECK(normals_of({payload.finish()}) ==
           List{{5, 6}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}});
   }
   SUBCASE("differences of four bits, and more of them than runs") {
-    Payload payload;
     add_normals(payload, 5, {100, 100, 0x21, 0xFF, 0xFF});  // +1 -1, then what no run has
     add_region(payload);
-    CHECK(normals_of(payload) == List{{100, 100}, {101, 99}});
+    CHECK(normals_of({payload.finish()}) == List{{100, 100}, {101, 99}});
   }
   SUBCASE("none, whatever its second byte") {
-    Payload payload;
     add_normals(payload, 1, {0, 6});
     add_region(payload);
-    CHECK(normals_of(payload) == List{{0, 0}, {0, 0}});
+    CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});
   }
   SUBCASE("more than a record has runs") {
-    Payload payload;
-    add_normals(payload, 2, Bytes(200, 0xFF));
+    Bytes bytes(200, 0xFF);
+    bytes[0] = bytes[1] = 96;  // one less in each, so that the first that is too many is none
+    add_normals(payload, 2, bytes);
     add_region(payload);
-    CHECK(normals_of(payload) == List{{255, 255}, {254, 254}});
+    CHECK(normals_of({payload.finish()}) == List{{96, 96}, {95, 95}});
   }
+  SUBCASE("too few bytes for the first") {
+    add_normals(payload, 3, {0xFF});
+    add_region(payload);
+    CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});
+  }
+  SUBCASE("told twice: the latter holds") {
+    add_normals(payload, 1, {1, 2});
+    add_normals(payload, 1, {5, 6});
+    add_region(payload);
+    CHECK(normals_of({payload.finish()}) == List{{5, 6}, {5, 6}});
+  }
+  SUBCASE("the packet ends before the record") {
+    Payload broken;
+    add_normals(broken, 1, {5, 6}, 200);
+    add_region(payload);
+    CHECK(normals_of({broken.close(), payload.finish()}) == List{{0, 0}, {0, 0}});
+  }
+}
+
+TEST_CASE("normals take as few bits as their largest difference, and no byte more") {
+  Script script;
+  Payload payload;
+  std::vector<OctahedralNormal> normals;
+  const auto add = [&](const std::vector<OctahedralNormal>& told, uint32_t type,
+                       const Bytes& bytes) {
+    const auto runs = static_cast<uint32_t>(told.size());
+    normals.insert(normals.end(), told.begin(), told.end());
+    add_region(script, runs);
+    add_normals(payload, type, bytes);
+    add_region(payload, runs);
+  };
+  add({{9, 8}, {9, 8}, {9, 8}, {9, 8}}, 1, {9, 8});
+  add({{100, 100}, {101, 99}}, 3, {100, 100, 0x90});  // +1 -1, and zeros
+  add({{100, 100}, {105, 98}}, 5, {100, 100, 0xA3});  // +5 -2
+  const Events told = with_normals(script.events, [&](uint32_t run) { return normals[run]; });
+  CHECK(packet_of(frames_of(encode_normals(told))[1]).payload == payload.finish());
+}
+
+TEST_CASE("normals come through in records that no packet holds") {
+  Chance chance(13);
+  const Events told = with_normals(monstrous_events(), [&](uint32_t) {
+    return OctahedralNormal{static_cast<uint8_t>(1 + chance.below(255)), chance.byte()};
+  });
+  CHECK(decode(encode_normals(told)).events == told);
 }
 
 TEST_CASE("a stream of an extractor with normals comes through, spills and all") {

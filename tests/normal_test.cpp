@@ -108,6 +108,15 @@ TEST_CASE("an octahedral normal is at most 0.96 degrees from its direction, half
   CHECK(angles[angles.size() / 2] < 0.33);
 }
 
+TEST_CASE(
+    "the rim of the octahedron is of its upper half, and the lowest corner is folded to one") {
+  CHECK(octahedral_normal({0, 0, 1}) == OctahedralNormal{128, 128});
+  CHECK(octahedral_normal({1, 0, 0}) == OctahedralNormal{255, 128});
+  CHECK(octahedral_normal({1, 1, 0}) == OctahedralNormal{192, 192});  // folded it would be 191
+  CHECK(octahedral_normal({-1, -1, 0}) == OctahedralNormal{64, 64});
+  CHECK(octahedral_normal({0, 0, -1}) == OctahedralNormal{255, 255});
+}
+
 TEST_CASE("every octahedral normal stands for a unit vector, and comes back") {
   for (int u = 1; u < 256; ++u)
     for (int v = 1; v < 256; ++v) {
@@ -157,7 +166,7 @@ TEST_CASE("the extreme spacings and vectors do not overflow") {
   CHECK(even.x > 0);
   const AxisWeights steep = axis_weights({1, least, most});
   CHECK(steep.x > 0);
-  CHECK(steep.y < 0);
+  CHECK(steep.y == -1);  // rounded it would be 0
   CHECK(unit_normal(weighted({0, 1, 0}, steep)) == UnitNormal{0, -16384, 0});
   CHECK(unit_normal(weighted({1, 1, 1}, steep)) == UnitNormal{16384, 0, 0});
   const AxisWeights mirrored = axis_weights({-5, 5, 5});
@@ -165,10 +174,44 @@ TEST_CASE("the extreme spacings and vectors do not overflow") {
   CHECK(unit_normal(weighted({INT64_MIN, 0, 0}, mirrored)) == UnitNormal{16384, 0, 0});
 }
 
+TEST_CASE("weights are rounded to the nearest, up to the next power of two") {
+  const AxisWeights halves = axis_weights({1, 65537, 65534});  // quarters of the products
+  CHECK(halves.y == 65534 / 4 + 1);
+  CHECK(halves.z == 65537 / 4);
+  CHECK(axis_weights({1, 65537, 65535}).x == 1 << 30);  // the product is 2^32 - 1
+}
+
+TEST_CASE("a vector below 2^31 is weighted exactly") {
+  const auto check = [](const LongVector& v, const AxisWeights& weights) {
+    const LongVector product = weighted(v, weights);
+    CHECK(product.x == v.x * weights.x);
+    CHECK(product.y == v.y * weights.y);
+    CHECK(product.z == v.z * weights.z);
+  };
+  check({3, -4, 5}, {});
+  check({INT32_MAX, 1, -INT32_MAX}, {INT32_MAX, -INT32_MAX, INT32_MAX});
+}
+
 TEST_CASE("where a spacing is not known voxels are cubes") {
   const int32_t spacings[][3] = {{0, 7, 9}, {7, 0, 9}, {7, 9, 0}};
   for (const auto& spacing : spacings)
-    CHECK(unit_normal(weighted({3, 4, 0}, axis_weights(spacing))) == unit_normal({3, 4, 0}));
+    CHECK(unit_normal(weighted({3, 4, 5}, axis_weights(spacing))) == unit_normal({3, 4, 5}));
+}
+
+TEST_CASE("vectors add up, and normals differ, by their components") {
+  const LongVector sum = LongVector{1, 2, 3} + LongVector{10, 200, 3000};
+  CHECK(sum.x == 11);
+  CHECK(sum.y == 202);
+  CHECK(sum.z == 3003);
+  const UnitNormal unit{1, 2, 3};
+  CHECK(unit == UnitNormal{1, 2, 3});
+  for (const UnitNormal other : {UnitNormal{0, 2, 3}, UnitNormal{1, 0, 3}, UnitNormal{1, 2, 0}})
+    CHECK(unit != other);
+  const OctahedralNormal octahedral{1, 2};
+  CHECK(octahedral == OctahedralNormal{1, 2});
+  CHECK(!(octahedral != OctahedralNormal{1, 2}));
+  for (const OctahedralNormal other : {OctahedralNormal{0, 2}, OctahedralNormal{1, 0}})
+    CHECK(!(octahedral == other));
 }
 
 TEST_CASE("the area vectors of a closed surface cancel each other") {

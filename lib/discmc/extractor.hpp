@@ -138,7 +138,7 @@ class Extractor {
   template <class Sample>
   void take(const Sample* samples, uint32_t count, uint32_t stride);
   void pass_on();
-  void end_row(bool is_skipped, bool is_repeated);
+  void note_skipped(bool is_repeated);
   bool work();
   bool sweep_ready_rows();
   bool sweep_row();

@@ -107,7 +107,8 @@ Pushed Extractor<Index, Normals>::skip_row(Substitute substitute) {
       rows_.repeat();
     else
       rows_.fill_off();
-    end_row(true, is_repeated);
+    rows_.next_row();
+    note_skipped(is_repeated);
   }
   return {resume(), limits_.width};
 }
@@ -149,11 +150,9 @@ void Extractor<Index, Normals>::take(const Sample* samples, uint32_t count, uint
   }
 }
 
-// A row of bits is complete; `is_skipped` when its samples never came.
+// The samples of the last row of bits never came.
 template <class Index, class Normals>
-void Extractor<Index, Normals>::end_row(bool is_skipped, bool is_repeated) {
-  rows_.next_row();
-  if (!is_skipped) return;
+void Extractor<Index, Normals>::note_skipped(bool is_repeated) {
   skip_repeated_ = is_repeated;
   skip_untold_ = true;
   ++statistics_.skipped_rows;
@@ -163,10 +162,9 @@ void Extractor<Index, Normals>::end_row(bool is_skipped, bool is_repeated) {
 template <class Index, class Normals>
 void Extractor<Index, Normals>::pass_on() {
   if constexpr (Normals::hold_samples) {
-    bool is_skipped = false;
-    bool is_repeated = false;
-    merge_.normals().pass_on(rows_, threshold_, is_skipped, is_repeated);
-    end_row(is_skipped, is_repeated);
+    const auto row = merge_.normals().pass_on(rows_, threshold_);
+    rows_.next_row();
+    if (row.is_skipped) note_skipped(row.is_repeated);
   }
 }
 
@@ -235,7 +233,7 @@ void Extractor<Index, Normals>::add_last_row() {
     if (!is_slice_begun || merge_.normals().has_due_row()) pass_on();
   } else {
     rows_.fill_off();
-    end_row(false, false);
+    rows_.next_row();
   }
 }
 

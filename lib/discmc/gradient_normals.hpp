@@ -80,18 +80,21 @@ class GradientNormals {
   /// Whether the row that has waited longest has waited for a whole slice.
   bool has_due_row() const { return waiting_ > height_; }
 
-  /// Makes bits of the row that has waited longest. `skipped` tells whether it never came, and
-  /// `repeated` whether the row before stands in for it. Limit: has_rows().
-  void pass_on(BitRows& bits, int32_t threshold, bool& skipped, bool& repeated) {
+  struct PassedRow {
+    bool is_skipped;   ///< it never came
+    bool is_repeated;  ///< the row before stands in for it
+  };
+  /// Makes bits of the row that has waited longest. Limit: has_rows().
+  PassedRow pass_on(BitRows& bits, int32_t threshold) {
     const uint16_t given = given_[samples_.place_before(waiting_)];
-    skipped = given >= skipped_off;
-    repeated = given == skipped_repeated;
-    if (!skipped) bits.append(samples_.row_before(waiting_), given, 1, threshold);
-    if (repeated)
+    const PassedRow row{given >= skipped_off, given == skipped_repeated};
+    if (!row.is_skipped) bits.append(samples_.row_before(waiting_), given, 1, threshold);
+    if (row.is_repeated)
       bits.repeat();
-    else if (!bits.row_is_complete())
+    else
       bits.fill_off();
     --waiting_;
+    return row;
   }
 
   /// Says where two links meet, and what the normal is there.
@@ -116,13 +119,11 @@ class GradientNormals {
   }
 
   // What samples that never came are for the gradient: just off, where the type has such a value.
+  // Above all its values nothing is on, and no one asks for a normal.
   static Sample off_below(int32_t threshold) {
     constexpr bool is_signed = static_cast<Sample>(-1) < 0;
-    constexpr int32_t half = 1 << (8 * sizeof(Sample) - 1);
-    constexpr int32_t least = is_signed ? -half : 0;
-    constexpr int32_t most = least + 2 * half - 1;
-    if (threshold <= least) return static_cast<Sample>(least);
-    return static_cast<Sample>(threshold > most ? most : threshold - 1);
+    constexpr int32_t least = is_signed ? -(1 << (8 * sizeof(Sample) - 1)) : 0;
+    return static_cast<Sample>(threshold > least ? threshold - 1 : least);
   }
 
   AxisWeights weights_;

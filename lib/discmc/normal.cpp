@@ -8,10 +8,9 @@ constexpr uint64_t magnitude(int64_t value) {
   return value < 0 ? 0 - static_cast<uint64_t>(value) : static_cast<uint64_t>(value);
 }
 
-// The bits that the largest component needs.
+// The bits that the largest component needs, at least one.
 int bits_of(const LongVector& v) {
-  const uint64_t together = magnitude(v.x) | magnitude(v.y) | magnitude(v.z);
-  return together == 0 ? 0 : 64 - __builtin_clzll(together);
+  return 64 - __builtin_clzll(magnitude(v.x) | magnitude(v.y) | magnitude(v.z) | 1);
 }
 
 // A half is rounded away from zero, so that opposite vectors stay opposite.
@@ -73,9 +72,8 @@ AxisWeights axis_weights(const int32_t (&spacing)[3]) {
   const auto product = [&](int a, int b) {
     return static_cast<int64_t>(magnitude(spacing[a]) * magnitude(spacing[b]));
   };
-  LongVector weight = {product(1, 2), product(2, 0), product(0, 1)};
-  const int excess = bits_of(weight) - 30;
-  if (excess > 0) weight = shifted(weight, -excess);
+  const LongVector products = {product(1, 2), product(2, 0), product(0, 1)};
+  const LongVector weight = shifted(products, 30 - bits_of(products));
   // Never 0, which would lose a normal along the axis.
   const auto signed_as = [](int32_t value, int64_t size) {
     const int64_t some = size > 0 ? size : 1;

@@ -48,10 +48,10 @@ void SampleRows<Sample>::next_row() {
 
 template <class Sample>
 LongVector SampleRows<Sample>::downhill(const Vertex& vertex) const {
-  if (vertex.x < 0 || vertex.y < 0 || vertex.z < 0) return {0, 0, 0};
-  const uint32_t x = static_cast<uint32_t>(vertex.x), last_x = (x + 1) / 2;
-  const uint32_t y = static_cast<uint32_t>(vertex.y), last_y = (y + 1) / 2;
-  const uint32_t z = static_cast<uint32_t>(vertex.z), last_z = (z + 1) / 2;
+  // What is negative is then far beyond the volume.
+  const uint32_t x = static_cast<uint32_t>(vertex.x), last_x = x / 2 + x % 2;
+  const uint32_t y = static_cast<uint32_t>(vertex.y), last_y = y / 2 + y % 2;
+  const uint32_t z = static_cast<uint32_t>(vertex.z), last_z = z / 2 + z % 2;
   if (last_x >= width_ || last_y >= height_ || !has_row(last_y, last_z)) return {0, 0, 0};
   Slope slope{0, 0, 0};
   for (uint32_t k = z / 2; k <= last_z; ++k)

@@ -49,13 +49,13 @@ class SampleWindow {
   [[nodiscard]] Status push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     if (width_ == 0) return Status::not_started;
     if (is_ended_) return Status::finished;
-    while (count > 0) {
+    for (uint32_t done = 0; done < count;) {
       const uint32_t room = width_ - rows_.column();
-      const uint32_t taken = count < room ? count : room;
-      rows_.append(samples, taken, stride);
+      const uint32_t left = count - done;
+      const uint32_t taken = left < room ? left : room;
+      rows_.append(samples + size_t{done} * stride, taken, stride);
       if (rows_.row_is_complete()) rows_.next_row();
-      count -= taken;
-      if (count > 0) samples += size_t{taken} * stride;
+      done += taken;
     }
     return Status::ok;
   }
@@ -67,12 +67,12 @@ class SampleWindow {
   /// on either side, all that the volume has are held. True of vertices outside the volume below,
   /// and of those above after end(). Of a vertex whose slices have passed it stays false.
   bool covers(const Vertex& vertex) const {
-    const int64_t below = vertex.z / 2 - 1;
+    const int64_t below = vertex.z < 4 ? 0 : vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;
     const int64_t slices = rows_.slices();
     const bool is_within_slice = rows_.rows() > 0 || rows_.column() > 0;
     const int64_t first_held = slices - slices_held + (is_within_slice ? 1 : 0);
-    return (below < 0 || below >= first_held) && (is_ended_ || above < slices);
+    return (vertex.z < 0 || below >= first_held) && (is_ended_ || above < slices);
   }
 
   /// As SampleRows::downhill(). Limit: covers(vertex).
