@@ -86,6 +86,11 @@ TEST_CASE("axes are exact, and opposite directions have opposite normals") {
   }
 }
 
+TEST_CASE("vectors of one direction have one normal, twice as long or not") {
+  CHECK(unit_normal(LongVector{1, 1, 1}) == unit_normal(LongVector{2, 2, 2}));
+  CHECK(unit_normal(LongVector{1, -2, 3}) == unit_normal(LongVector{1 << 20, -(1 << 21), 3 << 20}));
+}
+
 TEST_CASE("a vector of no length has no normal") {
   CHECK(unit_normal(LongVector{0, 0, 0}) == UnitNormal{0, 0, 0});
   CHECK(octahedral_normal({0, 0, 0}).is_none());

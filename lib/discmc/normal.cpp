@@ -8,9 +8,10 @@ constexpr uint64_t magnitude(int64_t value) {
   return value < 0 ? 0 - static_cast<uint64_t>(value) : static_cast<uint64_t>(value);
 }
 
-// The bits that the largest component needs, at least one.
+// The bits that the largest component needs.
 int bits_of(const LongVector& v) {
-  return 64 - __builtin_clzll(magnitude(v.x) | magnitude(v.y) | magnitude(v.z) | 1);
+  const uint64_t together = magnitude(v.x) | magnitude(v.y) | magnitude(v.z);
+  return together == 0 ? 0 : 64 - __builtin_clzll(together);
 }
 
 // A half is rounded away from zero, so that opposite vectors stay opposite.
@@ -23,7 +24,9 @@ int64_t shifted(int64_t value, int left) {
   return left >= 0 ? value * (int64_t{1} << left) : shifted_right(value, -left);
 }
 
-LongVector shifted(const LongVector& v, int left) {
+// The vector at a length whose largest component takes so many bits; rounded it may be one above.
+LongVector scaled(const LongVector& v, int bits) {
+  const int left = bits - bits_of(v);
   return {shifted(v.x, left), shifted(v.y, left), shifted(v.z, left)};
 }
 
@@ -33,7 +36,7 @@ struct ShortVector {
 };
 
 ShortVector shortened(const LongVector& v) {
-  const LongVector s = shifted(v, 15 - bits_of(v));
+  const LongVector s = scaled(v, 15);
   return {static_cast<int32_t>(s.x), static_cast<int32_t>(s.y), static_cast<int32_t>(s.z)};
 }
 
@@ -73,7 +76,7 @@ AxisWeights axis_weights(const int32_t (&spacing)[3]) {
     return static_cast<int64_t>(magnitude(spacing[a]) * magnitude(spacing[b]));
   };
   const LongVector products = {product(1, 2), product(2, 0), product(0, 1)};
-  const LongVector weight = shifted(products, 30 - bits_of(products));
+  const LongVector weight = scaled(products, 30);
   // Never 0, which would lose a normal along the axis.
   const auto signed_as = [](int32_t value, int64_t size) {
     const int64_t some = size > 0 ? size : 1;
@@ -84,8 +87,7 @@ AxisWeights axis_weights(const int32_t (&spacing)[3]) {
 }
 
 LongVector weighted(const LongVector& vector, const AxisWeights& weights) {
-  const int excess = bits_of(vector) - 31;
-  const LongVector v = excess > 0 ? shifted(vector, -excess) : vector;
+  const LongVector v = bits_of(vector) > 31 ? scaled(vector, 31) : vector;
   return {v.x * weights.x, v.y * weights.y, v.z * weights.z};
 }
 
