@@ -94,7 +94,7 @@ class Decoder {
   StreamHeader header_;
   StreamReport report_;
   bool is_started_ = false;
-  bool is_refused_ = false;  // by its version
+  bool is_refused_ = false;      // by its version
   uint64_t regions_passed_ = 0;  // complete regions sent before now, lost ones included
   bool gap_is_noted_ = true;     // since the last header; what came before the start is a gap
 

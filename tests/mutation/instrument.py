@@ -41,7 +41,7 @@ class Mutant:
     site: int  # the first mutant of the same operator: what the program tells to be reached
     file: str
     line: int
-    source: str  # the text of the line
+    source: str  # the line without its comment, spaces as one
     change: str
     constant: bool  # in a constexpr function: what is evaluated by the compiler is never mutated
 
@@ -84,7 +84,8 @@ class Instrumenter:
 
     def mutant(self, offset, change, constant, site=None):
         line = self.text.count('\n', 0, offset) + 1
-        source = self.text.splitlines()[line - 1].strip()
+        code = self.text.splitlines()[line - 1].partition('//')[0]
+        source = ' '.join(code.split())
         number = self.take_id()
         self.mutants.append(
             Mutant(number, site or number, self.file, line, source, change, constant))

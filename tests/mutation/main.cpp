@@ -2,7 +2,8 @@
 // (MUTANT=17), and where to write how long it took and the numbers of those that were
 // evaluated (MUTANTS_REACHED=file).
 #define DOCTEST_CONFIG_IMPLEMENT
-// A mutant that crashes is to die at once: doctest's handler may wait for ever for a lock of malloc.
+// A mutant that crashes is to die at once: doctest's handler may wait for ever for a lock of
+// malloc.
 #define DOCTEST_CONFIG_NO_POSIX_SIGNALS
 #include <doctest/doctest.h>
 #include <stdio.h>
