@@ -270,8 +270,10 @@ class Scan {
 };
 
 // Scans a volume. The events are `expected`, where that is not 0 as before the first scan.
+// By itself, as all scans in one function take more stack than the smallest board has.
 template <class Index, class Sample, class Normals = NoNormals>
-bool scan(Volume volume, const Limits& limits, const Setting& setting, uint64_t& expected) {
+[[gnu::noinline]] bool scan(Volume volume, const Limits& limits, const Setting& setting,
+                            uint64_t& expected) {
   static Scan<Index, Sample, Normals> scan;
   if (!scan.start(limits, setting)) return false;
   // Scans of an open volume are broken off in the middle of the last slice.
