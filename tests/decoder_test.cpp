@@ -581,19 +581,20 @@ TEST_CASE("what a longer header says behind its end counts for nothing") {
 }
 
 TEST_CASE("a trailer that is too short is none; one that tells of more regions counts these lost") {
-  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
-  Packet trailer = packet_of(frames[1]);
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  const std::vector<Bytes> frames = frames_of(encode(square));
+  Packet trailer = packet_of(frames[2]);
   for (const uint32_t lost : {0U, 3U, 0x7FFFU, 0x8000U, 0x8001U, 65536U, 1000000U}) {
     // After the slices, the flag and three totals.
-    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(lost);
-    trailer.regions = static_cast<uint16_t>(lost);
-    const StreamReport report = decode(joined({frames[0], frame_of(trailer)})).report;
+    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1 + lost);
+    trailer.regions = static_cast<uint16_t>(1 + lost);
+    const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
     CHECK(report.has_trailer);
     CHECK(report.lost_regions == lost);
     CHECK(report.lost_packets == 0);
   }
   trailer.payload.pop_back();
-  const StreamReport report = decode(joined({frames[0], frame_of(trailer)})).report;
+  const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
   CHECK_FALSE(report.has_trailer);
   CHECK(report.damaged_packets == 1);
 }
@@ -693,6 +694,14 @@ TEST_CASE("records that break the grammar are refused") {
     tell_ring(model, false);
     tell_ring(model, true);
     tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // two rings, the last without a run
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    model.item_kind(Item::ring);
+    model.start({1, 0, 2}, true);
     end_part(model, true);
   });
   check_unreadable([](auto& model) {  // a region without a ring

@@ -237,7 +237,8 @@ def arguments():
     parser = argparse.ArgumentParser(
         prog='scripts/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
         epilog=f'Fails when a mutant is neither caught nor explained in '
-        f'tests/mutation/{EQUIVALENT.name}. Of all mutants it takes half an hour of two cores.')
+        f'tests/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
+        'most of it for those that survive.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
                         help='of lib/discmc, as merge.cpp or "*.hpp"; all when none is named')
     parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
