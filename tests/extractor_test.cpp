@@ -261,3 +261,38 @@ TEST_CASE("reset begins the next scan as if nothing had been, wherever the last 
     }
   }
 }
+
+TEST_CASE("reset forgets what a sink has yet to take, and what has left early") {
+  // Takes so many events and then no more, until the next scan.
+  struct Gate {
+    Answer take(const Event& event) {
+      if (is_open) return log.take(event);
+      return left-- > 0 ? Answer::taken : Answer::not_now;
+    }
+    int left;
+    bool is_open = false;
+    EventLog log{};
+  };
+  const BitVolume volume = random({12, 10, 4}, 150, 3);
+  const Limits limits = limits_of(volume, Border::closed);
+  Capacities few = worst_case_capacities(limits);
+  for (const uint32_t more : {20U, 150U}) {
+    few.runs = minimum_capacities().runs + more;
+    EventLog expected;
+    scan_into<uint16_t>(expected, volume, {}, few);
+    for (int taken = 0; taken < 400; taken += 3) {
+      CAPTURE(taken);
+      Gate gate{taken};
+      Block block(bytes_for<uint16_t>(limits, few));
+      Extractor16 extractor;
+      require_ok(extractor.start(limits, few, 1, block.memory(), sink_to(gate)));
+      CHECK(extractor.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status ==
+            Status::more);
+      require_ok(extractor.reset());
+      gate.is_open = true;
+      push_all(extractor, volume.on);
+      finish_all(extractor);
+      CHECK(gate.log.words() == expected.words());
+    }
+  }
+}
