@@ -132,11 +132,11 @@ bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
   }
   if (!report_.has_header) header_ = header;
   report_.has_header = true;
-  const uint64_t packets_missing = packets_before - packets_passed();
   if (packets_before < packets_passed()) {
     ++report_.repeated_packets;
     return false;
   }
+  const uint64_t packets_missing = packets_before - packets_passed();
   const uint64_t regions = regions_before > regions_passed_ ? regions_before - regions_passed_ : 0;
   // A gap noted too small, by whole rounds of the short number, was before what is open.
   const bool is_gap_here =
