@@ -30,6 +30,7 @@ struct Statistics {
   uint64_t cuts;               ///< links made boundary for lack of memory
   uint64_t spills;             ///< fragments sent early for lack of memory
   uint64_t skipped_rows;
+  uint64_t fragments;
 };
 
 /// One thing that a sink is offered. Only the members that its kind names have a meaning.
@@ -54,6 +55,7 @@ struct Event {
   OctahedralNormal normal;  ///< where the run starts, in space: see unit_normal(); none where there
                             ///< is no gradient, without GradientNormals, or in a stream without
   Run run;
+  Direction came;
   uint32_t number;
   uint32_t slice;
   uint32_t row;
