@@ -55,6 +55,7 @@ inline Vertex moved_back(const Vertex& v, Link link, uint32_t times) {
   return moved(v, link, 0 - times);
 }
 
+inline uint32_t tune_plenty = 0, tune_divisor = 8, tune_kept = 0, tune_most = ~0u;
 /// A chain that leaves the pool: a closed ring, or a loose fragment.
 template <class Index>
 struct Outgoing {
@@ -83,6 +84,7 @@ class Fragments {
     queues_.start(queues);
     sends_ = sends;
     kept_for_slice_ = capacity / 64 < 64 ? capacity / 64 : 64;
+    plenty_ = tune_plenty ? tune_plenty : capacity; divisor_ = tune_divisor;
   }
   void clear() {
     records_.clear();
@@ -96,7 +98,11 @@ class Fragments {
   void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
-  Outgoing<Index>& outgoing() { return outgoing_; }
+  Outgoing<Index> take_outgoing() {
+    const Outgoing<Index> out = outgoing_;
+    outgoing_.kind = Outgoing<Index>::Kind::none;
+    return out;
+  }
   Records& records() { return records_; }
   const Records& records() const { return records_; }
   /// Records that may be taken without more ado.
@@ -338,7 +344,7 @@ bool Fragments<Index, Normal>::should_send(Index before, Index after) const {
   const uint32_t left = spare();
   if (!sends_ || left >= plenty_) return false;
   if (left < 4) return true;
-  return Lists::are_longer(records_, before, after, left / divisor_);
+  return Lists::are_longer(records_, before, after, left / divisor_ < tune_most ? left / divisor_ : tune_most);
 }
 
 }  // namespace discmc::trace

@@ -55,8 +55,11 @@ using ShortRun = uint16_t;
 constexpr ShortRun short_run(Direction direction, uint32_t length) {
   return static_cast<ShortRun>(length << 3 | direction);
 }
+constexpr Direction direction_of(ShortRun run) {
+  return run & 7;
+}
 constexpr Run long_run(ShortRun run) {
-  return Run::straight(run & 7, uint32_t{run} >> 3);
+  return Run::straight(direction_of(run), uint32_t{run} >> 3);
 }
 
 /// In place of the other end of a fragment, where that end is loose: this mark, and for a begin the
@@ -100,7 +103,7 @@ struct Hole : Linked<Index> {
   Index last;  // of its runs
   Index start;  // the other record
   Incidence incidence;
-  uint8_t is_taken;  // by the ring that is delivered
+  uint8_t is_marked;  // to be delivered next
 };
 template <class Index>
 struct HoleStart {
