@@ -43,6 +43,18 @@ inline int32_t coordinate(const Vertex& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
+/// A side that starts, or stops, at a corner.
+inline Side side_at(const Vertex& corner, Link link, Direction direction) {
+  return Side(direction, coordinate(corner, link_steps.of[link].axis));
+}
+/// How many links lead from a side's corner to a vertex, and from a vertex to a side's corner.
+inline uint32_t links_from(Side side, const Vertex& to, Link link) {
+  return links_between(side.coordinate(), coordinate(to, link_steps.of[link].axis), link);
+}
+inline uint32_t links_to(Side side, const Vertex& from, Link link) {
+  return links_between(coordinate(from, link_steps.of[link].axis), side.coordinate(), link);
+}
+
 /// v moved along a link. Coordinates wrap.
 inline Vertex moved(const Vertex& v, Link link, uint32_t times) {
   const Vertex step = link_vector(link);
@@ -55,7 +67,7 @@ inline Vertex moved_back(const Vertex& v, Link link, uint32_t times) {
   return moved(v, link, 0 - times);
 }
 
-inline uint32_t tune_plenty = 0, tune_divisor = 8, tune_kept = 0, tune_most = ~0u;
+inline uint32_t tune_plenty = 0, tune_divisor = 8, tune_kept = 64, tune_most = ~0u;
 /// A chain that leaves the pool: a closed ring, or a loose fragment.
 template <class Index>
 struct Outgoing {
@@ -73,18 +85,17 @@ class Fragments {
  public:
   using Records = Pool<Record<Index, Normal>, Index>;
   using Lists = RunLists<Index, Normal>;
-  using Slot = typename Lists::Slot;
 
   /// The least capacity with which a scan works.
-  static constexpr uint32_t least_capacity = 2;
+  static constexpr uint32_t least_capacity = 4;
 
   /// sends: a shortage of records sends loose fragments; without it there must be none.
   void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues, bool sends) {
     records_.start(records, capacity);
     queues_.start(queues);
     sends_ = sends;
-    kept_for_slice_ = capacity / 64 < 64 ? capacity / 64 : 64;
-    plenty_ = tune_plenty ? tune_plenty : capacity; divisor_ = tune_divisor;
+    kept_for_slice_ = capacity / 64 < tune_kept ? capacity / 64 : tune_kept;
+    plenty_ = sends ? tune_plenty ? tune_plenty : capacity : 0;
   }
   void clear() {
     records_.clear();
@@ -92,7 +103,7 @@ class Fragments {
     outgoing_.kind = Outgoing<Index>::Kind::none;
   }
 
-  /// Takes a chain's pass at a vertex in. Limit: !has_outgoing().
+  /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
   /// normals.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
   template <class Normals>
   void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
@@ -110,51 +121,45 @@ class Fragments {
 
  private:
   using EndRecord = End<Index, Normal>;
-
-  // The new runs of a pass, and the side under way behind them.
-  struct Sides {
-    bool is_open = false;
-    Incidence incidence = 0;
-    Link along = 0;
-    Vertex from{0, 0, 0};
-    Normal normal{};
-    Vertex start{0, 0, 0};  // of the first run
-    uint32_t count = 0;
-    Slot run[3];
-
-    void open(Link link, const Vertex& at, Normal normal_there) {
-      is_open = true;
-      along = link;
-      from = at;
-      normal = normal_there;
-    }
-    void complete(const Vertex& to);
-  };
+  using Slot = typename Lists::Slot;
 
   EndRecord& end(Index index) { return records_[index].end; }
-  static uint32_t links_from(Side side, const Vertex& to, Link link) {
-    return links_between(side.coordinate(), coordinate(to, link_steps.of[link].axis), link);
-  }
-  static uint32_t links_to(Side side, const Vertex& from, Link link) {
-    return links_between(coordinate(from, link_steps.of[link].axis), side.coordinate(), link);
-  }
-  static Side side_at(const Vertex& corner, Link link, Direction direction) {
-    return Side(direction, coordinate(corner, link_steps.of[link].axis));
+  static Direction direction(const Pass& pass, Link link) {
+    return sector_table.direction[pass.incidence][link];
   }
 
-  bool admits(uint8_t queue) const;
-  Index admit(uint8_t queue, Index old);
-  bool goes_on_straight(const Pass& pass, const Vertex& vertex, Index coming, Index going);
-  void store(const Sides& sides, Index begin, Index tail, Index before, Index after);
-  void wire(Index begin, Index tail, Index last);
+  // The last corner of a chain on its way out, and whether the pass has completed a run.
+  struct Way {
+    Vertex corner;
+    bool has_new_runs;
+  };
 
-  Vertex begin_of(Incidence incidence, Index last, const Vertex& end) const;
-  bool should_send(Index before, Index after) const;
+  template <class Normals>
+  Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  Index new_tail(const Pass& pass, const Vertex& vertex, Index mate);
+  template <class Normals>
+  void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
+  void turn(const Pass& pass, Index tail, Link came, const Vertex& corner, Link onwards,
+            Normal normal);
+  void turn_back(const Pass& pass, Index begin, Link onwards, const Vertex& corner, Link came,
+                 Normal normal);
+  void leave(const Pass& pass, const Way& way, Index tail);
+  void lose_tail(const Pass& pass, const Way& way, Index tail);
+  void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
+  void join(const Pass& pass, const Way& way, Index tail, Index begin);
+  void wire(Index begin, Index tail, Index list);
+
+  // Ends of links that stay within the slice are the last to be lost: they leave it soon.
+  bool admits(uint8_t queue) const {
+    return spare() >= 6 + (queue >= first_rising_queue ? kept_for_slice_ : 0) || !sends_;
+  }
+  bool should_send(Index list, Index other = no_record) const;
+  Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
+  void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
   bool sends_ = true;
   uint32_t kept_for_slice_ = 0;  // from ends that wait for the next slice
   uint32_t plenty_ = 0;          // with as many records left nothing is sent
-  uint32_t divisor_ = 8;
   Outgoing<Index> outgoing_;
   Records records_;
   Queues<Index, Normal> queues_;
@@ -163,171 +168,232 @@ class Fragments {
 // ---- implementation ----
 
 template <class Index, class Normal>
-void Fragments<Index, Normal>::Sides::complete(const Vertex& to) {
-  const int axis = link_steps.of[along].axis;
-  const uint32_t length = links_between(coordinate(from, axis), coordinate(to, axis), along);
-  if (count == 0) start = from;
-  run[count].run = short_run(sector_table.direction[incidence][along], length);
-  run[count].set_normal(normal);
-  ++count;
-}
-
-// Ends of links that stay within the slice are the last to be lost: they free their records soon.
-template <class Index, class Normal>
-bool Fragments<Index, Normal>::admits(uint8_t queue) const {
-  const uint32_t kept = queue >= first_rising_queue ? kept_for_slice_ : 0;
-  return spare() >= 4 + kept || !sends_;
-}
-
-// Makes an end wait, in the record of an old one if there is any. no_record when it is lost.
-template <class Index, class Normal>
-Index Fragments<Index, Normal>::admit(uint8_t queue, Index old) {
-  if (admits(queue)) {
-    const Index index = old != no_record ? old : records_.take();
-    queues_.push(records_, queue, index);
-    return index;
+template <class Normals>
+void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
+                                    const Normals& normals) {
+  Index begin = no_record;  // of the fragment that goes on from here
+  if (!pass.goes_ahead) begin = queues_.pop(records_, pass.out);
+  Way way{vertex, false};
+  Index tail = no_record;
+  const bool is_corner = pass.came != pass.first;
+  if (pass.comes_from_ahead) {
+    if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
+    tail = begin_fragment(pass, vertex, normals);
+  } else {
+    tail = queues_.pop(records_, pass.in);
+    if (tail == no_record) {
+      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)));
+      if (is_corner) end(tail).set_normal(normals.normal_at(vertex));
+    } else if (is_corner || links_from(end(tail).side, vertex, pass.came) >= Side::longest) {
+      turn(pass, tail, pass.came, vertex, pass.first,
+           is_corner ? normals.normal_at(vertex) : Normal{});
+      way.has_new_runs = true;
+    }
   }
-  if (old != no_record) records_.give(old);
-  queues_.push_lost(records_, queue);
-  return no_record;
+  if (pass.second != pass.first) {
+    way = {moved(vertex, pass.first, 1), true};
+    turn(pass, tail, pass.first, way.corner, pass.second, normals.normal_at(way.corner));
+  }
+  if (pass.goes_ahead)
+    leave(pass, way, tail);
+  else if (begin != no_record)
+    join(pass, way, tail, begin);
+  else
+    lose_tail(pass, way, tail);
 }
 
-// A chain without a corner here only moves its end.
+// ---- how a chain comes to the vertex ----
+
+// A tail that starts here.
 template <class Index, class Normal>
-bool Fragments<Index, Normal>::goes_on_straight(const Pass& pass, const Vertex& vertex,
-                                                Index coming, Index going) {
-  const bool is_tail = coming != no_record && pass.goes_ahead;
-  const bool is_begin = going != no_record && pass.comes_from_ahead;
-  if (!is_tail && !is_begin) return false;
-  const uint8_t queue = is_tail ? pass.out : pass.in;
-  const Index index = is_tail ? coming : going;
-  const uint32_t links = is_tail ? links_from(end(index).side, vertex, pass.came)
-                                 : links_to(end(index).side, vertex, pass.first);
-  if (links >= Side::longest || !admits(queue)) return false;
-  queues_.push(records_, queue, index);
-  return true;
+Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex, Index mate) {
+  const Index tail = records_.take();
+  EndRecord& record = end(tail);
+  record.mate = mate;
+  record.last = no_record;
+  record.side = side_at(vertex, pass.first, direction(pass, pass.first));
+  record.set_normal({});
+  return tail;
 }
 
 template <class Index, class Normal>
 template <class Normals>
-void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
-                                    const Normals& normals) {
-  const Index coming = pass.comes_from_ahead ? Index{no_record} : queues_.pop(records_, pass.in);
-  const Index going = pass.goes_ahead ? Index{no_record} : queues_.pop(records_, pass.out);
-  if (pass.came == pass.first && pass.first == pass.second &&
-      goes_on_straight(pass, vertex, coming, going))
-    return;
-
-  const EndRecord came = coming != no_record ? end(coming) : EndRecord{};
-  const EndRecord went = going != no_record ? end(going) : EndRecord{};
-  Index tail = no_record, begin = no_record;
-  if (pass.goes_ahead)
-    tail = admit(pass.out, coming);
-  else if (coming != no_record)
-    records_.give(coming);
-  if (pass.comes_from_ahead)
-    begin = admit(pass.in, going);
-  else if (going != no_record)
-    records_.give(going);
-
-  // The side under way from the last corner before the vertex to the first one after it. Where it
-  // began is not known of a chain that comes from ahead: its begin is where that side ends.
-  Sides sides;
-  sides.incidence = pass.incidence;
-  const Direction arriving = sector_table.direction[pass.incidence][pass.came];
-  const auto end_side = [&](const Vertex& corner) {
-    if (sides.is_open)
-      sides.complete(corner);
-    else if (begin != no_record)
-      end(begin).side = side_at(corner, pass.came, arriving);
-  };
-  bool is_corner = pass.came != pass.first;
-  if (coming != no_record) {
-    const uint32_t links = links_from(came.side, vertex, pass.came);
-    sides.open(pass.came, moved_back(vertex, pass.came, links), came.normal());
-    is_corner = is_corner || links >= Side::longest;
+Index Fragments<Index, Normal>::begin_fragment(const Pass& pass, const Vertex& vertex,
+                                               const Normals& normals) {
+  const Direction came = direction(pass, pass.came);
+  Index begin = no_record;
+  if (admits(pass.in)) {
+    begin = records_.take();
+    queues_.push(records_, pass.in, begin);
   } else {
-    is_corner = is_corner || begin == no_record || tail != no_record ||
-                (going != no_record && links_to(went.side, vertex, pass.first) >= Side::longest);
+    queues_.push_lost(records_, pass.in);
   }
-  if (is_corner) {
-    end_side(vertex);
-    sides.open(pass.first, vertex, normals.normal_at(vertex));
-  }
-  Vertex next = moved(vertex, pass.first, 1);
-  if (pass.second != pass.first) {
-    end_side(next);
-    sides.open(pass.second, next, normals.normal_at(next));
-  }
-  if (pass.has_centroid) next = moved(next, pass.second, 1);
-  if (tail != no_record) {
-    end(tail).side =
-        side_at(sides.from, sides.along, sector_table.direction[pass.incidence][sides.along]);
-    end(tail).set_normal(sides.normal);
-  } else {
-    if (going != no_record) next = moved(next, pass.second, links_to(went.side, next, pass.second));
-    end_side(next);
-  }
-
-  Index before = coming != no_record ? came.last : Index{no_record};
-  if (coming != no_record && came.mate == going) {
-    for (uint32_t i = 0; i < sides.count; ++i) Lists::append(records_, before, sides.run[i]);
-    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, before, next};
-    return;
-  }
-  const bool went_is_loose = is_loose<Index>(went.mate);
-  const Index after = going == no_record ? Index{no_record}
-                      : went_is_loose    ? went.last
-                                         : end(went.mate).last;
-  if (begin == no_record)
-    begin = coming != no_record ? came.mate : loose_end<Index>(arriving);
-  if (tail == no_record) tail = going != no_record ? went.mate : loose_end<Index>();
-  store(sides, begin, tail, before, after);
+  const Index tail = new_tail(pass, vertex, begin != no_record ? begin : loose_end<Index>(came));
+  if (pass.came != pass.first) end(tail).set_normal(normals.normal_at(vertex));
+  if (begin == no_record) return tail;
+  EndRecord& record = end(begin);
+  record.mate = tail;
+  record.last = no_record;
+  record.side = side_at(vertex, pass.came, came);
+  return tail;
 }
 
-// The runs of a fragment that has changed: those before the new ones, the new ones, those after.
+// A chain that comes from ahead goes on as a fragment that has waited for it.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::store(const Sides& sides, Index begin, Index tail, Index before,
-                                     Index after) {
-  const bool is_whole = is_loose(begin) && is_loose(tail);
-  const bool is_sent = is_whole || (sides.count > 0 && should_send(before, after));
-  const Vertex start = is_sent ? begin_of(sides.incidence, before, sides.start) : Vertex{0, 0, 0};
-  if (before == no_record && after != no_record) {
-    for (uint32_t i = sides.count; i-- > 0;) Lists::prepend(records_, after, sides.run[i]);
-  } else {
-    for (uint32_t i = 0; i < sides.count; ++i) Lists::append(records_, before, sides.run[i]);
+template <class Normals>
+void Fragments<Index, Normal>::lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin,
+                                              const Normals& normals) {
+  Vertex corner = vertex;
+  bool has_new_runs = false;
+  if (pass.second != pass.first) {
+    corner = moved(vertex, pass.first, 1);
+    turn_back(pass, begin, pass.second, corner, pass.first, normals.normal_at(corner));
+    has_new_runs = true;
   }
-  const Index last = Lists::concatenate(records_, before, after);
-  if (!is_sent) return wire(begin, tail, last);
-  const Direction came = is_loose(begin) ? begin & 7 : end(begin).side.direction();
-  outgoing_ = {Outgoing<Index>::Kind::fragment, sides.incidence, came, last, start};
-  const RunRecord<Index, Normal>& runs = records_[last].runs;
-  const ShortRun last_run =
-      runs.slot[2].run != 0 ? runs.slot[2].run : runs.slot[1].run != 0 ? runs.slot[1].run : runs.slot[0].run;
-  if (!is_loose(begin)) wire(begin, loose_end<Index>(), no_record);
-  if (!is_loose(tail)) wire(loose_end<Index>(last_run & 7), tail, no_record);
+  const bool is_corner = pass.came != pass.first;
+  const bool is_waiting = admits(pass.in);
+  if (is_corner || !is_waiting ||
+      links_to(end(begin).side, vertex, pass.first) >= Side::longest) {
+    corner = vertex;
+    turn_back(pass, begin, pass.first, vertex, pass.came,
+              is_corner ? normals.normal_at(vertex) : Normal{});
+    has_new_runs = true;
+  }
+  EndRecord& record = end(begin);
+  const Index tail = record.mate;
+  const Index list = is_loose(tail) ? record.last : end(tail).last;
+  if (is_waiting) {
+    queues_.push(records_, pass.in, begin);
+    if (has_new_runs && should_send(list)) send(pass, begin, tail, list, corner);
+    return;
+  }
+  queues_.push_lost(records_, pass.in);
+  records_.give(begin);
+  const Index loose = loose_end<Index>(direction(pass, pass.came));
+  if (is_loose(tail) || should_send(list)) return send(pass, loose, tail, list, vertex);
+  end(tail).mate = loose;
+}
+
+// ---- corners ----
+
+// The side under way at a tail ends at a corner, and the next begins.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::turn(const Pass& pass, Index tail, Link came, const Vertex& corner,
+                                    Link onwards, Normal normal) {
+  EndRecord& record = end(tail);
+  Slot run;
+  run.run = short_run(record.side.direction(), links_from(record.side, corner, came));
+  run.set_normal(record.normal());
+  Lists::append(records_, record.last, run);
+  record.side = side_at(corner, onwards, direction(pass, onwards));
+  record.set_normal(normal);
+}
+
+// The side under way at a begin starts at a corner, and the one before it ends.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onwards,
+                                         const Vertex& corner, Link came, Normal normal) {
+  EndRecord& record = end(begin);
+  Slot run;
+  run.run = short_run(record.side.direction(), links_to(record.side, corner, onwards));
+  run.set_normal(normal);
+  Lists::prepend(records_, is_loose(record.mate) ? record.last : end(record.mate).last, run);
+  record.side = side_at(corner, came, direction(pass, came));
+}
+
+// ---- how it goes on ----
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::leave(const Pass& pass, const Way& way, Index tail) {
+  if (!admits(pass.out)) {
+    queues_.push_lost(records_, pass.out);
+    return lose_tail(pass, way, tail);
+  }
+  queues_.push(records_, pass.out, tail);
+  const EndRecord& record = end(tail);
+  if (way.has_new_runs && should_send(record.last))
+    send(pass, record.mate, tail, record.last,
+         begin_of(pass.incidence, record.last, way.corner));
+}
+
+// The fragment ends loose at the next vertex.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Way& way, Index tail) {
+  Vertex next = moved(way.corner, pass.second, 1);
+  if (pass.has_centroid && pass.second == pass.first) next = moved(next, pass.second, 1);
+  turn(pass, tail, pass.second, next, pass.second, {});
+  const EndRecord record = end(tail);
+  records_.give(tail);
+  if (is_loose(record.mate) || should_send(record.last))
+    return send(pass, record.mate, loose_end<Index>(), record.last,
+                begin_of(pass.incidence, record.last, next));
+  wire(record.mate, loose_end<Index>(), record.last);
+}
+
+// The fragment goes on as one that has waited, or closes.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::join(const Pass& pass, const Way& way, Index tail, Index begin) {
+  const EndRecord after = end(begin);
+  const uint32_t links = links_to(after.side, way.corner, pass.second);
+  const Vertex corner = moved(way.corner, pass.second, links);
+  EndRecord before = end(tail);
+  Index list = before.mate == begin     ? Index{no_record}
+               : is_loose(after.mate) ? after.last
+                                      : end(after.mate).last;
+  Slot run;
+  run.run = short_run(after.side.direction(), links_from(before.side, corner, pass.second));
+  run.set_normal(before.normal());
+  Vertex start = moved_back(corner, pass.second, length_of(run.run));
+  if (before.last == no_record && list != no_record)
+    Lists::prepend(records_, list, run);
+  else
+    Lists::append(records_, before.last, run);
+  records_.give(tail);
+  records_.give(begin);
+  if (before.mate == begin) {
+    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, before.last, corner};
+    return;
+  }
+  const bool is_sent =
+      (is_loose(before.mate) && is_loose(after.mate)) || should_send(before.last, list);
+  if (is_sent && before.last != no_record) start = begin_of(pass.incidence, before.last, corner);
+  const Index joined = Lists::concatenate(records_, before.last, list);
+  if (is_sent) return send(pass, before.mate, after.mate, joined, start);
+  wire(before.mate, after.mate, joined);
 }
 
 // Makes the two ends of a fragment name each other, and one of them its runs.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::wire(Index begin, Index tail, Index last) {
+void Fragments<Index, Normal>::wire(Index begin, Index tail, Index list) {
   if (!is_loose(begin)) {
     end(begin).mate = tail;
-    end(begin).last = is_loose(tail) ? last : Index{no_record};
+    end(begin).last = is_loose(tail) ? list : Index{no_record};
   }
   if (!is_loose(tail)) {
     end(tail).mate = begin;
-    end(tail).last = last;
+    end(tail).last = list;
   }
+}
+
+// ---- short of records ----
+
+// The fewer records are left, the shorter a fragment may be to be sent as it stands; with none left
+// any is, and gives back what the pass has taken.
+template <class Index, class Normal>
+bool Fragments<Index, Normal>::should_send(Index list, Index other) const {
+  const uint32_t left = spare();
+  if (left >= plenty_) return false;
+  if (left < 4) return true;
+  const uint32_t longest = left / tune_divisor;
+  return Lists::are_longer(records_, list, other, longest < tune_most ? longest : tune_most);
 }
 
 // Where a list of runs begins that ends at a vertex.
 template <class Index, class Normal>
-Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index last,
+Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index list,
                                           const Vertex& end) const {
-  if (last == no_record) return end;
   Vertex at = end;
-  const RunCursor<Index, Normal> first(records_, last);
+  const RunCursor<Index, Normal> first(records_, list);
   RunCursor<Index, Normal> cursor = first;
   do {
     const Run run = long_run(cursor.run(records_));
@@ -337,14 +403,16 @@ Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index last,
   return at;
 }
 
-// The fewer records are left, the shorter a fragment may be to be sent as it stands; with none left
-// any is, and gives back what the pass has taken.
+// Sends the runs of a fragment; what waits of it then begins or ends where they do.
 template <class Index, class Normal>
-bool Fragments<Index, Normal>::should_send(Index before, Index after) const {
-  const uint32_t left = spare();
-  if (!sends_ || left >= plenty_) return false;
-  if (left < 4) return true;
-  return Lists::are_longer(records_, before, after, left / divisor_ < tune_most ? left / divisor_ : tune_most);
+void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, Index list,
+                                    const Vertex& start) {
+  const Direction came =
+      is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
+  outgoing_ = {Outgoing<Index>::Kind::fragment, pass.incidence, came, list, start};
+  const Direction last = direction_of(Lists::last_run(records_, list));
+  wire(begin, loose_end<Index>(), no_record);
+  wire(loose_end<Index>(last), tail, no_record);
 }
 
 }  // namespace discmc::trace

@@ -32,8 +32,9 @@ struct NormalPart<NoNormal> {
 class Side {
  public:
   static constexpr uint32_t modulus = 0x2000;
-  /// A side is broken off before it gets so long that its place becomes ambiguous. Units: links.
-  static constexpr uint32_t longest = modulus / 4;
+  /// A side is broken off at this length, so that two which join have a place that is not
+  /// ambiguous. Units: links, of up to two half-steps.
+  static constexpr uint32_t longest = modulus / 4 - 4;
 
   Side() = default;
   Side(Direction direction, int32_t coordinate)
@@ -58,8 +59,11 @@ constexpr ShortRun short_run(Direction direction, uint32_t length) {
 constexpr Direction direction_of(ShortRun run) {
   return run & 7;
 }
+constexpr uint32_t length_of(ShortRun run) {
+  return uint32_t{run} >> 3;
+}
 constexpr Run long_run(ShortRun run) {
-  return Run::straight(direction_of(run), uint32_t{run} >> 3);
+  return Run::straight(direction_of(run), length_of(run));
 }
 
 /// In place of the other end of a fragment, where that end is loose: this mark, and for a begin the

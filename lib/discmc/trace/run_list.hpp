@@ -26,13 +26,23 @@ struct RunLists {
     last = add_record(records, last, 0, run);
   }
 
-  /// Puts a run before the others. Cost: a record at most. Limit: not empty.
-  static void prepend(Records& records, Index last, const Slot& run) {
+  /// Puts a run before the others. Cost: a record at most.
+  static void prepend(Records& records, Index& last, const Slot& run) {
+    if (last == no_record) {
+      last = add_record(records, last, 2, run);
+      return;
+    }
     Slot* const slot = records[records[last].linked.next].runs.slot;
     if (slot[0].run == 0)
       slot[slot[1].run == 0 ? 1 : 0] = run;
     else
       add_record(records, last, 2, run);
+  }
+
+  /// The last run. Limit: not empty.
+  static ShortRun last_run(const Records& records, Index last) {
+    const Slot* const slot = records[last].runs.slot;
+    return slot[2].run != 0 ? slot[2].run : slot[1].run != 0 ? slot[1].run : slot[0].run;
   }
 
   /// Makes one list of two, which are then void.

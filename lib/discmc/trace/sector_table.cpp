@@ -126,12 +126,15 @@ constexpr VertexLoop loop_at_vertex(Configuration configuration) {
   return found;
 }
 
+// Where the line of a heading lies, seen along the axis.
+constexpr Vertex line_at(int heading) {
+  return quarter_turns(heading % 2 == 0 ? Vertex{0, 1, 0} : Vertex{0, 1, 1}, heading / 2);
+}
+
 constexpr uint8_t heading_of(Incidence incidence) {
   const Vertex n = normal(incidence);
-  for (uint8_t heading = 0; heading < no_heading; ++heading) {
-    const Vertex line = quarter_turns(heading % 2 == 0 ? Vertex{0, 1, 0} : Vertex{0, 1, 1}, heading / 2);
-    if (line.y == n.y && line.z == n.z) return heading;
-  }
+  for (uint8_t heading = 0; heading < no_heading; ++heading)
+    if (line_at(heading).y == n.y && line_at(heading).z == n.z) return heading;
   return no_heading;
 }
 
@@ -178,12 +181,12 @@ constexpr void add_spoke_queues(SectorTable& table, QueueNumbers& numbers) {
   bool is_used[cell_edges][cell_edges] = {};
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& lower : table.sector[quadrant])
-        for (const Sector& sector : lower) {
+      for (const auto& lower : table.sector)
+        for (const Sector& sector : lower[quadrant]) {
           if (!sector.has_spoke()) continue;
-          const CellEdge own = table.own_edge[axis][quadrant];
-          is_used[own][table.edge[axis][sector.to()]] = true;
-          is_used[table.edge[axis][sector.from()]][own] = true;
+          const CellEdge own = table.axis[axis].own_edge[quadrant];
+          is_used[own][table.axis[axis].edge[sector.to()]] = true;
+          is_used[table.axis[axis].edge[sector.from()]][own] = true;
         }
   for (int from = 0; from < cell_edges; ++from)
     for (int to = 0; to < cell_edges; ++to)
@@ -204,7 +207,7 @@ constexpr Vertex lowest_on_axis(int axis) {
 // The same link begins at either of its vertices: the earlier one names it.
 constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& begin, Link link) {
   for (int axis = 0; axis < 3; ++axis)
-    for (const auto& of_quadrant : table.face_ray[axis])
+    for (const auto& of_quadrant : table.axis[axis].face_ray)
       for (const FaceRay& ray : of_quadrant)
         if (lowest_on_axis(axis) == begin && ray.link == link && ray.is_ahead) return ray.queue;
   return queue_count;
@@ -221,7 +224,7 @@ constexpr void add_face_rays(SectorTable& table, QueueNumbers& numbers) {
     for (int axis = 0; axis < 3; ++axis)
       for (int quadrant = 0; quadrant < quadrants; ++quadrant)
         for (int turn = 0; turn < 3; ++turn) {
-          FaceRay& ray = table.face_ray[axis][quadrant][turn];
+          FaceRay& ray = table.axis[axis].face_ray[quadrant][turn];
           const Vertex here = lowest_on_axis(axis);
           const Vertex vector = from_axis_frame(axis, face_vector(quadrant, turn));
           const Vertex there = here + vector;
@@ -247,27 +250,29 @@ constexpr uint8_t face_turn_of(int lower_is_on, int line) {
   return is_upper_cut_off ? 2 : 1;
 }
 
+constexpr AxisTable derive_axis(int axis) {
+  AxisTable table{};
+  for (CellEdge edge = 0; edge < cell_edges; ++edge)
+    table.edge[edge] = edges.number[point_at(from_axis_frame(axis, position(edges.point[edge])))];
+  for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+    table.own_edge[quadrant] =
+        table.edge[turned_edge(edges.number[point_at({1, 0, 0})], quadrant)];
+  for (int lower = 0; lower < 2; ++lower)
+    for (uint8_t heading = 0; heading <= no_heading; ++heading) {
+      Vertex n = heading == no_heading ? Vertex{0, 0, 0} : line_at(heading);
+      n.x = lower != 0 ? 1 : -1;
+      table.incidence[lower][heading] = incidence_of(from_axis_frame(axis, n));
+    }
+  return table;
+}
+
 constexpr SectorTable derive_table() {
   SectorTable table{};
-  for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-    for (int lower = 0; lower < 2; ++lower)
-      for (int lines = 0; lines < 64; ++lines)
-        table.sector[quadrant][lower][lines] = sector_of(quadrant, lower, lines);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (CellEdge edge = 0; edge < cell_edges; ++edge)
-      table.edge[axis][edge] =
-          edges.number[point_at(from_axis_frame(axis, position(edges.point[edge])))];
+  for (int lower = 0; lower < 2; ++lower)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      table.own_edge[axis][quadrant] =
-          table.edge[axis][turned_edge(edges.number[point_at({1, 0, 0})], quadrant)];
-    for (int lower = 0; lower < 2; ++lower)
-      for (uint8_t heading = 0; heading <= no_heading; ++heading) {
-        Vertex n = quarter_turns(heading % 2 == 0 ? Vertex{0, 1, 0} : Vertex{0, 1, 1}, heading / 2);
-        if (heading == no_heading) n = {0, 0, 0};
-        n.x = lower != 0 ? 1 : -1;
-        table.incidence[axis][lower][heading] = incidence_of(from_axis_frame(axis, n));
-      }
-  }
+      for (int lines = 0; lines < 64; ++lines)
+        table.sector[lower][quadrant][lines] = sector_of(quadrant, lower, lines);
+  for (int axis = 0; axis < 3; ++axis) table.axis[axis] = derive_axis(axis);
   for (int edge = 0; edge < cell_edges; ++edge)
     table.inwards[edge] =
         derive::link_of(links, position(centroid) - position(edges.point[edge]));
@@ -287,8 +292,8 @@ constexpr SectorTable derived = derive_table();
 
 constexpr bool queues_are_distinct() {
   int users[queue_count] = {};
-  for (const auto& of_axis : derived.face_ray)
-    for (const auto& of_quadrant : of_axis)
+  for (const AxisTable& axis : derived.axis)
+    for (const auto& of_quadrant : axis.face_ray)
       for (const FaceRay& ray : of_quadrant)
         for (int way = 0; way < 2 && ray.is_ahead; ++way) ++users[ray.queue + way];
   for (const auto& from : derived.queue)

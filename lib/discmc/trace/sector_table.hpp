@@ -64,16 +64,21 @@ struct FaceRay {
 constexpr int queue_count = 144;
 constexpr int first_rising_queue = 76;
 
+/// What depends on the axis of an edge.
+struct AxisTable {
+  FaceRay face_ray[quadrants][3];      ///< [quadrant][straight, down or up the axis]
+  CellEdge edge[cell_edges];           ///< an edge as if the axis were x, as it is
+  CellEdge own_edge[quadrants];        ///< the edge of the quadrant's cell that the vertex lies on
+  Incidence incidence[2][no_heading + 1];  ///< [lower end is on][heading]
+};
+
 struct SectorTable {
-  Sector sector[quadrants][2][64];  ///< [quadrant][lower end is on][bits of its three lines]
-  FaceRay face_ray[3][quadrants][3];  ///< [axis][quadrant][straight, down or up the axis]
-  uint8_t face_turn[2][4];            ///< which of the three: [lower end is on][bits of the line]
+  Sector sector[2][quadrants][64];  ///< [lower end is on][quadrant][bits of its three lines]
+  AxisTable axis[3];
+  uint8_t face_turn[2][4];               ///< which face ray: [lower end is on][bits of the line]
   uint8_t queue[cell_edges][cell_edges];  ///< of the chains from one edge by the centroid to another
-  CellEdge edge[3][cell_edges];          ///< [axis]: an edge as if the axis were x, as it is
-  CellEdge own_edge[3][quadrants];       ///< [axis][quadrant]: the edge that the vertex lies on
-  Link inwards[cell_edges];              ///< from an edge to the centroid
-  Incidence incidence[3][2][no_heading + 1];           ///< [axis][lower end is on][heading]
-  Direction direction[incidence_codes][link_codes];    ///< of a link in a plane, or no_direction
+  Link inwards[cell_edges];               ///< from an edge to the centroid
+  Direction direction[incidence_codes][link_codes];  ///< of a link in a plane, or no_direction
 };
 
 extern const SectorTable sector_table;
