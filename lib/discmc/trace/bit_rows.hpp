@@ -12,6 +12,7 @@
 #ifndef DISCMC_TRACE_BIT_ROWS_HPP
 #define DISCMC_TRACE_BIT_ROWS_HPP
 
+#include <discmc/arena.hpp>
 #include <discmc/limits.hpp>
 
 namespace discmc::trace {

@@ -101,12 +101,21 @@ class Fragments {
     records_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
+    lost_from_ = queue_count;
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
   /// normals.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
   template <class Normals>
   void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
+
+  /// At a vertex of the slice above a slab: the chains that come up to it end there, and those that
+  /// go down from it begin below, loose. Limits and cost as take().
+  void end_at(const Pass& pass, const Vertex& vertex);
+  void begin_below(const Pass& pass, const Vertex& vertex);
+
+  /// Whether what comes from below is another slab's.
+  void lose_below(bool is_lost) { lost_from_ = is_lost ? first_rising_queue : queue_count; }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   Outgoing<Index> take_outgoing() {
@@ -145,10 +154,13 @@ class Fragments {
                  Normal normal);
   void leave(const Pass& pass, const Way& way, Index tail);
   void lose_tail(const Pass& pass, const Way& way, Index tail);
-  void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
+  void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
   void join(const Pass& pass, const Way& way, Index tail, Index begin);
   void wire(Index begin, Index tail, Index list);
 
+  Index pop(uint8_t queue) {
+    return queue < lost_from_ ? queues_.pop(records_, queue) : Index{no_record};
+  }
   // Ends of links that stay within the slice are the last to be lost: they leave it soon.
   bool admits(uint8_t queue) const {
     return spare() >= 6 + (queue >= first_rising_queue ? kept_for_slice_ : 0) || !sends_;
@@ -158,6 +170,7 @@ class Fragments {
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
   bool sends_ = true;
+  uint8_t lost_from_ = queue_count;  // queues whose ends are not this slab's
   uint32_t kept_for_slice_ = 0;  // from ends that wait for the next slice
   uint32_t plenty_ = 0;          // with as many records left nothing is sent
   Outgoing<Index> outgoing_;
@@ -172,7 +185,7 @@ template <class Normals>
 void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
                                     const Normals& normals) {
   Index begin = no_record;  // of the fragment that goes on from here
-  if (!pass.goes_ahead) begin = queues_.pop(records_, pass.out);
+  if (!pass.goes_ahead) begin = pop(pass.out);
   Way way{vertex, false};
   Index tail = no_record;
   const bool is_corner = pass.came != pass.first;
@@ -180,7 +193,7 @@ void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
     if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
     tail = begin_fragment(pass, vertex, normals);
   } else {
-    tail = queues_.pop(records_, pass.in);
+    tail = pop(pass.in);
     if (tail == no_record) {
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)));
       if (is_corner) end(tail).set_normal(normals.normal_at(vertex));
@@ -321,13 +334,44 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Way& way, Index tail) {
   Vertex next = moved(way.corner, pass.second, 1);
   if (pass.has_centroid && pass.second == pass.first) next = moved(next, pass.second, 1);
-  turn(pass, tail, pass.second, next, pass.second, {});
+  end_tail(pass, tail, pass.second, next);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along,
+                                        const Vertex& vertex) {
+  turn(pass, tail, along, vertex, along, {});
   const EndRecord record = end(tail);
   records_.give(tail);
   if (is_loose(record.mate) || should_send(record.last))
     return send(pass, record.mate, loose_end<Index>(), record.last,
-                begin_of(pass.incidence, record.last, next));
+                begin_of(pass.incidence, record.last, vertex));
   wire(record.mate, loose_end<Index>(), record.last);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::end_at(const Pass& pass, const Vertex& vertex) {
+  if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
+  const Index tail = queues_.pop(records_, pass.in);
+  if (tail != no_record) end_tail(pass, tail, pass.came, vertex);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& vertex) {
+  if (pass.goes_ahead || pass.out < first_rising_queue) return;
+  const Index begin = queues_.pop(records_, pass.out);
+  if (begin == no_record) return;
+  Vertex next = moved(vertex, pass.first, 1);
+  if (pass.has_centroid) next = moved(next, pass.second, 1);
+  if (links_to(end(begin).side, next, pass.second) > 0)
+    turn_back(pass, begin, pass.second, next, pass.second, {});
+  const EndRecord record = end(begin);
+  records_.give(begin);
+  const Index list = is_loose(record.mate) ? record.last : end(record.mate).last;
+  const Index loose = loose_end<Index>(direction(pass, pass.second));
+  if (list != no_record && (is_loose(record.mate) || should_send(list)))
+    return send(pass, loose, record.mate, list, next);
+  if (!is_loose(record.mate)) end(record.mate).mate = loose;
 }
 
 // The fragment goes on as one that has waited, or closes.

@@ -31,13 +31,13 @@ class Passes {
   Passes(const AxisTable& axis, bool lower_is_on, uint32_t lines, uint32_t absent)
       : axis_(axis), lower_(lower_is_on ? 1 : 0), lines_(lines) {
     const auto& sector = sector_table.sector[lower_];
-    const uint32_t last = lines >> 12 | lines << 4;
-    sector_[0] = sector[0][lines & 63];
-    sector_[1] = sector[1][lines >> 4 & 63];
-    sector_[2] = sector[2][lines >> 8 & 63];
-    sector_[3] = sector[3][last & 63];
+    sector_[0] = sector[0][cell_lines(0)];
+    sector_[1] = sector[1][cell_lines(1)];
+    sector_[2] = sector[2][cell_lines(2)];
+    sector_[3] = sector[3][cell_lines(3)];
     headings_ = sector_[0].headings() | sector_[1].headings() << 8 | sector_[2].headings() << 16 |
                 sector_[3].headings() << 24;
+    counts_ = count_part(0) + count_part(1) + count_part(2) + count_part(3);
     if (absent != 0) remove(absent);
     // A bit for every ray: the lowest of its nibble.
     uint32_t differ = headings_ ^ (headings_ << 4 | headings_ >> 28);
@@ -46,6 +46,9 @@ class Passes {
     rays_ = differ & 0x11111111;
     begin_ = rays_;
   }
+
+  /// What the vertex adds to the counts of cells that take part: see CountParts.
+  uint32_t counts() const { return counts_; }
 
   /// The next pass. False when there is none.
   bool next(Pass& pass) {
@@ -68,9 +71,20 @@ class Passes {
   static uint32_t nibble(uint32_t rays) { return static_cast<uint32_t>(__builtin_ctz(rays)); }
   static bool is_face(uint32_t ray) { return ray % 8 == 0; }
 
+  // The lines of a quadrant's cell.
+  uint32_t cell_lines(int quadrant) const {
+    return (quadrant < 3 ? lines_ >> 4 * quadrant : lines_ >> 12 | lines_ << 4) & 63;
+  }
+  uint32_t count_part(int quadrant) const {
+    return count_parts.part[count_parts.kind[lower_][cell_lines(quadrant)]];
+  }
+
   void remove(uint32_t absent) {
-    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      if ((absent >> quadrant & 1) != 0) headings_ |= uint32_t{0xFF} << 8 * quadrant;
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
+      if ((absent >> quadrant & 1) == 0) continue;
+      headings_ |= uint32_t{0xFF} << 8 * quadrant;
+      counts_ -= count_part(quadrant);
+    }
   }
 
   const FaceRay& face_ray(uint32_t quadrant) const {
@@ -117,6 +131,7 @@ class Passes {
   uint32_t lines_;
   Sector sector_[quadrants];
   uint32_t headings_;
+  uint32_t counts_;
   uint32_t rays_;
   uint32_t begin_;  // the rays at which the next wedges begin
 };

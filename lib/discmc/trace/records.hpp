@@ -9,8 +9,7 @@
 #define DISCMC_TRACE_RECORDS_HPP
 
 #include <discmc/chain.hpp>
-#include <discmc/limits.hpp>
-#include <discmc/normal.hpp>
+#include <discmc/intake.hpp>
 
 namespace discmc::trace {
 

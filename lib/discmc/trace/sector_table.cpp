@@ -1,12 +1,9 @@
+#include <discmc/trace/loop_facets.hpp>
 #include <discmc/trace/sector_table.hpp>
 
 namespace discmc::trace {
 
 namespace {
-
-constexpr int sign_of(int value) {
-  return (value > 0) - (value < 0);
-}
 
 // Vectors along the axis of an edge and the two that follow it, turned to those of the volume.
 constexpr Vertex from_axis_frame(int axis, const Vertex& v) {
@@ -69,35 +66,6 @@ constexpr CellEdge turned_edge(CellEdge edge, int quadrant) {
 }
 
 // ---- the loop through a vertex ----
-
-constexpr Incidence incidence_of_facet(const Vertex& a, const Vertex& b, const Vertex& c) {
-  const Vertex n = cross(b - a, c - a);
-  return incidence_of(Vertex{sign_of(n.x), sign_of(n.y), sign_of(n.z)});
-}
-
-// A loop with the incidences of the facets behind each of its links.
-struct LoopFacets {
-  Loop loop;
-  bool is_fan;
-  Incidence incidence[Loop::max_points];
-
-  constexpr int wrap(int i) const { return (i + loop.count) % loop.count; }
-  constexpr Vertex at(int i) const { return position(loop.point[wrap(i)]); }
-  constexpr Incidence behind(int link) const { return incidence[wrap(link)]; }
-};
-
-constexpr LoopFacets facets_of(const Loop& loop) {
-  LoopFacets facets{loop, false, {}};
-  const Incidence whole = incidence_of_facet(facets.at(0), facets.at(1), facets.at(2));
-  const Vertex n = normal(whole);
-  const bool is_rectangle = loop.count == 4 && dot(n, n) == 2;
-  facets.is_fan = loop.count != 3 && !is_rectangle;
-  for (int i = 0; i < loop.count; ++i)
-    facets.incidence[i] =
-        facets.is_fan ? incidence_of_facet(position(centroid), facets.at(i), facets.at(i + 1))
-                      : whole;
-  return facets;
-}
 
 // The configuration of the cell in quadrant 0 of an edge along x.
 constexpr Configuration configuration_of(int lower_is_on, int lines) {
@@ -303,10 +271,45 @@ constexpr bool queues_are_distinct() {
   return true;
 }
 
+// ---- counts ----
+
+constexpr uint32_t part_of(int lower_is_on, int lines) {
+  const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
+  const uint32_t points = vertex.facets.loop.count;
+  const uint32_t cell = CountParts::cell / static_cast<uint32_t>(vertex.points);
+  const uint32_t facet = vertex.facets.is_fan ? CountParts::facet : CountParts::facet / points;
+  const uint32_t triangle = CountParts::triangle * (points - 2) / points;
+  return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
+}
+
+struct CountsDerived {
+  CountParts parts;
+  int kinds;
+};
+
+constexpr CountsDerived derive_counts() {
+  CountsDerived counts{};
+  for (int lower = 0; lower < 2; ++lower)
+    for (int lines = 0; lines < 64; ++lines) {
+      const uint32_t part = part_of(lower, lines);
+      int kind = 0;
+      while (kind < counts.kinds && counts.parts.part[kind] != part) ++kind;
+      counts.parts.part[kind] = part;
+      if (kind == counts.kinds) ++counts.kinds;
+      counts.parts.kind[lower][lines] = static_cast<uint8_t>(kind);
+    }
+  return counts;
+}
+
+constexpr CountsDerived derived_counts = derive_counts();
+
+static_assert(derived_counts.kinds <= 32, "every kind has its place");
+
 static_assert(queues_are_distinct(), "18 kinds of links on faces, and 108 ways by a centroid");
 
 }  // namespace
 
 const SectorTable sector_table = derived;
+const CountParts count_parts = derived_counts.parts;
 
 }  // namespace discmc::trace

@@ -83,20 +83,18 @@ struct SectorTable {
 
 extern const SectorTable sector_table;
 
-/// What each of the four cells around a vertex adds to the counts of a scan, so that every cell,
-/// facet and triangle of classic Marching Cubes is counted once when all vertices are.
-/// [lower end is on][bits of its three lines].
-struct SectorCounts {
-  static constexpr uint32_t cell_unit = 2520;     ///< one cell
-  static constexpr uint32_t facet_unit = 12;      ///< one facet
-  static constexpr uint32_t triangle_unit = 420;  ///< one triangle
-  uint8_t kind[2][64];
-  struct Parts {
-    uint16_t cells, facets, triangles;
-  } parts[32];
+/// What a scan counts of cells: every vertex adds a part for each of its four cells, so that a cell,
+/// a facet and a triangle of classic Marching Cubes are counted once when all vertices are.
+struct CountParts {
+  // Units of one, and where in a word their sum over four cells stands.
+  static constexpr uint32_t cell = 2520, facet = 12, triangle = 420;
+  static constexpr uint32_t facet_shift = 12, triangle_shift = 18;
+
+  uint8_t kind[2][64];  ///< [lower end is on][bits of the cell's three lines]
+  uint32_t part[32];    ///< by kind
 };
 
-extern const SectorCounts sector_counts;
+extern const CountParts count_parts;
 
 }  // namespace discmc::trace
 

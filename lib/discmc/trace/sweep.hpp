@@ -16,6 +16,7 @@ struct SweptRow {
   int32_t y, z;
   uint32_t absent[3];  ///< by axis: quadrants whose row of cells takes no part
   uint32_t axes;       ///< whose edges are there, a bit each
+  bool is_above_slab;  ///< what comes from below ends here, and nothing begins
 };
 
 /// What happens at the ends of a row: nothing but with an open border.
@@ -126,11 +127,15 @@ bool Sweep<Index, Normal>::visit(const SweptRow& row, const RowEnds& ends, uint3
                         2 * row.z + (axis_ == 2)};
     Passes passes(sector_table.axis[axis_], around.is_on(), around.lines(axis_),
                   row.absent[axis_] | ends.absent(axis_, x));
+    if (pass_ == 0) count(passes.counts());
     Pass pass;
     for (uint32_t i = 0; passes.next(pass); ++i) {
       if (i < pass_) continue;
       ++pass_;
-      chains_.take(pass, vertex, normals);
+      if (row.is_above_slab)
+        chains_.end_at(pass, vertex);
+      else
+        chains_.take(pass, vertex, normals);
       if (!delivery_.settle(chains_, sink, statistics)) return false;
     }
     pass_ = 0;
