@@ -12,8 +12,8 @@
 #include <memory>
 
 #include "input.hpp"
-#include "reference/event_log.hpp"
-#include "reference/scan.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/scan.hpp"
 #include "require.hpp"
 
 using namespace discmc;

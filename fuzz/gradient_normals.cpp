@@ -9,7 +9,7 @@
 
 #include "input.hpp"
 #include "little_memory.hpp"
-#include "normal_events.hpp"
+#include "oracle/normal_events.hpp"
 #include "require.hpp"
 
 using namespace discmc;

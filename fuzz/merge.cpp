@@ -9,9 +9,9 @@
 #include <algorithm>
 
 #include "input.hpp"
-#include "reference/agreement.hpp"
-#include "reference/event_log.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/scan.hpp"
 #include "require.hpp"
 
 using namespace discmc;

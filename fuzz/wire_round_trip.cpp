@@ -8,8 +8,8 @@
 
 #include "input.hpp"
 #include "little_memory.hpp"
+#include "oracle/stream_samples.hpp"
 #include "require.hpp"
-#include "stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -6,7 +6,7 @@
 #include <row_source.hpp>
 #include <set>
 
-#include "stream.hpp"
+#include "oracle/stream.hpp"
 
 namespace discmc::test {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "stream.hpp"
+#include "oracle/stream.hpp"
 
 using discmc::test::Bytes;
 using discmc::test::Chance;

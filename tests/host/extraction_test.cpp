@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "../stream.hpp"
 #include "command.hpp"
 #include "hand_made.hpp"
+#include "oracle/stream.hpp"
 #include "sample_reader.hpp"
 #include "surface_builder.hpp"
 

@@ -1,6 +1,6 @@
 // Does a sweep agree with the reference? Answers in words, so that a failed check tells the reason.
-#ifndef DISCMC_TESTS_REFERENCE_AGREEMENT_HPP
-#define DISCMC_TESTS_REFERENCE_AGREEMENT_HPP
+#ifndef DISCMC_TESTS_ORACLE_AGREEMENT_HPP
+#define DISCMC_TESTS_ORACLE_AGREEMENT_HPP
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // The angle between two directions, in double precision.
-#ifndef DISCMC_TESTS_REFERENCE_ANGLE_HPP
-#define DISCMC_TESTS_REFERENCE_ANGLE_HPP
+#ifndef DISCMC_TESTS_ORACLE_ANGLE_HPP
+#define DISCMC_TESTS_ORACLE_ANGLE_HPP
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 //
 // Every event is checked against the grammar of sink.hpp and against what the events before it
 // promised. Spilled fragments are put back where their numbers stand.
-#ifndef DISCMC_TESTS_REFERENCE_COLLECT_HPP
-#define DISCMC_TESTS_REFERENCE_COLLECT_HPP
+#ifndef DISCMC_TESTS_ORACLE_COLLECT_HPP
+#define DISCMC_TESTS_ORACLE_COLLECT_HPP
 
 #include <cstdint>
 #include <discmc/sink.hpp>

@@ -1,6 +1,6 @@
 // A sink for tests: writes down what it takes, refuses what it is told to, and passes the rest on.
-#ifndef DISCMC_TESTS_REFERENCE_EVENT_LOG_HPP
-#define DISCMC_TESTS_REFERENCE_EVENT_LOG_HPP
+#ifndef DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
+#define DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
 
 #include <cstdint>
 #include <discmc/sink.hpp>

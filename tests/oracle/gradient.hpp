@@ -1,6 +1,6 @@
 // Volumes of samples, and the gradient in them: the definition, written down once more.
-#ifndef DISCMC_TESTS_REFERENCE_GRADIENT_HPP
-#define DISCMC_TESTS_REFERENCE_GRADIENT_HPP
+#ifndef DISCMC_TESTS_ORACLE_GRADIENT_HPP
+#define DISCMC_TESTS_ORACLE_GRADIENT_HPP
 
 #include <array>
 #include <cstdint>

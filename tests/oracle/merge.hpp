@@ -4,8 +4,8 @@
 // facets of the volume wait in hash tables, one an incidence; a facet taken out grows into a region
 // over a stack of edges; connecting links are removed; what is left is chained into rings. It is
 // written to be read beside the paper and shares nothing with the library's sweep but the table.
-#ifndef DISCMC_TESTS_REFERENCE_MERGE_HPP
-#define DISCMC_TESTS_REFERENCE_MERGE_HPP
+#ifndef DISCMC_TESTS_ORACLE_MERGE_HPP
+#define DISCMC_TESTS_ORACLE_MERGE_HPP
 
 #include <discmc/facet_table.hpp>
 #include <vector>

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "reference/gradient.hpp"
+#include "gradient.hpp"
 #include "stream.hpp"
 
 namespace discmc::test {

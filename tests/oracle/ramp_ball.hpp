@@ -1,6 +1,6 @@
 // Balls whose samples fall evenly from the centre outwards.
-#ifndef DISCMC_TESTS_REFERENCE_RAMP_BALL_HPP
-#define DISCMC_TESTS_REFERENCE_RAMP_BALL_HPP
+#ifndef DISCMC_TESTS_ORACLE_RAMP_BALL_HPP
+#define DISCMC_TESTS_ORACLE_RAMP_BALL_HPP
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // A merged polygon and what tests ask of a set of them: is it the same, and what does it count?
-#ifndef DISCMC_TESTS_REFERENCE_REGION_HPP
-#define DISCMC_TESTS_REFERENCE_REGION_HPP
+#ifndef DISCMC_TESTS_ORACLE_REGION_HPP
+#define DISCMC_TESTS_ORACLE_REGION_HPP
 
 #include <cstdint>
 #include <discmc/facet_table.hpp>

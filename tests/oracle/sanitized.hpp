@@ -1,8 +1,8 @@
 // Whether an address sanitizer watches, or the library is one of mutants: the tests that try
 // everything then try a part of it, as each scan takes some twenty times as long, or they are run
 // some thousand times.
-#ifndef DISCMC_TESTS_REFERENCE_SANITIZED_HPP
-#define DISCMC_TESTS_REFERENCE_SANITIZED_HPP
+#ifndef DISCMC_TESTS_ORACLE_SANITIZED_HPP
+#define DISCMC_TESTS_ORACLE_SANITIZED_HPP
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // Runs a whole volume through an extractor, in whatever portions and memory a test asks for.
-#ifndef DISCMC_TESTS_REFERENCE_SCAN_HPP
-#define DISCMC_TESTS_REFERENCE_SCAN_HPP
+#ifndef DISCMC_TESTS_ORACLE_SCAN_HPP
+#define DISCMC_TESTS_ORACLE_SCAN_HPP
 
 #include <algorithm>
 #include <cstdint>

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/scan.hpp"
+#include "scan.hpp"
 
 namespace discmc::test {
 

@@ -1,6 +1,6 @@
 // What every extraction of a surface must agree on, merged or cut in whatever way.
-#ifndef DISCMC_TESTS_REFERENCE_SURFACE_HPP
-#define DISCMC_TESTS_REFERENCE_SURFACE_HPP
+#ifndef DISCMC_TESTS_ORACLE_SURFACE_HPP
+#define DISCMC_TESTS_ORACLE_SURFACE_HPP
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
 // What must hold of the derived tables, so that any wrong byte breaks it. Statements about the
 // tables as data: none uses the code that derives them but the loops of cell.hpp, of which
 // cell_test.cpp speaks.
-#ifndef DISCMC_TESTS_REFERENCE_TABLE_STATEMENTS_HPP
-#define DISCMC_TESTS_REFERENCE_TABLE_STATEMENTS_HPP
+#ifndef DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
+#define DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
 
 #include <discmc/facet_table.hpp>
 #include <discmc/patch_table.hpp>

@@ -1,8 +1,8 @@
 // Volumes of on and off voxels, and the shapes that the tests are made of.
 //
 // Everything here is integers, so that a volume is the same on every machine.
-#ifndef DISCMC_TESTS_REFERENCE_VOLUME_HPP
-#define DISCMC_TESTS_REFERENCE_VOLUME_HPP
+#ifndef DISCMC_TESTS_ORACLE_VOLUME_HPP
+#define DISCMC_TESTS_ORACLE_VOLUME_HPP
 
 #include <cstddef>
 #include <cstdint>

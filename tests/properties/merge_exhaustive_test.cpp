@@ -5,10 +5,10 @@
 // blocks is swept.
 #include <doctest/doctest.h>
 
-#include "reference/merge.hpp"
-#include "reference/sanitized.hpp"
-#include "reference/scan.hpp"
-#include "reference/surface.hpp"
+#include "oracle/merge.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/scan.hpp"
+#include "oracle/surface.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

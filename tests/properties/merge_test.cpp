@@ -1,10 +1,10 @@
 // The sweep's regions on volumes of every sort: equal to the reference, and as known.
 #include <doctest/doctest.h>
 
-#include "reference/agreement.hpp"
-#include "reference/event_log.hpp"
-#include "reference/sanitized.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/scan.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

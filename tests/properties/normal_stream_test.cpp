@@ -5,7 +5,7 @@
 #include <discmc/gradient_normals.hpp>
 #include <discmc/record_encoding.hpp>
 
-#include "stream_samples.hpp"
+#include "oracle/stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -2,8 +2,8 @@
 // waits, and what leaves in the end is byte for byte what leaves without a fault.
 #include <doctest/doctest.h>
 
-#include "reference/sanitized.hpp"
-#include "stream_samples.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

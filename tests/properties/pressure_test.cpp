@@ -4,9 +4,9 @@
 
 #include <iterator>
 
-#include "reference/agreement.hpp"
-#include "reference/sanitized.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/scan.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

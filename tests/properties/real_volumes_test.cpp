@@ -9,8 +9,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "reference/agreement.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/scan.hpp"
 #include "volume.hpp"
 
 using namespace discmc;

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "reference/merge.hpp"
+#include "oracle/merge.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

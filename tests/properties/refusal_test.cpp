@@ -2,10 +2,10 @@
 // goes on, the events are the same.
 #include <doctest/doctest.h>
 
-#include "reference/agreement.hpp"
-#include "reference/event_log.hpp"
-#include "reference/sanitized.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/scan.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -1,11 +1,11 @@
-// Statements that any wrong byte of a derived table breaks (table_mutation/tables.cpp tries every
+// Statements that any wrong byte of a derived table breaks (proofs/table_mutation tries every
 // one), and patches on either side of a face; by exhaustion.
 #include <doctest/doctest.h>
 
 #include <map>
 #include <utility>
 
-#include "reference/table_statements.hpp"
+#include "oracle/table_statements.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -2,7 +2,7 @@
 // nothing else is taken for it.
 #include <doctest/doctest.h>
 
-#include "stream_samples.hpp"
+#include "oracle/stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "stream.hpp"
+#include "oracle/stream.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

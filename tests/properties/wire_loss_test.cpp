@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "stream_samples.hpp"
+#include "oracle/stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

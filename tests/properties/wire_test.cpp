@@ -6,8 +6,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "reference/surface.hpp"
-#include "stream_samples.hpp"
+#include "oracle/stream_samples.hpp"
+#include "oracle/surface.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

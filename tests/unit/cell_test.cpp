@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell_symmetry.hpp"
+#include "oracle/cell_symmetry.hpp"
 
 using namespace discmc;
 using test::cell_symmetries;

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "reference/region.hpp"
+#include "oracle/region.hpp"
 
 using namespace discmc;
 

@@ -5,8 +5,8 @@
 #include <discmc/checkpoint.hpp>
 #include <set>
 
-#include "reference/sanitized.hpp"
-#include "stream_samples.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,7 +1,7 @@
 // The decoder alone: what it refuses, skips and reports, and packets made by hand.
 #include <doctest/doctest.h>
 
-#include "stream_samples.hpp"
+#include "oracle/stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -2,9 +2,9 @@
 // status and nothing else.
 #include <doctest/doctest.h>
 
-#include "reference/agreement.hpp"
-#include "reference/event_log.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/scan.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

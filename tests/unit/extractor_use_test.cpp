@@ -1,9 +1,9 @@
 // The extractor's statuses, counters and memory: misuse, long scans, and several at a time.
 #include <doctest/doctest.h>
 
-#include "reference/agreement.hpp"
-#include "reference/event_log.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/scan.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

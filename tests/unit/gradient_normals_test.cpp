@@ -8,9 +8,9 @@
 #include <discmc/sample_window.hpp>
 #include <vector>
 
-#include "normal_events.hpp"
-#include "reference/scan.hpp"
-#include "stream.hpp"
+#include "oracle/normal_events.hpp"
+#include "oracle/scan.hpp"
+#include "oracle/stream.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

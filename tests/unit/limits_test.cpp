@@ -3,7 +3,7 @@
 #include <discmc/extractor.hpp>
 #include <discmc/limits.hpp>
 
-#include "reference/scan.hpp"
+#include "oracle/scan.hpp"
 
 using namespace discmc;
 

@@ -9,7 +9,7 @@
 #include <discmc/polygon.hpp>
 #include <vector>
 
-#include "stream.hpp"
+#include "oracle/stream.hpp"
 
 using namespace discmc;
 using discmc::test::Chance;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "reference/agreement.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/scan.hpp"
 
 using namespace discmc;
 using reference::Ring;

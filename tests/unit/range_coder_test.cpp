@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "stream.hpp"
+#include "oracle/stream.hpp"
 
 using namespace discmc;
 using test::Bytes;

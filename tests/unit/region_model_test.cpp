@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "reference/table_statements.hpp"
-#include "stream.hpp"
+#include "oracle/stream.hpp"
+#include "oracle/table_statements.hpp"
 
 using namespace discmc;
 using test::Bytes;

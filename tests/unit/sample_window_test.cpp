@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "reference/gradient.hpp"
-#include "reference/scan.hpp"
-#include "stream.hpp"
+#include "oracle/gradient.hpp"
+#include "oracle/scan.hpp"
+#include "oracle/stream.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "reference/volume.hpp"
+#include "oracle/volume.hpp"
 
 using namespace discmc;
 using reference::BitVolume;

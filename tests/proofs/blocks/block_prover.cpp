@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "reference/agreement.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/scan.hpp"
 
 namespace discmc::prove {
 

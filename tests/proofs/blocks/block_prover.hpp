@@ -3,8 +3,8 @@
 // Rows are taken as the digits of a number: before each row the extractor, its memory, the sink and
 // the reference are saved, and put back for the next value of that row. So every block is a whole
 // scan of its own, but work is shared by all blocks that begin alike.
-#ifndef DISCMC_TESTS_PROVE_BLOCK_PROVER_HPP
-#define DISCMC_TESTS_PROVE_BLOCK_PROVER_HPP
+#ifndef DISCMC_TESTS_BLOCKS_BLOCK_PROVER_HPP
+#define DISCMC_TESTS_BLOCKS_BLOCK_PROVER_HPP
 
 #include <array>
 #include <cstdint>

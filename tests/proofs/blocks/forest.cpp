@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/surface.hpp"
+#include "oracle/surface.hpp"
 
 namespace discmc::prove {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "block_prover.hpp"
-#include "reference/sanitized.hpp"
+#include "oracle/sanitized.hpp"
 
 using namespace discmc;
 using namespace discmc::prove;

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "reference/surface.hpp"
+#include "oracle/surface.hpp"
 
 namespace discmc::prove {
 

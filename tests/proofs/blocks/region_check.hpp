@@ -1,7 +1,7 @@
 // A sink that checks the surface of a small block as it comes, and sums it up in a few words that
 // can be saved and put back.
-#ifndef DISCMC_TESTS_PROVE_REGION_CHECK_HPP
-#define DISCMC_TESTS_PROVE_REGION_CHECK_HPP
+#ifndef DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
+#define DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
 
 #include <cstddef>
 #include <cstdint>

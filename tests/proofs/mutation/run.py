@@ -20,7 +20,7 @@ from pathlib import Path
 
 import instrument
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 BUILD = ROOT / 'build' / 'mutation'
 PROGRAM = BUILD / 'mutants'
 RESULTS = BUILD / 'results.tsv'
@@ -237,7 +237,7 @@ def arguments():
     parser = argparse.ArgumentParser(
         prog='scripts/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
         epilog=f'Fails when a mutant is neither caught nor explained in '
-        f'tests/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
+        f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
         'most of it for those that survive.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
                         help='of lib/discmc, as merge.cpp or "*.hpp"; all when none is named')

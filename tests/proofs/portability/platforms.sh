@@ -35,7 +35,7 @@ use_platform() {
       emulator=("qemu-$2")
       ;;
     *)
-      use_target "$2" # of tests/object_code
+      use_target "$2" # of tests/proofs/object_code
       compile=("${tool}g++" "${machine[@]}")
       ;;
   esac

@@ -1,5 +1,5 @@
 // Changes every byte of every derived table to every other value, one at a time, and requires that
-// the statements about the tables (reference/table_statements.hpp, which tables_test.cpp asserts)
+// the statements about the tables (oracle/table_statements.hpp, which properties/tables_test.cpp asserts)
 // notice. What they need not notice is listed below, with the reason. Prints a line a field and a
 // line a statement; exit code 1 for a survivor. Under an address sanitizer one value in 37.
 #include <cinttypes>
@@ -8,8 +8,8 @@
 #include <map>
 #include <string>
 
-#include "reference/sanitized.hpp"
-#include "reference/table_statements.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/table_statements.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/volume.hpp"
-#include "work/bound.hpp"
+#include "oracle/volume.hpp"
+#include "proofs/work/bound.hpp"
 
 namespace discmc::work {
 

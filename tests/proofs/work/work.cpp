@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "work/counted_scan.hpp"
+#include "proofs/work/counted_scan.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
