@@ -1,40 +1,49 @@
-// A sink for tests: writes down what it takes, refuses what it is told to, and passes the rest on.
+// The recorder of events: a sink that keeps what it takes, as values that compare.
 #ifndef DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
 #define DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
 
+#include <array>
 #include <cstdint>
 #include <discmc/sink.hpp>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "collect.hpp"
 
 namespace discmc::reference {
 
-/// Appends what an event says to a list of words: the members that its kind names and no others.
-inline void write_down(const Event& event, std::vector<uint64_t>& words) {
-  const auto add = [&](auto... values) { (words.push_back(static_cast<uint64_t>(values)), ...); };
-  add(event.kind);
+inline std::array<uint64_t, 9> counts(const Statistics& s) {
+  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
+          s.cuts,  s.spills, s.skipped_rows};
+}
+
+/// Calls add(number) with what an event says: its kind, then the members that its kind names and no
+/// others.
+template <class Add>
+void for_each_number(const Event& event, Add add) {
+  const auto add_all = [&](auto... values) { (add(static_cast<uint64_t>(values)), ...); };
+  add_all(event.kind);
   switch (event.kind) {
     case Event::Kind::region:
-      return add(event.incidence);
+      return add_all(event.incidence);
     case Event::Kind::ring:
-      return add(event.start.x, event.start.y, event.start.z, event.hole);
+      return add_all(event.start.x, event.start.y, event.start.z, event.hole);
     case Event::Kind::run:
-      // In one word, which without a normal is the run alone.
-      return add(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
-                 uint64_t{event.normal.v} << 40);
+      // In one number, which without a normal is the run alone.
+      return add_all(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
+                     uint64_t{event.normal.v} << 40);
     case Event::Kind::fragment:
-      return add(event.number, event.incidence);
+      return add_all(event.number, event.incidence);
     case Event::Kind::skipped:
-      return add(event.slice, event.row, event.repeated);
+      return add_all(event.slice, event.row, event.repeated);
     case Event::Kind::layer:
-      return add(event.slice);
-    case Event::Kind::finish: {
-      const Statistics& s = *event.statistics;
-      add(event.slice, event.abandoned, s.cells, s.facets, s.classic_triangles, s.regions);
-      return add(s.rings, s.links, s.cuts, s.spills, s.skipped_rows);
-    }
+      return add_all(event.slice);
+    case Event::Kind::finish:
+      add_all(event.slice, event.abandoned);
+      for (const uint64_t count : counts(*event.statistics)) add(count);
+      return;
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
     case Event::Kind::lost:
@@ -42,56 +51,87 @@ inline void write_down(const Event& event, std::vector<uint64_t>& words) {
   }
 }
 
-/// Refuses an offer where `refuses(number of the offer)` says so. What it takes goes into a list
-/// that compares, and to a Collector, which checks it. Errors: GrammarError, also when a refused
-/// event is not what is offered next, or the events do not end.
+/// An event as a value. Two are equal when they say the same.
+class RecordedEvent {
+ public:
+  explicit RecordedEvent(const Event& event) : event_(event) {
+    if (event.kind == Event::Kind::finish) statistics_ = *event.statistics;
+  }
+
+  Event::Kind kind() const { return event_.kind; }
+  bool is(Event::Kind kind) const { return event_.kind == kind; }
+  /// Owner: this object must outlive the event.
+  Event event() const {
+    Event event = event_;
+    event.statistics = &statistics_;
+    return event;
+  }
+
+  bool operator==(const RecordedEvent& other) const { return numbers() == other.numbers(); }
+  bool operator!=(const RecordedEvent& other) const { return !(*this == other); }
+
+ private:
+  // Zeros behind the last. A finish event has the most.
+  std::array<uint64_t, 12> numbers() const {
+    std::array<uint64_t, 12> all{};
+    size_t count = 0;
+    for_each_number(event(), [&](uint64_t number) { all.at(count++) = number; });
+    return all;
+  }
+
+  Event event_;
+  Statistics statistics_{};
+};
+
+using Events = std::vector<RecordedEvent>;
+
+/// Refuses every offer once, so that all is taken when it is offered for the second time.
+inline bool refuses_first(uint64_t offer) {
+  return offer % 2 == 0;
+}
+
+/// Refuses an offer where `refuses(number of the offer)` says so, and records the others. Errors:
+/// throws GrammarError when a refused event is not what is offered next, or the events do not end.
 class EventLog {
  public:
   using Refuses = std::function<bool(uint64_t offer)>;
 
-  explicit EventLog(Refuses refuses = {}, bool takes_fragments = true)
-      : collector_(takes_fragments), refuses_(std::move(refuses)) {}
+  explicit EventLog(Refuses refuses = {}) : refuses_(std::move(refuses)) {}
 
   Answer take(const Event& event) {
-    if (!refused_.empty()) check_offered_again(event);
+    const RecordedEvent offered(event);
+    if (refused_ && *refused_ != offered)
+      throw GrammarError("what was refused is not offered again");
+    refused_.reset();
     if (refuses_ && refuses_(offers_++)) {
       ++refusals_;
-      write_down(event, refused_);
+      refused_ = offered;
       return Answer::not_now;
     }
-    if (++events_ > most_events) throw GrammarError("events without end");
-    write_down(event, words_);
-    kinds_.push_back(event.kind);
-    return collector_.take(event);
+    if (events.size() == most_events) throw GrammarError("events without end");
+    events.push_back(offered);
+    return Answer::taken;
   }
 
-  /// All that was taken, in numbers: equal lists mean equal events.
-  const std::vector<uint64_t>& words() const { return words_; }
-  const std::vector<Event::Kind>& kinds() const { return kinds_; }
-  uint64_t events() const { return events_; }
   uint64_t refusals() const { return refusals_; }
-  const Collector& collector() const { return collector_; }
-  const std::vector<Region>& regions() const { return collector_.regions(); }
+
+  Events events;
 
  private:
-  static constexpr uint64_t most_events = 20000000;
+  static constexpr size_t most_events = 20000000;
 
-  void check_offered_again(const Event& event) {
-    std::vector<uint64_t> offered;
-    write_down(event, offered);
-    if (offered != refused_) throw GrammarError("what was refused is not offered again");
-    refused_.clear();
-  }
-
-  Collector collector_;
   Refuses refuses_;
   uint64_t offers_ = 0;
-  uint64_t events_ = 0;
   uint64_t refusals_ = 0;
-  std::vector<uint64_t> refused_;  // the event that was refused last, until it is offered again
-  std::vector<uint64_t> words_;
-  std::vector<Event::Kind> kinds_;
+  std::optional<RecordedEvent> refused_;  // the last, until it is offered again
 };
+
+/// The events, put together by a Collector. Errors: throws GrammarError.
+inline Collector collected(const Events& events, bool takes_fragments = true) {
+  Collector collector(takes_fragments);
+  for (const RecordedEvent& event : events) (void)collector.take(event.event());
+  return collector;
+}
 
 }  // namespace discmc::reference
 

@@ -45,8 +45,8 @@ void for_each_start(const Events& events, Visit visit) {
     }
     sides.clear();
   };
-  for (const Told& told : events) {
-    const Event event = told.event();
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
     switch (event.kind) {
       case Event::Kind::region:
         incidence = event.incidence;
@@ -76,8 +76,8 @@ void for_each_start(const Events& events, Visit visit) {
 
 inline Events without_normals(const Events& events) {
   Events plain;
-  for (const Told& told : events) {
-    Event event = told.event();
+  for (const RecordedEvent& recorded : events) {
+    Event event = recorded.event();
     event.normal = {0, 0};
     plain.emplace_back(event);
   }

@@ -1,4 +1,4 @@
-// Streams for tests: events as values, streams made of them, and packets taken apart and mended.
+// Streams for tests: made of recorded events, and their packets taken apart and mended.
 #ifndef DISCMC_TESTS_STREAM_HPP
 #define DISCMC_TESTS_STREAM_HPP
 
@@ -11,90 +11,16 @@
 #include <stdexcept>
 #include <vector>
 
+#include "event_log.hpp"
 #include "scan.hpp"
 
 namespace discmc::test {
 
 using Bytes = std::vector<uint8_t>;
 
-/// An event as a value. Only what its kind names is kept, so that equal events are equal.
-class Told {
- public:
-  explicit Told(const Event& event) {
-    using Kind = Event::Kind;
-    event_.kind = event.kind;
-    const Kind kind = event.kind;
-    if (kind == Kind::region || kind == Kind::fragment) event_.incidence = event.incidence;
-    if (kind == Kind::fragment) event_.number = event.number;
-    if (kind == Kind::ring) {
-      event_.start = event.start;
-      event_.hole = event.hole;
-    }
-    if (kind == Kind::run) {
-      event_.run = event.run;
-      event_.normal = event.normal;
-    }
-    if (kind == Kind::skipped || kind == Kind::layer || kind == Kind::finish)
-      event_.slice = event.slice;
-    if (kind == Kind::skipped) {
-      event_.row = event.row;
-      event_.repeated = event.repeated;
-    }
-    if (kind == Kind::finish) {
-      event_.abandoned = event.abandoned;
-      totals_ = *event.statistics;
-    }
-  }
-
-  Event::Kind kind() const { return event_.kind; }
-  bool is(Event::Kind kind) const { return event_.kind == kind; }
-  /// Owner: this object must outlive the event.
-  Event event() const {
-    Event event = event_;
-    event.statistics = &totals_;
-    return event;
-  }
-
-  bool operator==(const Told& other) const {
-    const Event& a = event_;
-    const Event& b = other.event_;
-    return a.kind == b.kind && a.incidence == b.incidence && a.hole == b.hole && a.run == b.run &&
-           a.normal == b.normal && a.repeated == b.repeated && a.abandoned == b.abandoned &&
-           a.number == b.number && a.slice == b.slice && a.row == b.row && a.start == b.start &&
-           (a.kind != Event::Kind::finish || counts() == other.counts());
-  }
-  bool operator!=(const Told& other) const { return !(*this == other); }
-
- private:
-  std::array<uint64_t, 9> counts() const {
-    return {totals_.cells,   totals_.facets, totals_.classic_triangles,
-            totals_.regions, totals_.rings,  totals_.links,
-            totals_.cuts,    totals_.spills, totals_.skipped_rows};
-  }
-
-  Event event_{};
-  Statistics totals_{};
-};
-
-using Events = std::vector<Told>;
-
-/// A sink that notes everything. With `refuses` it takes an event only when asked a second time.
-class Log {
- public:
-  explicit Log(bool refuses = false) : refuses_(refuses) {}
-  Answer take(const Event& event) {
-    was_refused_ = refuses_ && !was_refused_;
-    if (was_refused_) return Answer::not_now;
-    events.emplace_back(event);
-    return Answer::taken;
-  }
-
-  Events events;
-
- private:
-  bool refuses_;
-  bool was_refused_ = false;
-};
+using reference::EventLog;
+using reference::Events;
+using reference::RecordedEvent;
 
 // ---- chance ----
 
@@ -119,7 +45,7 @@ class Chance {
 
 inline Events events_of(const reference::BitVolume& volume, const Capacities& capacities,
                         const reference::Plan& plan = {}) {
-  Log log;
+  EventLog log;
   reference::scan_into<uint32_t>(log, volume, plan, capacities);
   return log.events;
 }
@@ -173,8 +99,8 @@ class Line {
 
 template <class Encoding>
 void take_all(Encoding& encoder, const Events& events) {
-  for (const Told& told : events)
-    for (int tries = 0; encoder.take(told.event()) != Answer::taken; ++tries)
+  for (const RecordedEvent& recorded : events)
+    for (int tries = 0; encoder.take(recorded.event()) != Answer::taken; ++tries)
       if (tries > 10000) throw std::runtime_error("an event that is never taken");
 }
 
@@ -201,7 +127,7 @@ struct Arrival {
 
 /// Decodes `chunk` bytes at a time (0: all at once), with a sink that may refuse every event once.
 inline Arrival decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
-  Log log(refuses);
+  EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Decoder decoder;
   reference::require_ok(decoder.start(sink_to(log)));
   Status status = Status::ok;
@@ -221,7 +147,7 @@ inline Arrival decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false
 
 /// The events that each frame of a whole stream brings.
 inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
-  Log log;
+  EventLog log;
   Decoder decoder;
   reference::require_ok(decoder.start(sink_to(log)));
   std::vector<Events> result;
@@ -245,41 +171,41 @@ inline std::vector<Events> regions_of(const Events& events) {
   std::vector<Events> regions;
   Events open;
   uint32_t directions = 0;
-  for (const Told& told : events) {
-    const Event event = told.event();
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
     const bool in_chain = place == Place::ring || place == Place::runs || place == Place::fragment;
     require(place != Place::over);
-    if (told.is(Kind::run)) {
+    if (recorded.is(Kind::run)) {
       require(in_chain && !event.run.is_empty());
       if (!event.run.is_fragment())
         require(event.run.length() > 0 && event.run.direction() < directions);
       if (place == Place::ring) place = Place::runs;
-    } else if (told.is(Kind::ring)) {
+    } else if (recorded.is(Kind::ring)) {
       require(place == Place::region || place == Place::runs);
       require(event.hole == (place == Place::runs));
       require((event.start.x ^ event.start.y ^ event.start.z) & 1);
       place = Place::ring;
-    } else if (told.is(Kind::region_end)) {
+    } else if (recorded.is(Kind::region_end)) {
       require(place == Place::runs);
       place = Place::between;
-    } else if (told.is(Kind::fragment_end)) {
+    } else if (recorded.is(Kind::fragment_end)) {
       require(place == Place::fragment);
       place = Place::between;
-    } else if (told.is(Kind::lost)) {
+    } else if (recorded.is(Kind::lost)) {
       require(place != Place::between);
       place = Place::between;
       open.clear();
     } else {
       require(place == Place::between);
-      if (told.is(Kind::region)) place = Place::region;
-      if (told.is(Kind::fragment)) place = Place::fragment;
-      if (told.is(Kind::finish)) place = Place::over;
+      if (recorded.is(Kind::region)) place = Place::region;
+      if (recorded.is(Kind::fragment)) place = Place::fragment;
+      if (recorded.is(Kind::finish)) place = Place::over;
       if (place == Place::region || place == Place::fragment)
         directions = direction_count(event.incidence);
       open.clear();
     }
-    open.push_back(told);
-    if (told.is(Kind::region_end)) regions.push_back(open);
+    open.push_back(recorded);
+    if (recorded.is(Kind::region_end)) regions.push_back(open);
   }
   return regions;
 }

@@ -143,7 +143,7 @@ inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows
   const Limits limits = reference::limits_of(volume, Border::closed);
   const Capacities capacities = worst_case_capacities(limits);
   reference::Block block(bytes_for<uint32_t>(limits, capacities));
-  Log log;
+  EventLog log;
   Extractor32 extractor;
   reference::require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
   const uint32_t rows = volume.height * volume.depth;

@@ -85,7 +85,7 @@ std::string fault_of(const BitVolume& volume, bool closed) {
 
 EventLog events_of(const BitVolume& volume, Border border, const Capacities& capacities, bool wide,
                    bool takes_fragments = true) {
-  EventLog log({}, takes_fragments);
+  EventLog log;
   const Plan plan{border, takes_fragments, 0};
   if (wide)
     scan_into<uint32_t>(log, volume, plan, capacities);
@@ -96,7 +96,10 @@ EventLog events_of(const BitVolume& volume, Border border, const Capacities& cap
 
 uint64_t hash_of(const EventLog& log) {
   uint64_t hash = 0;
-  for (const uint64_t word : log.words()) hash = hash * 0x100000001B3 + static_cast<uint32_t>(word);
+  for (const RecordedEvent& recorded : log.events)
+    for_each_number(recorded.event(), [&](uint64_t number) {
+      hash = hash * 0x100000001B3 + static_cast<uint32_t>(number);
+    });
   return hash;
 }
 
@@ -207,10 +210,10 @@ TEST_CASE("the events depend on no index width and no capacity while nothing is 
       CAPTURE(shape.name);
       const bool counts_in_16 = are_valid<uint16_t>(enough);
       const EventLog narrow = events_of(shape.volume, border, enough, !counts_in_16);
-      CHECK(events_of(shape.volume, border, enough, true).words() == narrow.words());
-      CHECK(events_of(shape.volume, border, more, true).words() == narrow.words());
+      CHECK(events_of(shape.volume, border, enough, true).events == narrow.events);
+      CHECK(events_of(shape.volume, border, more, true).events == narrow.events);
       const EventLog hashed = events_of(shape.volume, border, fewer_slots, true);
-      if (hashed.collector().statistics().cuts == 0) CHECK(hashed.words() == narrow.words());
+      if (collected(hashed.events).statistics().cuts == 0) CHECK(hashed.events == narrow.events);
     }
 }
 
@@ -222,8 +225,8 @@ TEST_CASE("the events depend on no index width under pressure either") {
     const Capacities few{least.edges + extra, least.runs + extra, least.rings + extra / 5,
                          least.regions + extra / 2, least.slots + extra};
     const Border border = seed % 2 == 0 ? Border::closed : Border::open;
-    CHECK(events_of(volume, border, few, true).words() ==
-          events_of(volume, border, few, false).words());
+    CHECK(events_of(volume, border, few, true).events ==
+          events_of(volume, border, few, false).events);
   }
 }
 

@@ -24,9 +24,9 @@ template <class NormalOf>
 Events with_normals(const Events& events, NormalOf normal_of) {
   Events result;
   uint32_t runs = 0;
-  for (const Told& told : events) {
-    Event event = told.event();
-    if (told.is(Kind::run)) event.normal = normal_of(runs++);
+  for (const RecordedEvent& recorded : events) {
+    Event event = recorded.event();
+    if (recorded.is(Kind::run)) event.normal = normal_of(runs++);
     result.emplace_back(event);
   }
   return result;
@@ -84,8 +84,9 @@ List normals_of(const std::vector<Bytes>& payloads) {
   for (const Bytes& payload : payloads)
     for (const uint8_t byte : frame_of({2, ++number, 0, payload})) stream.push_back(byte);
   List normals;
-  for (const Told& told : decode(stream).events)
-    if (told.is(Kind::run)) normals.push_back({told.event().normal.u, told.event().normal.v});
+  for (const RecordedEvent& recorded : decode(stream).events)
+    if (recorded.is(Kind::run))
+      normals.push_back({recorded.event().normal.u, recorded.event().normal.v});
   return normals;
 }
 
@@ -233,7 +234,7 @@ TEST_CASE("a stream of an extractor with normals comes through, spills and all")
   for (size_t i = 1; i + 24 < samples.size(); ++i)
     samples[i] = static_cast<uint8_t>((samples[i - 1] + samples[i] + samples[i + 24]) / 3);
   Block block(bytes_for<uint16_t, GradientNormals<uint8_t>>(limits, capacities));
-  Log log;
+  EventLog log;
   Extractor<uint16_t, GradientNormals<uint8_t>> extractor;
   require_ok(extractor.start(limits, capacities, 120, block.memory(), sink_to(log)));
   push_all(extractor, samples);

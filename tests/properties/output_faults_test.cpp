@@ -267,8 +267,8 @@ TEST_CASE("flushes between faults move the ends of packets and lose nothing") {
       Encoder encoder;
       REQUIRE(encoder.start(sample.header, output.output()) == Status::ok);
       size_t calls = 0;
-      for (const Told& told : sample.events)
-        while (encoder.take(told.event()) == Answer::not_now)
+      for (const RecordedEvent& recorded : sample.events)
+        while (encoder.take(recorded.event()) == Answer::not_now)
           if (++calls % 2 == 0) (void)encoder.flush();
       const Arrival arrival = decode(output.bytes);
       REQUIRE(arrival.events == sample.events);

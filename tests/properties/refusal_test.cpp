@@ -82,7 +82,7 @@ void end(Extractor<Index>& extractor, Ending ending, Way way) {
 
 template <class Index>
 EventLog run(const Scenario& scenario, EventLog::Refuses refuses = {}, Way way = Way::again) {
-  EventLog log(std::move(refuses), scenario.takes_fragments);
+  EventLog log(std::move(refuses));
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(bytes_for<Index>(limits, scenario.capacities));
   Extractor<Index> extractor;
@@ -91,7 +91,8 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses = {}, Way way =
   push_samples(extractor, scenario, way);
   end(extractor, scenario.ending, way);
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
-  if (!log.collector().is_finished()) throw std::runtime_error("ended without a finish event");
+  if (!collected(log.events, scenario.takes_fragments).is_finished())
+    throw std::runtime_error("ended without a finish event");
   return log;
 }
 
@@ -101,7 +102,7 @@ std::string difference(const Scenario& scenario, const EventLog& plain, EventLog
   try {
     const EventLog log = run<uint16_t>(scenario, std::move(refuses), way);
     if (log.refusals() == 0) return "nothing was refused";
-    return log.words() == plain.words() ? "" : "other events";
+    return log.events == plain.events ? "" : "other events";
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -141,7 +142,7 @@ constexpr Way ways[] = {Way::again, Way::resume, Way::busy};
 
 void check_every_single_refusal(const Scenario& scenario) {
   const EventLog plain = run<uint16_t>(scenario);
-  for (uint64_t k = 0; k < plain.events(); k += step(17)) {
+  for (uint64_t k = 0; k < plain.events.size(); k += step(17)) {
     CAPTURE(k);
     const auto refuses = [k](uint64_t offer) { return offer == k; };
     CHECK(difference(scenario, plain, refuses, ways[k % 3]) == "");
@@ -196,9 +197,8 @@ bool is_held(Extractor16& extractor, const Scenario& scenario, uint32_t at) {
 // Then it recovers, or the scan is given up for the next one in the same memory.
 std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, uint64_t k) {
   bool is_dead = false;
-  EventLog log([&](uint64_t offer) { return (is_dead = is_dead || offer == k); },
-               scenario.takes_fragments);
-  EventLog next({}, scenario.takes_fragments);
+  EventLog log([&](uint64_t offer) { return (is_dead = is_dead || offer == k); });
+  EventLog next;
   Switch receiver{&log};
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(bytes_for<uint16_t>(limits, scenario.capacities));
@@ -208,7 +208,7 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   uint32_t at = 0;
   if (push_until_refused(extractor, scenario, at) != Status::more) return "not refused";
   for (int i = 0; i < 3; ++i)
-    if (!is_held(extractor, scenario, at) || log.events() != k) return "not held";
+    if (!is_held(extractor, scenario, at) || log.events.size() != k) return "not held";
   is_dead = false;
   if (k % 2 == 1) {
     receiver.log = &next;
@@ -219,7 +219,7 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   while (status == Status::more) status = push_until_refused(extractor, scenario, at);
   require_ok(status);
   if (!block.is_intact()) return "a write outside the arena";
-  return receiver.log->words() == plain.words() ? "" : "other events";
+  return receiver.log->events == plain.events ? "" : "other events";
 }
 
 // Few runs: this scenario spills. How many runs decides which fragments are spilled when.
@@ -263,7 +263,7 @@ TEST_CASE("any one refusal while fragments are spilled changes nothing") {
   for (uint64_t seed = 0; seed < 14; ++seed) {
     const Scenario scenario = spilling(seed, seed % 2 == 0 ? Border::closed : Border::open);
     CAPTURE(seed);
-    spills += run<uint16_t>(scenario).collector().statistics().spills;
+    spills += collected(run<uint16_t>(scenario).events).statistics().spills;
     check_every_single_refusal(scenario);
   }
   CHECK(spills > 500);
@@ -274,7 +274,7 @@ TEST_CASE("any one refusal while links are cut changes nothing") {
   for (uint64_t seed = 0; seed < 12; ++seed) {
     const Scenario scenario = cutting(3 * seed, seed % 2 == 0);
     CAPTURE(seed);
-    cuts += run<uint16_t>(scenario).collector().statistics().cuts;
+    cuts += collected(run<uint16_t>(scenario).events).statistics().cuts;
     check_every_single_refusal(scenario);
   }
   CHECK(cuts > 500);
@@ -294,9 +294,9 @@ TEST_CASE("a reset forgets whatever the sink has not taken") {
   for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
                                    spilling(4, Border::closed), cutting(7, true)}) {
     const EventLog plain = run<uint16_t>(scenario);
-    for (uint64_t taken = 0; taken < plain.events(); taken += 7)
+    for (uint64_t taken = 0; taken < plain.events.size(); taken += 7)
       for (const bool skips : {false, true})
-        CHECK(events_after_reset(scenario, taken, skips).words() == plain.words());
+        CHECK(events_after_reset(scenario, taken, skips).events == plain.events);
   }
 }
 
@@ -305,8 +305,9 @@ TEST_CASE("the surface is right after refusals, not only the same as without") {
     const Scenario scenario = spilling(seed, Border::closed);
     const EventLog log = run<uint32_t>(
         scenario, [seed](uint64_t i) { return i % (seed + 2) == 0; }, Way::again);
-    CHECK(log.collector().statistics().cuts == 0);
-    CHECK(unlike_merge(log.regions(), scenario.volume, true) == "");
+    const Collector collector = collected(log.events);
+    CHECK(collector.statistics().cuts == 0);
+    CHECK(unlike_merge(collector.regions(), scenario.volume, true) == "");
   }
 }
 
@@ -317,7 +318,7 @@ TEST_CASE("a scan abandoned anywhere, with any one refusal, is closed and told t
     const auto voxels = static_cast<uint32_t>(scenario.volume.voxels());
     for (scenario.samples = 0; scenario.samples <= voxels; ++scenario.samples) {
       CAPTURE(scenario.samples);
-      CHECK(run<uint16_t>(scenario).collector().was_abandoned());
+      CHECK(collected(run<uint16_t>(scenario).events).was_abandoned());
       check_every_single_refusal(scenario);
     }
   }
@@ -339,8 +340,9 @@ TEST_CASE("an ending that was refused goes on with resume() alone, whatever was 
       while (status == Status::more) status = extractor.resume();
       CAPTURE(k);
       CHECK(status == Status::ok);
-      CHECK(log.collector().is_finished());
-      CHECK(log.collector().was_abandoned() == (ending == Ending::abandon));
+      const Collector collector = collected(log.events);
+      CHECK(collector.is_finished());
+      CHECK(collector.was_abandoned() == (ending == Ending::abandon));
     }
 }
 
@@ -351,7 +353,7 @@ TEST_CASE(
                                      cutting(5 * seed, seed % 2 == 0)}) {
       CAPTURE(seed);
       const EventLog plain = run<uint16_t>(scenario);
-      for (uint64_t k = 0; k < plain.events(); k += step(11)) {
+      for (uint64_t k = 0; k < plain.events.size(); k += step(11)) {
         CAPTURE(k);
         CHECK(fault_of_dead_sink(scenario, plain, k) == "");
       }
@@ -379,5 +381,5 @@ TEST_CASE("a sink that never takes anything suspends for ever and loses nothing"
   is_busy = false;
   CHECK(extractor.push(volume.on.data() + first.samples, 50 - first.samples).status == Status::ok);
   finish_all(extractor);
-  CHECK(unlike_merge(log.regions(), volume, true) == "");
+  CHECK(unlike_merge(collected(log.events).regions(), volume, true) == "");
 }

@@ -17,7 +17,7 @@ namespace {
 // stream that ends there, and whether what was open there was told to be lost).
 template <class Check>
 Events decode_cutting(const Bytes& stream, Check check) {
-  Log log;
+  EventLog log;
   Decoder decoder;
   reference::require_ok(decoder.start(sink_to(log)));
   for (size_t count = 0; count < stream.size(); ++count) {
@@ -25,19 +25,13 @@ Events decode_cutting(const Bytes& stream, Check check) {
     const size_t told = log.events.size();
     reference::require_ok(cut.finish());
     const bool is_lost = log.events.size() > told;
-    log.events.resize(told, Told(Event{}));
+    log.events.resize(told, RecordedEvent(Event{}));
     check(count, log.events, cut.report(), is_lost);
     const Bytes one(1, stream[count]);
     reference::require_ok(decoder.push(one.data(), 1).status);
   }
   CHECK(decoder.report().is_complete());
   return log.events;
-}
-
-Collector collected(const Events& events) {
-  Collector collector;
-  for (const Told& told : events) (void)collector.take(told.event());
-  return collector;
 }
 
 int32_t top_of(const Region& region) {

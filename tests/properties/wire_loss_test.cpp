@@ -27,11 +27,11 @@ struct Sent {
       : frames(std::move(whole)), brought(events_by_frame(frames)) {
     Span span{};
     for (size_t i = 0; i < frames.size(); ++i)
-      for (const Told& told : brought[i]) {
-        if (told.is(Kind::region)) span = {i, i, {}};
-        span.events.push_back(told);
+      for (const RecordedEvent& recorded : brought[i]) {
+        if (recorded.is(Kind::region)) span = {i, i, {}};
+        span.events.push_back(recorded);
         span.last = i;
-        if (told.is(Kind::region_end)) regions.push_back(span);
+        if (recorded.is(Kind::region_end)) regions.push_back(span);
       }
   }
 
@@ -98,9 +98,9 @@ std::vector<Bytes> packets_of_one_region(uint32_t regions) {
   Line line;
   Encoder encoder;
   reference::require_ok(encoder.start(any_header(), line.output()));
-  for (const Told& told : script.finish().events) {
-    take_all(encoder, {told});
-    if (told.is(Kind::region_end) && !encoder.flush()) throw std::runtime_error("a busy line");
+  for (const RecordedEvent& recorded : script.finish().events) {
+    take_all(encoder, {recorded});
+    if (recorded.is(Kind::region_end) && !encoder.flush()) throw std::runtime_error("a busy line");
   }
   return frames_of(line.bytes);
 }

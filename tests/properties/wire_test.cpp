@@ -34,8 +34,8 @@ std::string hex(const Bytes& bytes) {
 }
 
 uint64_t count_of(const Events& events, Kind kind) {
-  return static_cast<uint64_t>(
-      std::count_if(events.begin(), events.end(), [&](const Told& t) { return t.is(kind); }));
+  return static_cast<uint64_t>(std::count_if(events.begin(), events.end(),
+                                             [&](const RecordedEvent& t) { return t.is(kind); }));
 }
 
 bool equal(const StreamHeader& a, const StreamHeader& b) {
@@ -47,7 +47,8 @@ bool equal(const StreamHeader& a, const StreamHeader& b) {
 // The surface that a stream describes, put together by the tests' own collector.
 reference::Surface surface_in(const Bytes& stream) {
   reference::Collector collector;
-  for (const Told& told : decode(stream).events) (void)collector.take(told.event());
+  for (const RecordedEvent& recorded : decode(stream).events)
+    (void)collector.take(recorded.event());
   return reference::surface_of(collector.regions());
 }
 
@@ -72,10 +73,10 @@ TEST_CASE("the samples hold everything that a stream can hold") {
   for (const Sample& sample : samples()) {
     fragments += count_of(sample.events, Kind::fragment);
     skipped += count_of(sample.events, Kind::skipped);
-    for (const Told& told : sample.events) {
-      runs = told.is(Kind::run) ? runs + 1 : 0;
+    for (const RecordedEvent& recorded : sample.events) {
+      runs = recorded.is(Kind::run) ? runs + 1 : 0;
       longest_ring = std::max(longest_ring, runs);
-      holes += told.is(Kind::ring) && told.event().hole;
+      holes += recorded.is(Kind::ring) && recorded.event().hole;
     }
     if (sample.name == "noise with fragments") CHECK(count_of(sample.events, Kind::fragment) > 50);
     if (sample.name == "a spiral, whose rings are long") CHECK(longest_ring > Record::max_words);

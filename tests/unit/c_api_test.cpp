@@ -5,10 +5,13 @@
 #include <cstring>
 #include <discmc/discmc.hpp>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
+#include "oracle/c_events.hpp"
+
 using namespace discmc;
+using reference::EventLog;
+using reference::RecordedEvent;
 
 namespace {
 
@@ -29,50 +32,15 @@ std::vector<Sample> make_samples() {
   return samples;
 }
 
-// What an event tells, and nothing of the members that mean nothing in its kind.
-using Told = std::tuple<int, uint32_t, uint32_t, uint32_t, int32_t, int32_t, int32_t, uint64_t>;
-
-template <class Event>
-Told told(int kind, const Event& event, uint32_t run) {
-  switch (kind) {
-    case DISCMC_REGION:
-      return {kind, event.incidence, 0, 0, 0, 0, 0, 0};
-    case DISCMC_RING:
-      return {kind, event.hole, 0, 0, event.start.x, event.start.y, event.start.z, 0};
-    case DISCMC_RUN:
-      return {kind, run, 0, 0, 0, 0, 0, 0};
-    case DISCMC_FRAGMENT:
-      return {kind, event.incidence, event.number, 0, 0, 0, 0, 0};
-    case DISCMC_SKIPPED:
-      return {kind, event.slice, event.row, event.repeated, 0, 0, 0, 0};
-    case DISCMC_LAYER:
-      return {kind, event.slice, 0, 0, 0, 0, 0, 0};
-    case DISCMC_FINISH:
-      return {kind, event.slice, event.abandoned, 0, 0, 0, 0, event.statistics->links};
-    default:
-      return {kind, 0, 0, 0, 0, 0, 0, 0};
-  }
+// A log as a sink in C.
+discmc_answer take_in_c(void* log, const discmc_event* event) {
+  const Answer answer = static_cast<EventLog*>(log)->take(reference::from_c(*event).event());
+  return static_cast<discmc_answer>(answer);
 }
 
-// Takes events, and refuses every so often.
-struct Listener {
-  std::vector<Told> events;
-  uint32_t refuses_every = 0;
-  uint32_t calls = 0;
-
-  bool refuses() { return refuses_every != 0 && ++calls % refuses_every == 0; }
-  Answer take(const Event& event) {
-    if (refuses()) return Answer::not_now;
-    events.push_back(told(static_cast<int>(event.kind), event, event.run.code()));
-    return Answer::taken;
-  }
-  static discmc_answer take_c(void* context, const discmc_event* event) {
-    Listener& listener = *static_cast<Listener*>(context);
-    if (listener.refuses()) return DISCMC_NOT_NOW;
-    listener.events.push_back(told(event->kind, *event, event->run));
-    return DISCMC_TAKEN;
-  }
-};
+EventLog::Refuses refuses_every(uint64_t nth) {
+  return [nth](uint64_t offer) { return nth != 0 && offer % nth == nth - 1; };
+}
 
 // The functions of one width of index, under one name.
 struct Index16 {
@@ -178,11 +146,10 @@ void check_scans() {
   const std::vector<Sample> samples = make_samples<Sample>();
   for (const Border border : {Border::closed, Border::open})
     for (const size_t bytes : {size_t{2000}, size_t{6000}, size_t{200000}})
-      for (const uint32_t refuses_every : {0U, 3U}) {
+      for (const uint32_t nth : {0U, 3U}) {
         CAPTURE(bytes);
-        Listener in_c, in_cpp;
-        in_c.refuses_every = refuses_every;
-        discmc_sink sink = {&in_c, Listener::take_c, 1};
+        EventLog in_c(refuses_every(nth)), in_cpp;
+        discmc_sink sink = {&in_c, take_in_c, 1};
         scan_in_c<Index>(samples, static_cast<uint8_t>(border), bytes, sink);
         scan_in_cpp<Index>(samples, border, bytes, sink_to(in_cpp));
         CHECK(in_c.events.size() > 100);
@@ -221,10 +188,10 @@ TEST_CASE("a scan through C makes the same events, whatever the samples, the mem
 }
 
 TEST_CASE("a sink that takes no fragments is given none, through C as well") {
-  Listener listener;
-  discmc_sink sink = {&listener, Listener::take_c, 0};
+  EventLog log;
+  discmc_sink sink = {&log, take_in_c, 0};
   scan_in_c<Index16>(make_samples<uint8_t>(), DISCMC_CLOSED, 3000, sink);
-  for (const Told& event : listener.events) CHECK(std::get<0>(event) != DISCMC_FRAGMENT);
+  for (const RecordedEvent& recorded : log.events) CHECK_FALSE(recorded.is(Event::Kind::fragment));
 }
 
 TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the same events") {
@@ -237,10 +204,9 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   scan_in_cpp<Index16>(samples, Border::closed, 6000, sink_to(encoder));
   CHECK(stream == expected);
 
-  Listener in_c, in_cpp;
-  in_c.refuses_every = 5;
+  EventLog in_c(refuses_every(5)), in_cpp;
   discmc_decoder decoder = {};
-  const discmc_sink sink = {&in_c, Listener::take_c, 1};
+  const discmc_sink sink = {&in_c, take_in_c, 1};
   REQUIRE(discmc_decoder_start(&decoder, &sink) == DISCMC_OK);
   for (size_t done = 0; done < stream.size();) {
     const discmc_decoded decoded =
@@ -304,8 +270,8 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
   discmc_extractor16 extractor = {};
   discmc_decoder decoder = {};
   discmc_encoder encoder = {};
-  Listener listener;
-  discmc_sink sink = {&listener, Listener::take_c, 1};
+  EventLog log;
+  discmc_sink sink = {&log, take_in_c, 1};
   const discmc_sink none = {};
   std::vector<uint8_t> memory(2000);
   const discmc_memory all = {memory.data(), memory.size()};
@@ -345,8 +311,8 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
 
 TEST_CASE("an extractor tells of itself through C what it tells in C++") {
   std::vector<uint8_t> memory(6000);
-  Listener listener;
-  discmc_sink sink = {&listener, Listener::take_c, 1};
+  EventLog log;
+  discmc_sink sink = {&log, take_in_c, 1};
   const discmc_limits limits = {width, height, DISCMC_OPEN};
   discmc_extractor32 extractor = {};
   REQUIRE(discmc_extractor32_start(&extractor, &limits, nullptr, threshold,
@@ -384,19 +350,19 @@ TEST_CASE(
   std::vector<uint8_t> memory(4000);
   const discmc_memory all = {memory.data(), memory.size()};
   const discmc_limits limits = {3, 3, DISCMC_CLOSED};
-  Listener listener, other;
+  EventLog log, other;
   discmc_extractor16 extractor = {};
-  discmc_sink sink = {&listener, Listener::take_c, 1};
+  discmc_sink sink = {&log, take_in_c, 1};
   REQUIRE(discmc_extractor16_start(&extractor, &limits, nullptr, threshold, all, &sink) ==
           DISCMC_OK);
   sink = {};
   const discmc_limits bad = {0, 3, DISCMC_CLOSED};
-  const discmc_sink to_other = {&other, Listener::take_c, 1};
+  const discmc_sink to_other = {&other, take_in_c, 1};
   CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, threshold, all, &to_other) ==
         DISCMC_BAD_LIMITS);
   CHECK(discmc_extractor16_push_u8(&extractor, samples.data(), 9, 1).status == DISCMC_OK);
   CHECK(discmc_extractor16_finish(&extractor) == DISCMC_OK);
-  CHECK(listener.events.size() > 26);
+  CHECK(log.events.size() > 26);
   CHECK(other.events.empty());
 }
 

@@ -320,7 +320,7 @@ TEST_CASE("a finished scan is restored as finished") {
 
 TEST_CASE("nothing is saved while the sink has yet to take something, whatever that is") {
   const BitVolume volume = random({5, 5, 5}, 128, 4);
-  Log log(true);
+  EventLog log(reference::refuses_first);
   std::set<Event::Kind> waited_for;
   constexpr Limits limits{5, 5};
   Capacities capacities = worst_case_capacities(limits);

@@ -156,7 +156,7 @@ TEST_CASE("a decoder that is started again forgets everything") {
   const Bytes stream = encode(sample.events, sample.header);
   Decoder decoder;
   for (size_t count = 0; count < stream.size(); count += 41) {
-    Log first, second;
+    EventLog first, second;
     REQUIRE(decoder.start(sink_to(first)) == Status::ok);
     REQUIRE(decoder.push(stream.data(), count).status == Status::ok);
     REQUIRE(decoder.start(sink_to(second)) == Status::ok);
@@ -179,7 +179,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
     end_part(model, false);
   })});
   Decoder decoder;
-  Log log;
+  EventLog log;
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
   CHECK_FALSE(decoder.report().has_header);
@@ -193,7 +193,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   REQUIRE(decoder.start(sink_to(wall)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::more);
   CHECK(decoder.finish() == Status::more);
-  Log again;
+  EventLog again;
   REQUIRE(decoder.start(sink_to(again)) == Status::ok);
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
   CHECK(again.events == sample.events);
@@ -207,7 +207,7 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
       return log.take(event);
     }
     size_t most;
-    Log log{};
+    EventLog log{};
   };
   const Bytes begun = stream_of({first_payload()});
   const Bytes end = frame_at(0, last_payload());
@@ -217,7 +217,7 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
     REQUIRE(decoder.start(sink_to(taker)) == Status::ok);
     REQUIRE(decoder.push(begun.data(), begun.size()).status == Status::ok);
     if (is_ended) CHECK(decoder.finish() == Status::more);
-    Log log;
+    EventLog log;
     REQUIRE(decoder.start(sink_to(log)) == Status::ok);
     CHECK(decoder.push(end.data(), end.size()).status == Status::ok);
     CHECK(decoder.finish() == Status::ok);
@@ -227,7 +227,7 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
 
 TEST_CASE("a decoder that is started again after half a frame begins with a new one") {
   const Bytes stream = encode(Script().layer(1).finish().events);
-  Log log;
+  EventLog log;
   Decoder decoder;
   for (int i = 0; i < 2; ++i) {
     REQUIRE(decoder.start(sink_to(log)) == Status::ok);
@@ -240,7 +240,7 @@ TEST_CASE("a decoder that is started again after half a frame begins with a new 
 TEST_CASE("a decoder that is started again counts from the first packet on") {
   const std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   const Bytes stream = joined(frames);
-  Log log;
+  EventLog log;
   Decoder decoder;
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
@@ -373,7 +373,7 @@ TEST_CASE("a region goes on behind a header, whatever was missed before it began
   Decoder decoder;
   for (const uint32_t missed : {0U, 1U, 255U, 256U, 512U}) {
     CAPTURE(missed);
-    Log log;
+    EventLog log;
     REQUIRE(decoder.start(sink_to(log)) ==
             Status::ok);  // anew, though it has heard a header before
     const Bytes heard = joined({frame_at(missed, first_payload()), header_after(missed + 1, 0),
@@ -510,7 +510,7 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
 TEST_CASE("a frame too long at the end does not spoil a stream that follows all the same") {
   const Bytes noise(1000, 7);
   const Bytes stream = encode(Script().finish().events, any_header());
-  Log log;
+  EventLog log;
   Decoder decoder;
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   REQUIRE(decoder.push(noise.data(), noise.size()).status == Status::ok);
@@ -992,7 +992,7 @@ TEST_CASE("a sink may refuse what the end of a stream brings, as often as it lik
       }
       uint32_t refusals;
       uint32_t refused = 0;
-      Log log{};
+      EventLog log{};
     } sullen{refusals};
     Decoder decoder;
     REQUIRE(decoder.start(sink_to(sullen)) == Status::ok);
@@ -1009,7 +1009,7 @@ TEST_CASE("a sink may refuse what the end of a stream brings, as often as it lik
 
 TEST_CASE("a mark that the sink does not take is kept for it") {
   const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
-  Log log(true);
+  EventLog log(reference::refuses_first);
   Decoder decoder;
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::more);
@@ -1046,7 +1046,7 @@ TEST_CASE("a part may fill a record to the last word, and one word more is refus
 }
 
 TEST_CASE("a frame that is cut off at the end counts as damaged, once") {
-  Log log;
+  EventLog log;
   Decoder decoder;
   const Bytes frame = frames_of(encode(Script().finish().events)).front();
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);

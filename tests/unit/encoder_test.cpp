@@ -56,7 +56,7 @@ TEST_CASE("every packet is numbered, short enough, and counts the regions before
       const Packet packet = packet_of(frames[i]);
       CHECK(packet.number == static_cast<uint8_t>(i));
       CHECK(packet.regions == static_cast<uint16_t>(regions));
-      for (const Told& told : brought[i]) regions += told.is(Kind::region_end);
+      for (const RecordedEvent& recorded : brought[i]) regions += recorded.is(Kind::region_end);
     }
     CHECK(packet_of(frames.front()).is(PacketKind::header));
     CHECK(packet_of(frames.back()).is(PacketKind::trailer));
@@ -99,9 +99,9 @@ TEST_CASE("a flush hands over what is there, once") {
   CHECK(encoder.flush());
   CHECK(line.bytes.size() == header);
   uint64_t regions = 0;
-  for (const Told& told : events) {
-    REQUIRE(encoder.take(told.event()) == Answer::taken);
-    regions += told.is(Kind::region_end);
+  for (const RecordedEvent& recorded : events) {
+    REQUIRE(encoder.take(recorded.event()) == Answer::taken);
+    regions += recorded.is(Kind::region_end);
     CHECK(encoder.flush());
     CHECK(decode(line.bytes).report.regions == regions);
   }
@@ -123,7 +123,7 @@ TEST_CASE("a flush into a slow line goes on where it was") {
       Encoder encoder;
       REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
       size_t told = 0;
-      for (const Told& one : sample.events) {
+      for (const RecordedEvent& one : sample.events) {
         take_all(encoder, {one});
         if (++told % 37 == 0)
           while (!encoder.flush()) continue;
@@ -152,9 +152,9 @@ TEST_CASE("an output that takes nothing is asked, and nothing is lost") {
   Encoder encoder;
   REQUIRE(encoder.start(any_header(), output) == Status::ok);
   const Events events = many_regions(10);
-  for (const Told& told : events) {
-    while (encoder.take(told.event()) == Answer::not_now) {
-      CHECK(encoder.take(told.event()) == Answer::not_now);
+  for (const RecordedEvent& recorded : events) {
+    while (encoder.take(recorded.event()) == Answer::not_now) {
+      CHECK(encoder.take(recorded.event()) == Answer::not_now);
       CHECK(room == 0);
       ++room;
     }
@@ -182,16 +182,17 @@ TEST_CASE("a line that is never busy never makes an event wait") {
     Line line;
     Encoder encoder;
     REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
-    for (const Told& told : sample.events) REQUIRE(encoder.take(told.event()) == Answer::taken);
+    for (const RecordedEvent& recorded : sample.events)
+      REQUIRE(encoder.take(recorded.event()) == Answer::taken);
   }
 }
 
 TEST_CASE("the trailer says with a byte of 1 that the scan was abandoned, else 0") {
   for (const bool abandoned : {false, true}) {
-    const Told finish = Script().finish().events.front();
+    const RecordedEvent finish = Script().finish().events.front();
     Event event = finish.event();
     event.abandoned = abandoned;
-    const std::vector<Packet> packets = packets_of(encode({Told(event)}));
+    const std::vector<Packet> packets = packets_of(encode({RecordedEvent(event)}));
     CHECK(packets.back().payload[4] == (abandoned ? 1 : 0));
   }
 }
@@ -303,7 +304,7 @@ TEST_CASE("an event of a kind that there is not leaves nothing in the stream") {
   Script script;
   script.region(up).square({1, 0, 0}, 2).region_end();
   Events with_unknown = script.events;
-  with_unknown.insert(with_unknown.begin() + 2, Told(unknown));
+  with_unknown.insert(with_unknown.begin() + 2, RecordedEvent(unknown));
   CHECK(encode(with_unknown) == encode(script.events));
 }
 

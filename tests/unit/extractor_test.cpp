@@ -62,7 +62,7 @@ void check_samples(int32_t threshold, int64_t on, int64_t off) {
       CHECK(bench.extractor.push(samples.data(), count, stride).samples == count);
       finish_all(bench.extractor);
       CAPTURE(stride);
-      CHECK(bench.log.words() == expected.words());
+      CHECK(bench.log.events == expected.events);
     }
   }
 }
@@ -72,7 +72,7 @@ size_t regions_at(int32_t threshold, const std::vector<Sample>& samples, const L
   Bench<uint16_t> bench(limits, threshold);
   push_all(bench.extractor, samples);
   finish_all(bench.extractor);
-  return bench.log.regions().size();
+  return collected(bench.log.events).regions().size();
 }
 
 std::vector<uint8_t> bits_of(const BitVolume& volume, size_t row) {
@@ -97,7 +97,7 @@ TEST_CASE("portions of any size give the same events, one sample at a time too")
       push_all(bench.extractor, volume.on, chunk);
       finish_all(bench.extractor);
       CAPTURE(chunk);
-      CHECK(bench.log.words() == expected.words());
+      CHECK(bench.log.events == expected.events);
     }
   }
 }
@@ -124,7 +124,7 @@ TEST_CASE("the last sample is the last that is read, whatever the stride") {
       at += pushed.samples;
     }
     finish_all(bench.extractor);
-    CHECK(bench.log.words() == plain_scan(volume).words());
+    CHECK(bench.log.events == plain_scan(volume).events);
   }
 }
 
@@ -155,8 +155,9 @@ TEST_CASE("widths on either side of a word's end are swept as the paper merges t
         const EventLog log = plain_scan(volume, border);
         CAPTURE(width);
         CAPTURE(density);
-        CHECK(log.collector().statistics().cuts == 0);
-        CHECK(unlike_merge(log.regions(), volume, border == Border::closed) == "");
+        const Collector collector = collected(log.events);
+        CHECK(collector.statistics().cuts == 0);
+        CHECK(unlike_merge(collector.regions(), volume, border == Border::closed) == "");
       }
 }
 
@@ -173,7 +174,7 @@ TEST_CASE("rows of bits give the same events as samples, whatever the bits beyon
       }
       finish_all(bench.extractor);
       CAPTURE(width);
-      CHECK(bench.log.words() == plain_scan(volume, border).words());
+      CHECK(bench.log.events == plain_scan(volume, border).events);
     }
 }
 
@@ -199,14 +200,14 @@ TEST_CASE("a skipped row is off or as the row before it, across slices too, and 
         skipped.push_back({row / 3, row % 3, repeats});
       }
       finish_all(bench.extractor);
-      const Collector& collector = bench.log.collector();
+      const Collector collector = collected(bench.log.events);
       REQUIRE(collector.skipped().size() == skipped.size());
       for (size_t i = 0; i < skipped.size(); ++i) {
         CHECK(collector.skipped()[i].slice == skipped[i].slice);
         CHECK(collector.skipped()[i].row == skipped[i].row);
         CHECK(collector.skipped()[i].repeated == skipped[i].repeated);
       }
-      CHECK(unlike_merge(bench.log.regions(), volume, true) == "");
+      CHECK(unlike_merge(collector.regions(), volume, true) == "");
     }
 }
 
@@ -224,9 +225,10 @@ TEST_CASE("a scan abandoned after any sample is the volume so far with the slice
         seen.on.resize(samples);
         seen.on.resize(seen.voxels());
         CAPTURE(samples);
-        CHECK(bench.log.collector().was_abandoned());
-        CHECK(bench.log.collector().layers().size() == seen.depth);
-        CHECK(unlike_merge(bench.log.regions(), seen, border == Border::closed) == "");
+        const Collector collector = collected(bench.log.events);
+        CHECK(collector.was_abandoned());
+        CHECK(collector.layers().size() == seen.depth);
+        CHECK(unlike_merge(collector.regions(), seen, border == Border::closed) == "");
       }
     }
 }
@@ -257,7 +259,7 @@ TEST_CASE("reset begins the next scan as if nothing had been, wherever the last 
       push_all(extractor, second.on);
       finish_all(extractor);
       CAPTURE(samples);
-      CHECK(log.words() == expected.words());
+      CHECK(log.events == expected.events);
     }
   }
 }
@@ -292,7 +294,7 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
       gate.is_open = true;
       push_all(extractor, volume.on);
       finish_all(extractor);
-      CHECK(gate.log.words() == expected.words());
+      CHECK(gate.log.events == expected.events);
     }
   }
 }

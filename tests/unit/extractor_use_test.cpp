@@ -66,7 +66,7 @@ void check_refused_starts() {
   CHECK(std::equal(bytes, bytes + (1 << 16), static_cast<uint8_t*>(untouched.memory().data)));
   CHECK(extractor.finish() == Status::not_started);
   CHECK(extractor.start(good, 1, {memory.data, least}, sink) == Status::ok);
-  CHECK(log.events() == 0);
+  CHECK(log.events.size() == 0);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
     require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
     CHECK(extractor.push(samples, 9).status == Status::ok);
     CHECK((abandon ? extractor.abandon() : extractor.finish()) == Status::ok);
-    const uint64_t events = log.events();
+    const uint64_t events = log.events.size();
     CHECK(extractor.push(samples, 9).status == Status::finished);
     CHECK(extractor.push(samples, 9).samples == 0);
     CHECK(extractor.push(samples, 0).status == Status::finished);
@@ -109,8 +109,8 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
     CHECK(extractor.finish() == Status::ok);
     CHECK(extractor.abandon() == Status::ok);
     CHECK(extractor.resume() == Status::ok);
-    CHECK(log.events() == events);
-    CHECK(log.collector().was_abandoned() == abandon);
+    CHECK(log.events.size() == events);
+    CHECK(collected(log.events).was_abandoned() == abandon);
     CHECK(extractor.statistics().regions == 8);
   }
 }
@@ -136,7 +136,7 @@ TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
     CHECK(extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
     if (i == 0 || i == 9) {
       // It did end there: begin again and go on where the samples were.
-      REQUIRE(log.collector().is_finished());
+      REQUIRE(collected(log.events).is_finished());
       log = EventLog();
       require_ok(extractor.reset());
       CHECK(extractor.push(volume.on.data(), i).samples == i);
@@ -146,7 +146,7 @@ TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
     CHECK(extractor.slices() == (i + 1) / 9);
   }
   require_ok(extractor.finish());
-  CHECK(log.words() == events_of(volume).words());
+  CHECK(log.events == events_of(volume).events);
 }
 
 TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
@@ -168,7 +168,7 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
     CHECK(extractor.push(volume.on.data(), 0).status == Status::ok);
   }
   finish_all(extractor);
-  CHECK(log.words() == events_of(volume).words());
+  CHECK(log.events == events_of(volume).events);
 }
 
 TEST_CASE("cuts are told while the scan goes on, and of the next scan anew") {
@@ -217,7 +217,8 @@ TEST_CASE("a scan without slices is an empty one") {
       require_ok(
           extractor.start({size.width, size.height, border}, 1, block.memory(), sink_to(log)));
       finish_all(extractor);
-      CHECK(log.kinds() == std::vector<Event::Kind>{Event::Kind::finish});
+      REQUIRE(log.events.size() == 1);
+      CHECK(log.events[0].is(Event::Kind::finish));
     }
 }
 
@@ -267,9 +268,10 @@ TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a f
   const std::vector<uint8_t> slice(9, 1);
   for (uint32_t i = 0; i < 100000; ++i) require_ok(extractor.push(slice.data(), 9).status);
   finish_all(extractor);
-  CHECK(log.collector().statistics().cuts == 0);
-  CHECK(log.collector().statistics().spills == 0);
-  CHECK(log.regions().size() == 26);
+  const Collector collector = collected(log.events);
+  CHECK(collector.statistics().cuts == 0);
+  CHECK(collector.statistics().spills == 0);
+  CHECK(collector.regions().size() == 26);
 }
 
 TEST_CASE("extractors of either index width work side by side") {
@@ -295,9 +297,9 @@ TEST_CASE("extractors of either index width work side by side") {
   finish_all(extractor_a);
   finish_all(extractor_b);
   finish_all(extractor_c);
-  CHECK(log_a.words() == events_of(a).words());
-  CHECK(log_b.words() == events_of(b).words());
-  CHECK(log_c.words() == events_of(b).words());
+  CHECK(log_a.events == events_of(a).events);
+  CHECK(log_b.events == events_of(b).events);
+  CHECK(log_c.events == events_of(b).events);
 }
 
 TEST_CASE("memory that begins anywhere will do") {
@@ -313,7 +315,7 @@ TEST_CASE("memory that begins anywhere will do") {
                                {memory.data() + offset, bytes}, sink_to(log)));
     push_all(extractor, volume.on);
     finish_all(extractor);
-    CHECK(log.words() == expected.words());
+    CHECK(log.events == expected.events);
     CHECK(extractor.bytes_used() == bytes);
     CHECK(std::count(memory.end() - 8, memory.end(), uint8_t{0x5A}) == 8);
   }

@@ -34,7 +34,7 @@ template <class Index, class Normals, class Sample>
 Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
   const Limits limits{volume.size.width, volume.size.height, setting.border};
   Block block(bytes_for<Index, Normals>(limits, setting.capacities));
-  Log log(setting.refuses);
+  EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Extractor<Index, Normals> extractor;
   if constexpr (Normals::hold_samples) extractor.set_spacing(uneven_spacing);
   require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
@@ -110,8 +110,8 @@ TEST_CASE("under pressure normals are right in what is spilled and cut") {
           Setting setting{128, Border::closed, {edges, runs, 20, 300, 800}, takes_fragments};
           const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
           check_agreement(volume, setting);
-          for (const Told& told : events_of<uint16_t, NoNormals>(volume, setting))
-            spills += told.is(Event::Kind::fragment);
+          for (const RecordedEvent& recorded : events_of<uint16_t, NoNormals>(volume, setting))
+            spills += recorded.is(Event::Kind::fragment);
         }
   CHECK(spills > 1000);
 }
@@ -123,8 +123,8 @@ TEST_CASE(
   const Setting setting{100, Border::closed, {100, 34, 20, 300, 800}};
   check_agreement(volume, setting);
   int fragments = 0;
-  for (const Told& told : events_of<uint16_t, NoNormals>(volume, setting))
-    fragments += told.is(Event::Kind::fragment);
+  for (const RecordedEvent& recorded : events_of<uint16_t, NoNormals>(volume, setting))
+    fragments += recorded.is(Event::Kind::fragment);
   CHECK(fragments > 1000);
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("a scan that begins anew knows nothing of the one before") {
   const Limits limits{volume.size.width, volume.size.height};
   using Normals = WithNormals<uint8_t>;
   Block block(bytes_for<uint16_t, Normals>(larger, setting.capacities));
-  Log log;
+  EventLog log;
   Extractor<uint16_t, Normals> extractor;
   extractor.set_spacing(uneven_spacing);
   require_ok(
@@ -206,7 +206,7 @@ Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<R
   const Limits limits{volume.size.width, volume.size.height};
   const Capacities capacities = worst_case_capacities(limits);
   Block block(bytes_for<uint16_t, Normals>(limits, capacities));
-  Log log;
+  EventLog log;
   Extractor<uint16_t, Normals> extractor;
   if constexpr (Normals::hold_samples) extractor.set_spacing(uneven_spacing);
   require_ok(extractor.start(limits, capacities, threshold, block.memory(), sink_to(log)));
@@ -299,7 +299,7 @@ TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is j
   for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
     SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);
     Block block(bytes_for<uint16_t, WithNormals<uint8_t>>(limits, least));
-    Log log;
+    EventLog log;
     Extractor<uint16_t, WithNormals<uint8_t>> extractor;
     extractor.set_spacing(uneven_spacing);
     require_ok(extractor.start(limits, least, threshold, block.memory(), sink_to(log)));
@@ -324,7 +324,7 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
   for (uint32_t row = 0; row <= size.height * size.depth; ++row) {
     const size_t bytes = bytes_for<uint16_t, WithNormals<uint8_t>>(limits, setting.capacities);
     std::vector<uint8_t> memory(bytes), later(bytes);
-    Log log;
+    EventLog log;
     Scan first;
     first.set_spacing(uneven_spacing);
     require_ok(first.start(limits, setting.capacities, 128, {memory.data(), bytes}, sink_to(log)));
@@ -350,7 +350,7 @@ TEST_CASE("a checkpoint of samples of another type is refused") {
   using Other = Extractor<uint16_t, WithNormals<int16_t>>;
   const Limits limits{8, 6};
   Block block(minimum_bytes<uint16_t, WithNormals<uint16_t>>(limits));
-  Log log;
+  EventLog log;
   Scan scan;
   require_ok(scan.start(limits, 1, block.memory(), sink_to(log)));
   // From zeros, so that no byte of the checkpoint is any.
@@ -371,7 +371,7 @@ TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
   CHECK(least >= minimum_bytes<uint16_t>(limits) + 16 * (3 * 9 + 2) * 2);
   Block block(least);
   const Memory memory = block.memory();
-  Log log;
+  EventLog log;
   Extractor<uint16_t, Normals> extractor;
   CHECK(extractor.start(limits, 1, {memory.data, least - 1}, sink_to(log)) ==
         Status::too_little_memory);
