@@ -12,50 +12,17 @@
 #include <memory>
 
 #include "input.hpp"
-#include "reference/event_log.hpp"
-#include "reference/scan.hpp"
+#include "oracle/c_events.hpp"
+#include "oracle/scan.hpp"
 #include "require.hpp"
 
 using namespace discmc;
 using reference::Block;
+using reference::counts;
+using reference::Events;
+using reference::from_c;
 
 namespace {
-
-// ---- what C has, as C++ has it ----
-
-Statistics cpp(const discmc_statistics& s) {
-  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
-          s.cuts,  s.spills, s.skipped_rows};
-}
-
-std::vector<uint64_t> told(const Event& event) {
-  std::vector<uint64_t> words;
-  reference::write_down(event, words);
-  return words;
-}
-
-std::vector<uint64_t> told(const discmc_event& from) {
-  Event event{};
-  event.kind = static_cast<Event::Kind>(from.kind);
-  event.incidence = from.incidence;
-  event.hole = from.hole != 0;
-  event.repeated = from.repeated != 0;
-  event.abandoned = from.abandoned != 0;
-  event.run = Run::from_code(from.run);
-  event.number = from.number;
-  event.slice = from.slice;
-  event.row = from.row;
-  event.start = {from.start.x, from.start.y, from.start.z};
-  Statistics statistics{};
-  if (from.kind == DISCMC_FINISH) statistics = cpp(*from.statistics);
-  event.statistics = &statistics;
-  return told(event);
-}
-
-std::vector<uint64_t> told(const Statistics& s) {
-  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
-          s.cuts,  s.spills, s.skipped_rows};
-}
 
 /// Refuses at random, but on both sides alike.
 class Mood {
@@ -161,7 +128,7 @@ class Rings {
 /// A sink on either side: notes what it takes, and passes it on to an encoder that may refuse too.
 struct EarInC {
   Mood mood;
-  std::vector<uint64_t> words;
+  Events events;
   discmc_encoder* encoder = nullptr;
   Rings* rings = nullptr;
 
@@ -170,20 +137,20 @@ struct EarInC {
     if (ear.mood.refuses()) return DISCMC_NOT_NOW;
     if (ear.encoder != nullptr && discmc_encoder_take(ear.encoder, event) != DISCMC_TAKEN)
       return DISCMC_NOT_NOW;
-    for (const uint64_t word : told(*event)) ear.words.push_back(word);
+    ear.events.push_back(from_c(*event));
     if (ear.rings != nullptr) ear.rings->take(*event);
     return DISCMC_TAKEN;
   }
 };
 struct EarInCpp {
   Mood mood;
-  std::vector<uint64_t> words;
+  Events events;
   Encoder* encoder = nullptr;
 
   Answer take(const Event& event) {
     if (mood.refuses()) return Answer::not_now;
     if (encoder != nullptr && encoder->take(event) != Answer::taken) return Answer::not_now;
-    reference::write_down(event, words);
+    events.emplace_back(event);
     return Answer::taken;
   }
 };
@@ -463,20 +430,20 @@ class Both {
   // ---- comparing ----
 
   void compare() {
-    require(ear_c_.words == ear_cpp_.words, "other events than in C++");
-    require(heard_c_.words == heard_cpp_.words, "other events decoded than in C++");
+    require(ear_c_.events == ear_cpp_.events, "other events than in C++");
+    require(heard_c_.events == heard_cpp_.events, "other events decoded than in C++");
     require(line_c_.bytes == line_cpp_.bytes, "other bytes than in C++");
     require(discmc_encoder_bytes(encoder_.get()) == encoder_cpp_.bytes(),
             "another number of bytes sent than in C++");
-    ear_c_.words.clear();
-    ear_cpp_.words.clear();
-    heard_c_.words.clear();
-    heard_cpp_.words.clear();
+    ear_c_.events.clear();
+    ear_cpp_.events.clear();
+    heard_c_.events.clear();
+    heard_cpp_.events.clear();
   }
 
   void look() const {
     const auto* extractor = extractor_.get();
-    require(told(cpp(Width::statistics(extractor))) == told(in_cpp_.statistics()),
+    require(counts(from_c(Width::statistics(extractor))) == counts(in_cpp_.statistics()),
             "other totals than in C++");
     require_same_records(Width::high_water(extractor), in_cpp_.high_water());
     require_same_records(Width::capacities(extractor), in_cpp_.capacities());
@@ -504,7 +471,8 @@ class Both {
                 in_c.lost_packets == in_cpp.lost_packets && in_c.regions == in_cpp.regions &&
                 in_c.lost_regions == in_cpp.lost_regions,
             "other counts reported than in C++");
-    require(told(cpp(in_c.totals)) == told(in_cpp.totals), "other totals reported than in C++");
+    require(counts(from_c(in_c.totals)) == counts(in_cpp.totals),
+            "other totals reported than in C++");
     const discmc_stream_header header = discmc_decoder_header(decoder_.get());
     require(header.width == decoder_cpp_.header().width &&
                 header.spacing_nm[2] == decoder_cpp_.header().spacing_nm[2] &&

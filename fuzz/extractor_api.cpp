@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "input.hpp"
-#include "reference/agreement.hpp"
-#include "reference/event_log.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/scan.hpp"
 #include "require.hpp"
 
 using namespace discmc;
@@ -50,18 +50,20 @@ class Place {
   std::unique_ptr<uint8_t[]> all_;
 };
 
-/// The sink: a log of the scan under way, which refuses at random. It outlives the scans.
+/// The sink: a log of the scan under way, which refuses at random, and what is collected of it. It
+/// outlives the scans.
 class Listener {
  public:
   void listen(bool takes_fragments) {
-    log_.emplace([this](uint64_t) { return refuses(); }, takes_fragments);
+    log_.emplace([this](uint64_t) { return refuses(); });
+    collector_ = Collector(takes_fragments);
     refuses_now_ = false;
   }
   void refuse(uint32_t of_256, uint32_t seed) {
     refusals_ = of_256;
     seed_ = seed;
   }
-  const EventLog& log() const { return *log_; }
+  const Collector& collector() const { return collector_; }
   /// Whether the last event offered was refused.
   bool refuses_now() const { return refuses_now_; }
 
@@ -69,7 +71,7 @@ class Listener {
     require(log_.has_value(), "an event before any scan");
     const Answer answer = log_->take(event);
     refuses_now_ = answer == Answer::not_now;
-    return answer;
+    return refuses_now_ ? answer : collector_.take(event);
   } catch (const std::exception& error) {
     require(false, error.what());
     return Answer::taken;
@@ -82,6 +84,7 @@ class Listener {
   }
 
   std::optional<EventLog> log_;
+  Collector collector_;
   uint32_t refusals_ = 0;
   uint32_t seed_ = 0;
   bool refuses_now_ = false;
@@ -390,7 +393,7 @@ class Caller {
       check_scan();
     }
     if (state_ == State::finished)
-      require(listener_.log().collector().is_finished(), "the scan has no finish event");
+      require(listener_.collector().is_finished(), "the scan has no finish event");
   }
 
   // Ends what is under way, so that no run is in vain.
@@ -430,7 +433,7 @@ class Caller {
   size_t slice() const { return size_t{limits_.width} * limits_.height; }
 
   void check_scan() const {
-    const Collector& collector = listener_.log().collector();
+    const Collector& collector = listener_.collector();
     const bool closed = limits_.border == Border::closed;
     const auto depth = static_cast<uint32_t>((on_.size() + slice() - 1) / slice());
     BitVolume volume({limits_.width, limits_.height, depth});

@@ -9,7 +9,7 @@
 
 #include "input.hpp"
 #include "little_memory.hpp"
-#include "normal_events.hpp"
+#include "oracle/normal_events.hpp"
 #include "require.hpp"
 
 using namespace discmc;
@@ -60,7 +60,7 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting, con
   using Scan = Extractor<uint16_t, Normals>;
   const size_t bytes = bytes_for<uint16_t, Normals>(setting.limits, setting.capacities);
   const std::unique_ptr<uint8_t[]> memory(new uint8_t[bytes]);
-  Log log(setting.refuses);
+  EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Scan scan;
   if constexpr (Normals::hold_samples) scan.set_spacing(uneven_spacing);
   resume(scan, scan.start(setting.limits, setting.capacities, setting.threshold,

@@ -9,9 +9,9 @@
 #include <algorithm>
 
 #include "input.hpp"
-#include "reference/agreement.hpp"
-#include "reference/event_log.hpp"
-#include "reference/scan.hpp"
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/scan.hpp"
 #include "require.hpp"
 
 using namespace discmc;
@@ -224,7 +224,7 @@ class Feeder {
 
 template <class Index>
 EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
-  EventLog log(std::move(refuses), scenario.takes_fragments);
+  EventLog log(std::move(refuses));
   Block block(bytes_for<Index>(scenario.limits, scenario.capacities),
               scenario.chunk % 2 == 0 ? Block::Kind::exact : Block::Kind::guarded);
   Extractor<Index> extractor;
@@ -234,7 +234,8 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   Feeder<Index> feeder(extractor, scenario);
   feeder.feed_all();
   feeder.end();
-  require(log.collector().is_finished(), "the scan has no finish event");
+  require(collected(log.events, scenario.takes_fragments).is_finished(),
+          "the scan has no finish event");
   const HighWater most = extractor.high_water();
   const Capacities& room = scenario.capacities;
   require(most.edges <= room.edges && most.runs <= room.runs && most.rings <= room.rings &&
@@ -275,12 +276,12 @@ void check(const Scenario& scenario) {
   };
   const EventLog log =
       scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
-  check_surface(scenario, log.collector());
+  check_surface(scenario, collected(log.events, scenario.takes_fragments));
   if (!are_valid<uint16_t>(scenario.capacities)) return;
   Scenario plain = scenario;
   plain.chunk = 1 << 20;
   const EventLog other = scenario.is_wide ? run<uint16_t>(plain, {}) : run<uint32_t>(plain, {});
-  require(other.words() == log.words(), "events depend on index width, portions or refusals");
+  require(other.events == log.events, "events depend on index width, portions or refusals");
 }
 
 }  // namespace

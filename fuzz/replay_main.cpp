@@ -46,7 +46,7 @@ int main(int count, char** arguments) try {
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
     const std::vector<std::uint8_t> bytes = content(file);
-    // Told before it runs: the last name is the one that crashed.
+    // RecordedEvent before it runs: the last name is the one that crashed.
     std::printf("%s: %zu bytes\n", file.c_str(), bytes.size());
     std::fflush(stdout);
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-#include "reference/surface.hpp"
+#include "oracle/surface.hpp"
 #include "require.hpp"
 
 using namespace discmc;

@@ -6,8 +6,8 @@
 //   fuzz_wire_decode -max_len=1200 corpus/wire_decode      with libFuzzer
 //   fuzz_wire_decode corpus/wire_decode                    with replay_main.cpp
 
+#include "oracle/stream.hpp"
 #include "require.hpp"
-#include "stream.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

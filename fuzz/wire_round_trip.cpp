@@ -8,8 +8,8 @@
 
 #include "input.hpp"
 #include "little_memory.hpp"
+#include "oracle/stream_samples.hpp"
 #include "require.hpp"
-#include "stream_samples.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -96,14 +96,14 @@ Events read_script(Input& input) {
 // Gives some runs a normal, near that of the run before or anywhere.
 void add_normals(Input& input, Events& events) {
   uint8_t u = 1, v = 0;
-  for (Told& told : events) {
-    if (!told.is(Event::Kind::run) || input.is_empty()) continue;
+  for (RecordedEvent& recorded : events) {
+    if (!recorded.is(Event::Kind::run) || input.is_empty()) continue;
     const uint32_t kind = input.byte();
     u = static_cast<uint8_t>(kind < 200 ? u + kind % 8 : input.byte());
     v = static_cast<uint8_t>(kind < 200 ? v - kind / 8 % 8 : input.byte());
-    Event event = told.event();
+    Event event = recorded.event();
     if (u != 0) event.normal = {u, v};
-    told = Told(event);
+    recorded = RecordedEvent(event);
   }
 }
 

@@ -30,7 +30,7 @@
 #include <variant>
 #include <vector>
 
-#include "reference/volume.hpp"
+#include "oracle/volume.hpp"
 
 using namespace discmc;
 

@@ -16,7 +16,7 @@
 
 #include "host/normal_angles.hpp"
 #include "host/sample_reader.hpp"
-#include "reference/ramp_ball.hpp"
+#include "oracle/ramp_ball.hpp"
 #include "vertex_normals.hpp"
 #include "volume.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "../stream.hpp"
 #include "command.hpp"
+#include "oracle/stream.hpp"
 #include "sample_reader.hpp"
 
 namespace {

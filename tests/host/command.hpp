@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "../reference/volume.hpp"
 #include "mesh.hpp"
+#include "oracle/volume.hpp"
 #include "volume_files.hpp"
 
 namespace command {

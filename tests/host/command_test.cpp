@@ -1,7 +1,7 @@
 // The discmc command from end to end: what it reads, writes, says and returns.
 #include "command.hpp"
 
-#include "../reference/surface.hpp"
+#include "oracle/surface.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "../stream.hpp"
 #include "command.hpp"
 #include "hand_made.hpp"
+#include "oracle/stream.hpp"
 #include "sample_reader.hpp"
 #include "surface_builder.hpp"
 
@@ -47,10 +47,10 @@ struct Extracted {
 Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
                     SampleType type = SampleType::u8) {
   SampleReader reader(volume, spacing_mm, type);
-  discmc::test::Log log;
+  discmc::test::EventLog log;
   const Extraction extraction = extract(reader, options, discmc::sink_to(log));
   SurfaceBuilder builder;
-  for (const auto& told : log.events) builder.take(told.event());
+  for (const auto& recorded : log.events) builder.take(recorded.event());
   CHECK(builder.incomplete_regions() == 0);
   builder.surface().spacing_mm = reader.info().spacing_mm;
   return {extraction, std::move(log.events), std::move(builder.surface())};
@@ -74,7 +74,7 @@ std::uint64_t crossings(const BitVolume& volume, Border border) {
 
 std::string refusal(const BitVolume& volume, std::uint64_t memory) {
   SampleReader reader(volume, spacing_mm);
-  discmc::test::Log log;
+  discmc::test::EventLog log;
   try {
     extract(reader, options(Border::closed, memory), discmc::sink_to(log));
   } catch (const std::invalid_argument& error) {

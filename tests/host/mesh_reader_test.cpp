@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "../stream.hpp"
 #include "hand_made.hpp"
 #include "mesh_files.hpp"
+#include "oracle/stream.hpp"
 #include "volume_files.hpp"
 
 namespace {

@@ -9,10 +9,10 @@
 #include <discmc/normal.hpp>
 #include <discmc/sink.hpp>
 
-#include "../reference/angle.hpp"
-#include "../reference/gradient.hpp"
 #include "extraction.hpp"
 #include "mesh.hpp"
+#include "oracle/angle.hpp"
+#include "oracle/gradient.hpp"
 #include "stream_file.hpp"
 #include "surface_builder.hpp"
 #include "volume.hpp"

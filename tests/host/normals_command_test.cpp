@@ -1,11 +1,11 @@
 // Normals of vertices from the command: their sources, their files, and what does not go together.
 #include <discmc/gradient_normals.hpp>
 
-#include "../reference/angle.hpp"
-#include "../reference/ramp_ball.hpp"
-#include "../reference/scan.hpp"
-#include "../stream.hpp"
 #include "command.hpp"
+#include "oracle/angle.hpp"
+#include "oracle/ramp_ball.hpp"
+#include "oracle/scan.hpp"
+#include "oracle/stream.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "../reference/volume.hpp"
 #include "extraction.hpp"
 #include "mesh.hpp"
+#include "oracle/volume.hpp"
 #include "surface_builder.hpp"
 #include "volume.hpp"
 

@@ -1,6 +1,6 @@
 // The commands that take a stream, decode, info and render: whole, broken and hostile ones.
-#include "../stream.hpp"
 #include "command.hpp"
+#include "oracle/stream.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "../stream.hpp"
+#include "oracle/stream.hpp"
 
 namespace {
 

@@ -8,10 +8,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "../reference/ramp_ball.hpp"
-#include "../stream.hpp"
 #include "hand_made.hpp"
 #include "normal_angles.hpp"
+#include "oracle/ramp_ball.hpp"
+#include "oracle/stream.hpp"
 #include "sample_reader.hpp"
 
 namespace {

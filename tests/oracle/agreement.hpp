@@ -1,0 +1,54 @@
+// Does a sweep agree with the reference? Answers in words, so that a failed check tells the reason.
+#ifndef DISCMC_TESTS_ORACLE_AGREEMENT_HPP
+#define DISCMC_TESTS_ORACLE_AGREEMENT_HPP
+
+#include <string>
+#include <vector>
+
+#include "collect.hpp"
+#include "merge.hpp"
+#include "surface.hpp"
+
+namespace discmc::reference {
+
+inline size_t link_count(const std::vector<Region>& regions) {
+  size_t links = 0;
+  for (const Region& region : regions)
+    for (const Ring& ring : region.rings) links += ring.size();
+  return links;
+}
+
+/// Empty when the regions of a sweep without cuts are `merged`, which is canonical, ring for ring.
+inline std::string unlike_regions(const std::vector<Region>& swept,
+                                  const std::vector<Region>& merged) {
+  const std::vector<Region> simple = canonical(simple_rings(swept));
+  if (simple != merged) return describe_difference(simple, merged);
+  return link_count(swept) == link_count(merged) ? "" : "a slit that no cut accounts for";
+}
+
+/// The same for the regions that the paper's Merge finds in a volume.
+inline std::string unlike_merge(const std::vector<Region>& swept, const BitVolume& volume,
+                                bool closed) {
+  return unlike_regions(swept, canonical(merge(volume, closed)));
+}
+
+/// Empty when the regions of a sweep, however cut, make up the surface of the volume: on every
+/// plane the same area and the same boundary, no link left over unless the border is open.
+inline std::string unlike_surface(const std::vector<Region>& swept, const BitVolume& volume,
+                                  bool closed) {
+  const Surface surface = surface_of(swept);
+  const Surface expected = surface_of_cells(volume, closed);
+  if (surface.areas != expected.areas) return "other areas on the planes";
+  if (surface.open_links != expected.open_links) return "other links left over";
+  if (surface.boundary != expected.boundary) return "other boundaries on the planes";
+  if (surface.six_volumes != expected.six_volumes) return "another volume";
+  if (closed && surface.open_links != 0) return "a surface that is not closed";
+  for (const Region& region : simple_rings(swept))
+    if (region.rings.empty() || signed_area(region.incidence, region.rings[0]) <= 0)
+      return "a region without an outer ring";
+  return {};
+}
+
+}  // namespace discmc::reference
+
+#endif

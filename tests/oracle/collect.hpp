@@ -1,0 +1,106 @@
+// A sink for tests: puts the regions of a scan together again and trusts nobody.
+//
+// Every event is checked against the grammar of sink.hpp and against what the events before it
+// promised. Spilled fragments are put back where their numbers stand.
+#ifndef DISCMC_TESTS_ORACLE_COLLECT_HPP
+#define DISCMC_TESTS_ORACLE_COLLECT_HPP
+
+#include <cstdint>
+#include <discmc/sink.hpp>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "region.hpp"
+
+namespace discmc::reference {
+
+/// Thrown out of Collector::take() when the sender breaks the grammar or a promise.
+struct GrammarError : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+struct LayerMark {
+  uint32_t slice;
+  size_t regions;  ///< delivered before the mark
+};
+
+struct SkippedRow {
+  uint32_t slice, row;
+  bool repeated;
+};
+
+/// Collects one scan. The regions have sweep rings, in the order in which they came.
+class Collector {
+ public:
+  explicit Collector(bool takes_fragments = true) : takes_fragments_(takes_fragments) {}
+
+  /// Always answers `taken`. Errors: throws GrammarError.
+  Answer take(const Event& event);
+
+  /// Owner: the collector must outlive the sink.
+  Sink sink() { return sink_to(*this, takes_fragments_); }
+
+  const std::vector<Region>& regions() const { return regions_; }
+  const std::vector<LayerMark>& layers() const { return layers_; }
+  const std::vector<SkippedRow>& skipped() const { return skipped_; }
+  bool is_finished() const { return place_ == Place::over; }
+  bool was_abandoned() const { return was_abandoned_; }
+  /// Of the finish event. Limit: is_finished().
+  const Statistics& statistics() const { return statistics_; }
+  uint64_t fragments() const { return fragments_; }
+  /// Neighbouring runs of one direction that could have been one run, in one ring or fragment.
+  uint64_t split_sides() const { return split_sides_; }
+
+ private:
+  enum class Place : uint8_t { between, region, ring, fragment, over };
+
+  struct Fragment {
+    Incidence incidence;
+    std::vector<Run> runs;
+  };
+
+  void begin_region(const Event& event);
+  void begin_ring(const Event& event);
+  void add_run(const Run& run);
+  void put_back(uint32_t number);
+  void end_ring();
+  void end_region();
+  void begin_fragment(const Event& event);
+  void end_fragment();
+  void add_skipped(const Event& event);
+  void add_layer(const Event& event);
+  void finish(const Event& event);
+
+  Place place_ = Place::between;
+  bool takes_fragments_;
+  Region region_{};
+  int32_t plane_ = 0;
+  Vertex start_{};
+  bool hole_ = false;
+  Run last_run_{};
+  std::vector<Run> runs_;  // of the ring or fragment under way
+  uint32_t number_ = 0;
+
+  std::unordered_map<uint32_t, Fragment> waiting_;
+  std::unordered_set<uint32_t> numbers_seen_;
+  std::vector<Region> regions_;
+  std::vector<LayerMark> layers_;
+  std::vector<SkippedRow> skipped_;
+  Statistics statistics_{};
+  bool was_abandoned_ = false;
+  uint64_t fragments_ = 0;
+  uint64_t rings_ = 0;
+  uint64_t links_ = 0;
+  uint64_t split_sides_ = 0;
+};
+
+/// The simple rings of regions with sweep rings: every ring is split where a vertex recurs, rings
+/// of two links are dropped, and the outer ring comes first.
+std::vector<Region> simple_rings(const std::vector<Region>& regions);
+
+}  // namespace discmc::reference
+
+#endif

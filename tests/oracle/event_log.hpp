@@ -1,0 +1,138 @@
+// The recorder of events: a sink that keeps what it takes, as values that compare.
+#ifndef DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
+#define DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
+
+#include <array>
+#include <cstdint>
+#include <discmc/sink.hpp>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "collect.hpp"
+
+namespace discmc::reference {
+
+inline std::array<uint64_t, 9> counts(const Statistics& s) {
+  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
+          s.cuts,  s.spills, s.skipped_rows};
+}
+
+/// Calls add(number) with what an event says: its kind, then the members that its kind names and no
+/// others.
+template <class Add>
+void for_each_number(const Event& event, Add add) {
+  const auto add_all = [&](auto... values) { (add(static_cast<uint64_t>(values)), ...); };
+  add_all(event.kind);
+  switch (event.kind) {
+    case Event::Kind::region:
+      return add_all(event.incidence);
+    case Event::Kind::ring:
+      return add_all(event.start.x, event.start.y, event.start.z, event.hole);
+    case Event::Kind::run:
+      // In one number, which without a normal is the run alone.
+      return add_all(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
+                     uint64_t{event.normal.v} << 40);
+    case Event::Kind::fragment:
+      return add_all(event.number, event.incidence);
+    case Event::Kind::skipped:
+      return add_all(event.slice, event.row, event.repeated);
+    case Event::Kind::layer:
+      return add_all(event.slice);
+    case Event::Kind::finish:
+      add_all(event.slice, event.abandoned);
+      for (const uint64_t count : counts(*event.statistics)) add(count);
+      return;
+    case Event::Kind::region_end:
+    case Event::Kind::fragment_end:
+    case Event::Kind::lost:
+      return;
+  }
+}
+
+/// An event as a value. Two are equal when they say the same.
+class RecordedEvent {
+ public:
+  explicit RecordedEvent(const Event& event) : event_(event) {
+    if (event.kind == Event::Kind::finish) statistics_ = *event.statistics;
+  }
+
+  Event::Kind kind() const { return event_.kind; }
+  bool is(Event::Kind kind) const { return event_.kind == kind; }
+  /// Owner: this object must outlive the event.
+  Event event() const {
+    Event event = event_;
+    event.statistics = &statistics_;
+    return event;
+  }
+
+  bool operator==(const RecordedEvent& other) const { return numbers() == other.numbers(); }
+  bool operator!=(const RecordedEvent& other) const { return !(*this == other); }
+
+ private:
+  // Zeros behind the last. A finish event has the most.
+  std::array<uint64_t, 12> numbers() const {
+    std::array<uint64_t, 12> all{};
+    size_t count = 0;
+    for_each_number(event(), [&](uint64_t number) { all.at(count++) = number; });
+    return all;
+  }
+
+  Event event_;
+  Statistics statistics_{};
+};
+
+using Events = std::vector<RecordedEvent>;
+
+/// Refuses every offer once, so that all is taken when it is offered for the second time.
+inline bool refuses_first(uint64_t offer) {
+  return offer % 2 == 0;
+}
+
+/// Refuses an offer where `refuses(number of the offer)` says so, and records the others. Errors:
+/// throws GrammarError when a refused event is not what is offered next, or the events do not end.
+class EventLog {
+ public:
+  using Refuses = std::function<bool(uint64_t offer)>;
+
+  explicit EventLog(Refuses refuses = {}) : refuses_(std::move(refuses)) {}
+
+  Answer take(const Event& event) {
+    const RecordedEvent offered(event);
+    if (refused_ && *refused_ != offered)
+      throw GrammarError("what was refused is not offered again");
+    refused_.reset();
+    if (refuses_ && refuses_(offers_++)) {
+      ++refusals_;
+      refused_ = offered;
+      return Answer::not_now;
+    }
+    if (events.size() == most_events) throw GrammarError("events without end");
+    events.push_back(offered);
+    return Answer::taken;
+  }
+
+  uint64_t refusals() const { return refusals_; }
+
+  Events events;
+
+ private:
+  static constexpr size_t most_events = 20000000;
+
+  Refuses refuses_;
+  uint64_t offers_ = 0;
+  uint64_t refusals_ = 0;
+  std::optional<RecordedEvent> refused_;  // the last, until it is offered again
+};
+
+/// The events, put together by a Collector. Errors: throws GrammarError.
+inline Collector collected(const Events& events, bool takes_fragments = true) {
+  Collector collector(takes_fragments);
+  for (const RecordedEvent& event : events) (void)collector.take(event.event());
+  return collector;
+}
+
+}  // namespace discmc::reference
+
+#endif

@@ -1,0 +1,36 @@
+// Balls whose samples fall evenly from the centre outwards.
+#ifndef DISCMC_TESTS_ORACLE_RAMP_BALL_HPP
+#define DISCMC_TESTS_ORACLE_RAMP_BALL_HPP
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "gradient.hpp"
+
+namespace discmc::reference {
+
+/// Units: samples a voxel for the slope; samples.
+struct Ramp {
+  double slope;
+  int threshold, most;  ///< on the ball's surface, and of the type; the least is 0
+};
+
+/// A volume of `extent` voxels each way with the ball in its middle. Units: voxels.
+inline SampleVolume<int> ramp_ball(uint32_t extent, double radius, const Ramp& ramp) {
+  SampleVolume<int> volume{{extent, extent, extent}, {}};
+  const double centre = (extent - 1) / 2.0;
+  for (uint32_t z = 0; z < extent; ++z)
+    for (uint32_t y = 0; y < extent; ++y)
+      for (uint32_t x = 0; x < extent; ++x) {
+        const double distance = std::hypot(x - centre, y - centre, z - centre);
+        const double sample = ramp.threshold + ramp.slope * (radius - distance);
+        volume.samples.push_back(
+            static_cast<int>(std::lround(std::clamp(sample, 0.0, double{ramp.most * 1.0}))));
+      }
+  return volume;
+}
+
+}  // namespace discmc::reference
+
+#endif

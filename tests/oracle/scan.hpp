@@ -1,0 +1,123 @@
+// Runs a whole volume through an extractor, in whatever portions and memory a test asks for.
+#ifndef DISCMC_TESTS_ORACLE_SCAN_HPP
+#define DISCMC_TESTS_ORACLE_SCAN_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <discmc/extractor.hpp>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "collect.hpp"
+#include "volume.hpp"
+
+namespace discmc::reference {
+
+/// A block on the heap of exactly the bytes asked for, so that address sanitizers see the first
+/// byte beyond, or one with guard bytes either side, so that is_intact() does.
+class Block {
+ public:
+  enum class Kind : uint8_t { exact, guarded };
+
+  explicit Block(size_t bytes, Kind kind = Kind::guarded)
+      : bytes_(bytes),
+        guard_(kind == Kind::guarded ? 64 : 0),
+        all_(new uint8_t[bytes_ + 2 * guard_]) {
+    std::fill_n(all_.get(), bytes_ + 2 * guard_, filling);
+  }
+
+  Memory memory() { return {all_.get() + guard_, bytes_}; }
+
+  bool is_intact() const {
+    const auto is_filling = [](uint8_t byte) { return byte == filling; };
+    const uint8_t* end = all_.get() + guard_ + bytes_;
+    return std::all_of(all_.get(), all_.get() + guard_, is_filling) &&
+           std::all_of(end, end + guard_, is_filling);
+  }
+
+ private:
+  static constexpr uint8_t filling = 0xA5;
+  size_t bytes_;
+  size_t guard_;
+  std::unique_ptr<uint8_t[]> all_;
+};
+
+/// How a test wants a volume scanned.
+struct Plan {
+  Border border = Border::closed;
+  bool takes_fragments = true;
+  uint32_t chunk = 0;  ///< samples a push; 0: the whole volume
+};
+
+inline Limits limits_of(const BitVolume& volume, Border border) {
+  return {volume.width, volume.height, border};
+}
+
+/// Pushes all samples, resuming as often as it takes. Errors: throws when a status is one.
+template <class Index, class Normals, class Sample>
+void push_all(Extractor<Index, Normals>& extractor, const std::vector<Sample>& samples,
+              uint32_t chunk = 0) {
+  const auto total = static_cast<uint32_t>(samples.size());
+  for (uint32_t at = 0; at < total;) {
+    const uint32_t left = total - at;
+    const uint32_t count = chunk == 0 || chunk > left ? left : chunk;
+    const Pushed pushed = extractor.push(samples.data() + at, count);
+    at += pushed.samples;
+    if (pushed.status != Status::ok && pushed.status != Status::more)
+      throw std::runtime_error(text(pushed.status));
+  }
+}
+
+/// Ends a scan, resuming as often as it takes.
+template <class Index, class Normals>
+void finish_all(Extractor<Index, Normals>& extractor) {
+  Status status = extractor.finish();
+  while (status == Status::more) status = extractor.finish();
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+inline void require_ok(Status status) {
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+/// Scans a volume of bits with explicit capacities. Errors: throws when the extractor reports one,
+/// writes outside its memory, or breaks the grammar.
+template <class Index, class Receiver>
+void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan,
+               const Capacities& capacities, Block::Kind kind = Block::Kind::guarded) {
+  const Limits limits = limits_of(volume, plan.border);
+  Block block(bytes_for<Index>(limits, capacities), kind);
+  Extractor<Index> extractor;
+  require_ok(extractor.start(limits, capacities, 1, block.memory(),
+                             sink_to(receiver, plan.takes_fragments)));
+  push_all(extractor, volume.on, plan.chunk);
+  finish_all(extractor);
+  if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
+}
+
+/// The same with the default split of a number of bytes.
+template <class Index, class Receiver>
+void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, uint64_t bytes,
+               Block::Kind kind = Block::Kind::guarded) {
+  const Limits limits = limits_of(volume, plan.border);
+  Block block(bytes, kind);
+  Extractor<Index> extractor;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(receiver, plan.takes_fragments)));
+  push_all(extractor, volume.on, plan.chunk);
+  finish_all(extractor);
+  if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
+}
+
+/// The regions of a volume, in sweep rings, with as much memory as any volume of its size needs.
+template <class Index>
+Collector scan(const BitVolume& volume, const Plan& plan = {}) {
+  Collector collector(plan.takes_fragments);
+  scan_into<Index>(collector, volume, plan, worst_case_capacities(limits_of(volume, plan.border)));
+  return collector;
+}
+
+}  // namespace discmc::reference
+
+#endif

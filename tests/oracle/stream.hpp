@@ -1,0 +1,309 @@
+// Streams for tests: made of recorded events, and their packets taken apart and mended.
+#ifndef DISCMC_TESTS_STREAM_HPP
+#define DISCMC_TESTS_STREAM_HPP
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <discmc/crc32.hpp>
+#include <discmc/decoder.hpp>
+#include <discmc/encoder.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "event_log.hpp"
+#include "scan.hpp"
+
+namespace discmc::test {
+
+using Bytes = std::vector<uint8_t>;
+
+using reference::EventLog;
+using reference::Events;
+using reference::RecordedEvent;
+
+// ---- chance ----
+
+/// Random numbers from a generator of our own (SplitMix64).
+class Chance {
+ public:
+  explicit Chance(uint64_t seed) : state_(seed) {}
+  uint64_t next() {
+    state_ += 0x9E3779B97F4A7C15;
+    uint64_t mixed = (state_ ^ (state_ >> 30)) * 0xBF58476D1CE4E5B9;
+    mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
+    return mixed ^ (mixed >> 31);
+  }
+  uint32_t below(uint32_t limit) { return static_cast<uint32_t>(next() % limit); }
+  uint8_t byte() { return static_cast<uint8_t>(next()); }
+
+ private:
+  uint64_t state_;
+};
+
+// ---- scans ----
+
+inline Events events_of(const reference::BitVolume& volume, const Capacities& capacities,
+                        const reference::Plan& plan = {}) {
+  EventLog log;
+  reference::scan_into<uint32_t>(log, volume, plan, capacities);
+  return log.events;
+}
+
+inline Events events_of(const reference::BitVolume& volume, const reference::Plan& plan = {}) {
+  return events_of(volume, worst_case_capacities(reference::limits_of(volume, plan.border)), plan);
+}
+
+inline StreamHeader header_of(const reference::BitVolume& volume, Border border = Border::closed) {
+  StreamHeader header;
+  header.width = volume.width;
+  header.height = volume.height;
+  header.depth = volume.depth;
+  for (int32_t& spacing : header.spacing_nm) spacing = 1000000;
+  header.threshold = 1;
+  header.border = border;
+  return header;
+}
+
+/// A small header for streams that are not of a volume.
+inline StreamHeader any_header() {
+  return header_of(reference::BitVolume({1, 1, 1}));
+}
+
+// ---- encoding ----
+
+/// Takes bytes as a slow line does: `most` at every second call, none at the others. 0: all.
+class Line {
+ public:
+  explicit Line(size_t most = 0) : most_(most) {}
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* data, size_t count) {
+              return static_cast<Line*>(context)->write(data, count);
+            }};
+  }
+
+  Bytes bytes;
+
+ private:
+  size_t write(const uint8_t* data, size_t count) {
+    was_busy_ = most_ > 0 && !was_busy_;
+    if (was_busy_) return 0;
+    const size_t taken = most_ > 0 && most_ < count ? most_ : count;
+    bytes.insert(bytes.end(), data, data + taken);
+    return taken;
+  }
+
+  size_t most_;
+  bool was_busy_ = false;
+};
+
+template <class Encoding>
+void take_all(Encoding& encoder, const Events& events) {
+  for (const RecordedEvent& recorded : events)
+    for (int tries = 0; encoder.take(recorded.event()) != Answer::taken; ++tries)
+      if (tries > 10000) throw std::runtime_error("an event that is never taken");
+}
+
+template <class Encoding = Encoder>
+Bytes encode(const Events& events, const StreamHeader& header = any_header(),
+             size_t bytes_a_time = 0) {
+  Line line(bytes_a_time);
+  Encoding encoder;
+  reference::require_ok(encoder.start(header, line.output()));
+  take_all(encoder, events);
+  while (!encoder.flush()) continue;
+  if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
+  return line.bytes;
+}
+
+// ---- decoding ----
+
+struct Arrival {
+  Events events;
+  StreamReport report;
+  StreamHeader header;
+  Status status;
+};
+
+/// Decodes `chunk` bytes at a time (0: all at once), with a sink that may refuse every event once.
+inline Arrival decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
+  EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
+  Decoder decoder;
+  reference::require_ok(decoder.start(sink_to(log)));
+  Status status = Status::ok;
+  for (size_t at = 0; at < bytes.size() && status != Status::wrong_version;) {
+    const size_t left = bytes.size() - at;
+    const Decoded decoded =
+        decoder.push(bytes.data() + at, chunk == 0 || chunk > left ? left : chunk);
+    at += decoded.bytes;
+    status = decoded.status;
+  }
+  Status end = decoder.finish();
+  while (end == Status::more) end = decoder.finish();
+  reference::require_ok(end);
+  if (decoder.push(nullptr, 0).status == Status::wrong_version) status = Status::wrong_version;
+  return {log.events, decoder.report(), decoder.header(), status};
+}
+
+/// The events that each frame of a whole stream brings.
+inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
+  EventLog log;
+  Decoder decoder;
+  reference::require_ok(decoder.start(sink_to(log)));
+  std::vector<Events> result;
+  for (const Bytes& frame : frames) {
+    const Decoded decoded = decoder.push(frame.data(), frame.size());
+    reference::require_ok(decoded.status);
+    result.push_back(std::move(log.events));
+    log.events.clear();
+  }
+  return result;
+}
+
+/// The complete regions among the events of a decoder. Errors: throws when the events break the
+/// grammar of sink.hpp, `lost` included.
+inline std::vector<Events> regions_of(const Events& events) {
+  using Kind = Event::Kind;
+  enum class Place { between, region, ring, runs, fragment, over } place = Place::between;
+  const auto require = [](bool holds) {
+    if (!holds) throw reference::GrammarError("events in an order that the grammar does not have");
+  };
+  std::vector<Events> regions;
+  Events open;
+  uint32_t directions = 0;
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
+    const bool in_chain = place == Place::ring || place == Place::runs || place == Place::fragment;
+    require(place != Place::over);
+    if (recorded.is(Kind::run)) {
+      require(in_chain && !event.run.is_empty());
+      if (!event.run.is_fragment())
+        require(event.run.length() > 0 && event.run.direction() < directions);
+      if (place == Place::ring) place = Place::runs;
+    } else if (recorded.is(Kind::ring)) {
+      require(place == Place::region || place == Place::runs);
+      require(event.hole == (place == Place::runs));
+      require((event.start.x ^ event.start.y ^ event.start.z) & 1);
+      place = Place::ring;
+    } else if (recorded.is(Kind::region_end)) {
+      require(place == Place::runs);
+      place = Place::between;
+    } else if (recorded.is(Kind::fragment_end)) {
+      require(place == Place::fragment);
+      place = Place::between;
+    } else if (recorded.is(Kind::lost)) {
+      require(place != Place::between);
+      place = Place::between;
+      open.clear();
+    } else {
+      require(place == Place::between);
+      if (recorded.is(Kind::region)) place = Place::region;
+      if (recorded.is(Kind::fragment)) place = Place::fragment;
+      if (recorded.is(Kind::finish)) place = Place::over;
+      if (place == Place::region || place == Place::fragment)
+        directions = direction_count(event.incidence);
+      open.clear();
+    }
+    open.push_back(recorded);
+    if (recorded.is(Kind::region_end)) regions.push_back(open);
+  }
+  return regions;
+}
+
+// ---- packets ----
+
+struct Packet {
+  uint8_t kind = 0;
+  uint8_t number = 0;
+  uint16_t regions = 0;
+  Bytes payload;
+
+  bool is(wire::PacketKind which) const { return kind == static_cast<uint8_t>(which); }
+};
+
+inline Bytes frame_of(const Packet& packet) {
+  Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.regions),
+              static_cast<uint8_t>(packet.regions >> 8)};
+  for (const uint8_t byte : packet.payload) frame.push_back(byte);
+  const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
+  for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
+  const size_t plain = frame.size() - 1;
+  frame.push_back(0);
+  cobs::stuff(frame.data(), plain);
+  return frame;
+}
+
+/// Limit: a whole frame with its zero.
+inline Packet packet_of(Bytes frame) {
+  const size_t plain = cobs::unstuff(frame.data(), frame.size() - 1);
+  if (plain < wire::packet_head + wire::packet_crc) throw std::runtime_error("no packet");
+  Packet packet;
+  packet.kind = frame[1];
+  packet.number = frame[2];
+  packet.regions = static_cast<uint16_t>(frame[3] | frame[4] << 8);
+  packet.payload.assign(frame.begin() + 5, frame.begin() + static_cast<std::ptrdiff_t>(plain) - 3);
+  return packet;
+}
+
+/// The frames of a stream, each with its zero.
+inline std::vector<Bytes> frames_of(const Bytes& stream) {
+  std::vector<Bytes> frames(1);
+  for (const uint8_t byte : stream) {
+    frames.back().push_back(byte);
+    if (byte == 0) frames.emplace_back();
+  }
+  frames.pop_back();
+  return frames;
+}
+
+inline Bytes joined(const std::vector<Bytes>& frames) {
+  Bytes stream;
+  for (const Bytes& frame : frames) stream.insert(stream.end(), frame.begin(), frame.end());
+  return stream;
+}
+
+// ---- the model by hand ----
+
+struct WritingCoder {
+  RangeEncoder range;
+  bool bit(uint32_t context, bool bit) {
+    range.encode(bit, region_model[context]);
+    return bit;
+  }
+};
+
+struct ReadingCoder {
+  RangeDecoder range;
+  bool bit(uint32_t context, bool) { return range.decode(region_model[context]); }
+};
+
+/// The payload of a packet of records, told to the model by hand.
+class Payload {
+ public:
+  Payload() : bytes_(wire::max_payload), model(WritingCoder{{bytes_.data(), bytes_.size()}}) {}
+  Payload(const Payload&) = delete;
+  Payload& operator=(const Payload&) = delete;
+
+  /// Ends the records and the code. Errors: throws when they do not fit.
+  Bytes finish() {
+    model.region_follows(false);
+    model.other_kind(OtherKind::end);
+    return close();
+  }
+  /// The same without a word of an end.
+  Bytes close() {
+    if (!model.coder().range.fits()) throw std::runtime_error("the payload is too long");
+    bytes_.resize(model.coder().range.finish());
+    return bytes_;
+  }
+
+ private:
+  Bytes bytes_;
+
+ public:
+  RegionModel<WritingCoder> model;
+};
+
+}  // namespace discmc::test
+
+#endif

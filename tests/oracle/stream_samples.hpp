@@ -1,0 +1,208 @@
+// Scans that between them hold everything that a stream can hold.
+#ifndef DISCMC_TESTS_STREAM_SAMPLES_HPP
+#define DISCMC_TESTS_STREAM_SAMPLES_HPP
+
+#include <string>
+
+#include "stream.hpp"
+
+namespace discmc::test {
+
+struct Sample {
+  std::string name;
+  StreamHeader header;
+  Events events;
+};
+
+/// Events by hand. What they describe need not be a surface.
+class Script {
+ public:
+  Script& region(Incidence incidence) {
+    Event event = of(Event::Kind::region);
+    event.incidence = incidence;
+    return add(event);
+  }
+  Script& ring(Vertex start, bool hole = false) {
+    Event event = of(Event::Kind::ring);
+    event.start = start;
+    event.hole = hole;
+    return add(event);
+  }
+  Script& run(Run run) {
+    Event event = of(Event::Kind::run);
+    event.run = run;
+    return add(event);
+  }
+  Script& run(Direction direction, uint32_t length) {
+    return run(Run::straight(direction, length));
+  }
+  Script& region_end() {
+    ++totals_.regions;
+    return add(of(Event::Kind::region_end));
+  }
+  Script& fragment(Incidence incidence, uint32_t number) {
+    Event event = of(Event::Kind::fragment);
+    event.incidence = incidence;
+    event.number = number;
+    return add(event);
+  }
+  Script& fragment_end() { return add(of(Event::Kind::fragment_end)); }
+  Script& lost() { return add(of(Event::Kind::lost)); }
+  Script& skipped(uint32_t slice, uint32_t row, bool repeated) {
+    Event event = of(Event::Kind::skipped);
+    event.slice = slice;
+    event.row = row;
+    event.repeated = repeated;
+    return add(event);
+  }
+  Script& layer(uint32_t slice) {
+    Event event = of(Event::Kind::layer);
+    event.slice = slice;
+    return add(event);
+  }
+  Script& finish() {
+    Event event = of(Event::Kind::finish);
+    event.statistics = &totals_;
+    return add(event);
+  }
+  /// A square of this side across z.
+  Script& square(Vertex corner, uint32_t side, bool hole = false) {
+    ring(corner, hole);
+    for (uint32_t i = 0; i < 4; ++i)
+      run(static_cast<Direction>((hole ? 8 - 2 * i : 2 * i) % 8), side);
+    return *this;
+  }
+
+  Events events;
+
+ private:
+  static Event of(Event::Kind kind) {
+    Event event{};
+    event.kind = kind;
+    return event;
+  }
+  Script& add(const Event& event) {
+    events.emplace_back(event);
+    return *this;
+  }
+  Statistics totals_{};
+};
+
+constexpr Incidence up = incidence_of({0, 0, 1});
+
+// A run by chance: its numbers are drawn in an order that no compiler chooses.
+inline void add_run(Script& script, Chance& chance, uint32_t directions, uint32_t most) {
+  const uint32_t length = 1 + chance.below(most);
+  script.run(static_cast<Direction>(chance.below(directions)), length);
+}
+
+/// One region of one ring with random runs, of up to `most` links, in a plane across z.
+inline void add_ragged_region(Script& script, Chance& chance, uint32_t runs, uint32_t most) {
+  script.region(up).ring({1, 2, 2 * static_cast<int32_t>(chance.below(50))});
+  for (uint32_t i = 0; i < runs; ++i) add_run(script, chance, 8, most);
+  script.region_end();
+}
+
+/// Rings, regions and fragments that no packet holds, with runs and numbers at their limits.
+inline Events monstrous_events() {
+  Script script;
+  Chance chance(11);
+  for (const uint32_t runs : {1U, 91U, 92U, 93U, 96U, 97U, 500U})
+    for (const uint32_t most : {3U, 1000U, Run::max_length}) {
+      add_ragged_region(script, chance, runs, most);
+      script.layer(runs);
+    }
+  for (const uint32_t number : {0U, 1U, 77U, Run::max_fragment, 5U}) {
+    script.fragment(static_cast<Incidence>(number % 13), number);
+    const uint32_t count = direction_count(static_cast<Incidence>(number % 13));
+    for (uint32_t i = 0; i < 200; ++i) {
+      add_run(script, chance, count, 70000);
+      if (i % 50 == 7) script.run(Run::fragment(chance.below(Run::max_fragment)));
+    }
+    script.fragment_end();
+  }
+  script.region(up).ring({0, 0, 1});
+  for (uint32_t i = 0; i < 300; ++i) script.run(Run::fragment(chance.below(Run::max_fragment)));
+  script.region_end();
+  script.region(up).square({-3, -5, 1}, 65535).square({1, 1, 1}, 65536, true).region_end();
+  script.region(up).square({-3, -5, 1}, 65535).square({1, 1, 1}, 1, true).region_end();
+  script.skipped(3, 2, true).skipped(UINT32_MAX - 1, UINT32_MAX - 1, false);
+  return script.finish().events;
+}
+
+/// A plate one voxel thick with a hole in every fourth voxel of every fourth row.
+inline reference::BitVolume sieve(uint32_t side) {
+  reference::BitVolume volume({side, side, 1});
+  for (uint32_t y = 0; y < side; ++y)
+    for (uint32_t x = 0; x < side; ++x) volume.on[volume.index(x, y, 0)] = x % 4 != 2 || y % 4 != 2;
+  return volume;
+}
+
+/// A scan in which rows do not come, and which is abandoned after so many rows (0: it is not).
+inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows_until_abandoned) {
+  const Limits limits = reference::limits_of(volume, Border::closed);
+  const Capacities capacities = worst_case_capacities(limits);
+  reference::Block block(bytes_for<uint32_t>(limits, capacities));
+  EventLog log;
+  Extractor32 extractor;
+  reference::require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  const uint32_t rows = volume.height * volume.depth;
+  const bool is_abandoned = rows_until_abandoned > 0;
+  for (uint32_t row = 0; row < (is_abandoned ? rows_until_abandoned : rows); ++row) {
+    const uint8_t* samples = volume.on.data() + size_t{row} * volume.width;
+    const Pushed pushed = row % 5 == 2   ? extractor.skip_row(Substitute::off)
+                          : row % 7 == 3 ? extractor.skip_row(Substitute::previous_row)
+                                         : extractor.push(samples, volume.width);
+    reference::require_ok(pushed.status);
+  }
+  reference::require_ok(is_abandoned ? extractor.abandon() : extractor.finish());
+  return log.events;
+}
+
+/// So little room for runs that most of them leave as fragments.
+inline Capacities spilling_capacities(const reference::BitVolume& volume) {
+  Capacities capacities = worst_case_capacities(reference::limits_of(volume, Border::closed));
+  capacities.runs = minimum_capacities().runs;
+  return capacities;
+}
+
+inline Sample sample_of(const std::string& name, const reference::BitVolume& volume,
+                        Border border = Border::closed) {
+  reference::Plan plan;
+  plan.border = border;
+  return {name, header_of(volume, border), events_of(volume, plan)};
+}
+
+inline std::vector<Sample> samples() {
+  using namespace reference;
+  const BitVolume round = ball({24, 24, 24}, {23, 23, 23}, 100);
+  const BitVolume noise = random({13, 11, 9}, 128, 1);
+  const BitVolume winding = spiral({70, 70, 3});
+  std::vector<Sample> all{
+      sample_of("an empty volume", BitVolume({3, 3, 3})),
+      sample_of("a single voxel", from_bits({1, 1, 1}, 1)),
+      sample_of("a ball", round),
+      sample_of("a ball with an open border", ball({20, 20, 20}, {19, 19, 19}, 120), Border::open),
+      sample_of("noise", noise),
+      sample_of("sparse noise", random({40, 9, 33}, 12, 2)),
+      sample_of("a checkerboard", checkerboard({9, 9, 9})),
+      sample_of("the tiling of configuration 61", tiling_61({10, 10, 6})),
+      sample_of("a spiral, whose rings are long", winding),
+      sample_of("a sieve, whose regions have many holes", sieve(45)),
+      sample_of("a long wire, all of it one run", box({3000, 3, 3}, {1, 1, 1}, {2998, 1, 1})),
+  };
+  all.push_back({"a ball in hardly any memory: cuts", header_of(round),
+                 events_of(round, minimum_capacities())});
+  all.push_back(
+      {"noise with fragments", header_of(noise), events_of(noise, spilling_capacities(noise))});
+  all.push_back({"a spiral with fragments", header_of(winding),
+                 events_of(winding, spilling_capacities(winding))});
+  all.push_back({"rows that never came", header_of(noise), events_with_gaps(noise, 0)});
+  all.push_back({"an abandoned scan", header_of(noise), events_with_gaps(noise, 47)});
+  all.push_back({"monstrous records", any_header(), monstrous_events()});
+  return all;
+}
+
+}  // namespace discmc::test
+
+#endif

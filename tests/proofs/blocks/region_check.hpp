@@ -1,0 +1,75 @@
+// A sink that checks the surface of a small block as it comes, and sums it up in a few words that
+// can be saved and put back.
+#ifndef DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
+#define DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <discmc/limits.hpp>
+#include <discmc/sink.hpp>
+#include <vector>
+
+namespace discmc::prove {
+
+/// The lattice of a block of 3 x 3 x 3 voxels and of the halo around it, as a table.
+class Lattice {
+ public:
+  static constexpr int32_t first = -1, last = 5;  ///< coordinates. Units: half-steps
+  static constexpr int32_t side = last - first + 1;
+  static constexpr size_t vertices = size_t{side} * side * side;
+
+  struct Step {
+    uint64_t hash;  ///< in the terms of reference::fingerprint()
+    int16_t to;     ///< -1 where the link leads out of the lattice
+    bool is_inner;  ///< not on a face where an open volume ends
+  };
+
+  explicit Lattice(Border border);
+
+  static bool contains(const Vertex& vertex);
+  static size_t index(const Vertex& vertex);
+  static Vertex vertex(size_t index);
+  const Step& step(size_t from, Link link) const { return steps_[from * link_codes + link]; }
+
+ private:
+  std::vector<Step> steps_;  // by vertex and link
+};
+
+/// Checks that every ring is closed, lies where its hole flag says, and takes no directed link
+/// twice. Errors: take() throws std::runtime_error.
+class RegionCheck {
+ public:
+  /// Of the regions taken so far; plain data.
+  struct Sum {
+    uint64_t fingerprint = 0;                  ///< that of reference::fingerprint()
+    uint32_t links = 0;                        ///< of all rings
+    int32_t unpaired = 0;                      ///< inner links whose opposite is not there
+    uint32_t is_used[Lattice::vertices] = {};  ///< by vertex, a bit for each link from there
+  };
+
+  explicit RegionCheck(const Lattice& lattice) : lattice_(lattice) {}
+
+  Answer take(const Event& event);
+
+  const Sum& sum() const { return sum_; }
+  void go_back(const Sum& sum) { sum_ = sum; }
+
+ private:
+  void begin_ring(const Event& event);
+  void add_run(Run run);
+  void end_ring() const;
+
+  const Lattice& lattice_;
+  Sum sum_;
+  Incidence incidence_ = no_incidence;
+  uint32_t rings_ = 0;  // of the region
+  bool hole_ = false;
+  size_t start_ = 0;
+  size_t at_ = 0;
+  int32_t area_ = 0;
+  uint64_t boundary_ = 0;
+};
+
+}  // namespace discmc::prove
+
+#endif

@@ -1,0 +1,273 @@
+"""scripts/mutate: breaks the library in one place after another and counts what its tests catch.
+
+The mutants are all in one program (instrument.py), which the environment tells the active one. Of
+each only the test cases that reach it are run, until one fails: first those that caught others of
+the same file, then the quickest.
+"""
+import argparse
+import concurrent.futures as futures
+import itertools
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import time
+from collections import defaultdict
+from fnmatch import fnmatch
+from pathlib import Path
+
+import instrument
+
+ROOT = Path(__file__).resolve().parents[3]
+BUILD = ROOT / 'build' / 'mutation'
+PROGRAM = BUILD / 'mutants'
+RESULTS = BUILD / 'results.tsv'
+EQUIVALENT = Path(__file__).with_name('equivalent.txt')
+BATCH = 0.05  # s of test cases that run in one process
+MEMORY = 2 << 30  # bytes that a mutant may take
+
+
+# ---- the program that holds the mutants ----
+
+def write_copy(refused):
+    """The library with its mutants, in the build folder; a file that is as it was is left alone."""
+    numbers = itertools.count(1)
+    mutants = []
+    copy = BUILD / 'lib' / 'discmc'
+    copy.mkdir(parents=True, exist_ok=True)
+    for path in sorted((ROOT / 'lib' / 'discmc').iterdir()):
+        text = path.read_text()
+        if path.suffix in ('.cpp', '.hpp'):
+            flags = ['-x', 'c++', '-std=c++17', f'-I{ROOT}/lib']
+            file = instrument.Instrumenter(path, flags, lambda: next(numbers), refused[path.name])
+            mutants += file.mutants
+            text = file.rewritten()
+        target = copy / path.name
+        if not target.exists() or target.read_text() != text:
+            target.write_text(text)
+    return mutants
+
+
+def build():
+    """The mutants, and how many lines have none, as the compiler refuses what was made of them."""
+    refused = defaultdict(set)
+    while True:
+        mutants = write_copy(refused)
+        subprocess.run(['cmake', '-S', Path(__file__).parent, '-B', BUILD, '-G', 'Ninja'],
+                       check=True, stdout=subprocess.DEVNULL)
+        ninja = subprocess.run(['cmake', '--build', BUILD, '--', '-k', '0'],
+                               stdout=subprocess.PIPE, text=True)
+        if ninja.returncode == 0:
+            return mutants, sum(len(lines) for lines in refused.values())
+        found = re.findall(r'lib/discmc/(\w+\.[ch]pp):(\d+):\d+:', ninja.stdout)
+        found = {(file, int(line)) for file, line in found if int(line) not in refused[file]}
+        if not found:
+            sys.exit(ninja.stdout[-4000:] + '\nmutate: this does not build, whatever is left out')
+        for file, line in sorted(found):
+            print(f'mutate: the compiler refuses the mutants of {file}:{line}')
+            refused[file].add(line)
+
+
+# ---- test cases ----
+
+class Case:
+    def __init__(self, name):
+        self.name = name
+        self.seconds = 0.0
+        self.sites = set()
+
+
+def outcome(cases, seconds, **environment):
+    """The exit code of one process with these cases."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        signal.setitimer(signal.ITIMER_PROF, seconds)  # of the processor's time
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    names = ','.join(case.name.replace(',', '?') for case in cases)  # a comma divides filters
+    return subprocess.run([PROGRAM, '--abort-after=1', f'--test-case={names}'],
+                          env={**os.environ, **environment}, preexec_fn=limit,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL).returncode
+
+
+def measure(case, slowest):
+    """How long the case takes, and what it reaches. None when it is too slow to be asked."""
+    file = BUILD / f'reached.{id(case)}'
+    code = outcome([case], slowest, MUTANTS_REACHED=str(file))
+    if code == -signal.SIGPROF:
+        return None
+    if code != 0:
+        sys.exit(f'mutate: "{case.name}" fails without a mutant')
+    seconds, *sites = file.read_text().split()
+    case.seconds, case.sites = float(seconds), set(map(int, sites))
+    file.unlink()
+    return case
+
+
+def measured_cases(slowest):
+    listed = subprocess.run([PROGRAM, '--list-test-cases', '--no-colors=true'], check=True,
+                            stdout=subprocess.PIPE, text=True).stdout
+    names = [line for line in listed.splitlines() if not line.startswith(('[doctest]', '==='))]
+    with futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        measured = pool.map(lambda name: measure(Case(name), slowest), names)
+        cases = [case for case in measured if case]
+    print(f'mutate: {len(cases)} test cases, {sum(case.seconds for case in cases):.0f} s; '
+          f'{len(names) - len(cases)} that are slower than {slowest} s are left out')
+    return sorted(cases, key=lambda case: case.seconds)
+
+
+# ---- a mutant ----
+
+def batches(cases):
+    """In their order, and many of them in one process: but a mutant may make the first hang."""
+    batch = []
+    for case in cases:
+        if batch and sum(each.seconds for each in batch + [case]) > BATCH:
+            yield batch
+            batch = []
+        batch.append(case)
+    yield batch
+
+
+def verdict(mutant, orders):
+    """killed, survived, unreached, or constant: evaluated by the compiler alone."""
+    cases = orders[mutant.file]
+    asked = [case for case in cases if mutant.site in case.sites]
+    if not asked:
+        return 'constant' if mutant.constant else 'unreached'
+    for batch in batches(asked):
+        seconds = 0.3 + 5 * sum(case.seconds for case in batch)
+        if outcome(batch, seconds, MUTANT=str(mutant.id)) != 0:
+            orders[mutant.file] = batch + [case for case in cases if case not in batch]
+            return 'killed'
+    return 'survived'
+
+
+def known_results():
+    """Of runs before, by what the mutants are, as numbers change."""
+    if not RESULTS.exists():
+        return {}
+    lines = (line.split('\t') for line in RESULTS.read_text().splitlines())
+    return {key: result for result, key in lines}
+
+
+def run(mutants, cases, listed, resume):
+    known = known_results() if resume else {}
+    results = {mutant.key(): known[mutant.key()] for mutant in mutants
+               if known.get(mutant.key()) == 'killed'
+               or mutant.key() in known and mutant.key() in listed}
+    # Survivors take the longest: so they are asked again last.
+    left = sorted((mutant for mutant in mutants if mutant.key() not in results),
+                  key=lambda mutant: mutant.key() in known)
+    orders = defaultdict(lambda: cases)  # by file: the order in which cases are asked
+    begin = shown = time.monotonic()
+    with open(RESULTS, 'a' if resume else 'w') as file, \
+            futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = {pool.submit(verdict, mutant, orders): mutant for mutant in left}
+        for done, job in enumerate(futures.as_completed(jobs), 1):
+            key = jobs[job].key()
+            results[key] = job.result()
+            file.write(f'{results[key]}\t{key}\n')
+            file.flush()
+            now = time.monotonic()
+            if now - shown > 20 or done == len(left):
+                shown, rate = now, done / (now - begin)
+                print(f'mutate: {done} of {len(left)}, {rate:.1f} a second, '
+                      f'{(len(left) - done) / rate / 60:.0f} min left', flush=True)
+    return results
+
+
+# ---- the report ----
+
+def explained():
+    """What equivalent.txt lists: lines that name mutants, with an indented reason after a group."""
+    lines = EQUIVALENT.read_text().splitlines() if EQUIVALENT.exists() else []
+    return {line for line in lines if line and not line.startswith((' ', '#'))}
+
+
+def share(part, whole):
+    return 100 * part / whole if whole else 100.0
+
+
+def report(mutants, results, listed):
+    """The table."""
+    rows = defaultdict(lambda: defaultdict(int))
+    for mutant in mutants:
+        result = results[mutant.key()]
+        if result in ('survived', 'unreached') and mutant.key() in listed:
+            result = 'explained'
+        for row in (mutant.file, 'all'):
+            rows[row][result] += 1
+    columns = ('killed', 'survived', 'unreached', 'explained', 'constant')
+    print(f'\n{"":24}{"mutants":>9}', *(f'{name:>10}' for name in columns),
+          '  caught  explained too')
+    for name in sorted(rows, key=lambda name: (name == 'all', name)):
+        row = rows[name]
+        whole = sum(row.values()) - row['constant']
+        print(f'{name:24}{sum(row.values()):9}', *(f'{row[column]:10}' for column in columns),
+              f'{share(row["killed"], whole):7.1f}%',
+              f'{share(row["killed"] + row["explained"], whole):13.1f}%')
+
+
+def survivors(mutants, results, listed):
+    """Neither caught nor listed."""
+    found = [mutant for mutant in mutants if mutant.key() not in listed
+             and results[mutant.key()] in ('survived', 'unreached')]
+    for mutant in found:
+        print(f'{mutant.file}:{mutant.line}: {results[mutant.key()]}: '
+              f'{mutant.source} | {mutant.change}')
+    return found
+
+
+def stale_entries(mutants, results, listed, is_whole):
+    """Listed, but caught; and, where every mutant was asked, listed but not there."""
+    stale = {key for key in listed if results.get(key) in ('killed', 'constant')}
+    if is_whole:
+        stale |= listed - {mutant.key() for mutant in mutants}
+    for key in sorted(stale):
+        print(f'mutate: {EQUIVALENT.name} lists what is caught or is not there: {key}',
+              file=sys.stderr)
+    return stale
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog='scripts/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
+        epilog=f'Fails when a mutant is neither caught nor explained in '
+        f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
+        'most of it for those that survive.')
+    parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
+                        help='of lib/discmc, as merge.cpp or "*.hpp"; all when none is named')
+    parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
+    parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
+                        help='test cases that take longer are left out (1)')
+    parser.add_argument('--resume', action='store_true',
+                        help='what was caught before, or survived as explained, is not run '
+                        'again: after an interruption, or when tests were added')
+    given = parser.parse_args()
+    if not re.fullmatch(r'1/[1-9]\d*', given.share):
+        parser.error(f'--share {given.share}: give 1/10 for every tenth mutant')
+    return given
+
+
+def main():
+    given = arguments()
+    mutants, refused_lines = build()
+    whole = len(mutants)
+    chosen = [mutant for mutant in mutants if any(fnmatch(mutant.file, f) for f in given.files)]
+    chosen = chosen[::int(given.share[2:])]
+    if not chosen:
+        sys.exit(f'mutate: no mutants in {" ".join(given.files)}: name files of lib/discmc')
+    print(f'mutate: {len(chosen)} of {whole} mutants; {refused_lines} lines were refused')
+    listed = explained()
+    results = run(chosen, measured_cases(given.slowest), listed, given.resume)
+    unexplained = survivors(chosen, results, listed)
+    report(chosen, results, listed)
+    stale = stale_entries(chosen, results, listed, len(chosen) == whole)
+    sys.exit(1 if unexplained or stale else 0)
+
+
+main()

@@ -1,0 +1,173 @@
+// How much work a row can ask for: counted, and compared with the bound of lib/DESIGN.md ("Work").
+//
+// The library is compiled so that every basic block that it executes calls the counter below. So
+// the counts are the same in every run, and the sources know nothing of them.
+
+#include <charconv>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <random>
+#include <string>
+
+#include "proofs/work/counted_scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+using namespace discmc::work;
+
+uint64_t discmc::work::blocks = 0;
+
+// The name is the compiler's.
+extern "C" void __sanitizer_cov_trace_pc();  // NOLINT(bugprone-reserved-identifier)
+void __sanitizer_cov_trace_pc() {            // NOLINT(bugprone-reserved-identifier)
+  ++blocks;
+}
+
+namespace {
+
+constexpr const char* usage =
+    R"(usage: work [STEPS]
+
+Counts the basic blocks that the library executes for every row of hostile volumes, in ample and in
+hardly any memory, and compares them with the bound of lib/DESIGN.md, "Work". Then changes small
+volumes voxel by voxel in search of a row beyond it, STEPS times (default 10000).
+
+Exit status: 0, or 1 if a row is beyond the bound, or 2 for an argument that is not understood.
+)";
+
+struct Hostile {
+  const char* name;
+  BitVolume volume;
+};
+
+// A wall on teeth that stand in the first slices. The slice above joins them one by one, the worst
+// order for a union-find, and the next one asks for the regions of all.
+BitVolume wall_on_teeth(Size size) {
+  BitVolume volume(size);
+  const size_t slice = size_t{size.width} * size.height;
+  for (size_t i = 0; i < volume.voxels(); ++i)
+    volume.on[i] = i >= 2 * slice || i / size.width % 2 == 0 ? 1 : 0;
+  return volume;
+}
+
+std::vector<Hostile> hostile_volumes() {
+  const Size size{40, 40, 8};
+  return {{"empty", BitVolume(size)},
+          {"ball", ball({40, 40, 40}, {39, 39, 39}, 360)},
+          {"checkerboard", checkerboard(size)},
+          {"columns", columns(size)},
+          {"tiling 61", tiling_61(size)},
+          {"random", random(size, 128, 1)},
+          {"random, sparse", random(size, 25, 2)},
+          {"random, dense", random(size, 230, 3)},
+          {"comb", comb(size)},
+          {"wall on teeth", wall_on_teeth({2, 16000, 5})},
+          {"spiral", spiral({90, 90, 3})},
+          {"one wall, 66,000 slices", box({2, 2, 66000}, {0, 0, 0}, {1, 1, 65999})},
+          {"widest rows, checkerboard", checkerboard({Limits::max_extent, 2, 2})},
+          {"widest rows, random", random({Limits::max_extent, 2, 2}, 128, 4)}};
+}
+
+std::vector<Room> rooms(const Limits& limits) {
+  const Capacities least = minimum_capacities();
+  const Capacities ample = worst_case_capacities(limits);
+  Capacities slots = ample;
+  slots.slots = ample.slots - 1;  // one too few for a plain array
+  Capacities runs = ample;
+  runs.runs = std::min(ample.runs, 400U);
+  Capacities few_runs = ample;
+  few_runs.runs = least.runs;
+  return {{"worst case", ample, true}, {"hashed", slots, true},
+          {"400 runs", runs, true},    {"400 runs, no fragments", runs, false},
+          {"34 runs", few_runs, true}, {"least", least, true}};
+}
+
+bool check_hostile_volumes() {
+  std::printf("%-26s %-7s %-23s %12s %10s %9s %6s\n", "volume", "border", "memory", "most a push",
+              "a cell", "of bound", "cuts");
+  bool holds = true;
+  for (const Hostile& hostile : hostile_volumes())
+    for (const Border border : {Border::closed, Border::open}) {
+      const Limits limits{hostile.volume.width, hostile.volume.height, border};
+      for (const Room& room : rooms(limits)) {
+        const Work work = CountedScan(hostile.volume, border, room).run();
+        const uint64_t a_cell = work.blocks / std::max<uint64_t>(work.cells, 1);
+        std::printf("%-26s %-7s %-23s %12" PRIu64 " %10" PRIu64 " %8.1f%% %6" PRIu64 "\n",
+                    hostile.name, border == Border::closed ? "closed" : "open", room.name,
+                    work.most, work.cells > 0 ? a_cell : 0, 100 * work.most_of_bound, work.cuts);
+        const bool may_cut = std::strcmp(room.name, "worst case") != 0;
+        holds = holds && work.most_of_bound <= 1 && (may_cut || work.cuts == 0);
+      }
+    }
+  return holds;
+}
+
+// Flips some voxels, or makes one row or slice as another.
+void change(BitVolume& volume, std::mt19937& chance) {
+  const auto below = [&](size_t limit) { return chance() % limit; };
+  const size_t stretch = below(8) == 0 ? volume.width * (below(2) == 0 ? 1 : volume.height) : 0;
+  if (stretch > 0) {
+    const size_t count = volume.voxels() / stretch;
+    std::copy_n(volume.on.begin() + static_cast<std::ptrdiff_t>(below(count) * stretch), stretch,
+                volume.on.begin() + static_cast<std::ptrdiff_t>(below(count) * stretch));
+  }
+  for (size_t flips = 1 + below(4); flips > 0; --flips) volume.on[below(volume.voxels())] ^= 1;
+}
+
+// Climbs from noise to the volume with the row that comes nearest to its bound.
+double climb(Border border, const Room& room, Size size, uint64_t steps, uint32_t seed) {
+  std::mt19937 chance(seed);
+  BitVolume best = random(size, 128, seed);
+  double most = CountedScan(best, border, room).run().most_at_work;
+  for (uint64_t step = 0; step < steps; ++step) {
+    BitVolume changed = best;
+    change(changed, chance);
+    const double share = CountedScan(changed, border, room).run().most_at_work;
+    if (share < most) continue;
+    most = share;
+    best = std::move(changed);
+  }
+  return most;
+}
+
+bool search_for_worse(uint64_t steps) {
+  const Size size{9, 4, 4};
+  bool holds = true;
+  for (const Border border : {Border::closed, Border::open}) {
+    const Limits limits{size.width, size.height, border};
+    const std::vector<Room> all = rooms(limits);
+    for (const Room& room : all) {
+      const double most = climb(border, room, size, steps / (2 * all.size()), 1);
+      std::printf("search: %-7s %-23s %5.1f%% of the bound\n",
+                  border == Border::closed ? "closed" : "open", room.name, 100 * most);
+      std::fflush(stdout);
+      holds = holds && most <= 1;
+    }
+  }
+  return holds;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  uint64_t steps = 10000;
+  if (count == 2 && std::strcmp(arguments[1], "--help") == 0) {
+    std::fputs(usage, stdout);
+    return 0;
+  }
+  if (count == 2) {
+    const char* const end = arguments[1] + std::strlen(arguments[1]);
+    const auto read = std::from_chars(arguments[1], end, steps);
+    if (read.ec != std::errc() || read.ptr != end) count = 0;
+  }
+  if (count < 1 || count > 2) {
+    std::fputs(usage, stderr);
+    return 2;
+  }
+  const bool volumes_hold = check_hostile_volumes();
+  const bool search_holds = search_for_worse(steps);
+  if (volumes_hold && search_holds) return 0;
+  std::fputs("work: a row beyond the bound, or a cut in the worst-case memory\n", stderr);
+  return 1;
+}

@@ -1,0 +1,354 @@
+// The sweep's regions on volumes of every sort: equal to the reference, and as known.
+#include <doctest/doctest.h>
+
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+struct Named {
+  std::string name;
+  BitVolume volume;
+};
+
+std::vector<Named> shapes() {
+  std::vector<Named> shapes = {{"lone voxel", from_bits({1, 1, 1}, 1)},
+                               {"all on", box({5, 4, 3}, {0, 0, 0}, {4, 3, 2})},
+                               {"all off", BitVolume({5, 4, 3})},
+                               {"box", box({7, 6, 5}, {1, 2, 1}, {5, 4, 3})},
+                               {"box on the border", box({33, 9, 8}, {0, 0, 0}, {31, 7, 7})},
+                               {"plate", box({40, 40, 1}, {3, 3, 0}, {36, 36, 0})},
+                               {"ball", ball({17, 17, 17}, {16, 16, 16}, 50)},
+                               {"ball at the border", ball({19, 9, 13}, {1, 3, 20}, 60)},
+                               {"torus", torus({40, 40, 14}, 26, 9)},
+                               {"checkerboard", checkerboard({11, 10, 9})},
+                               {"columns", columns({10, 11, 6})},
+                               {"tiling of 61", tiling_61({11, 10, 9})},
+                               {"tiling of 105", tiling({10, 11, 9}, 105)},
+                               {"tiling of 121", tiling({9, 11, 10}, 121)},
+                               {"comb", comb({33, 17, 3})},
+                               {"spiral", spiral({62, 62, 2})},
+                               {"spiral in depth", spiral({26, 31, 5})},
+                               {"sparse", random({36, 15, 14}, 20, 1)},
+                               {"random", random({36, 15, 14}, 128, 2)},
+                               {"dense", random({36, 15, 14}, 236, 3)}};
+  for (const uint32_t length : {200U, 97U}) {
+    shapes.push_back({"along x", random({length, 2, 2}, 150, length)});
+    shapes.push_back({"along y", random({2, length, 2}, 150, length)});
+    shapes.push_back({"along z", random({2, 2, length}, 150, length)});
+    shapes.push_back({"sheet", random({length, 1, 30}, 190, length)});
+    shapes.push_back({"slice", random({length, 60, 1}, 200, length)});
+  }
+  return shapes;
+}
+
+Size small_size(uint64_t seed) {
+  return {static_cast<uint32_t>(1 + seed % 9), static_cast<uint32_t>(1 + seed / 9 % 9),
+          static_cast<uint32_t>(1 + seed / 81 % 9)};
+}
+
+// Densities from 10 to 244 of 256.
+BitVolume small_random(uint64_t seed) {
+  return random(small_size(seed), static_cast<uint32_t>(10 + seed * 39 % 235), seed);
+}
+
+// Nothing is cut, and with so many runs nothing is spilled.
+Capacities ample(const BitVolume& volume, Border border) {
+  Capacities capacities = worst_case_capacities(limits_of(volume, border));
+  capacities.runs = 2 * capacities.runs + 500;
+  return capacities;
+}
+
+// What is wrong with a sweep with ample memory, or nothing.
+template <class Index>
+std::string fault_of(const BitVolume& volume, bool closed) {
+  try {
+    const Plan plan{closed ? Border::closed : Border::open, true, 0};
+    const Capacities capacities = ample(volume, plan.border);
+    if (!are_valid<Index>(capacities)) return {};
+    Collector collector;
+    scan_into<Index>(collector, volume, plan, capacities);
+    if (collector.statistics().cuts != 0) return "a cut";
+    if (collector.statistics().spills != 0) return "a spill";
+    if (collector.split_sides() != 0) return "a straight side in more runs than it needs";
+    const std::string difference = unlike_merge(collector.regions(), volume, closed);
+    return difference.empty() ? unlike_surface(collector.regions(), volume, closed) : difference;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+EventLog events_of(const BitVolume& volume, Border border, const Capacities& capacities, bool wide,
+                   bool takes_fragments = true) {
+  EventLog log;
+  const Plan plan{border, takes_fragments, 0};
+  if (wide)
+    scan_into<uint32_t>(log, volume, plan, capacities);
+  else
+    scan_into<uint16_t>(log, volume, plan, capacities);
+  return log;
+}
+
+uint64_t hash_of(const EventLog& log) {
+  uint64_t hash = 0;
+  for (const RecordedEvent& recorded : log.events)
+    for_each_number(recorded.event(), [&](uint64_t number) {
+      hash = hash * 0x100000001B3 + static_cast<uint32_t>(number);
+    });
+  return hash;
+}
+
+struct Known {
+  uint64_t classic_triangles, facets;
+  size_t regions, rings, links;
+};
+
+void check_known(const BitVolume& volume, const Known& known) {
+  Collector collector;
+  scan_into<uint32_t>(collector, volume, {}, 16 << 20);
+  CHECK(collector.statistics().cuts == 0);
+  CHECK(collector.statistics().classic_triangles == known.classic_triangles);
+  CHECK(collector.statistics().facets == known.facets);
+  size_t rings = 0;
+  size_t links = 0;
+  for (const Region& region : simple_rings(collector.regions())) {
+    rings += region.rings.size();
+    for (const Ring& ring : region.rings) links += ring.size();
+  }
+  CHECK(collector.regions().size() == known.regions);
+  CHECK(rings == known.rings);
+  CHECK(links == known.links);
+  CHECK(collector.statistics().links == known.links);
+  CHECK(unlike_surface(collector.regions(), volume, true) == "");
+}
+
+}  // namespace
+
+TEST_CASE("shapes plain and hostile are swept as the paper merges them") {
+  for (const Named& shape : shapes())
+    for (const bool closed : {true, false}) {
+      CAPTURE(shape.name);
+      CAPTURE(closed);
+      CHECK(fault_of<uint16_t>(shape.volume, closed) == "");
+      CHECK(fault_of<uint32_t>(shape.volume, closed) == "");
+    }
+}
+
+TEST_CASE("thousands of small random volumes are swept as the paper merges them") {
+  for (uint64_t seed = 0; seed < 5000; seed += step(13))
+    for (const bool closed : {true, false}) {
+      const std::string fault = fault_of<uint16_t>(small_random(seed), closed);
+      CAPTURE(seed);
+      CAPTURE(closed);
+      REQUIRE(fault == "");
+    }
+}
+
+TEST_CASE("every combination of sides from 1 to 6 voxels is swept as the paper merges it") {
+  for (uint32_t i = 0; i < 216; i += step(5))
+    for (const uint32_t density : {90U, 180U, 256U})
+      for (const bool closed : {true, false}) {
+        const BitVolume volume = random({1 + i % 6, 1 + i / 6 % 6, 1 + i / 36}, density, i);
+        CAPTURE(i);
+        CAPTURE(density);
+        CAPTURE(closed);
+        CHECK(fault_of<uint16_t>(volume, closed) == "");
+      }
+}
+
+TEST_CASE("the sign of a ring is right however often it winds") {
+  // More turns than the byte counts in which they are added up.
+  for (const uint32_t side : {100U, 181U, 260U}) {
+    const BitVolume volume = spiral({side, side, 1});
+    CAPTURE(side);
+    CHECK(fault_of<uint32_t>(volume, true) == "");
+  }
+}
+
+TEST_CASE("balls give the known counts") {
+  constexpr Size size{100, 100, 100};
+  constexpr Vertex centre{100, 100, 100};
+  check_known(ball(size, centre, 1004), {37784, 46040, 2422, 2466, 32880});
+  check_known(ball(size, centre, 1001), {37784, 46136, 2278, 2322, 32208});
+  check_known(ball(size, centre, 1002), {37784, 45944, 2328, 2374, 32208});
+}
+
+TEST_CASE("a ball of radius 120 between voxels gives the known counts") {
+  check_known(ball({256, 256, 256}, {255, 255, 255}, 120 * 120),
+              {542924, 663116, 37558, 37746, 484992});
+}
+
+TEST_CASE("polygons and cells enclose the same volume") {
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    const BitVolume volume = small_random(seed);
+    const Collector collector = scan<uint16_t>(volume);
+    const Counts counted = counts(volume, true, collector.regions());
+    CHECK(counted.six_volumes == counted.enclosed);
+    CHECK(static_cast<uint64_t>(counted.facets) == collector.statistics().facets);
+    CHECK(static_cast<uint64_t>(counted.classic_triangles) ==
+          collector.statistics().classic_triangles);
+  }
+}
+
+TEST_CASE("the events depend on no index width and no capacity while nothing is cut or spilled") {
+  for (const Named& shape : shapes())
+    for (const Border border : {Border::closed, Border::open}) {
+      const Capacities enough = ample(shape.volume, border);
+      Capacities more = enough;
+      more.edges += 77;
+      more.runs += 78;
+      more.rings += 79;
+      more.regions += 80;
+      // Half the slots: a key shares its window now.
+      Capacities fewer_slots = more;
+      fewer_slots.slots = enough.slots / 2 + 40;
+      CAPTURE(shape.name);
+      const bool counts_in_16 = are_valid<uint16_t>(enough);
+      const EventLog narrow = events_of(shape.volume, border, enough, !counts_in_16);
+      CHECK(events_of(shape.volume, border, enough, true).events == narrow.events);
+      CHECK(events_of(shape.volume, border, more, true).events == narrow.events);
+      const EventLog hashed = events_of(shape.volume, border, fewer_slots, true);
+      if (collected(hashed.events).statistics().cuts == 0) CHECK(hashed.events == narrow.events);
+    }
+}
+
+TEST_CASE("the events depend on no index width under pressure either") {
+  for (uint64_t seed = 0; seed < 300; ++seed) {
+    const BitVolume volume = small_random(seed);
+    const Capacities least = minimum_capacities();
+    const auto extra = static_cast<uint32_t>(seed % 50);
+    const Capacities few{least.edges + extra, least.runs + extra, least.rings + extra / 5,
+                         least.regions + extra / 2, least.slots + extra};
+    const Border border = seed % 2 == 0 ? Border::closed : Border::open;
+    CHECK(events_of(volume, border, few, true).events ==
+          events_of(volume, border, few, false).events);
+  }
+}
+
+TEST_CASE("a region is delivered before the first layer mark that it does not reach") {
+  const BitVolume volume = random({12, 12, 12}, 60, 5);
+  const Collector collector = scan<uint16_t>(volume);
+  REQUIRE(collector.layers().size() == 12);
+  for (const LayerMark& mark : collector.layers())
+    for (size_t i = 0; i < collector.regions().size(); ++i) {
+      int32_t top = INT32_MIN;
+      for (const Vertex& vertex : collector.regions()[i].rings[0]) top = std::max(top, vertex.z);
+      const bool reaches = top >= 2 * static_cast<int32_t>(mark.slice);
+      CHECK((i < mark.regions || reaches));
+    }
+}
+
+TEST_CASE("a sink takes fragments unless it says that it does not") {
+  CHECK(Sink{}.takes_fragments);
+}
+
+TEST_CASE("a sink that takes no fragments gets none, however long they grow") {
+  BitVolume comb({3, 8, 1200});  // with its teeth above each other, so that few edges wait
+  for (uint32_t i = 0; i < comb.voxels(); ++i) comb.on[i] = i / 24 % 6 < 4 || i / 3 % 8 < 3;
+  Capacities few = ample(comb, Border::closed);
+  few.runs = 1500;
+  Collector collector(false);
+  scan_into<uint32_t>(collector, comb, {Border::closed, false, 0}, few);
+  CHECK(collector.statistics().spills == 0);
+  CHECK(collector.statistics().cuts > 0);
+}
+
+TEST_CASE("what the rings of a region take is free again for the next, and for the next scan") {
+  // Plates with four holes in every other slice.
+  const auto plates = [](uint32_t count) {
+    BitVolume volume({17, 17, 2 * count});
+    for (uint32_t y = 0; y < 17; ++y)
+      for (uint32_t x = 0; x < 17; ++x)
+        for (uint32_t z = 0; z < count; ++z)
+          volume.on[volume.index(x, y, 2 * z)] = x % 8 != 4 || y % 8 != 4;
+    return volume;
+  };
+  const BitVolume one = plates(1);
+  const BitVolume many = plates(30);
+  const Limits limits = limits_of(one, Border::closed);
+  Capacities capacities = ample(one, Border::closed);
+  const auto cuts_of = [&](const BitVolume& volume) {
+    Collector collector;
+    scan_into<uint32_t>(collector, volume, {}, capacities);
+    return collector.statistics().cuts;
+  };
+  capacities.rings = minimum_capacities().rings;
+  REQUIRE(cuts_of(one) > 0);
+  while (cuts_of(one) > 0) ++capacities.rings;
+  CHECK(cuts_of(many) == 0);
+
+  Block block(bytes_for<uint32_t>(limits, capacities));
+  Extractor32 extractor;
+  Collector broken_off, collector;
+  Collector* current = &broken_off;
+  const Sink sink{&current, [](void* context, const Event& event) {
+                    return (*static_cast<Collector**>(context))->take(event);
+                  }};
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink));
+  for (int scan = 0; scan < 5; ++scan) {
+    push_all(extractor, std::vector<uint8_t>(one.on.data(), one.on.data() + 17 * 15));
+    require_ok(extractor.reset());
+  }
+  current = &collector;
+  push_all(extractor, many.on);
+  finish_all(extractor);
+  CHECK(collector.statistics().cuts == 0);
+  CHECK(unlike_merge(collector.regions(), many, true) == "");
+}
+
+TEST_CASE("the events of a volume are these, on every machine") {
+  const BitVolume volume = random({14, 13, 12}, 150, 11);
+  const EventLog log = events_of(volume, Border::closed, ample(volume, Border::closed), false);
+  CHECK(hash_of(log) == 1094818493925494324);
+}
+
+TEST_CASE("what is spilled, and when, is this, on every machine") {
+  const BitVolume volume = random({14, 13, 8}, 110, 5);
+  Capacities few = ample(volume, Border::closed);
+  uint64_t hash = 0;
+  for (uint32_t more = 0; more < 900; more += 37)
+    for (const bool takes_fragments : {false, true}) {
+      few.runs = minimum_capacities().runs + more;
+      hash = hash * 31 + hash_of(events_of(volume, Border::closed, few, false, takes_fragments));
+    }
+  CHECK(hash == 980924252697165415ULL);
+}
+
+TEST_CASE("the rings of regions with many holes come in this order, on every machine") {
+  const BitVolume volume = random({40, 40, 2}, 235, 3);
+  const EventLog log = events_of(volume, Border::closed, ample(volume, Border::closed), false);
+  CHECK(hash_of(log) == 10878942357253382453ULL);
+}
+
+TEST_CASE("which of some long fragments are spilled, and when, is this, on every machine") {
+  const BitVolume volume = spiral({45, 45, 3});
+  Capacities few = ample(volume, Border::closed);
+  uint64_t hash = 0;
+  for (few.runs = 100; few.runs < 1000; few.runs += 90)
+    hash = hash * 31 + hash_of(events_of(volume, Border::closed, few, false));
+  CHECK(hash == 16116699775052057539ULL);
+}
+
+TEST_CASE("what is cut, and when, is this, on every machine") {
+  const BitVolume volume = random({14, 13, 8}, 110, 5);
+  const Capacities enough = ample(volume, Border::closed);
+  const Capacities least = minimum_capacities();
+  uint64_t hash = 0;
+  const auto add = [&](uint32_t Capacities::*pool, uint32_t more) {
+    Capacities few = enough;
+    few.*pool = least.*pool + more;
+    hash = hash * 31 + hash_of(events_of(volume, Border::closed, few, false));
+  };
+  for (uint32_t more = 0; more < 12; ++more) {
+    add(&Capacities::edges, 37 * more);
+    add(&Capacities::slots, 37 * more);
+    add(&Capacities::regions, 9 * more);
+    add(&Capacities::rings, more);
+  }
+  CHECK(hash == 7205798744034055820ULL);
+}

@@ -1,0 +1,278 @@
+// An output that fails, at any byte, once, twice or for good: while it takes nothing the scan
+// waits, and what leaves in the end is byte for byte what leaves without a fault.
+#include <doctest/doctest.h>
+
+#include "oracle/sanitized.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using namespace discmc::reference;
+
+namespace {
+
+// Takes bytes up to each of its stops and no further, until it has been asked there so many times.
+class Stopping {
+ public:
+  static constexpr size_t for_ever = SIZE_MAX;
+
+  explicit Stopping(std::vector<size_t> stops = {}, size_t patience = 1)
+      : stops_(std::move(stops)), patience_(patience) {}
+
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* data, size_t count) {
+              return static_cast<Stopping*>(context)->write(data, count);
+            }};
+  }
+  void recover() { stops_.clear(); }
+
+  Bytes bytes;
+
+ private:
+  size_t write(const uint8_t* data, size_t count) {
+    if (!stops_.empty() && bytes.size() == stops_.front()) {
+      if (asked_ == for_ever || ++asked_ <= patience_) return 0;
+      asked_ = 0;
+      stops_.erase(stops_.begin());
+    }
+    if (!stops_.empty()) count = std::min(count, stops_.front() - bytes.size());
+    bytes.insert(bytes.end(), data, data + count);
+    return count;
+  }
+
+  std::vector<size_t> stops_;
+  size_t patience_;
+  size_t asked_ = 0;
+};
+
+// A scan in little memory whose stream leaves through an encoder.
+struct Scenario {
+  BitVolume volume;
+  Capacities capacities;
+  bool takes_fragments = true;
+  uint32_t refused_in = 0;  // of so many offers one is refused before the encoder sees it
+};
+
+// A sink in front of the encoder, which may be busy as well.
+struct Gate {
+  Encoder& encoder;
+  uint32_t refused_in;
+  uint32_t offers = 0;
+  uint64_t taken = 0;
+
+  Answer take(const Event& event) {
+    if (refused_in > 0 && ++offers % refused_in == 0) return Answer::not_now;
+    const Answer answer = encoder.take(event);
+    taken += answer == Answer::taken;
+    return answer;
+  }
+};
+
+class Device {
+ public:
+  Device(const Scenario& scenario, Stopping& output)
+      : scenario_(scenario),
+        limits_(limits_of(scenario.volume, Border::closed)),
+        block_(bytes_for<uint16_t>(limits_, scenario.capacities)) {
+    begin_stream(output);
+    require_ok(extractor_.start(limits_, scenario.capacities, 1, block_.memory(),
+                                sink_to(gate_, scenario.takes_fragments)));
+  }
+
+  /// Goes on until `patience` calls in a row have come to nothing. True at the end.
+  bool run(size_t patience) {
+    const BitVolume& volume = scenario_.volume;
+    const auto total = static_cast<uint32_t>(volume.voxels());
+    for (size_t busy = 0; busy < patience;) {
+      const uint64_t before = gate_.taken;
+      Status status = Status::ok;
+      if (at_ < total) {
+        const Pushed pushed = extractor_.push(volume.on.data() + at_, total - at_);
+        status = pushed.status;
+        at_ += pushed.samples;
+      } else {
+        status = extractor_.finish();
+        if (status == Status::ok) return true;
+      }
+      if (status != Status::more) require_ok(status);
+      busy = status == Status::more && gate_.taken == before ? busy + 1 : 0;
+    }
+    return false;
+  }
+
+  /// Begins the scan anew, with another output.
+  void reset(Stopping& output) {
+    begin_stream(output);
+    require_ok(extractor_.reset());
+    at_ = 0;
+  }
+
+  bool is_intact() const { return block_.is_intact(); }
+  uint64_t bytes() const { return encoder_.bytes(); }
+  Statistics statistics() const { return extractor_.statistics(); }
+
+ private:
+  void begin_stream(Stopping& output) {
+    require_ok(encoder_.start(header_of(scenario_.volume), output.output()));
+  }
+
+  const Scenario& scenario_;
+  Limits limits_;
+  Block block_;
+  Encoder encoder_;
+  Gate gate_{encoder_, scenario_.refused_in};
+  Extractor16 extractor_;
+  uint32_t at_ = 0;
+};
+
+constexpr size_t many = 100;
+
+std::vector<Scenario> scenarios() {
+  const BitVolume noise = random({6, 5, 4}, 110, 1);
+  Capacities spilling = spilling_capacities(noise);
+  Capacities cutting = minimum_capacities();
+  cutting.edges += 20;
+  cutting.slots += 10;
+  return {{noise, spilling},
+          {noise, spilling, true, 3},
+          {noise, cutting},
+          {noise, cutting, false, 4},
+          {ball({12, 12, 12}, {11, 11, 11}, 30), minimum_capacities()}};
+}
+
+Bytes stream_of(const Scenario& scenario, const std::vector<size_t>& stops = {},
+                size_t patience = 1) {
+  Stopping output(stops, patience);
+  Device device(scenario, output);
+  if (!device.run(many)) throw std::runtime_error("the scan does not end");
+  if (!device.is_intact()) throw std::runtime_error("a write outside the arena");
+  return output.bytes;
+}
+
+// The samples whose streams are short enough to stop at every byte of them.
+std::vector<Sample> short_samples() {
+  std::vector<Sample> all;
+  for (const Sample& sample : samples())
+    if (encode(sample.events, sample.header).size() < 4000) all.push_back(sample);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the scenarios are short of memory, each in its way") {
+  uint64_t spills = 0, cuts = 0;
+  for (const Scenario& scenario : scenarios()) {
+    Stopping output;
+    Device device(scenario, output);
+    REQUIRE(device.run(many));
+    spills += device.statistics().spills;
+    cuts += device.statistics().cuts;
+    CHECK(decode(output.bytes).report.is_complete());
+  }
+  CHECK(spills > 100);
+  CHECK(cuts > 100);
+}
+
+TEST_CASE("an output that fails once, at any byte, leaves the stream as it is") {
+  for (const Sample& sample : short_samples()) {
+    CAPTURE(sample.name);
+    const Bytes whole = encode(sample.events, sample.header);
+    for (size_t stop = 0; stop < whole.size(); stop += step(7)) {
+      CAPTURE(stop);
+      Stopping output({stop});
+      Encoder encoder;
+      REQUIRE(encoder.start(sample.header, output.output()) == Status::ok);
+      take_all(encoder, sample.events);
+      CHECK(output.bytes == whole);
+    }
+  }
+}
+
+TEST_CASE("an output that fails for good, at any byte, is waited for, and nothing is lost") {
+  for (const Sample& sample : short_samples()) {
+    CAPTURE(sample.name);
+    const Bytes whole = encode(sample.events, sample.header);
+    for (size_t stop = 0; stop < whole.size(); stop += step(7)) {
+      CAPTURE(stop);
+      Stopping output({stop}, Stopping::for_ever);
+      Encoder encoder;
+      REQUIRE(encoder.start(sample.header, output.output()) == Status::ok);
+      size_t told = 0;
+      while (encoder.take(sample.events[told].event()) == Answer::taken) ++told;
+      for (int i = 0; i < 5; ++i) {
+        CHECK(encoder.take(sample.events[told].event()) == Answer::not_now);
+        CHECK_FALSE(encoder.flush());
+        CHECK(encoder.bytes() == stop);
+      }
+      output.recover();
+      take_all(encoder,
+               {sample.events.begin() + static_cast<std::ptrdiff_t>(told), sample.events.end()});
+      CHECK(output.bytes == whole);
+    }
+  }
+}
+
+TEST_CASE("a scan short of memory whose output fails once, at any byte, gives the same stream") {
+  for (const Scenario& scenario : scenarios()) {
+    const Bytes whole = stream_of(scenario);
+    for (size_t stop = 0; stop < whole.size(); stop += step(5)) {
+      CAPTURE(stop);
+      CHECK(stream_of(scenario, {stop}, 1 + stop % 3) == whole);
+    }
+  }
+}
+
+TEST_CASE("an output that fails again while it catches up gives the same stream") {
+  const Scenario scenario = scenarios()[1];
+  const Bytes whole = stream_of(scenario);
+  for (size_t stop = 0; stop < whole.size(); stop += step(13))
+    for (const size_t more : {1U, 2U, 254U, 256U}) {
+      CAPTURE(stop);
+      CAPTURE(more);
+      CHECK(stream_of(scenario, {stop, stop + more, stop + 2 * more}, 2) == whole);
+    }
+}
+
+TEST_CASE("a scan whose output fails for good, at any byte, waits, goes on, or begins anew") {
+  for (const Scenario& scenario : scenarios()) {
+    const Bytes whole = stream_of(scenario);
+    for (size_t stop = 0; stop < whole.size(); stop += step(5)) {
+      CAPTURE(stop);
+      Stopping output({stop}, Stopping::for_ever);
+      Device device(scenario, output);
+      REQUIRE_FALSE(device.run(many));
+      CHECK(device.bytes() == stop);
+      if (stop % 2 == 0) {
+        output.recover();
+        REQUIRE(device.run(many));
+        CHECK(output.bytes == whole);
+      } else {
+        Stopping another;
+        device.reset(another);
+        REQUIRE(device.run(many));
+        CHECK(another.bytes == whole);
+      }
+      CHECK(device.is_intact());
+    }
+  }
+}
+
+TEST_CASE("flushes between faults move the ends of packets and lose nothing") {
+  for (const Sample& sample : short_samples()) {
+    CAPTURE(sample.name);
+    const size_t size = encode(sample.events, sample.header).size();
+    for (size_t stop = 0; stop < size; stop += 5 * step(3)) {
+      CAPTURE(stop);
+      Stopping output({stop, stop + 3, stop + 259}, 2);
+      Encoder encoder;
+      REQUIRE(encoder.start(sample.header, output.output()) == Status::ok);
+      size_t calls = 0;
+      for (const RecordedEvent& recorded : sample.events)
+        while (encoder.take(recorded.event()) == Answer::not_now)
+          if (++calls % 2 == 0) (void)encoder.flush();
+      const Arrival arrival = decode(output.bytes);
+      REQUIRE(arrival.events == sample.events);
+      CHECK(arrival.report.is_complete());
+    }
+  }
+}

@@ -1,0 +1,336 @@
+// What must hold of the surface of any volume, and known answers, by the paper's own Merge.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "oracle/merge.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+struct Named {
+  const char* name;
+  BitVolume volume;
+};
+
+std::vector<Named> hostile_and_plain_volumes() {
+  return {{"lone voxel", from_bits({1, 1, 1}, 1)},
+          {"all on", box({5, 4, 3}, {0, 0, 0}, {4, 3, 2})},
+          {"all off", BitVolume({5, 4, 3})},
+          {"box", box({7, 6, 5}, {1, 2, 1}, {5, 4, 3})},
+          {"ball", ball({17, 17, 17}, {16, 16, 16}, 50)},
+          {"ball at the border", ball({9, 9, 9}, {1, 3, 8}, 40)},
+          {"torus", torus({28, 28, 12}, 18, 7)},
+          {"checkerboard", checkerboard({7, 6, 5})},
+          {"columns", columns({7, 6, 5})},
+          {"tiling of 61", tiling_61({9, 8, 7})},
+          {"comb", comb({9, 8, 3})},
+          {"spiral", spiral({15, 15, 3})},
+          {"sparse", random({16, 15, 14}, 30, 1)},
+          {"random", random({16, 15, 14}, 128, 2)},
+          {"dense", random({16, 15, 14}, 226, 3)}};
+}
+
+// Also every way to fill 2 x 2 x 2 voxels, alone and repeated: all configurations beside each
+// other.
+template <typename Check>
+void for_each_volume(Check check) {
+  for (const Named& named : hostile_and_plain_volumes()) {
+    CAPTURE(named.name);
+    check(named.volume);
+  }
+  for (int c = 0; c < configurations; ++c) {
+    CAPTURE(c);
+    check(from_bits({2, 2, 2}, static_cast<uint64_t>(c)));
+    check(tiling({5, 5, 5}, static_cast<Configuration>(c)));
+  }
+}
+
+struct LinkBefore {
+  bool operator()(const std::pair<Vertex, Vertex>& a, const std::pair<Vertex, Vertex>& b) const {
+    return a.first == b.first ? before(a.second, b.second) : before(a.first, b.first);
+  }
+};
+
+// How often a link is taken forwards less how often backwards, without the zeros.
+using LinkSum = std::map<std::pair<Vertex, Vertex>, int, LinkBefore>;
+
+void add_link(LinkSum& sum, const Vertex& from, const Vertex& to) {
+  const bool forwards = before(from, to);
+  const auto entry = sum.try_emplace(forwards ? std::pair(from, to) : std::pair(to, from), 0).first;
+  entry->second += forwards ? 1 : -1;
+  if (entry->second == 0) sum.erase(entry);
+}
+
+LinkSum sum_of_links(const std::vector<Region>& regions) {
+  LinkSum sum;
+  for (const Region& region : regions)
+    for (const Ring& ring : region.rings)
+      for (size_t i = 0; i < ring.size(); ++i) add_link(sum, ring[i], ring[(i + 1) % ring.size()]);
+  return sum;
+}
+
+// Twice the area (times the normal's length) by signed plane: incidence and n.p.
+using PlaneAreas = std::map<std::pair<Incidence, int64_t>, int64_t>;
+
+PlaneAreas areas_of(const std::vector<Region>& regions) {
+  PlaneAreas areas;
+  for (const Region& region : regions)
+    for (const Ring& ring : region.rings)
+      areas[{region.incidence, dot(normal(region.incidence), ring[0])}] +=
+          signed_area(region.incidence, ring);
+  return areas;
+}
+
+PlaneAreas areas_of_facets(const BitVolume& volume, bool closed) {
+  PlaneAreas areas;
+  for_each_cell(volume, closed, [&](const Vertex& cell, Configuration configuration) {
+    for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i) {
+      const Facet facet = facet_table.facet[i];
+      const FacetRing& points = facet_rings.ring[facet];
+      Ring ring;
+      for (int p = 0; p < points.count; ++p)
+        ring.push_back(cell + cell + position(points.point[p]));
+      const Incidence incidence = incidence_of(facet);
+      areas[{incidence, dot(normal(incidence), ring[0])}] += signed_area(incidence, ring);
+    }
+  });
+  return areas;
+}
+
+bool is_simple(Ring ring) {
+  std::sort(ring.begin(), ring.end(), before);
+  return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
+}
+
+bool is_flat(const Region& region) {
+  const Vertex n = normal(region.incidence);
+  const int32_t plane = dot(n, region.rings[0][0]);
+  for (const Ring& ring : region.rings)
+    for (const Vertex& vertex : ring)
+      if (dot(n, vertex) != plane) return false;
+  return true;
+}
+
+int rings_counter_clockwise(const Region& region) {
+  int count = 0;
+  for (const Ring& ring : region.rings) count += signed_area(region.incidence, ring) > 0;
+  return count;
+}
+
+// The counts of section 8 of the design: of whole volumes with a closed border.
+void check_counts(const BitVolume& volume, const Counts& known) {
+  const Counts counted = counts(volume, true, merge(volume, true));
+  CHECK(counted.classic_triangles == known.classic_triangles);
+  CHECK(counted.facets == known.facets);
+  CHECK(counted.regions == known.regions);
+  CHECK(counted.rings == known.rings);
+  CHECK(counted.links == known.links);
+  CHECK(counted.enclosed == counted.six_volumes);
+  CHECK(counted.holes == counted.rings - counted.regions);
+}
+
+Counts known_counts(int64_t classic_triangles, int64_t facets, int64_t regions, int64_t rings,
+                    int64_t links) {
+  return {facets, classic_triangles, regions, rings, rings - regions, links, 0, 0};
+}
+
+}  // namespace
+
+TEST_CASE("a lone voxel is an octahedron of eight triangles") {
+  const BitVolume voxel = from_bits({1, 1, 1}, 1);
+  const std::vector<Region> regions = merge(voxel, true);
+  const Counts counted = counts(voxel, true, regions);
+  CHECK(counted.facets == 8);
+  CHECK(counted.classic_triangles == 8);
+  CHECK(counted.regions == 8);
+  CHECK(counted.rings == 8);
+  CHECK(counted.links == 24);
+  CHECK(counted.enclosed == 8);
+  CHECK(counted.six_volumes == 8);
+}
+
+TEST_CASE("a box has six faces, twelve edges and eight corners, a region each") {
+  const BitVolume volume = box({9, 9, 9}, {1, 1, 1}, {5, 6, 7});
+  CHECK(std::count(volume.on.begin(), volume.on.end(), uint8_t{1}) == 5 * 6 * 7);
+  const std::vector<Region> regions = merge(volume, true);
+  CHECK(regions.size() == 26);
+  std::map<Incidence, int> regions_of;
+  for (const Region& region : regions) ++regions_of[region.incidence];
+  CHECK(regions_of.size() == 26);
+}
+
+TEST_CASE("balls give the known counts, the first of them those of the paper's Table 1") {
+  constexpr Size size{100, 100, 100};
+  constexpr Vertex centre{100, 100, 100};
+  check_counts(ball(size, centre, 1004), known_counts(37784, 46040, 2422, 2466, 32880));
+  check_counts(ball(size, centre, 1001), known_counts(37784, 46136, 2278, 2322, 32208));
+  check_counts(ball(size, centre, 1002), known_counts(37784, 45944, 2328, 2374, 32208));
+}
+
+TEST_CASE("a ball of radius 120 between voxels gives the known counts") {
+  check_counts(ball({256, 256, 256}, {255, 255, 255}, 120 * 120),
+               known_counts(542924, 663116, 37558, 37746, 484992));
+}
+
+TEST_CASE("every directed link of a closed surface cancels against its opposite") {
+  for_each_volume(
+      [](const BitVolume& volume) { CHECK(sum_of_links(merge(volume, true)).empty()); });
+}
+
+TEST_CASE("with an open border links are left over only where the volume ends") {
+  for_each_volume([](const BitVolume& volume) {
+    const auto on_border = [](int32_t a, int32_t b, uint32_t voxels) {
+      return a == b && (a == 0 || a == 2 * static_cast<int32_t>(voxels) - 2);
+    };
+    int inside = 0;
+    for (const auto& [link, times] : sum_of_links(merge(volume, false))) {
+      const auto& [from, to] = link;
+      inside += !on_border(from.x, to.x, volume.width) && !on_border(from.y, to.y, volume.height) &&
+                !on_border(from.z, to.z, volume.depth);
+    }
+    CHECK(inside == 0);
+  });
+}
+
+TEST_CASE("polygons and cells enclose the same volume") {
+  for_each_volume([](const BitVolume& volume) {
+    const Counts counted = counts(volume, true, merge(volume, true));
+    CHECK(counted.enclosed == counted.six_volumes);
+  });
+}
+
+TEST_CASE("merging keeps the area on every plane") {
+  for_each_volume([](const BitVolume& volume) {
+    for (const bool closed : {true, false})
+      CHECK(areas_of(merge(volume, closed)) == areas_of_facets(volume, closed));
+  });
+}
+
+TEST_CASE("a region is flat, its rings are simple, and only the first is counter-clockwise") {
+  for_each_volume([](const BitVolume& volume) {
+    for (const Region& region : merge(volume, true)) {
+      CHECK(is_flat(region));
+      CHECK(std::all_of(region.rings.begin(), region.rings.end(), is_simple));
+      CHECK(signed_area(region.incidence, region.rings[0]) > 0);
+      CHECK(rings_counter_clockwise(region) == 1);
+    }
+  });
+}
+
+TEST_CASE("a region is as large as it can be: none of its plane lies across its boundary") {
+  for_each_volume([](const BitVolume& volume) {
+    std::map<Incidence, std::vector<Region>> by_incidence;
+    for (const Region& region : merge(volume, true))
+      by_incidence[region.incidence].push_back(region);
+    for (const auto& [incidence, regions] : by_incidence) {
+      size_t link_count = 0;
+      for (const Region& region : regions)
+        for (const Ring& ring : region.rings) link_count += ring.size();
+      // Would a link meet its opposite, both would be gone from the sum.
+      CHECK(sum_of_links(regions).size() == link_count);
+    }
+  });
+}
+
+TEST_CASE("a closed border reaches from -1 to 2W-1, an open one from 0 to 2W-2") {
+  const BitVolume volume = checkerboard({7, 6, 5});
+  for (const bool closed : {true, false}) {
+    Vertex least{99, 99, 99};
+    Vertex greatest{-99, -99, -99};
+    for (const Region& region : merge(volume, closed))
+      for (const Vertex& vertex : region.rings[0]) {
+        least = {std::min(least.x, vertex.x), std::min(least.y, vertex.y),
+                 std::min(least.z, vertex.z)};
+        greatest = {std::max(greatest.x, vertex.x), std::max(greatest.y, vertex.y),
+                    std::max(greatest.z, vertex.z)};
+      }
+    CHECK(least == (closed ? Vertex{-1, -1, -1} : Vertex{0, 0, 0}));
+    CHECK(greatest == (closed ? Vertex{13, 11, 9} : Vertex{12, 10, 8}));
+  }
+}
+
+TEST_CASE("one slice has no surface with an open border, and a flat box with a closed one") {
+  const BitVolume slice = box({6, 5, 1}, {0, 0, 0}, {5, 4, 0});
+  CHECK(merge(slice, false).empty());
+  CHECK(merge(slice, true).size() == 18);  // the sides are edges: too thin for a plane
+}
+
+TEST_CASE("a tunnel makes a hole in the two faces where it ends") {
+  BitVolume volume = box({9, 9, 5}, {0, 0, 0}, {8, 8, 4});
+  for (int64_t z = 0; z < 5; ++z)
+    for (int64_t x = 3; x < 6; ++x) volume.on[volume.index(x, 4, z)] = 0;
+  int with_hole = 0;
+  for (const Region& region : merge(volume, true)) with_hole += region.rings.size() == 2;
+  CHECK(with_hole == 2);
+}
+
+TEST_CASE("where a region touches itself its rings touch and stay simple") {
+  bool touches = false;
+  for (uint64_t seed = 0; seed < 20; ++seed)
+    for (const Region& region : merge(random({24, 24, 3}, 200, seed), true)) {
+      Ring all;
+      for (const Ring& ring : region.rings) {
+        CHECK(is_simple(ring));
+        all.insert(all.end(), ring.begin(), ring.end());
+      }
+      touches = touches || !is_simple(all);
+    }
+  CHECK_MESSAGE(touches, "the volumes are to show the case");
+}
+
+TEST_CASE("a spiral's top has a ring that follows the wall to its end and back") {
+  const BitVolume volume = spiral({62, 62, 2});
+  const auto wall = std::count(volume.on.begin(), volume.on.end(), uint8_t{1});
+  size_t longest = 0;
+  for (const Region& region : merge(volume, true))
+    longest = std::max(longest, region.rings[0].size());
+  CHECK(wall > 62 * 62);
+  CHECK(longest > static_cast<size_t>(wall / 2 - 100));
+}
+
+TEST_CASE("volumes are the same on every machine") {
+  const BitVolume volume = random({16, 16, 16}, 100, 42);
+  uint32_t checksum = 0;
+  for (const uint8_t on : volume.on) checksum = checksum * 31 + on;
+  CHECK(checksum == 2196870125);
+  CHECK(std::count(volume.on.begin(), volume.on.end(), uint8_t{1}) == 1589);
+}
+
+TEST_CASE("the canonical form forgets where rings start and in which order they come") {
+  const std::vector<Region> merged = merge(random({12, 12, 6}, 200, 7), true);
+  const std::vector<Region> expected = canonical(merged);
+  std::vector<Region> shuffled = merged;
+  std::reverse(shuffled.begin(), shuffled.end());
+  for (Region& region : shuffled) {
+    std::reverse(region.rings.begin() + 1, region.rings.end());
+    for (Ring& ring : region.rings) std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+  }
+  CHECK(shuffled != merged);
+  CHECK(canonical(shuffled) == expected);
+  CHECK(describe_difference(canonical(shuffled), expected) == "");
+}
+
+TEST_CASE("a difference is told by its first region") {
+  const std::vector<Region> voxel = canonical(merge(from_bits({1, 1, 1}, 1), true));
+  std::vector<Region> other = voxel;
+  other[3].rings[0][1].z = 77;
+  const std::string text = describe_difference(voxel, other);
+  CHECK(text.find("region 3") != std::string::npos);
+  CHECK(text.find("77") != std::string::npos);
+  other = voxel;
+  other.pop_back();
+  CHECK(describe_difference(voxel, other).find("nothing more") != std::string::npos);
+}
+
+TEST_CASE("a table with one wrong facet is noticed") {
+  FacetTable wrong = facet_table;
+  const int first = wrong.first[1];
+  wrong.facet[first] = facet_of(incidence_of(wrong.facet[first]), 2);
+  CHECK_FALSE(sum_of_links(merge(from_bits({1, 1, 1}, 1), true, wrong)).empty());
+}

@@ -1,0 +1,385 @@
+// A sink that says "not now" changes nothing: whichever offers it refuses, and however the caller
+// goes on, the events are the same.
+#include <doctest/doctest.h>
+
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+// How the caller goes on after Status::more.
+enum class Way : uint8_t {
+  again,   ///< by the same call, with what is left of the samples
+  resume,  ///< by resume() until it is ok, then by the same call
+  busy,    ///< by pushing nothing, then by the same call
+};
+
+enum class Ending : uint8_t { finish, abandon };
+
+struct Scenario {
+  BitVolume volume;
+  Border border = Border::closed;
+  Capacities capacities{};
+  bool takes_fragments = true;
+  Ending ending = Ending::finish;
+  uint32_t samples = 0;  ///< that are pushed; all, or as many as come before abandon()
+};
+
+Scenario scenario_of(const BitVolume& volume, Border border) {
+  Scenario scenario{volume};
+  scenario.border = border;
+  scenario.capacities = worst_case_capacities(limits_of(volume, border));
+  scenario.capacities.runs *= 3;
+  scenario.samples = static_cast<uint32_t>(volume.voxels());
+  return scenario;
+}
+
+template <class Index>
+Status go_on(Extractor<Index>& extractor, Way way, const uint8_t* samples) {
+  if (way == Way::resume) {
+    Status status = extractor.resume();
+    while (status == Status::more) status = extractor.resume();
+    return status;
+  }
+  if (way == Way::busy) {
+    const Pushed pushed = extractor.push(samples, 0);
+    if (pushed.samples != 0) throw std::runtime_error("took samples where there are none");
+  }
+  return Status::ok;
+}
+
+template <class Index>
+void push_samples(Extractor<Index>& extractor, const Scenario& scenario, Way way) {
+  const uint8_t* samples = scenario.volume.on.data();
+  for (uint32_t at = 0; at < scenario.samples;) {
+    const Pushed pushed = extractor.push(samples + at, scenario.samples - at);
+    at += pushed.samples;
+    if (pushed.status != Status::more) require_ok(pushed.status);
+    if (pushed.status == Status::more) require_ok(go_on(extractor, way, samples));
+  }
+}
+
+// After the first call the ending lives on in resume(): a second finish() is not needed.
+template <class Index>
+void end(Extractor<Index>& extractor, Ending ending, Way way) {
+  const auto call = [&] {
+    return ending == Ending::finish ? extractor.finish() : extractor.abandon();
+  };
+  Status status = call();
+  while (status == Status::more) {
+    if (way == Way::resume)
+      status = extractor.resume();
+    else
+      status = call();
+  }
+  require_ok(status);
+}
+
+template <class Index>
+EventLog run(const Scenario& scenario, EventLog::Refuses refuses = {}, Way way = Way::again) {
+  EventLog log(std::move(refuses));
+  const Limits limits = limits_of(scenario.volume, scenario.border);
+  Block block(bytes_for<Index>(limits, scenario.capacities));
+  Extractor<Index> extractor;
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(),
+                             sink_to(log, scenario.takes_fragments)));
+  push_samples(extractor, scenario, way);
+  end(extractor, scenario.ending, way);
+  if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
+  if (!collected(log.events, scenario.takes_fragments).is_finished())
+    throw std::runtime_error("ended without a finish event");
+  return log;
+}
+
+// Empty when a scan with these refusals gives the events of `plain`.
+std::string difference(const Scenario& scenario, const EventLog& plain, EventLog::Refuses refuses,
+                       Way way) {
+  try {
+    const EventLog log = run<uint16_t>(scenario, std::move(refuses), way);
+    if (log.refusals() == 0) return "nothing was refused";
+    return log.events == plain.events ? "" : "other events";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+// Takes so many events and none after them, until it is opened for another log.
+struct Gate {
+  EventLog* log;
+  uint64_t left;
+  Answer take(const Event& event) {
+    if (left == 0) return Answer::not_now;
+    --left;
+    return log->take(event);
+  }
+};
+
+// A scan that the sink stops after some events, or after a row that is skipped; then a reset, and
+// the same again without trouble.
+EventLog events_after_reset(const Scenario& scenario, uint64_t taken, bool skips) {
+  EventLog before, after;
+  Gate gate{&before, taken};
+  const Limits limits = limits_of(scenario.volume, scenario.border);
+  Block block(bytes_for<uint16_t>(limits, scenario.capacities));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), sink_to(gate)));
+  if (skips) (void)extractor.skip_row(Substitute::off);
+  if (extractor.push(scenario.volume.on.data(), scenario.samples).status == Status::ok)
+    (void)extractor.finish();
+  require_ok(extractor.reset());
+  gate = {&after, UINT64_MAX};
+  push_samples(extractor, scenario, Way::again);
+  end(extractor, Ending::finish, Way::again);
+  return after;
+}
+
+constexpr Way ways[] = {Way::again, Way::resume, Way::busy};
+
+void check_every_single_refusal(const Scenario& scenario) {
+  const EventLog plain = run<uint16_t>(scenario);
+  for (uint64_t k = 0; k < plain.events.size(); k += step(17)) {
+    CAPTURE(k);
+    const auto refuses = [k](uint64_t offer) { return offer == k; };
+    CHECK(difference(scenario, plain, refuses, ways[k % 3]) == "");
+  }
+}
+
+void check_many_refusals(const Scenario& scenario) {
+  const EventLog plain = run<uint16_t>(scenario);
+  for (const Way way : ways) {
+    // Each event once, each four times, all of them but every 7th, and at random.
+    CHECK(difference(
+              scenario, plain, [](uint64_t i) { return i % 2 == 0; }, way) == "");
+    CHECK(difference(
+              scenario, plain, [](uint64_t i) { return i % 5 != 4; }, way) == "");
+    CHECK(difference(
+              scenario, plain, [](uint64_t i) { return i % 7 != 0; }, way) == "");
+    for (uint32_t seed = 1; seed < 20; seed += step(9))
+      CHECK(difference(
+                scenario, plain,
+                [seed](uint64_t i) {
+                  const auto mixed = static_cast<uint32_t>(i + 1) * 0x9E3779B1U * (2 * seed + 1);
+                  return (mixed >> 24) < 13 * seed;
+                },
+                way) == "");
+  }
+}
+
+// Hands the events on to whichever log is in its turn.
+struct Switch {
+  EventLog* log;
+  Answer take(const Event& event) { return log->take(event); }
+};
+
+// Pushes what is left, and finishes, until the sink refuses.
+Status push_until_refused(Extractor16& extractor, const Scenario& scenario, uint32_t& at) {
+  Status status = Status::ok;
+  while (at < scenario.samples && status == Status::ok) {
+    const Pushed pushed = extractor.push(scenario.volume.on.data() + at, scenario.samples - at);
+    at += pushed.samples;
+    status = pushed.status;
+  }
+  return status == Status::ok ? extractor.finish() : status;
+}
+
+bool is_held(Extractor16& extractor, const Scenario& scenario, uint32_t at) {
+  const Pushed pushed = extractor.push(scenario.volume.on.data() + at, scenario.samples - at);
+  return extractor.resume() == Status::more && pushed.samples == 0 &&
+         (pushed.status == Status::more || pushed.status == Status::finished);
+}
+
+// A sink that takes `k` events and no more holds the scan where it is, whatever the caller tries.
+// Then it recovers, or the scan is given up for the next one in the same memory.
+std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, uint64_t k) {
+  bool is_dead = false;
+  EventLog log([&](uint64_t offer) { return (is_dead = is_dead || offer == k); });
+  EventLog next;
+  Switch receiver{&log};
+  const Limits limits = limits_of(scenario.volume, scenario.border);
+  Block block(bytes_for<uint16_t>(limits, scenario.capacities));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(),
+                             sink_to(receiver, scenario.takes_fragments)));
+  uint32_t at = 0;
+  if (push_until_refused(extractor, scenario, at) != Status::more) return "not refused";
+  for (int i = 0; i < 3; ++i)
+    if (!is_held(extractor, scenario, at) || log.events.size() != k) return "not held";
+  is_dead = false;
+  if (k % 2 == 1) {
+    receiver.log = &next;
+    at = 0;
+    require_ok(extractor.reset());
+  }
+  Status status = Status::more;
+  while (status == Status::more) status = push_until_refused(extractor, scenario, at);
+  require_ok(status);
+  if (!block.is_intact()) return "a write outside the arena";
+  return receiver.log->events == plain.events ? "" : "other events";
+}
+
+// Few runs: this scenario spills. How many runs decides which fragments are spilled when.
+Scenario spilling(uint64_t seed, Border border) {
+  const auto step = static_cast<uint32_t>(seed % 7);
+  Scenario scenario = scenario_of(random({6, 5, 5}, 60 + 25 * step, seed), border);
+  scenario.capacities.runs = CellReserve::runs + 14 * step;
+  return scenario;
+}
+
+Scenario cutting(uint64_t seed, bool takes_fragments) {
+  const auto density = static_cast<uint32_t>(60 + 30 * (seed % 6));
+  Scenario scenario = scenario_of(random({5, 6, 5}, density, seed), Border::closed);
+  const Capacities least = minimum_capacities();
+  const auto extra = static_cast<uint32_t>(seed % 40);
+  scenario.capacities = {least.edges + extra, least.runs + 3 * extra, least.rings + extra / 8,
+                         least.regions + extra, least.slots + extra};
+  scenario.takes_fragments = takes_fragments;
+  return scenario;
+}
+
+}  // namespace
+
+TEST_CASE("any one refusal changes nothing") {
+  for (const Border border : {Border::closed, Border::open}) {
+    check_every_single_refusal(scenario_of(random({6, 5, 5}, 90, 1), border));
+    check_every_single_refusal(scenario_of(checkerboard({5, 4, 4}), border));
+    check_every_single_refusal(scenario_of(ball({9, 9, 9}, {8, 8, 8}, 14), border));
+    check_every_single_refusal(scenario_of(from_bits({1, 1, 1}, 1), border));
+    check_every_single_refusal(scenario_of(BitVolume({3, 2, 4}), border));
+  }
+}
+
+TEST_CASE("any one refusal anywhere in a row of several words changes nothing") {
+  for (const Border border : {Border::closed, Border::open})
+    check_every_single_refusal(scenario_of(random({99, 2, 2}, 8, 7), border));
+}
+
+TEST_CASE("any one refusal while fragments are spilled changes nothing") {
+  uint64_t spills = 0;
+  for (uint64_t seed = 0; seed < 14; ++seed) {
+    const Scenario scenario = spilling(seed, seed % 2 == 0 ? Border::closed : Border::open);
+    CAPTURE(seed);
+    spills += collected(run<uint16_t>(scenario).events).statistics().spills;
+    check_every_single_refusal(scenario);
+  }
+  CHECK(spills > 500);
+}
+
+TEST_CASE("any one refusal while links are cut changes nothing") {
+  uint64_t cuts = 0;
+  for (uint64_t seed = 0; seed < 12; ++seed) {
+    const Scenario scenario = cutting(3 * seed, seed % 2 == 0);
+    CAPTURE(seed);
+    cuts += collected(run<uint16_t>(scenario).events).statistics().cuts;
+    check_every_single_refusal(scenario);
+  }
+  CHECK(cuts > 500);
+}
+
+TEST_CASE("refusing everything once, again and again, or at random changes nothing") {
+  for (const Border border : {Border::closed, Border::open})
+    for (uint64_t seed = 0; seed < 6; ++seed) {
+      CAPTURE(seed);
+      check_many_refusals(spilling(seed, border));
+      check_many_refusals(cutting(7 * seed, seed % 2 == 0));
+      check_many_refusals(scenario_of(random({8, 7, 6}, 128, seed), border));
+    }
+}
+
+TEST_CASE("a reset forgets whatever the sink has not taken") {
+  for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
+                                   spilling(4, Border::closed), cutting(7, true)}) {
+    const EventLog plain = run<uint16_t>(scenario);
+    for (uint64_t taken = 0; taken < plain.events.size(); taken += 7)
+      for (const bool skips : {false, true})
+        CHECK(events_after_reset(scenario, taken, skips).events == plain.events);
+  }
+}
+
+TEST_CASE("the surface is right after refusals, not only the same as without") {
+  for (uint64_t seed = 0; seed < 40; ++seed) {
+    const Scenario scenario = spilling(seed, Border::closed);
+    const EventLog log = run<uint32_t>(
+        scenario, [seed](uint64_t i) { return i % (seed + 2) == 0; }, Way::again);
+    const Collector collector = collected(log.events);
+    CHECK(collector.statistics().cuts == 0);
+    CHECK(unlike_merge(collector.regions(), scenario.volume, true) == "");
+  }
+}
+
+TEST_CASE("a scan abandoned anywhere, with any one refusal, is closed and told to be abandoned") {
+  for (const Border border : {Border::closed, Border::open}) {
+    Scenario scenario = scenario_of(random({3, 3, 3}, 140, 9), border);
+    scenario.ending = Ending::abandon;
+    const auto voxels = static_cast<uint32_t>(scenario.volume.voxels());
+    for (scenario.samples = 0; scenario.samples <= voxels; ++scenario.samples) {
+      CAPTURE(scenario.samples);
+      CHECK(collected(run<uint16_t>(scenario).events).was_abandoned());
+      check_every_single_refusal(scenario);
+    }
+  }
+}
+
+TEST_CASE("an ending that was refused goes on with resume() alone, whatever was left of a push") {
+  const BitVolume volume = box({2, 2, 2}, {0, 0, 0}, {1, 1, 1});
+  for (const Ending ending : {Ending::finish, Ending::abandon})
+    for (uint64_t k = 0; k < 200; ++k) {
+      EventLog log([k](uint64_t offer) { return offer == k; });
+      Block block(1 << 16);
+      Extractor16 extractor;
+      require_ok(extractor.start({2, 2}, 1, block.memory(), sink_to(log)));
+      // The push may be left half-done: no one resumes it before the ending.
+      const uint32_t count = ending == Ending::finish ? 8 : 7;
+      for (uint32_t at = 0; at < count;)
+        at += extractor.push(volume.on.data() + at, count - at).samples;
+      Status status = ending == Ending::finish ? extractor.finish() : extractor.abandon();
+      while (status == Status::more) status = extractor.resume();
+      CAPTURE(k);
+      CHECK(status == Status::ok);
+      const Collector collector = collected(log.events);
+      CHECK(collector.is_finished());
+      CHECK(collector.was_abandoned() == (ending == Ending::abandon));
+    }
+}
+
+TEST_CASE(
+    "a sink that dies at any event is waited for, and nothing is lost; or the scan begins anew") {
+  for (uint64_t seed = 0; seed < 6; ++seed)
+    for (const Scenario& scenario : {spilling(seed, seed % 2 == 0 ? Border::closed : Border::open),
+                                     cutting(5 * seed, seed % 2 == 0)}) {
+      CAPTURE(seed);
+      const EventLog plain = run<uint16_t>(scenario);
+      for (uint64_t k = 0; k < plain.events.size(); k += step(11)) {
+        CAPTURE(k);
+        CHECK(fault_of_dead_sink(scenario, plain, k) == "");
+      }
+    }
+}
+
+TEST_CASE("a sink that never takes anything suspends for ever and loses nothing") {
+  bool is_busy = true;
+  EventLog log([&](uint64_t) { return is_busy; });
+  const BitVolume volume = checkerboard({5, 5, 2});
+  Block block(1 << 16);
+  Extractor16 extractor;
+  require_ok(extractor.start({5, 5}, 1, block.memory(), sink_to(log)));
+  const Pushed first = extractor.push(volume.on.data(), 50);
+  CHECK(first.status == Status::more);
+  for (int i = 0; i < 100; ++i) {
+    CHECK(extractor.resume() == Status::more);
+    const Pushed pushed = extractor.push(volume.on.data() + first.samples, 1);
+    CHECK(pushed.status == Status::more);
+    CHECK(pushed.samples == 0);
+    CHECK(extractor.push_bits(volume.on.data()).status == Status::more);
+    CHECK(extractor.skip_row(Substitute::off).status == Status::more);
+  }
+  CHECK(extractor.statistics().skipped_rows == 0);
+  is_busy = false;
+  CHECK(extractor.push(volume.on.data() + first.samples, 50 - first.samples).status == Status::ok);
+  finish_all(extractor);
+  CHECK(unlike_merge(collected(log.events).regions(), volume, true) == "");
+}

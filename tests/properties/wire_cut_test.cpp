@@ -1,0 +1,106 @@
+// A stream that ends at any byte, as when the power fails: what was certain by then is there, and
+// nothing else is taken for it.
+#include <doctest/doctest.h>
+
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::Collector;
+using reference::LayerMark;
+using reference::Region;
+
+namespace {
+
+// Decodes a stream byte by byte, each out of a block of its own, so that address sanitizers see the
+// first byte beyond. Before every byte it calls check(bytes so far, events so far, the report of a
+// stream that ends there, and whether what was open there was told to be lost).
+template <class Check>
+Events decode_cutting(const Bytes& stream, Check check) {
+  EventLog log;
+  Decoder decoder;
+  reference::require_ok(decoder.start(sink_to(log)));
+  for (size_t count = 0; count < stream.size(); ++count) {
+    Decoder cut = decoder;
+    const size_t told = log.events.size();
+    reference::require_ok(cut.finish());
+    const bool is_lost = log.events.size() > told;
+    log.events.resize(told, RecordedEvent(Event{}));
+    check(count, log.events, cut.report(), is_lost);
+    const Bytes one(1, stream[count]);
+    reference::require_ok(decoder.push(one.data(), 1).status);
+  }
+  CHECK(decoder.report().is_complete());
+  return log.events;
+}
+
+int32_t top_of(const Region& region) {
+  int32_t top = INT32_MIN;
+  for (const reference::Ring& ring : region.rings)
+    for (const Vertex& vertex : ring) top = std::max(top, vertex.z);
+  return top;
+}
+
+// By slice: how many regions must be there once its mark is, so that none that ends below it lacks.
+std::vector<size_t> regions_by_mark(const Collector& whole) {
+  std::vector<size_t> needed(whole.layers().size(), 0);
+  for (const LayerMark& mark : whole.layers())
+    for (size_t i = 0; i < whole.regions().size(); ++i)
+      if (top_of(whole.regions()[i]) < 2 * static_cast<int32_t>(mark.slice))
+        needed[mark.slice] = i + 1;
+  return needed;
+}
+
+}  // namespace
+
+TEST_CASE("a stream that ends at any byte is not complete, and gives what was whole by then") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    const std::vector<Events> brought = events_by_frame(frames);
+    size_t frame = 0, end = 0, whole = 0;
+    const Events events = decode_cutting(
+        joined(frames),
+        [&](size_t count, const Events& told, const StreamReport& report, bool is_lost) {
+          if (count == end + frames[frame].size()) {
+            end = count;
+            whole += brought[frame++].size();
+          }
+          CAPTURE(count);
+          REQUIRE(told.size() == whole);
+          REQUIRE_FALSE(report.is_complete());
+          REQUIRE(report.damaged_packets == (count == end ? 0 : 1));
+          REQUIRE(report.packets == frame);
+          const bool is_open = whole > 0 && !told.back().is(Event::Kind::region_end) &&
+                               !told.back().is(Event::Kind::fragment_end) &&
+                               !told.back().is(Event::Kind::layer) &&
+                               !told.back().is(Event::Kind::skipped);
+          REQUIRE(is_lost == is_open);
+        });
+    CHECK(events == sample.events);
+  }
+}
+
+TEST_CASE("a scan cut off at any byte leaves every region that ended below the last layer mark") {
+  size_t certain = 0;
+  for (const Sample& sample : samples()) {
+    if (sample.name == "monstrous records") continue;  // no surface
+    CAPTURE(sample.name);
+    const Collector whole = collected(sample.events);
+    const std::vector<size_t> needed = regions_by_mark(whole);
+    Collector arrived;
+    size_t taken = 0, compared = 0;
+    decode_cutting(encode(sample.events, sample.header),
+                   [&](size_t count, const Events& told, const StreamReport& report, bool) {
+                     for (; taken < told.size(); ++taken) (void)arrived.take(told[taken].event());
+                     CAPTURE(count);
+                     REQUIRE(arrived.regions().size() == report.regions);
+                     for (; compared < arrived.regions().size(); ++compared)
+                       REQUIRE(arrived.regions()[compared] == whole.regions()[compared]);
+                     if (arrived.layers().empty()) return;
+                     REQUIRE(compared >= needed[arrived.layers().back().slice]);
+                   });
+    if (!needed.empty()) certain += needed.back();
+  }
+  CHECK(certain > 1000);
+}

@@ -1,0 +1,134 @@
+// WIRE.md is true: its worked example is what the encoder makes, its tables are those of the code.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "oracle/stream.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+
+namespace {
+
+std::vector<std::string> document() {
+  std::ifstream file(std::string(DISCMC_SOURCE_DIR) + "/lib/WIRE.md");
+  REQUIRE(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+// The words of the block that begins with ```name, without the remarks behind semicolons.
+std::vector<std::string> words_of_block(const std::string& name) {
+  std::vector<std::string> words;
+  bool is_inside = false;
+  for (const std::string& line : document()) {
+    if (is_inside && line == "```") break;
+    if (is_inside) {
+      std::istringstream text(line.substr(0, line.find(';')));
+      for (std::string word; text >> word;) words.push_back(word);
+    }
+    is_inside = is_inside || line == "```" + name;
+  }
+  return words;
+}
+
+Bytes single_voxel() {
+  const reference::BitVolume voxel = reference::from_bits({1, 1, 1}, 1);
+  return encode(events_of(voxel), header_of(voxel));
+}
+
+// Notes every decision as the document writes it.
+struct TracingCoder {
+  RangeDecoder range;
+  std::vector<std::string>* trace;
+  bool bit(uint32_t context, bool) {
+    const bool is_even = context == context::even;
+    const Probability one = region_model[context];
+    const bool bit = range.decode(one);
+    trace->push_back(is_even ? "E" : std::to_string(context));
+    trace->push_back(std::to_string(one));
+    trace->push_back(bit ? "1" : "0");
+    return bit;
+  }
+};
+
+std::string text_of(const Vertex& vertex) {
+  return std::to_string(vertex.x) + " " + std::to_string(vertex.y) + " " + std::to_string(vertex.z);
+}
+
+std::string row_of(Incidence incidence) {
+  std::string row = "| " + std::to_string(incidence) + " | " + text_of(normal(incidence)) + " |";
+  for (uint8_t d = 0; d < direction_count(incidence); ++d)
+    row += (d == 0 ? " " : ", ") + text_of(direction_vector(incidence, d));
+  return row + " |";
+}
+
+}  // namespace
+
+TEST_CASE("the dump in WIRE.md is the stream of a single voxel") {
+  Bytes dump;
+  for (const std::string& word : words_of_block("hex"))
+    dump.push_back(static_cast<uint8_t>(std::stoul(word, nullptr, 16)));
+  CHECK(dump == single_voxel());
+}
+
+TEST_CASE("the decisions in WIRE.md are those of the first record and the first region") {
+  const Packet packet = packet_of(frames_of(single_voxel())[1]);
+  std::vector<std::string> trace;
+  RegionModel<TracingCoder> model(
+      TracingCoder{{packet.payload.data(), packet.payload.size()}, &trace});
+  CHECK_FALSE(model.region_follows(false));
+  CHECK(model.other_kind(OtherKind::end) == OtherKind::layer);
+  CHECK(model.layer(1) == 0);
+  CHECK(model.region_follows(false));
+  CHECK(model.incidence(no_incidence) == 0);
+  CHECK(model.ring_count(0) == 1);
+  CHECK(model.start({0, 0, 0}, false) == Vertex{-1, 0, 0});
+  CHECK_FALSE(model.parallelogram(false));
+  CHECK(model.run_count(2) == 3);
+  CHECK(model.direction(0) == 0);
+  CHECK(model.length(1) == 1);
+  CHECK(model.direction(0) == 2);
+  CHECK(model.direction(0) == 4);
+  CHECK(trace == words_of_block("decisions"));
+}
+
+TEST_CASE("the directions in WIRE.md are those of the code") {
+  std::vector<std::string> rows, expected;
+  bool is_inside = false;
+  for (const std::string& line : document()) {
+    if (is_inside && line.empty()) break;
+    if (is_inside && line.rfind("| ", 0) == 0) rows.push_back(line);
+    is_inside = is_inside || line.rfind("| code | normal |", 0) == 0;
+  }
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    if (incidence != no_incidence) expected.push_back(row_of(incidence));
+  CHECK(rows == expected);
+}
+
+TEST_CASE("the contexts in WIRE.md are those of the code") {
+  using namespace context;
+  const uint32_t first[] = {region_follows, other_kind,      component_zero, component_sign,
+                            one_ring,       start_z,         start_y,        start_x,
+                            start_hole,     first_direction, parallelogram,  context::run_count,
+                            next_turn,      run_length,      item_kind,      part_kind,
+                            fragment_number};
+  const char* const names[] = {
+      "region_follows", "other_kind",     "component_zero", "component_sign", "one_ring",
+      "start_z",        "start_y",        "start_x",        "start_hole",     "first_direction",
+      "parallelogram",  "run_count",      "next_turn",      "run_length",     "item_kind",
+      "part_kind",      "fragment_number"};
+  const std::vector<std::string> lines = document();
+  size_t at = 0;
+  for (size_t i = 0; i < 17; ++i) {
+    const std::string row = "| " + std::to_string(first[i]) + " | ";
+    const std::string name = std::string(" | ") + names[i] + " | ";
+    while (at < lines.size() && lines[at].find(name) == std::string::npos) ++at;
+    REQUIRE_MESSAGE(at < lines.size(), names[i]);
+    CHECK_MESSAGE(lines[at].rfind(row, 0) == 0, lines[at]);
+  }
+  CHECK(context::count == 797);
+}

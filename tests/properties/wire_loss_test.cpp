@@ -1,0 +1,323 @@
+// What a lossy link does to a stream: every loss is counted exactly, and no region comes out wrong.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using Kind = Event::Kind;
+using wire::PacketKind;
+
+namespace {
+
+// A stream in frames, and between which of them each of its regions lies.
+struct Sent {
+  struct Span {
+    size_t first, last;
+    Events events;
+  };
+
+  explicit Sent(const Events& events, const StreamHeader& header = any_header())
+      : Sent(frames_of(encode(events, header))) {}
+
+  explicit Sent(std::vector<Bytes> whole)
+      : frames(std::move(whole)), brought(events_by_frame(frames)) {
+    Span span{};
+    for (size_t i = 0; i < frames.size(); ++i)
+      for (const RecordedEvent& recorded : brought[i]) {
+        if (recorded.is(Kind::region)) span = {i, i, {}};
+        span.events.push_back(recorded);
+        span.last = i;
+        if (recorded.is(Kind::region_end)) regions.push_back(span);
+      }
+  }
+
+  std::vector<Bytes> frames;
+  std::vector<Events> brought;
+  std::vector<Span> regions;
+};
+
+// What must arrive of the frames kept, and what the report must say.
+void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Arrival& arrival) {
+  std::vector<Events> expected;
+  for (const Sent::Span& span : sent.regions)
+    if (std::all_of(is_kept.begin() + static_cast<std::ptrdiff_t>(span.first),
+                    is_kept.begin() + static_cast<std::ptrdiff_t>(span.last) + 1,
+                    [](bool kept) { return kept; }))
+      expected.push_back(span.events);
+  CHECK(regions_of(arrival.events) == expected);
+  CHECK(arrival.report.regions == expected.size());
+  const auto kept = static_cast<uint64_t>(std::count(is_kept.begin(), is_kept.end(), true));
+  CHECK(arrival.report.packets == kept);
+  CHECK(arrival.report.is_complete() == (kept == is_kept.size()));
+  if (!is_kept.back()) return;  // nobody can tell what was to come
+  CHECK(arrival.report.lost_regions == sent.regions.size() - expected.size());
+  if (arrival.report.has_header) CHECK(arrival.report.lost_packets == is_kept.size() - kept);
+}
+
+void check_kept(const Sent& sent, const std::vector<bool>& is_kept, size_t portion = 0) {
+  Bytes stream;
+  for (size_t i = 0; i < sent.frames.size(); ++i)
+    if (is_kept[i]) stream.insert(stream.end(), sent.frames[i].begin(), sent.frames[i].end());
+  check_arrival(sent, is_kept, decode(stream, portion));
+}
+
+void check_without(const Sent& sent, size_t first, size_t count) {
+  CAPTURE(first);
+  CAPTURE(count);
+  std::vector<bool> is_kept(sent.frames.size(), true);
+  for (size_t i = first; i < first + count; ++i) is_kept[i] = false;
+  check_kept(sent, is_kept);
+}
+
+// Small packets, large regions in parts, fragments and marks, and several headers.
+Events long_events(uint32_t regions) {
+  Script script;
+  Chance chance(5);
+  for (uint32_t i = 0; i < regions; ++i) {
+    if (i % 9 == 4) {
+      script.fragment(up, i);
+      for (uint32_t run = 0; run < 150; ++run) script.run(run % 8, 1 + chance.below(999));
+      script.fragment_end();
+    }
+    add_ragged_region(script, chance, i % 5 == 0 ? 300 : 30, 1000);
+    if (i % 3 == 0) script.layer(i);
+    if (i % 17 == 0) script.skipped(i, 3, true);
+  }
+  return script.finish().events;
+}
+
+// A stream with a packet for every region.
+std::vector<Bytes> packets_of_one_region(uint32_t regions) {
+  Script script;
+  for (uint32_t i = 0; i < regions; ++i)
+    script.region(up).square({1, 2 * static_cast<int32_t>(i % 999), 0}, 1 + i % 50).region_end();
+  Line line;
+  Encoder encoder;
+  reference::require_ok(encoder.start(any_header(), line.output()));
+  for (const RecordedEvent& recorded : script.finish().events) {
+    take_all(encoder, {recorded});
+    if (recorded.is(Kind::region_end) && !encoder.flush()) throw std::runtime_error("a busy line");
+  }
+  return frames_of(line.bytes);
+}
+
+bool is_known(const Sent& sent, const Events& region) {
+  return std::any_of(sent.regions.begin(), sent.regions.end(),
+                     [&](const Sent::Span& span) { return span.events == region; });
+}
+
+const Sent& long_stream() {
+  static const Sent sent(long_events(500));
+  return sent;
+}
+
+}  // namespace
+
+TEST_CASE("any one packet that is dropped is counted, and only its regions are missing") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const Sent sent(sample.events, sample.header);
+    const size_t step = 1 + sent.frames.size() / 60;
+    for (size_t i = 0; i < sent.frames.size(); i += step) check_without(sent, i, 1);
+    check_without(sent, sent.frames.size() - 1, 1);
+  }
+}
+
+TEST_CASE("any run of packets that is dropped in front of others is counted") {
+  const Sent& sent = long_stream();
+  const size_t total = sent.frames.size();
+  REQUIRE(total > 600);
+  const size_t after = wire::header_interval + 2;  // a header is among them
+  for (const size_t count :
+       {2U, 5U, 64U, 65U, 127U, 128U, 129U, 130U, 200U, 255U, 256U, 257U, 300U, 511U, 512U})
+    for (size_t first = 0; first + count + after < total; first += 1 + total / 17)
+      check_without(sent, first, count);
+}
+
+TEST_CASE("packets that are dropped just before the trailer are counted up to 127 of them") {
+  const Sent& sent = long_stream();
+  for (size_t count = 1; count < 128; count += 3)
+    check_without(sent, sent.frames.size() - 1 - count, count);
+}
+
+TEST_CASE("of one huge region no 256 packets can be missing unnoticed") {
+  Script script;
+  Chance chance(1);
+  add_ragged_region(script, chance, 40000, 1000);
+  const Sent sent(script.finish().events);
+  REQUIRE(sent.frames.size() > 600);
+  for (const size_t count : {256U, 257U, 300U, 512U}) check_without(sent, 67, count);
+}
+
+TEST_CASE("of more packets dropped before the trailer the regions are still counted") {
+  const Sent& sent = long_stream();
+  for (size_t count = 128; count < sent.frames.size() - 1; count += 13) {
+    std::vector<Bytes> kept(sent.frames.begin(),
+                            sent.frames.end() - static_cast<std::ptrdiff_t>(count) - 1);
+    kept.push_back(sent.frames.back());
+    const Arrival arrival = decode(joined(kept));
+    CHECK(arrival.report.lost_regions + arrival.report.regions == sent.regions.size());
+    CHECK_FALSE(arrival.report.is_complete());
+    CHECK(arrival.report.lost_packets % 256 == count % 256);
+  }
+}
+
+TEST_CASE("of any number of regions lost before the trailer it tells exactly how many") {
+  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
+  REQUIRE(frames.size() == 2);
+  for (const uint32_t regions : {1U, 32767U, 32768U, 40000U, 65535U, 65536U, 1000000U}) {
+    Packet trailer = packet_of(frames[1]);
+    trailer.regions = static_cast<uint16_t>(regions);
+    // After the slices, the flag and three totals.
+    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(regions);
+    frames[1] = frame_of(trailer);
+    const Arrival arrival = decode(joined(frames));
+    CHECK(arrival.report.totals.regions == regions);
+    CHECK(arrival.report.lost_regions == regions);
+    CHECK_FALSE(arrival.report.is_complete());
+  }
+}
+
+TEST_CASE("a listener that joins late knows what was before him") {
+  const Sent& sent = long_stream();
+  for (size_t first = 1; first + wire::header_interval < sent.frames.size(); first += 11)
+    check_without(sent, 0, first);
+}
+
+TEST_CASE("a late listener hears all from the first packet on, whatever its count of regions") {
+  const Sample sample = samples()[4];
+  for (const uint32_t before : {1U, 32767U, 32768U, 65000U}) {
+    CAPTURE(before);
+    std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    frames.erase(frames.begin());
+    frames.pop_back();
+    for (Bytes& frame : frames) {
+      Packet packet = packet_of(frame);
+      packet.regions = static_cast<uint16_t>(packet.regions + before);
+      frame = frame_of(packet);
+    }
+    const Arrival arrival = decode(joined(frames));
+    CHECK(arrival.report.packets == frames.size());
+    CHECK(arrival.report.lost_regions == before);
+    CHECK(regions_of(arrival.events) == regions_of(sample.events));
+  }
+}
+
+TEST_CASE("any mixture of losses is counted") {
+  Chance chance(1);
+  const Sent& sent = long_stream();
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    std::vector<bool> is_kept(sent.frames.size(), true);
+    const uint32_t percent = chance.below(60);
+    for (size_t i = 0; i + 1 < is_kept.size(); ++i) is_kept[i] = chance.below(100) >= percent;
+    check_kept(sent, is_kept, chance.below(90));
+  }
+}
+
+TEST_CASE("packets that come twice are delivered once") {
+  const Sent& sent = long_stream();
+  const std::vector<bool> all(sent.frames.size(), true);
+  for (const size_t back : {0U, 1U, 2U, 60U, 126U, 200U, 300U}) {
+    CAPTURE(back);
+    Bytes stream;
+    for (size_t i = 0; i < sent.frames.size(); ++i) {
+      const Bytes& frame = sent.frames[i];
+      stream.insert(stream.end(), frame.begin(), frame.end());
+      if (i < back || i % 7 != 0) continue;
+      const Bytes& old = sent.frames[i - back];
+      stream.insert(stream.end(), old.begin(), old.end());
+    }
+    const Arrival arrival = decode(stream);
+    check_arrival(sent, all, arrival);
+    CHECK(arrival.report.repeated_packets > 80);
+  }
+}
+
+TEST_CASE("of packets that change places the later one is kept, the other counted as lost") {
+  const Sent& sent = long_stream();
+  for (size_t apart = 1; apart < 100; apart += 14)
+    for (size_t i = 1; i + apart + 1 < sent.frames.size(); i += 53) {
+      CAPTURE(apart);
+      CAPTURE(i);
+      // Packet i comes too late, after packet i + apart.
+      std::vector<Bytes> frames = sent.frames;
+      std::rotate(frames.begin() + static_cast<std::ptrdiff_t>(i),
+                  frames.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                  frames.begin() + static_cast<std::ptrdiff_t>(i + apart) + 1);
+      std::vector<bool> is_kept(frames.size(), true);
+      is_kept[i] = false;
+      const Arrival arrival = decode(joined(frames));
+      check_arrival(sent, is_kept, arrival);
+      CHECK(arrival.report.repeated_packets == 1);
+    }
+}
+
+TEST_CASE("of a stream that is cut off and begun anew no region is delivered twice or wrong") {
+  const Sent& sent = long_stream();
+  for (size_t cut = 1; cut < sent.frames.size(); cut += 37) {
+    CAPTURE(cut);
+    const auto at = sent.frames.begin() + static_cast<std::ptrdiff_t>(cut);
+    std::vector<Bytes> frames(sent.frames.begin(), at);
+    frames.insert(frames.end(), sent.frames.begin(), sent.frames.end());
+    check_arrival(sent, std::vector<bool>(sent.frames.size(), true), decode(joined(frames)));
+  }
+}
+
+TEST_CASE("two different streams spliced give regions of one or the other, never a mixture") {
+  const Sent& first = long_stream();
+  const Sent second(long_events(77));
+  for (size_t cut = 1; cut < first.frames.size(); cut += 97)
+    for (size_t from = 0; from < second.frames.size(); from += 29) {
+      const auto end = first.frames.begin() + static_cast<std::ptrdiff_t>(cut);
+      std::vector<Bytes> frames(first.frames.begin(), end);
+      frames.insert(frames.end(), second.frames.begin() + static_cast<std::ptrdiff_t>(from),
+                    second.frames.end());
+      // A region in parts may be open at the cut; if the numbers go on there, nobody can tell.
+      if (static_cast<uint8_t>(from - cut) == 0) continue;
+      for (const Events& region : regions_of(decode(joined(frames)).events))
+        CHECK((is_known(first, region) || is_known(second, region)));
+    }
+}
+
+TEST_CASE(
+    "two streams interleaved give regions of one or the other, and are complete as one alone") {
+  // Regions within a packet each: of one in parts nobody can tell whose part comes next.
+  const Sample round = sample_of("", reference::ball({20, 20, 20}, {19, 19, 19}, 70));
+  const Sample noise = sample_of("", reference::random({13, 11, 9}, 128, 1));
+  const Sent first(round.events, round.header);
+  const Sent second(noise.events, noise.header);
+  Chance chance(8);
+  for (int order = 0; order < 400; ++order) {
+    CAPTURE(order);
+    // In runs, from single packets to nearly all of a stream.
+    const uint32_t longest = 1 + chance.below(1 + static_cast<uint32_t>(order) / 8);
+    std::vector<Bytes> frames;
+    for (size_t a = 0, b = 0; a < first.frames.size() || b < second.frames.size();) {
+      for (uint32_t i = chance.below(longest + 1); i > 0 && a < first.frames.size(); --i)
+        frames.push_back(first.frames[a++]);
+      for (uint32_t i = chance.below(longest + 1); i > 0 && b < second.frames.size(); --i)
+        frames.push_back(second.frames[b++]);
+    }
+    const Arrival arrival = decode(joined(frames));
+    const std::vector<Events> regions = regions_of(arrival.events);
+    for (const Events& region : regions)
+      CHECK((is_known(first, region) || is_known(second, region)));
+    if (!arrival.report.is_complete()) continue;
+    CHECK((regions == regions_of(round.events) || regions == regions_of(noise.events)));
+  }
+}
+
+TEST_CASE("losses are counted beyond 65,536 packets and regions") {
+  const Sent sent(packets_of_one_region(66500));
+  REQUIRE(sent.frames.size() > 66500);
+  REQUIRE(sent.regions.size() == 66500);
+  std::vector<bool> is_kept(sent.frames.size(), true);
+  for (size_t i = 777; i + 2 < is_kept.size(); i += 1111) is_kept[i] = false;
+  std::fill_n(is_kept.begin() + 65400, 300, false);
+  check_kept(sent, is_kept);
+}

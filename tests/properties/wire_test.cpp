@@ -1,0 +1,222 @@
+// The stream as a whole: what goes in comes out, whatever the portions, and the bytes are pinned.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "oracle/stream_samples.hpp"
+#include "oracle/surface.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using Kind = Event::Kind;
+
+namespace {
+
+std::string golden_path(const char* name) {
+  return std::string(DISCMC_SOURCE_DIR) + "/tests/golden/" + name;
+}
+
+Bytes golden(const char* name) {
+  std::ifstream file(golden_path(name), std::ios::binary);
+  REQUIRE_MESSAGE(file, golden_path(name));
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string hex(const Bytes& bytes) {
+  std::ostringstream text;
+  for (const uint8_t byte : bytes) text << std::hex << (byte < 16 ? " 0" : " ") << int{byte};
+  return text.str();
+}
+
+uint64_t count_of(const Events& events, Kind kind) {
+  return static_cast<uint64_t>(std::count_if(events.begin(), events.end(),
+                                             [&](const RecordedEvent& t) { return t.is(kind); }));
+}
+
+bool equal(const StreamHeader& a, const StreamHeader& b) {
+  return a.width == b.width && a.height == b.height && a.depth == b.depth &&
+         std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm) && a.threshold == b.threshold &&
+         a.border == b.border;
+}
+
+// The surface that a stream describes, put together by the tests' own collector.
+reference::Surface surface_in(const Bytes& stream) {
+  reference::Collector collector;
+  for (const RecordedEvent& recorded : decode(stream).events)
+    (void)collector.take(recorded.event());
+  return reference::surface_of(collector.regions());
+}
+
+BitVolume golden_noise() {
+  return reference::random({7, 6, 5}, 100, 1994);
+}
+
+void check_golden(const char* name, const BitVolume& volume) {
+  const Bytes bytes = golden(name);
+  const Bytes made = encode(events_of(volume), header_of(volume));
+  CHECK_MESSAGE(made == bytes, "the encoder now makes", hex(made));
+  const Arrival arrival = decode(bytes);
+  CHECK(arrival.report.is_complete());
+  CHECK(equal(arrival.header, header_of(volume)));
+  CHECK(surface_in(bytes) == reference::surface_of_cells(volume, true));
+}
+
+}  // namespace
+
+TEST_CASE("the samples hold everything that a stream can hold") {
+  uint64_t fragments = 0, skipped = 0, holes = 0, longest_ring = 0, runs = 0;
+  for (const Sample& sample : samples()) {
+    fragments += count_of(sample.events, Kind::fragment);
+    skipped += count_of(sample.events, Kind::skipped);
+    for (const RecordedEvent& recorded : sample.events) {
+      runs = recorded.is(Kind::run) ? runs + 1 : 0;
+      longest_ring = std::max(longest_ring, runs);
+      holes += recorded.is(Kind::ring) && recorded.event().hole;
+    }
+    if (sample.name == "noise with fragments") CHECK(count_of(sample.events, Kind::fragment) > 50);
+    if (sample.name == "a spiral, whose rings are long") CHECK(longest_ring > Record::max_words);
+  }
+  CHECK(fragments > 100);
+  CHECK(skipped > 10);
+  CHECK(holes > 200);
+}
+
+TEST_CASE("what goes in comes out: every event, the header and the totals") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const Bytes stream = encode(sample.events, sample.header);
+    const Arrival arrival = decode(stream);
+    CHECK(arrival.events == sample.events);
+    CHECK(arrival.status == Status::ok);
+    CHECK(equal(arrival.header, sample.header));
+    const StreamReport& report = arrival.report;
+    CHECK(report.is_complete());
+    CHECK(report.bytes == stream.size());
+    CHECK(report.packets == frames_of(stream).size());
+    CHECK(report.repeated_packets + report.damaged_packets == 0);
+    CHECK(report.regions == count_of(sample.events, Kind::region_end));
+    CHECK(report.slices == sample.events.back().event().slice);
+    CHECK(report.abandoned == (sample.name == "an abandoned scan"));
+    CHECK(report.totals.links == sample.events.back().event().statistics->links);
+  }
+}
+
+TEST_CASE("encoding what was decoded gives the same bytes") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const Bytes stream = encode(sample.events, sample.header);
+    const Arrival arrival = decode(stream);
+    CHECK(encode(arrival.events, arrival.header) == stream);
+  }
+}
+
+TEST_CASE("the bytes do not depend on when and how much the output takes") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const Bytes stream = encode(sample.events, sample.header);
+    for (const size_t bytes_a_time : {1U, 2U, 7U, 100U, 1000U}) {
+      CAPTURE(bytes_a_time);
+      CHECK(encode(sample.events, sample.header, bytes_a_time) == stream);
+    }
+  }
+}
+
+TEST_CASE("the events do not depend on the portions of the input, nor on when the sink refuses") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const Bytes stream = encode(sample.events, sample.header);
+    for (const bool refuses : {false, true})
+      for (const size_t portion : {0U, 1U, 2U, 63U, 256U}) {
+        const Arrival arrival = decode(stream, portion, refuses);
+        CHECK(arrival.events == sample.events);
+        CHECK(arrival.report.is_complete());
+        CHECK(arrival.report.bytes == stream.size());
+      }
+  }
+}
+
+TEST_CASE("random volumes in random memory come through") {
+  Chance chance(1);
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    const BitVolume volume =
+        reference::random({1 + chance.below(20), 1 + chance.below(12), 1 + chance.below(9)},
+                          chance.below(257), chance.next());
+    reference::Plan plan;
+    plan.border = chance.below(2) == 0 ? Border::open : Border::closed;
+    plan.takes_fragments = chance.below(3) != 0;
+    Capacities capacities = minimum_capacities();
+    capacities.edges += chance.below(300);
+    capacities.runs += chance.below(40);
+    capacities.rings += chance.below(20);
+    capacities.regions += chance.below(200);
+    capacities.slots += chance.below(400);
+    const Events events = events_of(volume, capacities, plan);
+    const Bytes stream = encode(events, header_of(volume, plan.border));
+    const Arrival arrival = decode(stream, chance.below(50));
+    CHECK(arrival.events == events);
+    CHECK(arrival.report.is_complete());
+    CHECK(encode(events, header_of(volume, plan.border), 1 + chance.below(9)) == stream);
+  }
+}
+
+TEST_CASE("headers at the ends of every field come back") {
+  StreamHeader header = any_header();
+  header.width = Limits::max_extent;
+  header.height = 1;
+  header.depth = UINT32_MAX;
+  header.spacing_nm[0] = INT32_MIN;
+  header.spacing_nm[1] = INT32_MAX;
+  header.spacing_nm[2] = -1;
+  header.threshold = INT32_MIN;
+  header.border = Border::open;
+  CHECK(equal(decode(encode(Script().finish().events, header)).header, header));
+  header.height = Limits::max_extent;
+  header.threshold = INT32_MAX;
+  CHECK(equal(decode(encode(Script().finish().events, header)).header, header));
+}
+
+TEST_CASE("the ball of DESIGN.md takes at most 11,500 bytes") {
+  const BitVolume volume = reference::ball({100, 100, 100}, {100, 100, 100}, 1002);
+  const Events events = events_of(volume);
+  CHECK(count_of(events, Kind::region) == 2328);
+  CHECK(encode(events, header_of(volume)).size() <= 11500);
+}
+
+TEST_CASE("a single voxel is encoded as it always was") {
+  check_golden("single_voxel.dmc", reference::from_bits({1, 1, 1}, 1));
+}
+
+TEST_CASE("a small random volume is encoded as it always was") {
+  check_golden("noise.dmc", golden_noise());
+}
+
+TEST_CASE("parts, fragments and marks are encoded as they always were") {
+  const Bytes stream = encode(monstrous_events());
+  CHECK(stream.size() == 22018);
+  CHECK(crc32(stream.data(), stream.size()) == 0x6654598D);
+}
+
+TEST_CASE("fields of one to eight bytes are read as they were written, and zeros beyond the end") {
+  Bytes bytes(1 + 2 + 4 + 8);
+  wire::ByteWriter writer(bytes.data());
+  writer.put(0xFE, 1);
+  writer.put(0x1234, 2);
+  writer.put(0x89ABCDEF, 4);
+  writer.put_long(0x0123456789ABCDEF);
+  CHECK(bytes == Bytes{0xFE, 0x34, 0x12, 0xEF, 0xCD, 0xAB, 0x89,  //
+                       0xEF, 0xCD, 0xAB, 0x89, 0x67, 0x45, 0x23, 0x01});
+  wire::ByteReader reader(bytes.data(), bytes.size());
+  CHECK(reader.get(1) == 0xFE);
+  CHECK(reader.get(2) == 0x1234);
+  CHECK(reader.get(4) == 0x89ABCDEF);
+  CHECK(reader.get(8) == 0x0123456789ABCDEF);
+  CHECK(reader.get(4) == 0);
+  const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader knows two
+  CHECK(wire::ByteReader(three, 2).get(4) == 0x0201);
+}

@@ -1,0 +1,605 @@
+// The C functions do what the C++ functions do, event for event and byte for byte.
+#include <discmc/discmc.h>
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <discmc/discmc.hpp>
+#include <string_view>
+#include <vector>
+
+#include "oracle/c_events.hpp"
+
+using namespace discmc;
+using reference::EventLog;
+using reference::RecordedEvent;
+
+namespace {
+
+constexpr uint32_t width = 21, height = 17, depth = 13;
+constexpr int32_t threshold = 100;
+
+// Blobs and noise, so that there are holes, cuts and spills.
+template <class Sample>
+std::vector<Sample> make_samples() {
+  std::vector<Sample> samples(width * height * depth);
+  uint32_t seed = 7;
+  for (size_t i = 0; i < samples.size(); ++i) {
+    seed = seed * 1664525 + 1013904223;
+    const size_t x = i % width, y = i / width % height;
+    const bool is_wall = x > 4 && x < 17 && y > 3 && y < 14;
+    samples[i] = static_cast<Sample>((is_wall ? 90 : 20) + (seed >> 24) / 8);
+  }
+  return samples;
+}
+
+// A log as a sink in C.
+discmc_answer take_in_c(void* log, const discmc_event* event) {
+  const Answer answer = static_cast<EventLog*>(log)->take(reference::from_c(*event).event());
+  return static_cast<discmc_answer>(answer);
+}
+
+EventLog::Refuses refuses_every(uint64_t nth) {
+  return [nth](uint64_t offer) { return nth != 0 && offer % nth == nth - 1; };
+}
+
+// The functions of one width of index, under one name.
+struct Index16 {
+  using Object = discmc_extractor16;
+  using Checkpoint = discmc_extractor16_checkpoint;
+  using Cpp = Extractor16;
+  static constexpr auto start = discmc_extractor16_start;
+  static constexpr auto resume = discmc_extractor16_resume;
+  static constexpr auto finish = discmc_extractor16_finish;
+  static constexpr auto skip_row = discmc_extractor16_skip_row;
+  static constexpr auto save = discmc_extractor16_save;
+  static constexpr auto restore = discmc_extractor16_restore;
+  static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
+    return discmc_extractor16_push_u8(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const uint16_t* s, uint32_t n) {
+    return discmc_extractor16_push_u16(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const int16_t* s, uint32_t n) {
+    return discmc_extractor16_push_i16(o, s, n, 1);
+  }
+};
+struct Index32 {
+  using Object = discmc_extractor32;
+  using Checkpoint = discmc_extractor32_checkpoint;
+  using Cpp = Extractor32;
+  static constexpr auto start = discmc_extractor32_start;
+  static constexpr auto resume = discmc_extractor32_resume;
+  static constexpr auto finish = discmc_extractor32_finish;
+  static constexpr auto skip_row = discmc_extractor32_skip_row;
+  static constexpr auto save = discmc_extractor32_save;
+  static constexpr auto restore = discmc_extractor32_restore;
+  static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
+    return discmc_extractor32_push_u8(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const uint16_t* s, uint32_t n) {
+    return discmc_extractor32_push_u16(o, s, n, 1);
+  }
+  static discmc_pushed push(Object* o, const int16_t* s, uint32_t n) {
+    return discmc_extractor32_push_i16(o, s, n, 1);
+  }
+};
+
+template <class Index>
+bool succeeds(typename Index::Object& extractor, discmc_status status) {
+  while (status == DISCMC_MORE) status = Index::resume(&extractor);
+  return status == DISCMC_OK;
+}
+template <class Extractor>
+bool succeeds(Extractor& extractor, Status status) {
+  while (status == Status::more) status = extractor.resume();
+  return status == Status::ok;
+}
+
+// A scan whose row 40 never comes, and that goes on from a checkpoint at row 60, elsewhere.
+template <class Index, class Sample>
+void scan_in_c(const std::vector<Sample>& samples, uint8_t border, size_t bytes,
+               discmc_sink& sink) {
+  std::vector<uint8_t> memory(bytes), other_memory(bytes);
+  typename Index::Object first = {}, second = {};
+  typename Index::Object* extractor = &first;
+  const discmc_limits limits = {width, height, border};
+  REQUIRE(succeeds<Index>(first, Index::start(&first, &limits, nullptr, threshold,
+                                              {memory.data(), memory.size()}, &sink)));
+  for (uint32_t row = 0; row < height * depth; ++row) {
+    if (row == 60) {
+      typename Index::Checkpoint checkpoint;
+      REQUIRE(Index::save(&first, &checkpoint) == DISCMC_OK);
+      memory.swap(other_memory);
+      REQUIRE(Index::restore(&second, &checkpoint, {memory.data(), bytes}, &sink) ==
+              DISCMC_BAD_CHECKPOINT);
+      std::copy(other_memory.begin(), other_memory.end(), memory.begin());
+      REQUIRE(Index::restore(&second, &checkpoint, {memory.data(), bytes}, &sink) == DISCMC_OK);
+      std::fill(other_memory.begin(), other_memory.end(), uint8_t{0xFF});
+      extractor = &second;
+    }
+    const discmc_pushed pushed =
+        row == 40 ? Index::skip_row(extractor, DISCMC_PREVIOUS_ROW)
+                  : Index::push(extractor, samples.data() + size_t{row} * width, width);
+    REQUIRE(pushed.samples == width);
+    REQUIRE(succeeds<Index>(*extractor, pushed.status));
+  }
+  REQUIRE(succeeds<Index>(*extractor, Index::finish(extractor)));
+}
+
+template <class Index, class Sample>
+void scan_in_cpp(const std::vector<Sample>& samples, Border border, size_t bytes,
+                 const Sink& sink) {
+  std::vector<uint8_t> memory(bytes);
+  typename Index::Cpp extractor;
+  REQUIRE(succeeds(extractor, extractor.start({width, height, border}, threshold,
+                                              {memory.data(), memory.size()}, sink)));
+  for (uint32_t row = 0; row < height * depth; ++row) {
+    const Pushed pushed = row == 40 ? extractor.skip_row(Substitute::previous_row)
+                                    : extractor.push(samples.data() + size_t{row} * width, width);
+    REQUIRE(succeeds(extractor, pushed.status));
+  }
+  REQUIRE(succeeds(extractor, extractor.finish()));
+}
+
+template <class Index, class Sample>
+void check_scans() {
+  const std::vector<Sample> samples = make_samples<Sample>();
+  for (const Border border : {Border::closed, Border::open})
+    for (const size_t bytes : {size_t{2000}, size_t{6000}, size_t{200000}})
+      for (const uint32_t nth : {0U, 3U}) {
+        CAPTURE(bytes);
+        EventLog in_c(refuses_every(nth)), in_cpp;
+        discmc_sink sink = {&in_c, take_in_c, 1};
+        scan_in_c<Index>(samples, static_cast<uint8_t>(border), bytes, sink);
+        scan_in_cpp<Index>(samples, border, bytes, sink_to(in_cpp));
+        CHECK(in_c.events.size() > 100);
+        CHECK(in_c.events == in_cpp.events);
+      }
+}
+
+size_t write_bytes(void* context, const uint8_t* bytes, size_t count) {
+  auto& stream = *static_cast<std::vector<uint8_t>*>(context);
+  stream.insert(stream.end(), bytes, bytes + count);
+  return count;
+}
+
+std::vector<uint8_t> stream_in_c(const std::vector<uint8_t>& samples) {
+  std::vector<uint8_t> stream;
+  discmc_encoder encoder = {};
+  const discmc_stream_header header = {width,     height,       depth, {1000, -2000, 3000},
+                                       threshold, DISCMC_CLOSED};
+  REQUIRE(discmc_encoder_start(&encoder, &header, {&stream, write_bytes}) == DISCMC_OK);
+  discmc_sink sink = {&encoder, discmc_encoder_take, 1};
+  scan_in_c<Index16>(samples, DISCMC_CLOSED, 6000, sink);
+  CHECK(discmc_encoder_bytes(&encoder) == stream.size());
+  CHECK(discmc_encoder_flush(&encoder) == 1);
+  return stream;
+}
+
+}  // namespace
+
+TEST_CASE("a scan through C makes the same events, whatever the samples, the memory, the sink") {
+  check_scans<Index16, uint8_t>();
+  check_scans<Index16, uint16_t>();
+  check_scans<Index16, int16_t>();
+  check_scans<Index32, uint8_t>();
+  check_scans<Index32, uint16_t>();
+  check_scans<Index32, int16_t>();
+}
+
+TEST_CASE("a sink that takes no fragments is given none, through C as well") {
+  EventLog log;
+  discmc_sink sink = {&log, take_in_c, 0};
+  scan_in_c<Index16>(make_samples<uint8_t>(), DISCMC_CLOSED, 3000, sink);
+  for (const RecordedEvent& recorded : log.events) CHECK_FALSE(recorded.is(Event::Kind::fragment));
+}
+
+TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the same events") {
+  const std::vector<uint8_t> samples = make_samples<uint8_t>();
+  const std::vector<uint8_t> stream = stream_in_c(samples);
+  std::vector<uint8_t> expected;
+  Encoder encoder;
+  REQUIRE(encoder.start({width, height, depth, {1000, -2000, 3000}, threshold},
+                        {&expected, write_bytes}) == Status::ok);
+  scan_in_cpp<Index16>(samples, Border::closed, 6000, sink_to(encoder));
+  CHECK(stream == expected);
+
+  EventLog in_c(refuses_every(5)), in_cpp;
+  discmc_decoder decoder = {};
+  const discmc_sink sink = {&in_c, take_in_c, 1};
+  REQUIRE(discmc_decoder_start(&decoder, &sink) == DISCMC_OK);
+  for (size_t done = 0; done < stream.size();) {
+    const discmc_decoded decoded =
+        discmc_decoder_push(&decoder, stream.data() + done, stream.size() - done);
+    done += decoded.bytes;
+  }
+  while (discmc_decoder_finish(&decoder) == DISCMC_MORE) {
+  }
+  Decoder reference;
+  REQUIRE(reference.start(sink_to(in_cpp)) == Status::ok);
+  REQUIRE(reference.push(stream.data(), stream.size()).status == Status::ok);
+  REQUIRE(reference.finish() == Status::ok);
+  CHECK(in_c.events == in_cpp.events);
+
+  const discmc_stream_report report = discmc_decoder_report(&decoder);
+  CHECK(report.is_complete == 1);
+  CHECK(report.has_trailer == 1);
+  CHECK(report.bytes == stream.size());
+  CHECK(report.slices == depth);
+  CHECK(report.regions == reference.report().regions);
+  CHECK(report.totals.skipped_rows == 1);
+  CHECK(report.totals.links == reference.report().totals.links);
+  const discmc_stream_header header = discmc_decoder_header(&decoder);
+  CHECK(header.width == width);
+  CHECK(header.height == height);
+  CHECK(header.depth == depth);
+  CHECK(header.spacing_nm[0] == 1000);
+  CHECK(header.spacing_nm[1] == -2000);
+  CHECK(header.spacing_nm[2] == 3000);
+  CHECK(header.threshold == threshold);
+  CHECK(header.border == DISCMC_CLOSED);
+}
+
+TEST_CASE("a stream goes on from a checkpoint through C") {
+  std::vector<uint8_t> whole, stream;
+  const discmc_stream_header header = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
+  discmc_encoder first = {}, second = {};
+  discmc_encoder_checkpoint checkpoint;
+  CHECK(discmc_encoder_save(&first, &checkpoint) == DISCMC_NOT_STARTED);
+  REQUIRE(discmc_encoder_start(&first, &header, {&whole, write_bytes}) == DISCMC_OK);
+  discmc_event event = {};
+  event.kind = DISCMC_LAYER;
+  REQUIRE(discmc_encoder_take(&first, &event) == DISCMC_TAKEN);
+  REQUIRE(discmc_encoder_save(&first, &checkpoint) == DISCMC_OK);
+  CHECK(discmc_encoder_restore(&second, &checkpoint, {nullptr, nullptr}) == DISCMC_BAD_SINK);
+  REQUIRE(discmc_encoder_restore(&second, &checkpoint, {&stream, write_bytes}) == DISCMC_OK);
+  stream.assign(whole.begin(),
+                whole.begin() + static_cast<ptrdiff_t>(discmc_encoder_bytes(&second)));
+  for (discmc_encoder* encoder : {&first, &second}) {
+    event.slice = 1;
+    REQUIRE(discmc_encoder_take(encoder, &event) == DISCMC_TAKEN);
+    REQUIRE(discmc_encoder_flush(encoder) == 1);
+  }
+  CHECK(stream == whole);
+  checkpoint.head[0] ^= 1;
+  CHECK(discmc_encoder_restore(&second, &checkpoint, {&stream, write_bytes}) ==
+        DISCMC_BAD_CHECKPOINT);
+}
+
+TEST_CASE("what a start refuses it refuses through C, and an object of zeros is not started") {
+  discmc_extractor16 extractor = {};
+  discmc_decoder decoder = {};
+  discmc_encoder encoder = {};
+  EventLog log;
+  discmc_sink sink = {&log, take_in_c, 1};
+  const discmc_sink none = {};
+  std::vector<uint8_t> memory(2000);
+  const discmc_memory all = {memory.data(), memory.size()};
+  const discmc_memory little = {memory.data(), 100};
+  const discmc_limits good = {9, 9, DISCMC_CLOSED};
+  const discmc_limits bad = {0, 9, DISCMC_CLOSED};
+  const discmc_capacities too_few = {1, 1, 1, 1, 1};
+  const uint8_t samples[9] = {};
+  CHECK(discmc_extractor16_push_u8(&extractor, samples, 9, 1).status == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_resume(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_abandon(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor16_reset(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_decoder_push(&decoder, samples, 9).status == DISCMC_NOT_STARTED);
+  CHECK(discmc_decoder_start(&decoder, &none) == DISCMC_BAD_SINK);
+  const discmc_stream_header header = {0, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
+  CHECK(discmc_encoder_start(&encoder, &header, {nullptr, write_bytes}) == DISCMC_BAD_LIMITS);
+  const auto is_busy = [](void*, const uint8_t*, size_t) { return size_t{0}; };
+  discmc_encoder waiting = {};
+  const discmc_stream_header small = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
+  CHECK(discmc_encoder_start(&waiting, &small, {nullptr, is_busy}) == DISCMC_OK);
+  CHECK(discmc_encoder_flush(&waiting) == 0);
+  CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, 1, all, &sink) == DISCMC_BAD_LIMITS);
+  CHECK(discmc_extractor16_start(&extractor, &good, nullptr, 1, all, &none) == DISCMC_BAD_SINK);
+  CHECK(discmc_extractor16_start(&extractor, &good, &too_few, 1, all, &sink) ==
+        DISCMC_BAD_CAPACITIES);
+  CHECK(discmc_extractor16_start(&extractor, &good, nullptr, 1, little, &sink) ==
+        DISCMC_TOO_LITTLE_MEMORY);
+  REQUIRE(discmc_extractor16_start(&extractor, &good, nullptr, 1, all, &sink) == DISCMC_OK);
+  CHECK(discmc_extractor16_push_u8(&extractor, samples, 4, 1).samples == 4);
+  CHECK(discmc_extractor16_push_bits(&extractor, samples).status == DISCMC_ROW_IN_PROGRESS);
+  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_SLICE_IN_PROGRESS);
+  CHECK(discmc_extractor16_abandon(&extractor) == DISCMC_OK);
+  CHECK(discmc_extractor16_push_u8(&extractor, samples, 9, 1).status == DISCMC_FINISHED);
+  CHECK(discmc_extractor16_reset(&extractor) == DISCMC_OK);
+}
+
+TEST_CASE("an extractor tells of itself through C what it tells in C++") {
+  std::vector<uint8_t> memory(6000);
+  EventLog log;
+  discmc_sink sink = {&log, take_in_c, 1};
+  const discmc_limits limits = {width, height, DISCMC_OPEN};
+  discmc_extractor32 extractor = {};
+  REQUIRE(discmc_extractor32_start(&extractor, &limits, nullptr, threshold,
+                                   {memory.data(), memory.size()}, &sink) == DISCMC_OK);
+  const std::vector<int16_t> samples = make_samples<int16_t>();
+  const uint32_t count = width * height * 2 + width * 3;
+  REQUIRE(discmc_extractor32_push_i16(&extractor, samples.data(), count, 1).samples == count);
+  CHECK(discmc_extractor32_slices(&extractor) == 2);
+  CHECK(discmc_extractor32_rows(&extractor) == 3);
+  const uint8_t bits[3] = {0xFF, 0xFF, 0x1F};
+  CHECK(discmc_extractor32_push_bits(&extractor, bits).samples == width);
+  CHECK(discmc_extractor32_rows(&extractor) == 4);
+  CHECK(discmc_extractor32_limits(&extractor).border == DISCMC_OPEN);
+  CHECK(discmc_extractor32_limits(&extractor).width == width);
+  const discmc_capacities split = discmc_default_capacities32(&limits, memory.size());
+  CHECK(discmc_extractor32_capacities(&extractor).runs == split.runs);
+  CHECK(discmc_extractor32_capacities(&extractor).slots == split.slots);
+  CHECK(discmc_extractor32_bytes_used(&extractor) <= memory.size());
+  CHECK(discmc_bytes_for32(&limits, &split) <= memory.size());
+  CHECK(discmc_extractor32_statistics(&extractor).cells > 0);
+  CHECK(discmc_extractor32_high_water(&extractor).edges > 0);
+
+  discmc_extractor16 narrow = {};
+  REQUIRE(discmc_extractor16_start(&narrow, &limits, nullptr, threshold,
+                                   {memory.data(), memory.size()}, &sink) == DISCMC_OK);
+  CHECK(discmc_extractor16_limits(&narrow).width == width);
+  CHECK(discmc_extractor16_capacities(&narrow).runs ==
+        discmc_default_capacities16(&limits, memory.size()).runs);
+}
+
+TEST_CASE(
+    "a sink is copied; its struct need not live as long as the scan, and a start in vain leaves "
+    "it") {
+  const std::vector<uint8_t> samples(9, 200);
+  std::vector<uint8_t> memory(4000);
+  const discmc_memory all = {memory.data(), memory.size()};
+  const discmc_limits limits = {3, 3, DISCMC_CLOSED};
+  EventLog log, other;
+  discmc_extractor16 extractor = {};
+  discmc_sink sink = {&log, take_in_c, 1};
+  REQUIRE(discmc_extractor16_start(&extractor, &limits, nullptr, threshold, all, &sink) ==
+          DISCMC_OK);
+  sink = {};
+  const discmc_limits bad = {0, 3, DISCMC_CLOSED};
+  const discmc_sink to_other = {&other, take_in_c, 1};
+  CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, threshold, all, &to_other) ==
+        DISCMC_BAD_LIMITS);
+  CHECK(discmc_extractor16_push_u8(&extractor, samples.data(), 9, 1).status == DISCMC_OK);
+  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_OK);
+  CHECK(log.events.size() > 26);
+  CHECK(other.events.empty());
+}
+
+namespace {
+
+// What c_api.cpp relies on.
+template <class Object>
+bool begins_as_zeros() {
+  alignas(Object) static unsigned char place[sizeof(Object)];
+  static const unsigned char zeros[sizeof(Object)] = {};
+  new (place) Object;
+  return std::memcmp(place, zeros, sizeof(Object)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("storage of zeros is an extractor or an encoder as it begins") {
+  CHECK(begins_as_zeros<Extractor16>());
+  CHECK(begins_as_zeros<Extractor32>());
+  CHECK(begins_as_zeros<Encoder>());
+}
+
+namespace {
+
+bool are_equal(const discmc_capacities& c, const Capacities& cpp) {
+  return c.edges == cpp.edges && c.runs == cpp.runs && c.rings == cpp.rings &&
+         c.regions == cpp.regions && c.slots == cpp.slots;
+}
+
+bool are_equal(const uint64_t (&c)[5], const Capacities& cpp) {
+  return c[0] == cpp.edges && c[1] == cpp.runs && c[2] == cpp.rings && c[3] == cpp.regions &&
+         c[4] == cpp.slots;
+}
+
+bool are_equal(const discmc_vertex& c, const Vertex& cpp) {
+  return c.x == cpp.x && c.y == cpp.y && c.z == cpp.z;
+}
+
+// The functions and constants of one width of index, under one name.
+struct Sizes16 {
+  using Type = uint16_t;
+  static constexpr auto bytes_for = discmc_bytes_for16;
+  static constexpr auto minimum_bytes = discmc_minimum_bytes16;
+  static constexpr auto worst_case_bytes = discmc_worst_case_bytes16;
+  static constexpr auto default_capacities = discmc_default_capacities16;
+};
+struct Sizes32 {
+  using Type = uint32_t;
+  static constexpr auto bytes_for = discmc_bytes_for32;
+  static constexpr auto minimum_bytes = discmc_minimum_bytes32;
+  static constexpr auto worst_case_bytes = discmc_worst_case_bytes32;
+  static constexpr auto default_capacities = discmc_default_capacities32;
+};
+
+template <class Sizes>
+void check_sizes(const Limits& limits) {
+  using Index = typename Sizes::Type;
+  constexpr uint32_t i = sizeof(Index);
+  const uint32_t w = limits.width, h = limits.height;
+  const auto b = static_cast<uint8_t>(limits.border);
+  const discmc_limits in_c = {w, h, b};
+  const uint64_t least = minimum_bytes<Index>(limits);
+  REQUIRE(Sizes::minimum_bytes(&in_c) == least);
+  REQUIRE(DISCMC_MINIMUM_BYTES_(i, w, h, b) == least);
+  REQUIRE(Sizes::worst_case_bytes(&in_c) == worst_case_bytes<Index>(limits));
+  REQUIRE(DISCMC_WORST_CASE_BYTES_(i, w, h, b) == worst_case_bytes<Index>(limits));
+  for (uint64_t bytes = 0; bytes < uint64_t{1} << 50; bytes = bytes * 7 / 3 + least / 2) {
+    const Capacities split = default_capacities<Index>(limits, bytes);
+    const discmc_capacities split_in_c = Sizes::default_capacities(&in_c, bytes);
+    REQUIRE(are_equal(split_in_c, split));
+    const uint64_t as_constants[] = DISCMC_DEFAULT_CAPACITIES_(i, w, h, b, bytes);
+    REQUIRE(are_equal(as_constants, split));
+    REQUIRE(Sizes::bytes_for(&in_c, &split_in_c) == bytes_for<Index>(limits, split));
+    REQUIRE(DISCMC_BYTES_FOR_(i, w, h, b, split.edges, split.runs, split.rings, split.regions,
+                              split.slots) == bytes_for<Index>(limits, split));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sizes are the same in C, as functions and as constants") {
+  const uint32_t extents[] = {1,  2,  3,  7,   30,  31,  32,  33,   62,    63,
+                              64, 65, 95, 100, 255, 256, 513, 4095, 32765, 32766};
+  for (const uint32_t w : extents)
+    for (const uint32_t h : extents)
+      for (const Border border : {Border::closed, Border::open}) {
+        CAPTURE(w);
+        CAPTURE(h);
+        const Limits limits{w, h, border};
+        check_sizes<Sizes16>(limits);
+        check_sizes<Sizes32>(limits);
+        const auto b = static_cast<uint8_t>(border);
+        const discmc_limits in_c = {w, h, b};
+        const uint64_t worst[] = DISCMC_WORST_CASE_CAPACITIES(w, h, b);
+        REQUIRE(are_equal(worst, worst_case_capacities(limits)));
+        REQUIRE(are_equal(discmc_worst_case_capacities(&in_c), worst_case_capacities(limits)));
+      }
+  const discmc_capacities least = DISCMC_MINIMUM_CAPACITIES;
+  CHECK(are_equal(least, minimum_capacities()));
+  CHECK(are_equal(discmc_minimum_capacities(), minimum_capacities()));
+}
+
+TEST_CASE("limits and capacities are valid in C when they are in C++") {
+  const discmc_limits largest = {1, DISCMC_MAX_EXTENT, DISCMC_OPEN};
+  const discmc_limits too_large = {1, DISCMC_MAX_EXTENT + 1, DISCMC_OPEN};
+  CHECK(discmc_limits_are_valid(&largest) == 1);
+  CHECK(discmc_limits_are_valid(&too_large) == 0);
+  const discmc_capacities too_few = {1, 34, 11, 5, 1};
+  const discmc_capacities many = {40000, 34, 11, 40000, 1};
+  const discmc_capacities enough = {40, 34, 11, 40, 1};
+  CHECK(discmc_capacities_are_valid16(&enough) == 1);
+  CHECK(discmc_capacities_are_valid16(&too_few) == 0);
+  CHECK(discmc_capacities_are_valid32(&too_few) == 0);
+  CHECK(discmc_capacities_are_valid16(&many) == 0);
+  CHECK(discmc_capacities_are_valid32(&many) == 1);
+}
+
+TEST_CASE("every status has the text that it has in C++") {
+  for (discmc_status status = 0; status <= DISCMC_BAD_CHECKPOINT; ++status)
+    CHECK(std::string_view(discmc_text(status)) == text(static_cast<Status>(status)));
+  CHECK(std::string_view(discmc_text(DISCMC_BAD_CHECKPOINT + 1)) == "unknown status");
+}
+
+TEST_CASE("chains and polygons are the same through C") {
+  const Incidence up = incidence_of(Vertex{0, 0, 1});
+  // A square of side 3, its first side in two runs.
+  const Direction right = direction_of(up, Vertex{2, 0, 0});
+  const Direction back = direction_of(up, Vertex{0, 2, 0});
+  std::vector<discmc_run> runs;
+  for (const auto& [direction, length] : {std::pair{right, 1U},
+                                          {right, 2U},
+                                          {back, 3U},
+                                          {opposite_direction(up, right), 3U},
+                                          {opposite_direction(up, back), 3U}})
+    runs.push_back(discmc_run_straight(direction, length));
+  const auto count = static_cast<uint32_t>(runs.size());
+  CHECK(discmc_run_is_fragment(runs[1]) == 0);
+  CHECK(discmc_run_direction(runs[1]) == right);
+  CHECK(discmc_run_length(runs[1]) == 2);
+  CHECK(discmc_run_is_fragment(Run::fragment(9).code()) == 1);
+  CHECK(discmc_run_fragment_number(Run::fragment(9).code()) == 9);
+  CHECK(discmc_normal(up).z == 1);
+  CHECK(discmc_direction_count(up) == 8);
+  CHECK(discmc_direction_vector(up, back).y == 2);
+  CHECK(discmc_displacement(up, runs.data(), 2).x == 6);
+  CHECK(discmc_twice_area(up, runs.data(), count) == 2 * 36);
+  REQUIRE(discmc_link_count(runs.data(), count) == 12);
+
+  std::vector<discmc_vertex> vertices(12);
+  discmc_unfold(up, {1, 0, 0}, runs.data(), count, vertices.data());
+  CHECK(vertices[3].x == 7);
+  std::vector<uint32_t> scratch(24);
+  std::vector<discmc_vertex> ring;
+  const discmc_ring_receiver receiver = {
+      &ring, [](void* context, const discmc_vertex* simple, uint32_t length) {
+        static_cast<std::vector<discmc_vertex>*>(context)->assign(simple, simple + length);
+      }};
+  discmc_split_ring(vertices.data(), 12, scratch.data(), &receiver);
+  REQUIRE(ring.size() == 12);
+  std::vector<discmc_vertex> all = ring;
+  CHECK(discmc_twice_area_of_ring(up, ring.data(), 12) == 2 * 36);
+  CHECK(discmc_is_corner(ring.data(), 12, 3) == 1);
+  CHECK(discmc_is_corner(ring.data(), 12, 1) == 0);
+  CHECK(discmc_keep_corners(ring.data(), 12, nullptr, nullptr) == 4);
+  const auto keep = [](void*, const discmc_vertex* vertex) {
+    return static_cast<uint8_t>(vertex->x == 3);
+  };
+  CHECK(discmc_keep_corners(all.data(), 12, keep, nullptr) == 6);
+
+  CHECK(discmc_is_closed(up, runs.data(), count) == 1);
+  CHECK(discmc_is_closed(up, runs.data(), count - 1) == 0);
+  discmc_reverse(up, runs.data(), count);
+  CHECK(discmc_twice_area(up, runs.data(), count) == -2 * 36);
+}
+
+TEST_CASE("runs are taken in through C as well") {
+  CHECK(discmc_run_fragment(DISCMC_RUN_MAX_FRAGMENT) == Run::fragment(Run::max_fragment).code());
+  discmc_run side = discmc_run_straight(2, 3);
+  CHECK(discmc_run_absorb(&side, discmc_run_straight(2, 4)) == 1);
+  CHECK(discmc_run_length(side) == 7);
+  CHECK(discmc_run_absorb(&side, discmc_run_straight(3, 4)) == 0);
+  CHECK(discmc_run_absorb(&side, discmc_run_straight(2, DISCMC_RUN_MAX_LENGTH)) == 0);
+  CHECK(discmc_run_length(side) == 7);
+}
+
+TEST_CASE("normals are the same through C") {
+  for (int u = 0; u < 256; u += 5)
+    for (int v = 0; v < 256; v += 3) {
+      const auto byte_u = static_cast<uint8_t>(u), byte_v = static_cast<uint8_t>(v);
+      const discmc_unit_normal normal = discmc_unit_normal_of({byte_u, byte_v});
+      CHECK(UnitNormal{normal.x, normal.y, normal.z} ==
+            unit_normal(OctahedralNormal{byte_u, byte_v}));
+    }
+}
+
+TEST_CASE("the lattice is the same through C") {
+  for (uint8_t incidence = 0; incidence < DISCMC_INCIDENCE_CODES; ++incidence) {
+    if (incidence == DISCMC_NO_INCIDENCE) continue;
+    CHECK(are_equal(discmc_normal(incidence), normal(incidence)));
+    CHECK(discmc_incidence_of(discmc_normal(incidence)) == incidence);
+    CHECK(discmc_opposite(incidence) == opposite(incidence));
+    REQUIRE(discmc_direction_count(incidence) == direction_count(incidence));
+    for (Link link = 0; link < DISCMC_LINK_CODES; ++link)
+      CHECK(discmc_direction_of(incidence, link) == direction_of(incidence, link));
+    for (Direction from = 0; from < direction_count(incidence); ++from) {
+      CHECK(discmc_link_of(incidence, from) == link_of(incidence, from));
+      CHECK(are_equal(discmc_direction_vector(incidence, from), direction_vector(incidence, from)));
+      CHECK(discmc_opposite_direction(incidence, from) == opposite_direction(incidence, from));
+      for (Direction to = 0; to < direction_count(incidence); ++to)
+        CHECK(discmc_turn(incidence, from, to) == turn(incidence, from, to));
+    }
+  }
+  for (Link link = 0; link < DISCMC_LINK_CODES; ++link) {
+    CHECK(are_equal(discmc_link_vector(link), link_vector(link)));
+    CHECK(discmc_opposite_link(link) == opposite_link(link));
+  }
+}
+
+TEST_CASE("the facets of all configurations are the same through C") {
+  uint32_t total = 0;
+  for (int c = 0; c < configurations; ++c) {
+    const auto configuration = static_cast<Configuration>(c);
+    const discmc_cell_facts facts = discmc_facts_of(configuration);
+    CHECK(facts.facets == cell_facts.facets[c]);
+    CHECK(facts.classic_triangles == cell_facts.classic_triangles[c]);
+    CHECK(facts.enclosed == cell_facts.enclosed[c]);
+    for (uint32_t i = 0; i < facts.facets; ++i, ++total) {
+      const uint8_t facet = discmc_facet_at(configuration, i);
+      CHECK(facet == facet_table.facet[facet_table.first[c] + i]);
+      CHECK(discmc_incidence_of_facet(facet) == incidence_of(Facet{facet}));
+    }
+  }
+  CHECK(total == FacetTable::total);
+  for (int facet = 0; facet < facet_codes; ++facet) {
+    const discmc_facet_ring ring = discmc_ring_of_facet(static_cast<Facet>(facet));
+    REQUIRE(ring.count == facet_rings.ring[facet].count);
+    for (uint32_t i = 0; i < ring.count; ++i)
+      CHECK(are_equal(ring.vertices[i], position(facet_rings.ring[facet].point[i])));
+  }
+}

@@ -1,0 +1,389 @@
+// Checkpoints: a scan that goes on after a power failure makes the stream of one that never failed.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <discmc/checkpoint.hpp>
+#include <set>
+
+#include "oracle/sanitized.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using namespace discmc::reference;
+
+namespace {
+
+/// Where the bytes of a stream go: all of them, or at most some at a time with pauses in between.
+struct Store {
+  Bytes bytes;
+  size_t most = SIZE_MAX;
+  bool pauses = false;
+
+  static size_t write(void* context, const uint8_t* bytes, size_t count) {
+    auto& store = *static_cast<Store*>(context);
+    const bool takes_some = store.most == SIZE_MAX || (store.pauses = !store.pauses);
+    if (!takes_some) return 0;
+    count = std::min(count, store.most);
+    store.bytes.insert(store.bytes.end(), bytes, bytes + count);
+    return count;
+  }
+  ByteOutput output() { return {this, write}; }
+};
+
+/// What a device has written down, as one string of bytes, as a flash holds it.
+using Image = Bytes;
+
+template <class Object>
+Bytes bytes_of(const Object& object) {
+  Bytes bytes(sizeof object);
+  std::memcpy(bytes.data(), &object, sizeof object);
+  return bytes;
+}
+
+/// A device with an extractor and an encoder, in memory of its own.
+template <class Index>
+class Device {
+ public:
+  Device(const BitVolume& volume, Border border, uint64_t bytes)
+      : volume_(volume), limits_(limits_of(volume, border)), block_(bytes) {}
+
+  void start() {
+    require_ok(encoder_.start({volume_.width, volume_.height, volume_.depth, {}, 1, limits_.border},
+                              store.output()));
+    require_ok(extractor_.start(limits_, 1, block_.memory(), sink_to(encoder_)));
+  }
+
+  /// Pushes rows up to that of a number, counted through all slices.
+  void scan_to(uint32_t end) {
+    uint32_t row = extractor_.slices() * volume_.height + extractor_.rows();
+    for (; row < end; ++row) {
+      Status status =
+          extractor_.push(&volume_.on[size_t{row} * volume_.width], volume_.width).status;
+      while (status == Status::more) status = extractor_.resume();
+      require_ok(status);
+    }
+  }
+  void finish() {
+    scan_to(rows());
+    finish_all(extractor_);
+    if (!block_.is_intact()) throw std::runtime_error("a write outside the arena");
+  }
+  uint32_t rows() const { return volume_.height * volume_.depth; }
+
+  Image save() {
+    require_ok(extractor_.save(scan_));
+    require_ok(encoder_.save(stream_));
+    Image image = bytes_of(scan_);
+    const Bytes stream = bytes_of(stream_);
+    image.insert(image.end(), stream.begin(), stream.end());
+    const auto* memory = static_cast<const uint8_t*>(block_.memory().data);
+    image.insert(image.end(), memory, memory + extractor_.bytes_used());
+    return image;
+  }
+
+  Status restore(const Image& image) {
+    const uint8_t* next = image.data();
+    std::memcpy(static_cast<void*>(&scan_), next, sizeof scan_);
+    std::memcpy(static_cast<void*>(&stream_), next += sizeof scan_, sizeof stream_);
+    next += sizeof stream_;
+    const auto left = static_cast<size_t>(image.data() + image.size() - next);
+    std::memcpy(block_.memory().data, next, left);
+    const Status status = encoder_.restore(stream_, store.output());
+    if (status != Status::ok) return status;
+    return extractor_.restore(scan_, {block_.memory().data, left}, sink_to(encoder_));
+  }
+
+  /// The bytes of stream before what comes next.
+  uint64_t position() const { return encoder_.bytes(); }
+
+  Store store;
+
+ private:
+  BitVolume volume_;
+  Limits limits_;
+  Block block_;
+  // Zero to begin with, as static objects are.
+  Extractor<Index> extractor_{};
+  Encoder encoder_{};
+  Checkpoint<Extractor<Index>> scan_{};
+  Checkpoint<Encoder> stream_{};
+};
+
+BitVolume centred_ball(uint32_t size) {
+  const auto middle = static_cast<int32_t>(size - 1);
+  return ball({size, size, size}, {middle, middle, middle}, middle * middle / 4);
+}
+
+struct Scan {
+  const char* name;
+  BitVolume volume;
+  Border border;
+  uint64_t spare;  // bytes beyond the minimum
+};
+
+std::vector<Scan> scans() {
+  return {{"a ball", centred_ball(9), Border::closed, 1 << 16},
+          {"a ball in too little memory", centred_ball(9), Border::open, 200},
+          {"noise", random({7, 5, 6}, 128, 1), Border::open, 1 << 16},
+          {"noise in too little memory", random({7, 5, 6}, 128, 2), Border::closed, 300}};
+}
+
+template <class Index>
+Device<Index> device_for(const Scan& scan) {
+  const uint64_t least = minimum_bytes<Index>(limits_of(scan.volume, scan.border));
+  return Device<Index>(scan.volume, scan.border, least + scan.spare);
+}
+
+template <class Index>
+Bytes uninterrupted(const Scan& scan) {
+  auto device = device_for<Index>(scan);
+  device.start();
+  device.finish();
+  return device.store.bytes;
+}
+
+template <class Index>
+void check_every_row(size_t most) {
+  for (const Scan& scan : scans()) {
+    CAPTURE(scan.name);
+    const Bytes whole = uninterrupted<Index>(scan);
+    auto first = device_for<Index>(scan);
+    first.store.most = most;
+    first.start();
+    for (uint32_t row = 0; row <= first.rows(); ++row) {
+      CAPTURE(row);
+      first.scan_to(row);
+      const Image image = first.save();
+      auto second = device_for<Index>(scan);
+      REQUIRE(second.restore(image) == Status::ok);
+      Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(second.position()));
+      second.finish();
+      stream.insert(stream.end(), second.store.bytes.begin(), second.store.bytes.end());
+      REQUIRE(stream == whole);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a scan goes on from a checkpoint at any row as if nothing had happened") {
+  check_every_row<uint16_t>(SIZE_MAX);
+  check_every_row<uint32_t>(SIZE_MAX);
+}
+
+TEST_CASE("so it does while the output lags behind") {
+  check_every_row<uint16_t>(5);
+}
+
+TEST_CASE("a scan that fails again and again, from checkpoint to checkpoint, comes out the same") {
+  for (const Scan& scan : scans()) {
+    CAPTURE(scan.name);
+    auto first = device_for<uint16_t>(scan);
+    first.start();
+    Image image = first.save();
+    Bytes stream;
+    for (uint32_t row = 3; row < first.rows(); row += 3) {
+      auto device = device_for<uint16_t>(scan);
+      REQUIRE(device.restore(image) == Status::ok);
+      stream.resize(device.position());
+      device.scan_to(row);
+      image = device.save();
+      device.scan_to(std::min(row + 7, first.rows()));  // lost by the failure
+      stream.insert(stream.end(), device.store.bytes.begin(), device.store.bytes.end());
+    }
+    auto last = device_for<uint16_t>(scan);
+    REQUIRE(last.restore(image) == Status::ok);
+    stream.resize(last.position());
+    last.finish();
+    stream.insert(stream.end(), last.store.bytes.begin(), last.store.bytes.end());
+    CHECK(stream == uninterrupted<uint16_t>(scan));
+  }
+}
+
+TEST_CASE("whoever cannot go back hears packets again and loses none, wherever the power failed") {
+  const Scan scan{"noise", random({9, 9, 9}, 128, 3), Border::closed, 1 << 16};
+  const Bytes whole = uninterrupted<uint16_t>(scan);
+  const Arrival heard = decode(whole);
+  REQUIRE(heard.report.is_complete());
+  auto device = device_for<uint16_t>(scan);
+  device.store.most = 7;
+  device.start();
+  device.scan_to(41);
+  const Image image = device.save();
+  auto again = device_for<uint16_t>(scan);
+  REQUIRE(again.restore(image) == Status::ok);
+  const uint64_t position = again.position();
+  again.finish();
+  for (size_t cut = position; cut <= whole.size(); ++cut) {
+    CAPTURE(cut);
+    Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(cut));
+    stream.push_back(0);
+    stream.insert(stream.end(), again.store.bytes.begin(), again.store.bytes.end());
+    const Arrival arrival = decode(stream);
+    REQUIRE(arrival.report.has_trailer);
+    REQUIRE(arrival.report.lost_packets == 0);
+    REQUIRE(arrival.events == heard.events);
+  }
+}
+
+TEST_CASE("a checkpoint in the middle of a frame goes back to where the frame begins") {
+  Store store;
+  Encoder first{}, second{};
+  Checkpoint<Encoder> stream{};
+  require_ok(first.start({9, 9, 0, {}, 1}, store.output()));
+  Event layer{};
+  layer.kind = Event::Kind::layer;
+  REQUIRE(first.take(layer) == Answer::taken);
+  const uint64_t frame = first.bytes();
+  store.most = 3;
+  store.pauses = false;
+  REQUIRE_FALSE(first.flush());
+  REQUIRE(first.bytes() == frame + 3);
+  require_ok(first.save(stream));
+  Line line;
+  require_ok(second.restore(stream, line.output()));
+  CHECK(second.bytes() == frame);
+  REQUIRE(second.flush());
+  CHECK(decode(line.bytes).events == Script().layer(0).events);
+}
+
+TEST_CASE("a torn checkpoint is found out, wherever it is torn") {
+  const Scan scan{"a ball", centred_ball(5), Border::closed, 300};
+  auto device = device_for<uint16_t>(scan);
+  device.start();
+  device.scan_to(14);
+  const Image before = device.save();
+  device.scan_to(20);
+  const Image after = device.save();
+  REQUIRE(before.size() == after.size());
+  for (size_t written = 0; written <= after.size(); ++written) {
+    CAPTURE(written);
+    const auto end = static_cast<ptrdiff_t>(written);
+    Image torn = before;
+    std::copy(after.begin(), after.begin() + end, torn.begin());
+    auto other = device_for<uint16_t>(scan);
+    const Status status = other.restore(torn);
+    if (torn == before || torn == after) {
+      REQUIRE(status == Status::ok);
+      continue;
+    }
+    // The encoder's half may be whole, and old or new; then the extractor's is torn.
+    REQUIRE(status == Status::bad_checkpoint);
+    Image erased(after.size(), 0xFF);
+    std::copy(after.begin(), after.begin() + end, erased.begin());
+    if (erased != after) REQUIRE(other.restore(erased) == Status::bad_checkpoint);
+  }
+}
+
+TEST_CASE("a flipped bit in a checkpoint is found out, wherever it is") {
+  const Scan scan{"a ball", centred_ball(4), Border::closed, 0};
+  auto device = device_for<uint16_t>(scan);
+  device.start();
+  device.scan_to(9);
+  const Image image = device.save();
+  auto other = device_for<uint16_t>(scan);
+  for (size_t bit = 0; bit < 8 * image.size(); bit += step(7)) {
+    CAPTURE(bit);
+    Image flipped = image;
+    flipped[bit / 8] = static_cast<uint8_t>(flipped[bit / 8] ^ 1 << bit % 8);
+    REQUIRE(other.restore(flipped) == Status::bad_checkpoint);
+  }
+  CHECK(other.restore(image) == Status::ok);
+}
+
+TEST_CASE("a checkpoint does not tell where anything lay") {
+  for (const Scan& scan : scans()) {
+    auto one = device_for<uint32_t>(scan);
+    const auto away = std::make_unique<uint8_t[]>(1000);  // so that the next lies elsewhere
+    auto other = device_for<uint32_t>(scan);
+    for (auto* device : {&one, &other}) {
+      device->start();
+      device->scan_to(13);
+    }
+    CHECK(one.save() == other.save());
+  }
+}
+
+TEST_CASE("a finished scan is restored as finished") {
+  const Scan scan = scans().front();
+  auto device = device_for<uint16_t>(scan);
+  device.start();
+  device.finish();
+  const Image image = device.save();
+  auto other = device_for<uint16_t>(scan);
+  REQUIRE(other.restore(image) == Status::ok);
+  CHECK(other.position() == device.store.bytes.size());
+  other.finish();
+  CHECK(other.store.bytes.empty());
+}
+
+TEST_CASE("nothing is saved while the sink has yet to take something, whatever that is") {
+  const BitVolume volume = random({5, 5, 5}, 128, 4);
+  EventLog log(reference::refuses_first);
+  std::set<Event::Kind> waited_for;
+  constexpr Limits limits{5, 5};
+  Capacities capacities = worst_case_capacities(limits);
+  capacities.runs = minimum_capacities().runs;
+  Block block(bytes_for<uint16_t>(limits, capacities));
+  Extractor16 extractor{};
+  Checkpoint<Extractor16> scan{};
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  const auto wait = [&](Status status) {
+    while (status == Status::more) {
+      CHECK(extractor.save(scan) == Status::more);
+      const size_t taken = log.events.size();
+      status = extractor.resume();
+      if (log.events.size() > taken) waited_for.insert(log.events[taken].kind());
+    }
+    require_ok(status);
+    CHECK(extractor.save(scan) == Status::ok);
+  };
+  for (uint32_t row = 0; row < 25; ++row)
+    wait(row == 12 ? extractor.skip_row(Substitute::previous_row).status
+                   : extractor.push(&volume.on[size_t{row} * 5], 5).status);
+  wait(extractor.finish());
+  using Kind = Event::Kind;
+  CHECK(waited_for == std::set<Kind>{Kind::region, Kind::ring, Kind::run, Kind::region_end,
+                                     Kind::fragment, Kind::fragment_end, Kind::skipped, Kind::layer,
+                                     Kind::finish});
+}
+
+TEST_CASE("what cannot be saved or restored is refused") {
+  Store store;
+  Encoder encoder{};
+  Extractor16 extractor{};
+  const Sink sink = sink_to(encoder);
+  Checkpoint<Encoder> stream{};
+  Checkpoint<Extractor16> scan{};
+  CHECK(encoder.save(stream) == Status::not_started);
+  CHECK(extractor.save(scan) == Status::not_started);
+
+  constexpr Limits limits{4, 1};
+  alignas(4) uint8_t memory[minimum_bytes<uint16_t>(limits) + 1] = {};
+  const Memory whole{memory, sizeof memory - 1};
+  require_ok(encoder.start({4, 1, 0, {}, 1}, store.output()));
+  store.most = 0;  // takes nothing: the layer cannot be told
+  require_ok(extractor.start(limits, 1, whole, sink));
+  const uint8_t row[] = {0, 1, 1, 0};
+  CHECK(extractor.push(row, 4).status == Status::more);
+  CHECK(extractor.save(scan) == Status::more);
+  store.most = SIZE_MAX;
+  require_ok(extractor.resume());
+  require_ok(extractor.save(scan));
+  require_ok(encoder.save(stream));
+
+  const size_t used = extractor.bytes_used();
+  CHECK(extractor.restore(scan, {nullptr, used}, sink) == Status::too_little_memory);
+  CHECK(extractor.restore(scan, {memory, used - 1}, sink) == Status::bad_checkpoint);
+  CHECK(extractor.restore(scan, whole, Sink{}) == Status::bad_sink);
+  CHECK(extractor.restore(scan, whole, sink_to(encoder, false)) == Status::bad_sink);
+  CHECK(encoder.restore(stream, ByteOutput{}) == Status::bad_sink);
+  CHECK(extractor.restore(scan, {memory, used}, sink) == Status::ok);
+
+  std::memmove(memory + 1, memory, used);
+  CHECK(extractor.restore(scan, {memory + 1, used}, sink) == Status::bad_checkpoint);
+  Checkpoint<Encoder> of_old = stream;
+  ++of_old.head.format;
+  CHECK(encoder.restore(of_old, store.output()) == Status::bad_checkpoint);
+}

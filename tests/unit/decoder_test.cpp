@@ -1,0 +1,1075 @@
+// The decoder alone: what it refuses, skips and reports, and packets made by hand.
+#include <doctest/doctest.h>
+
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using Kind = Event::Kind;
+using wire::PacketKind;
+
+namespace {
+
+constexpr uint8_t records_kind = static_cast<uint8_t>(PacketKind::records);
+
+// A stream of one header, these payloads of records, and no trailer.
+Bytes stream_of(const std::vector<Bytes>& payloads) {
+  Bytes stream = frames_of(encode(Script().finish().events)).front();
+  uint8_t number = 1;
+  for (const Bytes& payload : payloads) {
+    const Bytes frame = frame_of({records_kind, number++, 0, payload});
+    stream.insert(stream.end(), frame.begin(), frame.end());
+  }
+  return stream;
+}
+
+// The frame of a header that comes after so many packets and regions.
+Bytes header_after(uint32_t packets, uint64_t regions) {
+  Packet header = packet_of(stream_of({}));
+  header.number = static_cast<uint8_t>(packets);
+  header.regions = static_cast<uint16_t>(regions);
+  wire::ByteWriter counts(header.payload.data() + header.payload.size() - 12);
+  counts.put(packets, 4);
+  counts.put_long(regions);
+  return frame_of(header);
+}
+
+template <class Tell>
+Bytes payload_of(Tell tell) {
+  Payload payload;
+  tell(payload.model);
+  return payload.finish();
+}
+
+template <class Model>
+void tell_layer(Model& model, uint32_t slice) {
+  model.region_follows(false);
+  model.other_kind(OtherKind::layer);
+  model.layer(slice);
+}
+
+// A part of a region across z or of a fragment; its items follow.
+template <class Model>
+void begin_part(Model& model, bool continues, bool is_fragment = false, Incidence incidence = up,
+                uint32_t number = 6) {
+  model.region_follows(false);
+  model.other_kind(OtherKind::part);
+  Record record;
+  record.incidence = incidence;
+  record.continues = continues;
+  record.is_fragment = is_fragment;
+  record.number = number;
+  model.part(record);
+}
+
+template <class Model>
+void tell_run(Model& model, Direction direction, uint32_t length) {
+  model.item_kind(Item::run);
+  model.direction(direction);
+  model.length(length);
+}
+
+template <class Model>
+void tell_ring(Model& model, bool further) {
+  model.item_kind(Item::ring);
+  model.start({1, 0, 0}, further);
+}
+
+template <class Model>
+void end_part(Model& model, bool is_last) {
+  model.item_kind(Item::end);
+  model.end_part(is_last);
+}
+
+template <class Model>
+void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
+  model.region_follows(true);
+  model.incidence(incidence);
+  model.ring_count(1);
+  model.start({1, 0, 0}, false);
+  model.parallelogram(false);
+  model.run_count(runs);
+}
+
+// A region across z that goes on in a packet to come.
+template <class Model>
+void tell_first_part(Model& model) {
+  begin_part(model, false);
+  tell_ring(model, false);
+  tell_run(model, 0, 2);
+  end_part(model, false);
+}
+
+// What goes on with it, to its end.
+template <class Model>
+void tell_last_part(Model& model) {
+  begin_part(model, true);
+  tell_run(model, 2, 2);
+  end_part(model, true);
+}
+
+// What the first part is delivered as.
+Script first_part() {
+  Script script;
+  script.region(up).ring({1, 0, 0}).run(0, 2);
+  return script;
+}
+
+Bytes first_payload() {
+  return payload_of([](auto& model) { tell_first_part(model); });
+}
+Bytes last_payload() {
+  return payload_of([](auto& model) { tell_last_part(model); });
+}
+Bytes frame_at(uint32_t number, const Bytes& payload, uint16_t regions = 0) {
+  return frame_of({records_kind, static_cast<uint8_t>(number), regions, payload});
+}
+
+// A payload of one part, told by hand and unreadable, between two marks.
+template <class Tell>
+void check_unreadable(Tell tell) {
+  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    tell_layer(model, 1);
+    tell(model);
+    tell_layer(model, 2);
+  })}));
+  CHECK(arrival.events == Script().layer(1).events);
+  CHECK(arrival.report.damaged_packets == 1);
+  CHECK_FALSE(arrival.report.is_complete());
+}
+
+}  // namespace
+
+TEST_CASE("a decoder needs a sink and a start") {
+  Decoder decoder;
+  const uint8_t byte = 1;
+  const Decoded decoded = decoder.push(&byte, 1);
+  CHECK(decoded.status == Status::not_started);
+  CHECK(decoded.bytes == 0);
+  CHECK(decoder.finish() == Status::not_started);
+  CHECK(decoder.start(Sink{}) == Status::bad_sink);
+  CHECK(decoder.push(&byte, 1).status == Status::not_started);
+}
+
+TEST_CASE("a decoder that is started again forgets everything") {
+  const Sample sample = samples()[2];
+  const Bytes stream = encode(sample.events, sample.header);
+  Decoder decoder;
+  for (size_t count = 0; count < stream.size(); count += 41) {
+    EventLog first, second;
+    REQUIRE(decoder.start(sink_to(first)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), count).status == Status::ok);
+    REQUIRE(decoder.start(sink_to(second)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+    CHECK(second.events == sample.events);
+    CHECK(decoder.report().is_complete());
+  }
+}
+
+TEST_CASE("a decoder that is started again knows nothing of what it refused or had yet to tell") {
+  const Sample sample = samples()[2];
+  const Bytes stream = encode(sample.events, sample.header);
+  Bytes unknown = stream_of({});
+  Packet header = packet_of(unknown);
+  ++header.payload[3];
+  unknown = frame_of(header);
+  const Bytes lost = stream_of({payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    end_part(model, false);
+  })});
+  Decoder decoder;
+  EventLog log;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
+  CHECK_FALSE(decoder.report().has_header);
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
+  CHECK(log.events == Script().region(up).ring({1, 0, 0}).events);
+
+  struct Wall {
+    Answer take(const Event&) { return Answer::not_now; }
+  } wall;
+  REQUIRE(decoder.start(sink_to(wall)) == Status::ok);
+  CHECK(decoder.push(lost.data(), lost.size()).status == Status::more);
+  CHECK(decoder.finish() == Status::more);
+  EventLog again;
+  REQUIRE(decoder.start(sink_to(again)) == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  CHECK(again.events == sample.events);
+  CHECK(decoder.report().is_complete());
+}
+
+TEST_CASE("a decoder that is started again does not go on with a region, nor tells it lost") {
+  struct Taker {
+    Answer take(const Event& event) {
+      if (log.events.size() == most) return Answer::not_now;
+      return log.take(event);
+    }
+    size_t most;
+    EventLog log{};
+  };
+  const Bytes begun = stream_of({first_payload()});
+  const Bytes end = frame_at(0, last_payload());
+  for (const bool is_ended : {false, true}) {
+    Taker taker{first_part().events.size()};
+    Decoder decoder;
+    REQUIRE(decoder.start(sink_to(taker)) == Status::ok);
+    REQUIRE(decoder.push(begun.data(), begun.size()).status == Status::ok);
+    if (is_ended) CHECK(decoder.finish() == Status::more);
+    EventLog log;
+    REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+    CHECK(decoder.push(end.data(), end.size()).status == Status::ok);
+    CHECK(decoder.finish() == Status::ok);
+    CHECK(log.events.empty());
+  }
+}
+
+TEST_CASE("a decoder that is started again after half a frame begins with a new one") {
+  const Bytes stream = encode(Script().layer(1).finish().events);
+  EventLog log;
+  Decoder decoder;
+  for (int i = 0; i < 2; ++i) {
+    REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), 20).status == Status::ok);
+  }
+  REQUIRE(decoder.push(stream.data() + 20, stream.size() - 20).status == Status::ok);
+  CHECK(decoder.report().is_complete());
+}
+
+TEST_CASE("a decoder that is started again counts from the first packet on") {
+  const std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
+  const Bytes stream = joined(frames);
+  EventLog log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.header().width == 0);
+  // Number 1: whoever hears it first has missed one.
+  REQUIRE(decoder.push(frames[1].data(), frames[1].size()).status == Status::ok);
+  CHECK(decoder.report().packets == 1);
+  CHECK(decoder.report().lost_packets == 1);
+  CHECK(decoder.report().repeated_packets == 0);
+}
+
+TEST_CASE("half of the counts of regions, and of the numbers, lie behind") {
+  const auto is_taken = [](uint8_t number, uint16_t regions) {
+    Bytes stream = stream_of({});
+    const Bytes frame = frame_of({records_kind, number, regions, payload_of([](auto&) {})});
+    stream.insert(stream.end(), frame.begin(), frame.end());
+    const StreamReport report = decode(stream).report;
+    CHECK(report.packets + report.repeated_packets == 2);
+    return report.packets == 2;
+  };
+  CHECK(is_taken(1, 0x7FFF));
+  CHECK_FALSE(is_taken(1, 0x8000));
+  CHECK_FALSE(is_taken(1, 0xFFFF));
+  CHECK(is_taken(1 + 127, 0));
+  CHECK_FALSE(is_taken(1 + 128, 0));
+  CHECK(is_taken(1 + 128, 1));
+}
+
+TEST_CASE("a lost region is counted when the next packet arrives, not by the trailer alone") {
+  const Bytes heard =
+      joined({stream_of({}), frame_of({records_kind, 2, 3, payload_of([](auto&) {})})});
+  CHECK(decode(heard).report.lost_packets == 1);
+  CHECK(decode(heard).report.lost_regions == 3);
+}
+
+TEST_CASE("a trailer that tells of fewer regions than came counts none of them as lost") {
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  std::vector<Bytes> frames = frames_of(encode(square));
+  REQUIRE(frames.size() == 3);
+  Packet trailer = packet_of(frames[2]);
+  trailer.regions = 0;
+  // After the slices, the flag and three totals.
+  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(0);
+  frames[2] = frame_of(trailer);
+  const StreamReport report = decode(joined(frames)).report;
+  CHECK(report.has_trailer);
+  CHECK(report.regions == 1);
+  CHECK(report.lost_regions == 0);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a stream without a header is not complete, even if no number is missing") {
+  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
+  Packet trailer = packet_of(frames[1]);
+  trailer.number = 0;
+  const StreamReport report = decode(frame_of(trailer)).report;
+  CHECK(report.has_trailer);
+  CHECK(report.lost_packets == 0);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a stream that has only begun is neither complete nor abandoned") {
+  const StreamReport report = decode(stream_of({})).report;
+  CHECK(report.has_header);
+  CHECK(report.slices == 0);
+  CHECK_FALSE(report.has_trailer);
+  CHECK_FALSE(report.abandoned);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a region may fill a record with parallelograms to the last word") {
+  constexpr uint32_t rings = Record::max_words / (Record::ring_words + 4);
+  static_assert(rings * (Record::ring_words + 4) == Record::max_words, "to the last word");
+  Script script;
+  script.region(up);
+  for (uint32_t ring = 0; ring < rings; ++ring)
+    script.square({1, 4 * static_cast<int32_t>(ring), 0}, 2, ring > 0);
+  const Arrival arrival = decode(encode(script.region_end().finish().events));
+  CHECK(arrival.events == script.events);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
+TEST_CASE("a header of another stream that lies behind does not replace the first") {
+  StreamHeader other = any_header();
+  other.width = 77;
+  std::vector<Bytes> frames = frames_of(encode(Script().layer(0).finish().events));
+  frames.pop_back();  // the trailer, after which nothing is heard
+  frames.push_back(frames_of(encode(Script().finish().events, other)).front());
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.header.width == any_header().width);
+  CHECK(arrival.report.repeated_packets == 1);
+}
+
+TEST_CASE("a later header tells in full how many packets and regions came before it") {
+  struct Before {
+    uint32_t packets, regions;
+  };
+  for (const Before before : {Before{1, 0}, Before{2, 0}, Before{257, 0}, Before{300, 70000},
+                              Before{1, 5}, Before{1, 65536}, Before{2, 70000}}) {
+    CAPTURE(before.packets);
+    CAPTURE(before.regions);
+    const StreamReport report =
+        decode(joined({stream_of({}), header_after(before.packets, before.regions)})).report;
+    CHECK(report.packets == 2);
+    CHECK(report.lost_packets == before.packets - 1);
+    CHECK(report.lost_regions == before.regions);
+  }
+}
+
+TEST_CASE(
+    "a header that tells of more lost packets ends what is open, unless a gap lay before it") {
+  // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
+  for (const bool gap_is_seen : {false, true}) {
+    const uint32_t number = gap_is_seen ? 258 : 257;
+    const Arrival arrival =
+        decode(joined({stream_of({}), frame_at(number, first_payload()),
+                       header_after(number + 1, 0), frame_at(number + 2, last_payload())}));
+    Script expected = first_part();
+    if (gap_is_seen)
+      expected.run(2, 2).region_end();
+    else
+      expected.lost();
+    CHECK(arrival.events == expected.events);
+    CHECK(arrival.report.lost_packets == number - 1);
+  }
+}
+
+TEST_CASE("a region goes on behind a header, whatever was missed before it began") {
+  Decoder decoder;
+  for (const uint32_t missed : {0U, 1U, 255U, 256U, 512U}) {
+    CAPTURE(missed);
+    EventLog log;
+    REQUIRE(decoder.start(sink_to(log)) ==
+            Status::ok);  // anew, though it has heard a header before
+    const Bytes heard = joined({frame_at(missed, first_payload()), header_after(missed + 1, 0),
+                                frame_at(missed + 2, last_payload())});
+    REQUIRE(decoder.push(heard.data(), heard.size()).status == Status::ok);
+    CHECK(log.events == first_part().run(2, 2).region_end().events);
+    CHECK(decoder.report().lost_packets == missed);
+  }
+}
+
+TEST_CASE("a header that tells of a gap ends what is open, though a gap lay before it as well") {
+  struct Gap {
+    uint32_t packets;
+    uint64_t regions;
+  };
+  for (const Gap gap : {Gap{1, 0}, Gap{255, 0}, Gap{256, 1}, Gap{512, 2}}) {
+    CAPTURE(gap.packets);
+    const uint32_t number = 5;
+    const Arrival arrival = decode(joined(
+        {stream_of({}), frame_at(number, first_payload()),
+         header_after(number + 1 + gap.packets, gap.regions),
+         frame_at(number + 2 + gap.packets, last_payload(), static_cast<uint16_t>(gap.regions))}));
+    CHECK(arrival.events == first_part().lost().events);
+    CHECK(arrival.report.lost_packets == number - 1 + gap.packets);
+  }
+}
+
+TEST_CASE("a header counts as lost what neither came before it nor was known to be lost") {
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  const std::vector<Bytes> frames = frames_of(encode(square));
+  for (const uint64_t before : {0U, 1U, 2U, 7U}) {
+    const StreamReport report =
+        decode(joined({frames[0], frames[1], header_after(2, before)})).report;
+    CHECK(report.regions == 1);
+    CHECK(report.lost_regions == (before < 1 ? 0 : before - 1));
+  }
+}
+
+TEST_CASE("who hears no header tells a packet that comes again all the same") {
+  const Bytes frame = frame_at(200, payload_of([](auto& model) { tell_layer(model, 3); }));
+  const Arrival arrival = decode(joined({frame, frame}));
+  CHECK(arrival.events == Script().layer(3).events);
+  CHECK(arrival.report.lost_packets == 200);
+  CHECK(arrival.report.repeated_packets == 1);
+}
+
+TEST_CASE("the shortest and the longest of packets are packets, a longer one is none") {
+  const uint8_t unknown_kind = 9;
+  for (const size_t bytes : {size_t{0}, wire::max_payload - 1, wire::max_payload}) {
+    const StreamReport report = decode(frame_of({unknown_kind, 0, 0, Bytes(bytes, 0x33)})).report;
+    CHECK(report.packets == 1);
+    CHECK(report.damaged_packets == 0);
+  }
+  for (const size_t more : {1U, 2U, 3U, 300U}) {
+    Bytes frame = frame_of({unknown_kind, 0, 0, Bytes(wire::max_payload, 0x33)});
+    frame.insert(frame.end() - 1, more, 0x33);
+    const StreamReport report = decode(frame).report;
+    CHECK(report.packets == 0);
+    CHECK(report.damaged_packets == 1);
+  }
+}
+
+TEST_CASE("a region does not go on behind a packet that cannot be read") {
+  const Bytes unreadable = payload_of([](auto& model) {
+    model.region_follows(false);
+    model.other_kind(static_cast<OtherKind>(6));
+  });
+  CHECK(decode(stream_of({first_payload(), unreadable, last_payload()})).events ==
+        first_part().lost().events);
+}
+
+TEST_CASE("the longest run and the last fragment number are read, in parts") {
+  const Arrival arrival = decode(stream_of({payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, Run::max_length);
+    model.item_kind(Item::fragment);
+    model.fragment_number(Run::max_fragment, true);
+    end_part(model, true);
+  })}));
+  const Events expected = Script()
+                              .region(up)
+                              .ring({1, 0, 0})
+                              .run(Run::straight(0, Run::max_length))
+                              .run(Run::fragment(Run::max_fragment))
+                              .region_end()
+                              .events;
+  CHECK(arrival.events == expected);
+}
+
+TEST_CASE("a part whose beginning is lost counts a region, a fragment does not") {
+  for (const bool is_fragment : {false, true}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_part(model, true, is_fragment);
+      tell_run(model, 0, 2);
+      end_part(model, true);
+    })}));
+    CHECK(arrival.events.empty());
+    CHECK(arrival.report.lost_regions == (is_fragment ? 0 : 1));
+  }
+}
+
+TEST_CASE("what was whole before a cut is delivered, and the report says that the end is missing") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    const Bytes stream = joined(frames);
+    const std::vector<Events> brought = events_by_frame(frames);
+    const size_t step = stream.size() < 1200 ? 1 : 1 + stream.size() / 25;
+    size_t frame = 0, whole = 0, from = 0;
+    for (size_t count = 0; count < stream.size(); ++count) {
+      if (count == from + frames[frame].size()) {
+        from += frames[frame].size();
+        whole += brought[frame++].size();
+      }
+      if (count % step != 0 && count != from && count + 1 != stream.size()) continue;
+      const Arrival cut =
+          decode({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(count)});
+      Events expected(sample.events.begin(),
+                      sample.events.begin() + static_cast<std::ptrdiff_t>(whole));
+      const bool was_open = cut.events.size() > whole && cut.events.back().is(Kind::lost);
+      if (was_open) expected.push_back(cut.events.back());
+      REQUIRE(cut.events == expected);
+      CHECK(regions_of(cut.events).size() == cut.report.regions);
+      CHECK_FALSE(cut.report.is_complete());
+      CHECK_FALSE(cut.report.abandoned);
+      CHECK(cut.report.slices == 0);
+      CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
+      CHECK(cut.report.packets == frame);
+    }
+  }
+}
+
+TEST_CASE("a frame too long at the end does not spoil a stream that follows all the same") {
+  const Bytes noise(1000, 7);
+  const Bytes stream = encode(Script().finish().events, any_header());
+  EventLog log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(noise.data(), noise.size()).status == Status::ok);
+  REQUIRE(decoder.finish() == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  CHECK(decoder.report().has_header);
+  CHECK(decoder.report().damaged_packets == 1);
+}
+
+TEST_CASE("noise before, between and after the frames does no harm") {
+  const Sample sample = samples()[4];
+  Chance chance(1);
+  Bytes noisy;
+  uint64_t damaged = 0;
+  for (const Bytes& frame : frames_of(encode(sample.events, sample.header))) {
+    const uint32_t count = chance.below(700);
+    for (uint32_t i = 0; i < count; ++i)
+      noisy.push_back(static_cast<uint8_t>(1 + chance.below(255)));
+    damaged += count > 0;
+    noisy.insert(noisy.end(), 1 + chance.below(3), 0);
+    noisy.insert(noisy.end(), frame.begin(), frame.end());
+  }
+  const Arrival arrival = decode(noisy);
+  CHECK(arrival.events == sample.events);
+  CHECK(arrival.report.is_complete());
+  CHECK(arrival.report.damaged_packets == damaged);
+}
+
+TEST_CASE("an unknown version is told and nothing of it is delivered") {
+  const Sample sample = samples()[2];
+  std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+  Packet header = packet_of(frames[0]);
+  header.payload[3] = 2;
+  header.payload.resize(40, 0x55);
+  frames[0] = frame_of(header);
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.status == Status::wrong_version);
+  CHECK(arrival.events.empty());
+  CHECK_FALSE(arrival.report.has_header);
+  CHECK(arrival.report.packets == 0);
+}
+
+TEST_CASE("headers that make no sense are no headers") {
+  const Bytes frame = frames_of(encode(Script().finish().events)).front();
+  const auto without_header = [&](size_t at, uint8_t value, size_t size) {
+    Packet packet = packet_of(frame);
+    packet.payload.resize(size);
+    if (at < size) packet.payload[at] = value;
+    const Arrival arrival = decode(frame_of(packet));
+    CHECK(arrival.report.packets + arrival.report.damaged_packets == 1);
+    return !arrival.report.has_header && arrival.report.damaged_packets == 1;
+  };
+  CHECK(without_header(0, 'd', wire::header_payload));
+  CHECK(without_header(4, 0, wire::header_payload));     // width 0
+  CHECK(without_header(5, 0x80, wire::header_payload));  // width above the limit
+  CHECK(without_header(6, 0, wire::header_payload));     // height 0
+  CHECK(without_header(99, 0, wire::header_payload - 1));
+  CHECK_FALSE(without_header(99, 0, wire::header_payload + 5));  // a later version may say more
+}
+
+TEST_CASE("what a longer header says behind its end counts for nothing") {
+  Packet packet = packet_of(stream_of({}));
+  packet.payload.insert(packet.payload.end(), 5, 0xFF);
+  const StreamReport report = decode(frame_of(packet)).report;
+  CHECK(report.packets == 1);
+  CHECK(report.lost_packets == 0);
+  CHECK(report.lost_regions == 0);
+}
+
+TEST_CASE("a trailer that is too short is none; one that tells of more regions counts these lost") {
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  const std::vector<Bytes> frames = frames_of(encode(square));
+  Packet trailer = packet_of(frames[2]);
+  for (const uint32_t lost : {0U, 3U, 0x7FFFU, 0x8000U, 0x8001U, 65536U, 1000000U}) {
+    // After the slices, the flag and three totals.
+    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1 + lost);
+    trailer.regions = static_cast<uint16_t>(1 + lost);
+    const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
+    CHECK(report.has_trailer);
+    CHECK(report.lost_regions == lost);
+    CHECK(report.lost_packets == 0);
+  }
+  trailer.payload.pop_back();
+  const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
+  CHECK_FALSE(report.has_trailer);
+  CHECK(report.damaged_packets == 1);
+}
+
+TEST_CASE("packets of unknown kinds are skipped and lose nothing") {
+  const Sample sample = samples()[4];
+  std::vector<Bytes> frames;
+  uint8_t number = 0;
+  for (const Bytes& frame : frames_of(encode(sample.events, sample.header))) {
+    Packet packet = packet_of(frame);
+    const Packet stranger{static_cast<uint8_t>(number % 2 == 0 ? 4 : 255), number, packet.regions,
+                          Bytes(number % 99, 0xC3)};
+    if (number > 0) frames.push_back(frame_of(stranger));
+    if (number > 0) ++number;
+    packet.number = number++;
+    frames.push_back(frame_of(packet));
+  }
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.events == sample.events);
+  CHECK(arrival.report.is_complete());
+}
+
+TEST_CASE("extension records are skipped") {
+  const Bytes payload = payload_of([](auto& model) {
+    for (const uint32_t bytes : {0U, 1U, 5U, 100U}) {
+      tell_layer(model, bytes);
+      model.region_follows(false);
+      model.other_kind(OtherKind::extension);
+      model.plain_bits(8, 0xEE);
+      model.plain_bits(8, bytes);
+      for (uint32_t i = 0; i < bytes; ++i) model.plain_bits(8, i * 37 & 0xFF);
+    }
+    tell_layer(model, 101);
+  });
+  const Arrival arrival = decode(stream_of({payload}));
+  CHECK(arrival.events == Script().layer(0).layer(1).layer(5).layer(100).layer(101).events);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
+TEST_CASE("a region in parts that are all there is delivered as one") {
+  const Bytes first = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 3, 70000);
+    end_part(model, false);
+    begin_part(model, true);
+    end_part(model, false);
+  });
+  const Bytes second = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 7, 1);
+    tell_ring(model, true);
+    end_part(model, false);
+  });
+  const Bytes third = payload_of([](auto& model) {
+    begin_part(model, true);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  Script expected;
+  expected.region(up).ring({1, 0, 0}).run(3, 70000).run(7, 1).ring({1, 0, 0}, true).run(0, 2);
+  CHECK(decode(stream_of({first, second, third})).events == expected.region_end().events);
+  CHECK(decode(stream_of({second, third})).events.empty());
+  Script broken;
+  broken.region(up).ring({1, 0, 0}).run(3, 70000).lost();
+  CHECK(decode(stream_of({first})).events == broken.events);
+  CHECK(decode(stream_of({first, first})).events.size() == 2 * broken.events.size());
+}
+
+TEST_CASE("a mark between parts ends what is open") {
+  const Bytes payload = payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    end_part(model, false);
+    tell_layer(model, 9);
+    begin_part(model, true);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  const Events expected = Script().region(up).ring({1, 0, 0}).lost().layer(9).events;
+  CHECK(decode(stream_of({payload})).events == expected);
+}
+
+TEST_CASE("records that break the grammar are refused") {
+  check_unreadable([](auto& model) {  // a run without a ring
+    begin_part(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a ring without a run
+    begin_part(model, false);
+    tell_ring(model, false);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // two rings, the first without a run
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_ring(model, true);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // two rings, the last without a run
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    model.item_kind(Item::ring);
+    model.start({1, 0, 2}, true);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a region without a ring
+    begin_part(model, false);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a ring in a fragment
+    begin_part(model, false, true);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a direction that the plane does not have
+    begin_part(model, false, false, incidence_of({1, 1, 0}));
+    tell_ring(model, false);
+    tell_run(model, 5, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a run too long
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, Run::max_length + 1);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a fragment of such a number
+    model.region_follows(false);
+    model.other_kind(OtherKind::part);
+    Record record;
+    record.incidence = up;
+    record.is_fragment = true;
+    record.number = Run::max_fragment + 1;
+    model.part(record);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a number that no fragment can have
+    begin_part(model, false);
+    tell_ring(model, false);
+    model.item_kind(Item::fragment);
+    model.fragment_number(Run::max_fragment + 1, true);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a kind that version 1 does not have
+    model.region_follows(false);
+    model.other_kind(static_cast<OtherKind>(6));
+  });
+  check_unreadable([](auto& model) {  // a region of 0 rings, by a count that wraps
+    model.region_follows(true);
+    model.incidence(up);
+    model.ring_count(0);
+  });
+  check_unreadable([](auto& model) {  // a ring of 0 runs, by a count that wraps
+    begin_compact_ring(model, 0);
+  });
+  check_unreadable([](auto& model) {  // a run of a compact ring that is too long
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(max_compact_length + 1);
+    model.direction(2);
+    model.length(1);
+    model.direction(4);
+    model.direction(6);
+  });
+  check_unreadable([](auto& model) {  // so many runs that their count and the start's words wrap
+    begin_compact_ring(model, UINT32_MAX);
+  });
+  check_unreadable([](auto& model) {  // a second run of a compact ring that is too long
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(1);
+    model.direction(2);
+    model.length(max_compact_length + 1);
+    model.direction(4);
+    model.direction(6);
+  });
+  check_unreadable([](auto& model) {  // a turn out of the plane's directions, from 3 to 6 of 4
+    begin_compact_ring(model, 4, incidence_of({1, 1, 0}));
+    model.direction(3);
+    model.length(1);
+    model.direction(10);
+    model.length(1);
+    model.direction(1);
+    model.direction(2);
+  });
+  check_unreadable([](auto& model) {  // a ring that its last two runs cannot close
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(5);
+    model.direction(2);
+    model.length(3);
+    model.direction(0);
+    model.direction(2);
+  });
+  check_unreadable([](auto& model) {  // a run too long that others take back
+    begin_compact_ring(model, 5);
+    model.direction(0);
+    model.length(max_compact_length + 1);
+    model.direction(2);
+    model.length(1);
+    model.direction(4);
+    model.length(max_compact_length);
+    model.direction(6);
+    model.direction(4);
+  });
+  check_unreadable([](auto& model) {  // the last two runs of four: too long, though parallel
+    begin_compact_ring(model, 4);
+    model.direction(0);
+    model.length(1);
+    model.direction(4);
+    model.length(1);
+    model.direction(0);
+    model.direction(4);
+    model.length(max_compact_length + 1);
+  });
+  check_unreadable([](auto& model) {  // a second ring that no record has room for
+    model.region_follows(true);
+    model.incidence(up);
+    model.ring_count(2);
+    for (const uint32_t runs : {2U, Record::max_words}) {
+      model.start({1, 0, 0}, runs > 2);
+      model.parallelogram(false);
+      model.run_count(runs);
+      model.direction(0);
+      model.direction(4);
+      model.length(1);
+    }
+  });
+  check_unreadable([](auto& model) {  // a ring where a part is full but for three words
+    begin_part(model, false);
+    tell_ring(model, false);
+    for (uint32_t i = 0; i < Record::max_words - 2 * Record::ring_words + 1; ++i)
+      tell_run(model, static_cast<Direction>(i % 4), 1);
+    tell_ring(model, true);
+    end_part(model, false);
+  });
+  check_unreadable([](auto& model) {  // two parallel runs that are too long to reckon with: without
+    begin_compact_ring(model, 2);     // the look at it, it is the sanitizer that tells
+    model.direction(0);
+    model.direction(4);
+    model.length(INT32_MAX);
+  });
+}
+
+TEST_CASE(
+    "a stream with a packet that cannot be read is not complete, even if no region is missing") {
+  std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
+  Packet packet = packet_of(frames[1]);
+  packet.payload = payload_of([](auto& model) {
+    model.region_follows(false);
+    model.other_kind(static_cast<OtherKind>(6));
+  });
+  frames[1] = frame_of(packet);
+  CHECK_FALSE(decode(joined(frames)).report.is_complete());
+}
+
+TEST_CASE("a part that goes on with nothing ends what is open, and is all that is lost") {
+  const auto tell_stray = [](auto& model) {
+    begin_part(model, true, false, incidence_of({1, 0, 0}));
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  };
+  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    tell_first_part(model);
+    tell_stray(model);
+    tell_last_part(model);
+    tell_layer(model, 5);
+  })}));
+  CHECK(arrival.events == first_part().lost().layer(5).events);
+  CHECK(arrival.report.lost_regions == 2);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
+TEST_CASE("a stream in which a region is lost is not complete, though as many came as it counts") {
+  Events one = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  std::vector<Bytes> frames = frames_of(encode(one));
+  Packet packet = packet_of(frames[1]);
+  packet.payload = payload_of([](auto& model) {
+    tell_last_part(model);
+    tell_first_part(model);
+    tell_last_part(model);
+  });
+  frames[1] = frame_of(packet);
+  const StreamReport report = decode(joined(frames)).report;
+  CHECK(report.regions == report.totals.regions);
+  CHECK(report.lost_packets == 0);
+  CHECK(report.lost_regions == 1);
+  CHECK_FALSE(report.is_complete());
+}
+
+TEST_CASE("a part of another incidence, kind or number does not go on with what is open") {
+  for (const bool is_fragment : {false, true})
+    for (const Incidence incidence : {up, Incidence{0}}) {
+      if (!is_fragment && incidence == up) continue;
+      const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+        begin_part(model, false);
+        tell_ring(model, false);
+        end_part(model, false);
+        begin_part(model, true, is_fragment, incidence);
+        tell_run(model, 0, 2);
+        end_part(model, true);
+      })}));
+      CHECK(arrival.events == Script().region(up).ring({1, 0, 0}).lost().events);
+    }
+}
+
+TEST_CASE("two runs there and back are told in full up to the longest compact run") {
+  for (const uint32_t length : {1U, max_compact_length}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_compact_ring(model, 2);
+      model.direction(0);
+      model.direction(4);
+      model.length(length);
+    })}));
+    CHECK(arrival.events ==
+          Script().region(up).ring({1, 0, 0}).run(0, length).run(4, length).region_end().events);
+  }
+}
+
+TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
+  constexpr uint32_t longest = Record::max_words - Record::ring_words;
+  for (const uint32_t runs : {longest, longest + 1, longest + 2, longest + 3, longest + 4}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_compact_ring(model, runs);
+      for (uint32_t i = 0; i + 2 < runs; ++i) {
+        model.direction(i % 2 == 0 ? 0 : 2);
+        model.length(1);
+      }
+      model.direction(4);
+      model.direction(6);
+    })}));
+    CHECK(regions_of(arrival.events).size() == (runs == longest ? 1 : 0));
+    CHECK(arrival.report.damaged_packets == (runs == longest ? 0 : 1));
+  }
+}
+
+TEST_CASE("a part of fragment 0 does not go on with a region, whose number would be 0") {
+  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    tell_first_part(model);
+    begin_part(model, true, true, up, 0);
+    tell_run(model, 2, 3);
+    end_part(model, true);
+  })}));
+  CHECK(arrival.events == first_part().lost().events);
+}
+
+TEST_CASE("a part of another fragment does not go on with the one that is open") {
+  for (const uint32_t number : {6U, 7U}) {
+    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_part(model, false, true);
+      tell_run(model, 0, 2);
+      end_part(model, false);
+      begin_part(model, true, true, up, number);
+      tell_run(model, 2, 3);
+      end_part(model, true);
+    })}));
+    Script expected;
+    expected.fragment(up, 6).run(0, 2);
+    if (number == 6)
+      expected.run(2, 3).fragment_end();
+    else
+      expected.lost();
+    CHECK(arrival.events == expected.events);
+  }
+}
+
+TEST_CASE("a header that arrives behind its packets is the first all the same") {
+  std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
+  std::swap(frames[0], frames[1]);
+  const Arrival arrival = decode(joined(frames));
+  CHECK(arrival.report.has_header);
+  CHECK(arrival.report.repeated_packets == 1);
+  CHECK(arrival.header.width == any_header().width);
+}
+
+TEST_CASE("a sink may refuse what the end of a stream brings, as often as it likes") {
+  const Bytes stream = stream_of({payload_of([](auto& model) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, false);
+  })});
+  for (const uint32_t refusals : {0U, 1U, 3U}) {
+    struct Sullen {
+      Answer take(const Event& event) {
+        if (refused++ < refusals) return Answer::not_now;
+        refused = 0;
+        return log.take(event);
+      }
+      uint32_t refusals;
+      uint32_t refused = 0;
+      EventLog log{};
+    } sullen{refusals};
+    Decoder decoder;
+    REQUIRE(decoder.start(sink_to(sullen)) == Status::ok);
+    const Decoded decoded = decoder.push(stream.data(), stream.size());
+    CHECK(decoded.bytes == stream.size());
+    CHECK(decoded.status == (refusals == 0 ? Status::ok : Status::more));
+    // What push() did not get rid of, and the loss, which only the end tells.
+    uint32_t calls = 1;
+    while (decoder.finish() == Status::more) ++calls;
+    CHECK(calls == (refusals == 0 ? 1 : 4 * refusals));
+    CHECK(sullen.log.events == Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events);
+  }
+}
+
+TEST_CASE("a mark that the sink does not take is kept for it") {
+  const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
+  EventLog log(reference::refuses_first);
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::more);
+  CHECK(log.events.empty());
+  CHECK(decoder.finish() == Status::ok);
+  CHECK(log.events == Script().layer(4).events);
+}
+
+TEST_CASE("a payload that ends before its records do is refused") {
+  const Bytes whole = payload_of([](auto& model) {
+    for (uint32_t slice = 0; slice < 200; ++slice) tell_layer(model, slice * 3);
+  });
+  for (size_t count = 0; count < whole.size(); ++count) {
+    const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
+    const Arrival arrival = decode(stream_of({part}));
+    CHECK(arrival.events.size() <= 200);
+    (void)regions_of(arrival.events);
+  }
+}
+
+TEST_CASE("a part may fill a record to the last word, and one word more is refused") {
+  const auto tell_part = [](auto& model, uint32_t runs) {
+    begin_part(model, false);
+    tell_ring(model, false);
+    for (uint32_t i = 0; i < runs; ++i) tell_run(model, static_cast<Direction>(i % 4), 1);
+    end_part(model, true);
+  };
+  constexpr uint32_t most = Record::max_words - Record::ring_words;
+  const Arrival full =
+      decode(stream_of({payload_of([&](auto& model) { tell_part(model, most); })}));
+  CHECK(full.report.regions == 1);
+  CHECK(full.events.size() == 1 + 1 + most + 1);
+  check_unreadable([&](auto& model) { tell_part(model, most + 1); });
+}
+
+TEST_CASE("a frame that is cut off at the end counts as damaged, once") {
+  EventLog log;
+  Decoder decoder;
+  const Bytes frame = frames_of(encode(Script().finish().events)).front();
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(frame.data(), frame.size() - 1).status == Status::ok);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(decoder.finish() == Status::ok);
+    CHECK(decoder.report().damaged_packets == 1);
+  }
+  CHECK(decoder.push(frame.data(), frame.size()).status == Status::ok);
+  CHECK(decoder.finish() == Status::ok);
+  CHECK(decoder.report().damaged_packets == 1);
+  CHECK(decoder.report().has_header);
+}
+
+TEST_CASE("nothing is delivered after the trailer") {
+  const Sample sample = samples()[4];
+  const Bytes stream = encode(sample.events, sample.header);
+  const Sample other = samples()[5];
+  Bytes two = stream;
+  const Bytes second = encode(other.events, other.header);
+  two.insert(two.end(), second.begin(), second.end());
+  const Arrival arrival = decode(two);
+  CHECK(arrival.events == sample.events);
+  CHECK(arrival.report.is_complete());
+  CHECK(arrival.report.repeated_packets == frames_of(second).size());
+}

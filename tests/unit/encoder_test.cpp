@@ -1,0 +1,321 @@
+// The encoder alone: its packets, their heads, its slow outputs, flush(), and records at the
+// limits.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using Kind = Event::Kind;
+using wire::PacketKind;
+
+namespace {
+
+std::vector<Packet> packets_of(const Bytes& stream) {
+  std::vector<Packet> packets;
+  for (const Bytes& frame : frames_of(stream)) packets.push_back(packet_of(frame));
+  return packets;
+}
+
+// Many regions, a few to a packet.
+Events many_regions(uint32_t count, uint32_t runs = 60) {
+  Script script;
+  Chance chance(1);
+  for (uint32_t i = 0; i < count; ++i) add_ragged_region(script, chance, runs, 1000);
+  return script.finish().events;
+}
+
+}  // namespace
+
+TEST_CASE("a stream that cannot be told is refused") {
+  Line line;
+  Encoder encoder;
+  StreamHeader header = any_header();
+  CHECK(encoder.start(header, ByteOutput{}) == Status::bad_sink);
+  header.width = 0;
+  CHECK(encoder.start(header, line.output()) == Status::bad_limits);
+  header.width = Limits::max_extent + 1;
+  CHECK(encoder.start(header, line.output()) == Status::bad_limits);
+  header = any_header();
+  header.height = 0;
+  CHECK(encoder.start(header, line.output()) == Status::bad_limits);
+  CHECK(line.bytes.empty());
+  CHECK(encoder.start(any_header(), line.output()) == Status::ok);
+}
+
+TEST_CASE("every packet is numbered, short enough, and counts the regions before it") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    const std::vector<Events> brought = events_by_frame(frames);
+    size_t regions = 0;
+    for (size_t i = 0; i < frames.size(); ++i) {
+      CHECK(frames[i].size() <= wire::max_frame);
+      const Packet packet = packet_of(frames[i]);
+      CHECK(packet.number == static_cast<uint8_t>(i));
+      CHECK(packet.regions == static_cast<uint16_t>(regions));
+      for (const RecordedEvent& recorded : brought[i]) regions += recorded.is(Kind::region_end);
+    }
+    CHECK(packet_of(frames.front()).is(PacketKind::header));
+    CHECK(packet_of(frames.back()).is(PacketKind::trailer));
+  }
+}
+
+TEST_CASE("packets are nearly full") {
+  const std::vector<Packet> packets = packets_of(encode(many_regions(300, 12)));
+  size_t bytes = 0, records = 0;
+  for (const Packet& packet : packets)
+    if (packet.is(PacketKind::records)) {
+      bytes += packet.payload.size();
+      ++records;
+    }
+  CHECK(bytes > (records - 1) * (wire::max_payload - 60));
+}
+
+TEST_CASE("the header comes again after every 64 packets of records, with the counts so far") {
+  const std::vector<Packet> packets = packets_of(encode(many_regions(900)));
+  REQUIRE(packets.size() > 200);
+  for (size_t i = 0; i + 1 < packets.size(); ++i) {
+    CAPTURE(i);
+    REQUIRE(packets[i].is(PacketKind::header) == (i % (wire::header_interval + 1) == 0));
+    if (!packets[i].is(PacketKind::header)) continue;
+    CHECK(packets[i].payload.size() == wire::header_payload);
+    wire::ByteReader counts(packets[i].payload.data() + wire::header_payload - 12, 12);
+    CHECK(counts.get(4) == i);
+    CHECK(counts.get(8) == packets[i].regions);
+  }
+}
+
+TEST_CASE("a flush hands over what is there, once") {
+  const Events events = many_regions(40);
+  Line line;
+  Encoder encoder;
+  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  CHECK(encoder.flush());
+  const size_t header = line.bytes.size();
+  CHECK(header == wire::header_payload + wire::packet_head + wire::packet_crc + 2);
+  CHECK(encoder.flush());
+  CHECK(line.bytes.size() == header);
+  uint64_t regions = 0;
+  for (const RecordedEvent& recorded : events) {
+    REQUIRE(encoder.take(recorded.event()) == Answer::taken);
+    regions += recorded.is(Kind::region_end);
+    CHECK(encoder.flush());
+    CHECK(decode(line.bytes).report.regions == regions);
+  }
+  CHECK(decode(line.bytes).events == events);
+  CHECK(decode(line.bytes).report.is_complete());
+}
+
+TEST_CASE("before a start there is nothing to flush") {
+  Encoder encoder;
+  CHECK(encoder.flush());
+}
+
+TEST_CASE("a flush into a slow line goes on where it was") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    Bytes fast;
+    for (const size_t bytes_a_time : {0U, 1U, 5U}) {
+      Line line(bytes_a_time);
+      Encoder encoder;
+      REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
+      size_t told = 0;
+      for (const RecordedEvent& one : sample.events) {
+        take_all(encoder, {one});
+        if (++told % 37 == 0)
+          while (!encoder.flush()) continue;
+      }
+      CHECK(decode(line.bytes).events == sample.events);
+      if (bytes_a_time == 0) fast = line.bytes;
+      CHECK(line.bytes == fast);
+    }
+  }
+}
+
+TEST_CASE("an output that takes nothing is asked, and nothing is lost") {
+  size_t room = 0;
+  Bytes bytes;
+  struct Context {
+    size_t* room;
+    Bytes* bytes;
+  } context{&room, &bytes};
+  const ByteOutput output{&context, [](void* place, const uint8_t* data, size_t count) {
+                            Context& c = *static_cast<Context*>(place);
+                            const size_t taken = std::min(*c.room, count);
+                            c.bytes->insert(c.bytes->end(), data, data + taken);
+                            *c.room -= taken;
+                            return taken;
+                          }};
+  Encoder encoder;
+  REQUIRE(encoder.start(any_header(), output) == Status::ok);
+  const Events events = many_regions(10);
+  for (const RecordedEvent& recorded : events) {
+    while (encoder.take(recorded.event()) == Answer::not_now) {
+      CHECK(encoder.take(recorded.event()) == Answer::not_now);
+      CHECK(room == 0);
+      ++room;
+    }
+    CHECK(encoder.bytes() == bytes.size());
+  }
+  CHECK(bytes == encode(events));
+}
+
+TEST_CASE("the trailer is written once, however often the end is told") {
+  for (const size_t bytes_a_time : {0U, 1U}) {
+    Line line(bytes_a_time);
+    Encoder encoder;
+    REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+    const Events events = many_regions(3);
+    take_all(encoder, events);
+    take_all(encoder, {events.back()});
+    while (!encoder.flush()) continue;
+    CHECK(line.bytes == encode(events));
+  }
+}
+
+TEST_CASE("a line that is never busy never makes an event wait") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    Line line;
+    Encoder encoder;
+    REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
+    for (const RecordedEvent& recorded : sample.events)
+      REQUIRE(encoder.take(recorded.event()) == Answer::taken);
+  }
+}
+
+TEST_CASE("the trailer says with a byte of 1 that the scan was abandoned, else 0") {
+  for (const bool abandoned : {false, true}) {
+    const RecordedEvent finish = Script().finish().events.front();
+    Event event = finish.event();
+    event.abandoned = abandoned;
+    const std::vector<Packet> packets = packets_of(encode({RecordedEvent(event)}));
+    CHECK(packets.back().payload[4] == (abandoned ? 1 : 0));
+  }
+}
+
+TEST_CASE("an encoder that is started again after the end begins a new stream") {
+  const Events events = many_regions(3);
+  Line line, again;
+  Encoder encoder;
+  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  take_all(encoder, events);
+  REQUIRE(encoder.start(any_header(), again.output()) == Status::ok);
+  take_all(encoder, events);
+  CHECK(again.bytes == encode(events));
+}
+
+TEST_CASE("an encoder that is started again begins a new stream") {
+  const Events events = many_regions(100);
+  for (size_t told = 0; told < events.size(); told += 1 + told / 3) {
+    Line line(told % 2);
+    Encoder encoder;
+    REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+    take_all(encoder, Events(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(told)));
+    Line again;
+    REQUIRE(encoder.start(any_header(), again.output()) == Status::ok);
+    take_all(encoder, events);
+    CHECK(again.bytes == encode(events));
+    CHECK(encoder.bytes() == again.bytes.size());
+  }
+}
+
+TEST_CASE("an encoder that is started again amid a region in parts tells the next one whole") {
+  size_t room = frames_of(encode({})).front().size();  // for the header
+  const ByteOutput narrow{&room, [](void* context, const uint8_t*, size_t count) {
+                            size_t& left = *static_cast<size_t*>(context);
+                            const size_t taken = std::min(left, count);
+                            left -= taken;
+                            return taken;
+                          }};
+  Encoder encoder;
+  REQUIRE(encoder.start(any_header(), narrow) == Status::ok);
+  size_t told = 0;
+  const Events long_region = many_regions(1, 500);
+  while (encoder.take(long_region[told].event()) == Answer::taken) ++told;
+  REQUIRE(long_region[told].is(Event::Kind::run));
+  Line line;
+  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  const Events events = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  take_all(encoder, events);
+  CHECK(line.bytes == encode(events));
+}
+
+TEST_CASE("records of every length end a packet at every fill without overrunning it") {
+  for (uint32_t lead = 0; lead < 90; ++lead)
+    for (const bool is_fragment : {false, true}) {
+      Script script;
+      Chance chance(lead);
+      for (uint32_t i = 0; i < 6; ++i) {
+        add_ragged_region(script, chance, 2 + lead, 2);
+        if (is_fragment) {
+          script.fragment(up, chance.below(Run::max_fragment));
+          for (uint32_t run = 0; run < lead % 7; ++run) script.run(0, 1 + chance.below(99999));
+          script.fragment_end();
+        }
+        script.skipped(UINT32_MAX - 1, chance.below(9), false).layer(i);
+      }
+      const Events events = script.finish().events;
+      const Bytes stream = encode(events);
+      for (const Bytes& frame : frames_of(stream)) REQUIRE(frame.size() <= wire::max_frame);
+      CHECK(decode(stream).events == events);
+    }
+}
+
+TEST_CASE("fragments without runs, in any number, stay within their packets") {
+  Script script;
+  Chance chance(1);
+  for (uint32_t i = 0; i < 2000; ++i)
+    script.fragment(static_cast<Incidence>(i % 13), chance.below(Run::max_fragment)).fragment_end();
+  const Bytes stream = encode(script.finish().events);
+  for (const Bytes& frame : frames_of(stream)) CHECK(frame.size() <= wire::max_frame);
+  CHECK(decode(stream).events == script.events);
+}
+
+TEST_CASE("a region that is lost before its end is told as lost, whatever follows") {
+  for (const uint32_t runs : {10U, 500U})
+    for (int follower = 0; follower < 4; ++follower) {
+      Chance chance(1);
+      Script script;
+      script.region(up).ring({1, 0, 0});
+      for (uint32_t i = 0; i < runs; ++i) script.run(i % 8, 1 + chance.below(1000));
+      script.lost();
+      if (follower == 1) script.layer(7);
+      if (follower == 2) script.region(up).square({1, 0, 0}, 2).region_end();
+      if (follower == 3) script.fragment(up, 1).run(2, 2).fragment_end();
+      const Events events = script.finish().events;
+      const Arrival arrival = decode(encode(events));
+      CHECK(regions_of(arrival.events) == regions_of(events));
+      CHECK(arrival.events.back() == events.back());
+    }
+}
+
+TEST_CASE("an encoder that is not started takes nothing") {
+  Encoder encoder;
+  CHECK(encoder.take(Script().layer(1).events.front().event()) == Answer::not_now);
+}
+
+TEST_CASE("an event of a kind that there is not leaves nothing in the stream") {
+  Event unknown{};
+  unknown.kind = static_cast<Event::Kind>(200);
+  Script script;
+  script.region(up).square({1, 0, 0}, 2).region_end();
+  Events with_unknown = script.events;
+  with_unknown.insert(with_unknown.begin() + 2, RecordedEvent(unknown));
+  CHECK(encode(with_unknown) == encode(script.events));
+}
+
+TEST_CASE("a region whose first run is in no ring does harm to nothing but its packet") {
+  // The second would be a ring of its own, were its first words taken for a start.
+  for (const Vertex& start : {Vertex{1, 0, 0}, Vertex{1, 0, 8}}) {
+    Script script;
+    script.region(up).run(0, 2).ring(start).run(0, 2).run(4, 3).region_end();
+    const Arrival arrival = decode(encode(script.layer(1).finish().events));
+    CHECK(regions_of(arrival.events).empty());
+    CHECK(arrival.report.damaged_packets == 1);
+    CHECK(arrival.report.has_trailer);
+  }
+}

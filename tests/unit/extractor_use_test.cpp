@@ -1,0 +1,322 @@
+// The extractor's statuses, counters and memory: misuse, long scans, and several at a time.
+#include <doctest/doctest.h>
+
+#include "oracle/agreement.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+constexpr uint64_t ample = 1 << 18;
+
+// Does nothing with what it is given; counts the regions.
+struct Counter {
+  uint64_t regions = 0;
+  uint64_t layers = 0;
+  int32_t top = INT32_MIN;
+  Answer take(const Event& event) {
+    regions += event.kind == Event::Kind::region_end;
+    layers += event.kind == Event::Kind::layer;
+    if (event.kind == Event::Kind::ring) top = std::max(top, event.start.z);
+    return Answer::taken;
+  }
+};
+
+EventLog events_of(const BitVolume& volume) {
+  EventLog log;
+  scan_into<uint32_t>(log, volume, {},
+                      minimum_bytes<uint32_t>(limits_of(volume, Border::closed)) + ample);
+  return log;
+}
+
+template <class Index>
+void check_refused_starts() {
+  EventLog log;
+  const Sink sink = sink_to(log);
+  Block block(1 << 16);
+  const Memory memory = block.memory();
+  const Limits good{8, 8};
+  Extractor<Index> extractor;
+  CHECK(extractor.start({0, 8}, 1, memory, sink) == Status::bad_limits);
+  CHECK(extractor.start({8, 0}, 1, memory, sink) == Status::bad_limits);
+  CHECK(extractor.start({32767, 1}, 1, memory, sink) == Status::bad_limits);
+  CHECK(extractor.start({1, UINT32_MAX}, 1, memory, sink) == Status::bad_limits);
+  CHECK(extractor.start({8, 8, static_cast<Border>(2)}, 1, memory, sink) == Status::bad_limits);
+  CHECK(extractor.start(good, 1, memory, Sink{}) == Status::bad_sink);
+  const auto least = static_cast<size_t>(minimum_bytes<Index>(good));
+  CHECK(extractor.start(good, 1, {memory.data, least - 1}, sink) == Status::too_little_memory);
+  CHECK(extractor.start(good, 1, {memory.data, 0}, sink) == Status::too_little_memory);
+  CHECK(extractor.start(good, 1, {nullptr, 1 << 16}, sink) == Status::too_little_memory);
+  uint32_t Capacities::*const pools[] = {&Capacities::edges, &Capacities::runs, &Capacities::rings,
+                                         &Capacities::regions, &Capacities::slots};
+  for (const auto pool : pools) {
+    Capacities capacities = minimum_capacities();
+    --(capacities.*pool);
+    CHECK(extractor.start(good, capacities, 1, memory, sink) == Status::bad_capacities);
+    capacities.*pool = UINT32_MAX;
+    CHECK(extractor.start(good, capacities, 1, memory, sink) == Status::bad_capacities);
+  }
+  CHECK(extractor.start({32766, 32766}, 1, memory, sink) == Status::too_little_memory);
+  // The memory is as it was.
+  Block untouched(1 << 16);
+  const auto* bytes = static_cast<const uint8_t*>(memory.data);
+  CHECK(std::equal(bytes, bytes + (1 << 16), static_cast<uint8_t*>(untouched.memory().data)));
+  CHECK(extractor.finish() == Status::not_started);
+  CHECK(extractor.start(good, 1, {memory.data, least}, sink) == Status::ok);
+  CHECK(log.events.size() == 0);
+}
+
+}  // namespace
+
+TEST_CASE("a start that cannot be is refused, leaves the memory alone and starts nothing") {
+  check_refused_starts<uint16_t>();
+  check_refused_starts<uint32_t>();
+}
+
+TEST_CASE("before start everything says not_started") {
+  Extractor16 extractor;
+  const uint8_t sample = 1;
+  CHECK(extractor.push(&sample, 1).status == Status::not_started);
+  CHECK(extractor.push(&sample, 0).status == Status::not_started);
+  CHECK(extractor.push_bits(&sample).status == Status::not_started);
+  CHECK(extractor.skip_row(Substitute::off).status == Status::not_started);
+  CHECK(extractor.resume() == Status::not_started);
+  CHECK(extractor.finish() == Status::not_started);
+  CHECK(extractor.abandon() == Status::not_started);
+  CHECK(extractor.reset() == Status::not_started);
+}
+
+TEST_CASE("after the end everything that gives says finished, and ending again is harmless") {
+  for (const bool abandon : {false, true}) {
+    EventLog log;
+    Block block(1 << 14);
+    Extractor16 extractor;
+    const uint8_t samples[9] = {0, 0, 0, 0, 1, 0, 0, 0, 0};
+    require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+    CHECK(extractor.push(samples, 9).status == Status::ok);
+    CHECK((abandon ? extractor.abandon() : extractor.finish()) == Status::ok);
+    const uint64_t events = log.events.size();
+    CHECK(extractor.push(samples, 9).status == Status::finished);
+    CHECK(extractor.push(samples, 9).samples == 0);
+    CHECK(extractor.push(samples, 0).status == Status::finished);
+    CHECK(extractor.push_bits(samples).status == Status::finished);
+    CHECK(extractor.push_bits(samples).samples == 0);
+    CHECK(extractor.skip_row(Substitute::previous_row).status == Status::finished);
+    CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
+    CHECK(extractor.finish() == Status::ok);
+    CHECK(extractor.abandon() == Status::ok);
+    CHECK(extractor.resume() == Status::ok);
+    CHECK(log.events.size() == events);
+    CHECK(collected(log.events).was_abandoned() == abandon);
+    CHECK(extractor.statistics().regions == 8);
+  }
+}
+
+TEST_CASE("a start that finds too little memory ends the scan before it") {
+  EventLog log;
+  Block block(1 << 14);
+  Extractor16 extractor;
+  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+  CHECK(extractor.start({3000, 3000}, 1, block.memory(), sink_to(log)) ==
+        Status::too_little_memory);
+  CHECK(extractor.finish() == Status::not_started);
+  CHECK(extractor.reset() == Status::not_started);
+}
+
+TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
+  const BitVolume volume = random({3, 3, 2}, 128, 4);
+  EventLog log;
+  Block block(1 << 14);
+  Extractor16 extractor;
+  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+  for (uint32_t i = 0; i < 18; ++i) {
+    CHECK(extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
+    if (i == 0 || i == 9) {
+      // It did end there: begin again and go on where the samples were.
+      REQUIRE(collected(log.events).is_finished());
+      log = EventLog();
+      require_ok(extractor.reset());
+      CHECK(extractor.push(volume.on.data(), i).samples == i);
+    }
+    CHECK(extractor.push(volume.on.data() + i, 1).samples == 1);
+    CHECK(extractor.rows() == (i + 1) % 9 / 3);
+    CHECK(extractor.slices() == (i + 1) / 9);
+  }
+  require_ok(extractor.finish());
+  CHECK(log.events == events_of(volume).events);
+}
+
+TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
+  const BitVolume volume = random({5, 3, 2}, 128, 4);
+  EventLog log;
+  Block block(1 << 14);
+  Extractor16 extractor;
+  require_ok(extractor.start({5, 3}, 1, block.memory(), sink_to(log)));
+  const uint8_t bits = 0x1F;
+  for (uint32_t i = 0; i < 30; ++i) {
+    if (i % 5 != 0) {
+      CHECK(extractor.push_bits(&bits).status == Status::row_in_progress);
+      CHECK(extractor.push_bits(&bits).samples == 0);
+      CHECK(extractor.skip_row(Substitute::off).status == Status::row_in_progress);
+      CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
+    }
+    CHECK(extractor.push(volume.on.data() + i, 1).samples == 1);
+    CHECK(extractor.resume() == Status::ok);
+    CHECK(extractor.push(volume.on.data(), 0).status == Status::ok);
+  }
+  finish_all(extractor);
+  CHECK(log.events == events_of(volume).events);
+}
+
+TEST_CASE("cuts are told while the scan goes on, and of the next scan anew") {
+  const BitVolume volume = random({9, 8, 7}, 128, 1);
+  const Limits limits = limits_of(volume, Border::closed);
+  Counter counter;
+  Block block(minimum_bytes<uint16_t>(limits));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(counter)));
+  CHECK(extractor.statistics().cuts == 0);
+  push_all(extractor, volume.on);
+  const uint64_t cuts = extractor.statistics().cuts;
+  CHECK(cuts > 0);
+  require_ok(extractor.reset());
+  CHECK(extractor.statistics().cuts == 0);
+  CHECK(extractor.high_water().edges == 0);
+  push_all(extractor, volume.on);
+  CHECK(extractor.statistics().cuts == cuts);
+}
+
+TEST_CASE("a reset forgets the holes of regions that were open") {
+  const BitVolume volume = random({20, 20, 3}, 235, 3);
+  const Limits limits = limits_of(volume, Border::closed);
+  Capacities capacities = worst_case_capacities(limits);
+  capacities.rings = CellReserve::rings + 8;
+  Block block(bytes_for<uint16_t>(limits, capacities));
+  Counter counter;
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(counter)));
+  uint64_t cuts = 0;
+  for (int scan = 0; scan < 5; ++scan) {
+    push_all(extractor, volume.on);
+    if (scan == 0) cuts = extractor.statistics().cuts;
+    CHECK(extractor.statistics().cuts == cuts);
+    require_ok(extractor.reset());
+  }
+  CHECK(cuts > 0);
+}
+
+TEST_CASE("a scan without slices is an empty one") {
+  for (const Border border : {Border::closed, Border::open})
+    for (const Size size : {Size{1, 1, 0}, Size{5, 3, 0}}) {
+      EventLog log;
+      Block block(1 << 14);
+      Extractor16 extractor;
+      require_ok(
+          extractor.start({size.width, size.height, border}, 1, block.memory(), sink_to(log)));
+      finish_all(extractor);
+      REQUIRE(log.events.size() == 1);
+      CHECK(log.events[0].is(Event::Kind::finish));
+    }
+}
+
+TEST_CASE("with an open border one voxel, row, column or slice has no surface") {
+  for (const Size size : {Size{1, 1, 1}, Size{1, 1, 6}, Size{1, 6, 1}, Size{6, 1, 1}, Size{1, 5, 6},
+                          Size{5, 1, 6}, Size{5, 6, 1}}) {
+    const BitVolume volume = random(size, 128, 3);
+    const Collector collector = scan<uint16_t>(volume, {Border::open, true, 1});
+    CHECK(collector.regions().empty());
+    CHECK(collector.layers().size() == size.depth);
+    CHECK(collector.statistics().cells == 0);
+  }
+}
+
+TEST_CASE("a hundred thousand thin slices end as they began") {
+  for (const Border border : {Border::closed, Border::open})
+    for (const Limits limits : {Limits{1, 1, border}, Limits{2, 2, border}, Limits{3, 1, border}}) {
+      const uint32_t slice = limits.width * limits.height;
+      // An even number of slices makes a period, so that every period has as many regions.
+      std::vector<uint8_t> period(slice * 4, 0);
+      std::fill_n(period.begin() + slice, 2 * slice - 1, uint8_t{1});
+      Counter counter;
+      Block block(minimum_bytes<uint16_t>(limits) + 2000);
+      Extractor16 extractor;
+      require_ok(extractor.start(limits, 1, block.memory(), sink_to(counter)));
+      std::vector<uint64_t> regions;
+      for (uint32_t i = 0; i < 25000; ++i) {
+        require_ok(extractor.push(period.data(), 4 * slice).status);
+        if (i % 1000 == 0) regions.push_back(counter.regions);
+      }
+      finish_all(extractor);
+      CHECK(extractor.slices() == 100000);
+      CHECK(counter.layers == 100000);
+      CHECK(extractor.statistics().cuts == 0);
+      for (size_t i = 2; i < regions.size(); ++i)
+        CHECK(regions[i] - regions[i - 1] == regions[2] - regions[1]);
+      if (border == Border::closed) CHECK(counter.top > 2 * 99990);
+    }
+}
+
+TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a few bytes") {
+  const Limits limits{3, 3};
+  EventLog log;
+  Block block(minimum_bytes<uint16_t>(limits) + 2000);
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+  const std::vector<uint8_t> slice(9, 1);
+  for (uint32_t i = 0; i < 100000; ++i) require_ok(extractor.push(slice.data(), 9).status);
+  finish_all(extractor);
+  const Collector collector = collected(log.events);
+  CHECK(collector.statistics().cuts == 0);
+  CHECK(collector.statistics().spills == 0);
+  CHECK(collector.regions().size() == 26);
+}
+
+TEST_CASE("extractors of either index width work side by side") {
+  const BitVolume a = random({9, 8, 7}, 100, 1);
+  const BitVolume b = random({5, 6, 9}, 150, 2);
+  EventLog log_a;
+  EventLog log_b;
+  EventLog log_c;
+  Block block_a(1 << 18);
+  Block block_b(1 << 18);
+  Block block_c(1 << 18);
+  Extractor16 extractor_a;
+  Extractor32 extractor_b;
+  Extractor16 extractor_c;
+  require_ok(extractor_a.start({9, 8}, 1, block_a.memory(), sink_to(log_a)));
+  require_ok(extractor_b.start({5, 6}, 1, block_b.memory(), sink_to(log_b)));
+  require_ok(extractor_c.start({5, 6}, 1, block_c.memory(), sink_to(log_c)));
+  for (uint32_t at = 0; at < a.voxels() || at < b.voxels(); ++at) {
+    if (at < a.voxels()) require_ok(extractor_a.push(a.on.data() + at, 1).status);
+    if (at < b.voxels()) require_ok(extractor_b.push(b.on.data() + at, 1).status);
+    if (at < b.voxels()) require_ok(extractor_c.push(b.on.data() + at, 1).status);
+  }
+  finish_all(extractor_a);
+  finish_all(extractor_b);
+  finish_all(extractor_c);
+  CHECK(log_a.events == events_of(a).events);
+  CHECK(log_b.events == events_of(b).events);
+  CHECK(log_c.events == events_of(b).events);
+}
+
+TEST_CASE("memory that begins anywhere will do") {
+  const BitVolume volume = random({9, 8, 7}, 100, 1);
+  const Limits limits = limits_of(volume, Border::closed);
+  const EventLog expected = events_of(volume);
+  for (size_t offset = 0; offset < 4; ++offset) {
+    const size_t bytes = worst_case_bytes<uint16_t>(limits);
+    std::vector<uint8_t> memory(bytes + offset + 8, 0x5A);
+    EventLog log;
+    Extractor16 extractor;
+    require_ok(extractor.start(limits, worst_case_capacities(limits), 1,
+                               {memory.data() + offset, bytes}, sink_to(log)));
+    push_all(extractor, volume.on);
+    finish_all(extractor);
+    CHECK(log.events == expected.events);
+    CHECK(extractor.bytes_used() == bytes);
+    CHECK(std::count(memory.end() - 8, memory.end(), uint8_t{0x5A}) == 8);
+  }
+}

@@ -1,0 +1,384 @@
+// Normals of the first pass: the events are those of a scan without them, and the normals those of
+// a second pass, bit for bit.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <discmc/extractor.hpp>
+#include <discmc/sample_window.hpp>
+#include <vector>
+
+#include "oracle/normal_events.hpp"
+#include "oracle/scan.hpp"
+#include "oracle/stream.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+using namespace discmc::test;
+
+namespace {
+
+template <class Sample>
+using WithNormals = GradientNormals<Sample>;
+
+struct Setting {
+  int32_t threshold;
+  Border border;
+  Capacities capacities;
+  bool takes_fragments = true;
+  bool refuses = false;
+  uint32_t chunk = 1000000;
+};
+
+template <class Index, class Normals, class Sample>
+Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
+  const Limits limits{volume.size.width, volume.size.height, setting.border};
+  Block block(bytes_for<Index, Normals>(limits, setting.capacities));
+  EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
+  Extractor<Index, Normals> extractor;
+  if constexpr (Normals::hold_samples) extractor.set_spacing(uneven_spacing);
+  require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
+                             sink_to(log, setting.takes_fragments)));
+  push_all(extractor, volume.samples, setting.chunk);
+  finish_all(extractor);
+  REQUIRE(block.is_intact());
+  return log.events;
+}
+
+template <class Sample>
+void check_agreement(const SampleVolume<Sample>& volume, const Setting& setting) {
+  const Events plain = events_of<uint16_t, NoNormals>(volume, setting);
+  const Events events = events_of<uint16_t, WithNormals<Sample>>(volume, setting);
+  REQUIRE(without_normals(events) == plain);
+  REQUIRE(events_of<uint32_t, WithNormals<Sample>>(volume, setting) == events);
+  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal) {
+    REQUIRE(normal == reference_normal(volume, vertex));
+  });
+}
+
+// Noise that has slopes: sums of a few neighbours of noise.
+template <class Sample>
+SampleVolume<Sample> clouds(Size size, uint64_t seed, uint32_t most = 255) {
+  Chance chance(seed);
+  std::vector<uint32_t> noise(size_t{size.width} * size.height * size.depth);
+  for (uint32_t& value : noise) value = chance.below(most + 1);
+  SampleVolume<Sample> volume{size, {}};
+  for (size_t i = 0; i < noise.size(); ++i) {
+    const size_t j = (i + 1) % noise.size(), k = (i + size.width) % noise.size();
+    volume.samples.push_back(static_cast<Sample>((noise[i] + noise[j] + noise[k]) / 3));
+  }
+  return volume;
+}
+
+Capacities ample(const Size& size) {
+  return worst_case_capacities({size.width, size.height});
+}
+
+}  // namespace
+
+TEST_CASE("a scan with normals tells what one without tells, and the normals of a second pass") {
+  for (const Size size : {Size{1, 1, 1}, Size{2, 3, 1}, Size{1, 4, 5}, Size{7, 5, 6},
+                          Size{16, 12, 9}, Size{33, 9, 7}})
+    for (const Border border : {Border::closed, Border::open})
+      for (uint64_t seed = 0; seed < 5; ++seed) {
+        check_agreement(clouds<uint8_t>(size, seed), {128, border, ample(size)});
+        check_agreement(clouds<uint16_t>(size, seed, 60000), {30000, border, ample(size)});
+        check_agreement(clouds<int16_t>(size, seed, 30000), {15000, border, ample(size)});
+      }
+}
+
+TEST_CASE("normals do not depend on chunks, or on a sink that refuses") {
+  const Size size{9, 8, 7};
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 42);
+  Setting setting{128, Border::closed, ample(size)};
+  const Events events = events_of<uint16_t, WithNormals<uint8_t>>(volume, setting);
+  for (const bool refuses : {false, true})
+    for (const uint32_t chunk : {1U, 5U, 9U, 100U}) {
+      setting.refuses = refuses;
+      setting.chunk = chunk;
+      REQUIRE(events_of<uint16_t, WithNormals<uint8_t>>(volume, setting) == events);
+    }
+}
+
+TEST_CASE("under pressure normals are right in what is spilled and cut") {
+  const Size size{24, 20, 12};
+  uint64_t spills = 0;
+  for (uint64_t seed = 0; seed < 4; ++seed)
+    for (const bool takes_fragments : {true, false})
+      for (const uint32_t edges : {2U, 20U, 100U, 600U})
+        for (const uint32_t runs : {34U, 60U, 300U}) {
+          Setting setting{128, Border::closed, {edges, runs, 20, 300, 800}, takes_fragments};
+          const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
+          check_agreement(volume, setting);
+          for (const RecordedEvent& recorded : events_of<uint16_t, NoNormals>(volume, setting))
+            spills += recorded.is(Event::Kind::fragment);
+        }
+  CHECK(spills > 1000);
+}
+
+TEST_CASE(
+    "where nearly all runs are spilled, runs and stand-ins have the normals where they start") {
+  const Size size{12, 10, 6};
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 3);
+  const Setting setting{100, Border::closed, {100, 34, 20, 300, 800}};
+  check_agreement(volume, setting);
+  int fragments = 0;
+  for (const RecordedEvent& recorded : events_of<uint16_t, NoNormals>(volume, setting))
+    fragments += recorded.is(Event::Kind::fragment);
+  CHECK(fragments > 1000);
+}
+
+TEST_CASE("a scan that begins anew knows nothing of the one before") {
+  const SampleVolume<uint8_t> before = clouds<uint8_t>({11, 9, 3}, 1);
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>({7, 5, 6}, 2);
+  const Setting setting{128, Border::closed, ample(before.size)};
+  const Limits larger{before.size.width, before.size.height};
+  const Limits limits{volume.size.width, volume.size.height};
+  using Normals = WithNormals<uint8_t>;
+  Block block(bytes_for<uint16_t, Normals>(larger, setting.capacities));
+  EventLog log;
+  Extractor<uint16_t, Normals> extractor;
+  extractor.set_spacing(uneven_spacing);
+  require_ok(
+      extractor.start(larger, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  require_ok(extractor.push(before.samples.data(), 25 * 11 + 3).status);  // breaks off in a row
+  log.events.clear();
+  require_ok(
+      extractor.start(limits, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  push_all(extractor, volume.samples, setting.chunk);
+  finish_all(extractor);
+  CHECK(log.events == events_of<uint16_t, Normals>(volume, setting));
+}
+
+TEST_CASE("thresholds that all or no samples reach") {
+  const Size size{5, 4, 3};
+  for (const int32_t threshold : {INT32_MIN, -1, 0, 1, 255, 256, INT32_MAX})
+    check_agreement(clouds<uint8_t>(size, 3), {threshold, Border::closed, ample(size)});
+}
+
+TEST_CASE("every corner of a ball's polygons has a normal that points outside") {
+  const int32_t extent = 24;
+  SampleVolume<uint8_t> ball{{extent, extent, extent}, {}};
+  for (int32_t z = 0; z < extent; ++z)
+    for (int32_t y = 0; y < extent; ++y)
+      for (int32_t x = 0; x < extent; ++x) {
+        const Vertex v{2 * x - extent + 1, 2 * y - extent + 1, 2 * z - extent + 1};
+        ball.samples.push_back(static_cast<uint8_t>(std::max(0, 255 - dot(v, v) / 4)));
+      }
+  const Events events =
+      events_of<uint32_t, WithNormals<uint8_t>>(ball, {180, Border::closed, ample(ball.size)});
+  int starts = 0;
+  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal told) {
+    ++starts;
+    REQUIRE(!told.is_none());
+    const UnitNormal n = unit_normal(told);
+    const Vertex from_centre{vertex.x - extent + 1, vertex.y - extent + 1, vertex.z - extent + 1};
+    // As it is in space: y is mirrored.
+    const int64_t outwards = int64_t{n.x} * from_centre.x * uneven_spacing[0] +
+                             int64_t{n.y} * from_centre.y * uneven_spacing[1] +
+                             int64_t{n.z} * from_centre.z * uneven_spacing[2];
+    REQUIRE(outwards > 0);
+  });
+  CHECK(starts > 1000);
+}
+
+// ---- rows that never come ----
+
+namespace {
+
+enum class Ending : uint8_t { finish, abandon };
+enum class Row : uint8_t { given, off, repeated };
+
+std::vector<Row> some_rows(uint32_t count, Chance& chance) {
+  std::vector<Row> rows;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t kind = chance.below(6);
+    rows.push_back(kind == 0 ? Row::off : kind == 1 ? Row::repeated : Row::given);
+  }
+  return rows;
+}
+
+// Gives the rows that are given, leaves the others out, and ends in the middle of the next when
+// abandoning.
+template <class Normals>
+Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<Row>& rows,
+                        int32_t threshold, Ending ending, uint32_t part = 0) {
+  const Limits limits{volume.size.width, volume.size.height};
+  const Capacities capacities = worst_case_capacities(limits);
+  Block block(bytes_for<uint16_t, Normals>(limits, capacities));
+  EventLog log;
+  Extractor<uint16_t, Normals> extractor;
+  if constexpr (Normals::hold_samples) extractor.set_spacing(uneven_spacing);
+  require_ok(extractor.start(limits, capacities, threshold, block.memory(), sink_to(log)));
+  const uint8_t* samples = volume.samples.data();
+  for (uint32_t row = 0; row < rows.size(); ++row, samples += volume.size.width) {
+    REQUIRE(extractor.slices() == row / volume.size.height);
+    REQUIRE(extractor.rows() == row % volume.size.height);
+    const Pushed pushed = rows[row] == Row::given ? extractor.push(samples, volume.size.width)
+                          : rows[row] == Row::off ? extractor.skip_row(Substitute::off)
+                                                  : extractor.skip_row(Substitute::previous_row);
+    require_ok(pushed.status);
+  }
+  if (ending == Ending::abandon) {
+    require_ok(extractor.push(samples, part).status);
+    if (part > 0) {
+      REQUIRE(extractor.skip_row(Substitute::off).status == Status::row_in_progress);
+      REQUIRE(extractor.finish() == Status::slice_in_progress);
+    }
+    require_ok(extractor.abandon());
+  } else {
+    require_ok(extractor.finish());
+  }
+  REQUIRE(extractor.push(volume.samples.data(), 1).status == Status::finished);
+  REQUIRE(block.is_intact());
+  return log.events;
+}
+
+// The volume as a scan sees it that lacks some rows: others stand in for them, or they are `off`.
+SampleVolume<uint8_t> with_gaps(SampleVolume<uint8_t> volume, const std::vector<Row>& rows,
+                                uint8_t off) {
+  const auto width = static_cast<std::ptrdiff_t>(volume.size.width);
+  auto samples = volume.samples.begin();
+  for (size_t row = 0; row < rows.size(); ++row, samples += width) {
+    if (rows[row] == Row::given) continue;
+    if (rows[row] == Row::repeated && row > 0)
+      std::copy(samples - width, samples, samples);
+    else
+      std::fill(samples, samples + width, off);
+  }
+  return volume;
+}
+
+}  // namespace
+
+TEST_CASE("rows that are skipped, and slices that break off, are told as without normals") {
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    const Size size{1 + static_cast<uint32_t>(seed % 7), 1 + static_cast<uint32_t>(seed % 5),
+                    1 + static_cast<uint32_t>(seed % 6)};
+    const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
+    Chance chance(seed);
+    const uint32_t all = size.height * size.depth;
+    for (const Ending ending : {Ending::finish, Ending::abandon})
+      for (const int32_t threshold : {0, 128, 300}) {
+        const bool is_broken = ending == Ending::abandon;
+        const std::vector<Row> rows = some_rows(is_broken ? chance.below(all) : all, chance);
+        const uint32_t part = is_broken ? chance.below(size.width) : 0;
+        const Events plain = events_with_gaps<NoNormals>(volume, rows, threshold, ending, part);
+        const Events events =
+            events_with_gaps<WithNormals<uint8_t>>(volume, rows, threshold, ending, part);
+        REQUIRE(without_normals(events) == plain);
+      }
+  }
+}
+
+TEST_CASE(
+    "where rows are skipped, normals are those of the rows that stand in, or of rows just off") {
+  const Size size{5, 4, 6};
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
+    Chance chance(seed);
+    const std::vector<Row> rows = some_rows(size.height * size.depth, chance);
+    for (const int32_t threshold : {-1, 0, 1, 128}) {
+      const auto off = static_cast<uint8_t>(std::max(threshold - 1, 0));
+      const SampleVolume<uint8_t> seen = with_gaps(volume, rows, off);
+      const Events events =
+          events_with_gaps<WithNormals<uint8_t>>(volume, rows, threshold, Ending::finish);
+      for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal) {
+        REQUIRE(normal == reference_normal(seen, vertex));
+      });
+    }
+  }
+}
+
+TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is just off") {
+  const Size size{4, 3, 5};
+  const Limits limits{size.width, size.height};
+  const int32_t threshold = 100;
+  // So that every cell tells its normals when it is swept, and not when its neighbours are.
+  const Capacities least = minimum_capacities();
+  for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
+    SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);
+    Block block(bytes_for<uint16_t, WithNormals<uint8_t>>(limits, least));
+    EventLog log;
+    Extractor<uint16_t, WithNormals<uint8_t>> extractor;
+    extractor.set_spacing(uneven_spacing);
+    require_ok(extractor.start(limits, least, threshold, block.memory(), sink_to(log)));
+    require_ok(extractor.push(volume.samples.data(), given).status);
+    require_ok(extractor.abandon());
+    const uint32_t slice = size.width * size.height;
+    volume.size.depth = (given + slice - 1) / slice;
+    for (size_t i = given; i < volume.samples.size(); ++i) volume.samples[i] = threshold - 1;
+    for_each_start(log.events, [&](const Vertex& vertex, OctahedralNormal normal) {
+      REQUIRE(normal == reference_normal(volume, vertex));
+    });
+  }
+}
+
+TEST_CASE("a scan with normals is saved between rows, and goes on with the same events") {
+  const Size size{8, 6, 5};
+  const Limits limits{size.width, size.height};
+  const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 9);
+  const Setting setting{128, Border::closed, ample(size)};
+  const Events whole = events_of<uint16_t, WithNormals<uint8_t>>(volume, setting);
+  using Scan = Extractor<uint16_t, WithNormals<uint8_t>>;
+  for (uint32_t row = 0; row <= size.height * size.depth; ++row) {
+    const size_t bytes = bytes_for<uint16_t, WithNormals<uint8_t>>(limits, setting.capacities);
+    std::vector<uint8_t> memory(bytes), later(bytes);
+    EventLog log;
+    Scan first;
+    first.set_spacing(uneven_spacing);
+    require_ok(first.start(limits, setting.capacities, 128, {memory.data(), bytes}, sink_to(log)));
+    require_ok(first.push(volume.samples.data(), row * size.width).status);
+    const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
+    require_ok(first.save(*checkpoint));
+    later = memory;
+    memory.assign(bytes, 0xEE);
+    Scan second;
+    require_ok(second.restore(*checkpoint, {later.data(), bytes}, sink_to(log)));
+    REQUIRE(second.slices() == row / size.height);
+    require_ok(second
+                   .push(volume.samples.data() + size_t{row} * size.width,
+                         (size.height * size.depth - row) * size.width)
+                   .status);
+    require_ok(second.finish());
+    REQUIRE(log.events == whole);
+  }
+}
+
+TEST_CASE("a checkpoint of samples of another type is refused") {
+  using Scan = Extractor<uint16_t, WithNormals<uint16_t>>;
+  using Other = Extractor<uint16_t, WithNormals<int16_t>>;
+  const Limits limits{8, 6};
+  Block block(minimum_bytes<uint16_t, WithNormals<uint16_t>>(limits));
+  EventLog log;
+  Scan scan;
+  require_ok(scan.start(limits, 1, block.memory(), sink_to(log)));
+  // From zeros, so that no byte of the checkpoint is any.
+  const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
+  require_ok(scan.save(*checkpoint));
+  const auto bytes = std::make_unique<Checkpoint<Other>>();
+  static_assert(sizeof(Checkpoint<Scan>) == sizeof(Checkpoint<Other>));
+  std::memcpy(static_cast<void*>(bytes.get()), checkpoint.get(), sizeof *bytes);
+  Other other;
+  CHECK(other.restore(*bytes, block.memory(), sink_to(log)) == Status::bad_checkpoint);
+  CHECK(scan.restore(*checkpoint, block.memory(), sink_to(log)) == Status::ok);
+}
+
+TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
+  const Limits limits{16, 9};
+  using Normals = WithNormals<uint16_t>;
+  const size_t least = minimum_bytes<uint16_t, Normals>(limits);
+  CHECK(least >= minimum_bytes<uint16_t>(limits) + 16 * (3 * 9 + 2) * 2);
+  Block block(least);
+  const Memory memory = block.memory();
+  EventLog log;
+  Extractor<uint16_t, Normals> extractor;
+  CHECK(extractor.start(limits, 1, {memory.data, least - 1}, sink_to(log)) ==
+        Status::too_little_memory);
+  CHECK(extractor.start(limits, 1, memory, sink_to(log)) == Status::ok);
+  CHECK(extractor.bytes_used() == least);
+  const uint64_t more = least + 4096;
+  const Capacities capacities = default_capacities<uint16_t, Normals>(limits, more);
+  CHECK(bytes_for<uint16_t, Normals>(limits, capacities) <= more);
+  CHECK(bytes_for<uint16_t, Normals>(limits, capacities) > more - 500);
+}

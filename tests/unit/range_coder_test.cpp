@@ -1,0 +1,227 @@
+// The range coder alone: any bits under any probabilities, its length, its carries and its ends.
+#include <doctest/doctest.h>
+#include <discmc/range_coder.hpp>
+
+#include <cmath>
+
+#include "oracle/stream.hpp"
+
+using namespace discmc;
+using test::Bytes;
+using test::Chance;
+
+namespace {
+
+struct Decision {
+  bool bit;
+  Probability one;
+};
+using Decisions = std::vector<Decision>;
+
+// Bits that come up about as often as their probabilities say, or against them.
+Decisions random_decisions(Chance& chance, size_t count, bool likely = true) {
+  Decisions decisions(count);
+  for (Decision& decision : decisions) {
+    decision.one = static_cast<Probability>(1 + chance.below(255));
+    decision.bit = (chance.below(256) < decision.one) == likely;
+  }
+  return decisions;
+}
+
+void encode(RangeEncoder& encoder, const Decisions& decisions) {
+  for (const Decision& decision : decisions) encoder.encode(decision.bit, decision.one);
+}
+
+Bytes encoded(const Decisions& decisions) {
+  Bytes bytes(decisions.size() + 8);
+  RangeEncoder encoder(bytes.data(), bytes.size());
+  encode(encoder, decisions);
+  const size_t announced = encoder.size();
+  REQUIRE(encoder.fits());
+  bytes.resize(encoder.finish());
+  CHECK(bytes.size() == announced);
+  return bytes;
+}
+
+size_t wrong_bits(const Bytes& bytes, const Decisions& decisions) {
+  RangeDecoder decoder(bytes.data(), bytes.size());
+  size_t wrong = 0;
+  for (const Decision& decision : decisions) wrong += decoder.decode(decision.one) != decision.bit;
+  CHECK_FALSE(decoder.is_exhausted());
+  return wrong;
+}
+
+void check_round_trip(const Decisions& decisions) {
+  CHECK(wrong_bits(encoded(decisions), decisions) == 0);
+}
+
+// Bits chosen so that the code stays as close below `target` as it can: what follows decides late
+// whether a carry runs through all of it.
+Decisions towards(const Bytes& target, size_t count, Probability one) {
+  RangeDecoder decoder(target.data(), target.size());
+  Decisions decisions(count);
+  for (Decision& decision : decisions) decision = {decoder.decode(one), one};
+  return decisions;
+}
+
+}  // namespace
+
+TEST_CASE("random bits under random probabilities come back, in as many bytes as announced") {
+  Chance chance(1);
+  for (int round = 0; round < 400; ++round) {
+    CAPTURE(round);
+    check_round_trip(random_decisions(chance, chance.below(600), round % 3 != 0));
+  }
+}
+
+TEST_CASE("every probability codes long runs of either bit") {
+  for (int one = 1; one <= 255; ++one)
+    for (const bool bit : {false, true}) {
+      CAPTURE(one);
+      check_round_trip(Decisions(700, {bit, static_cast<Probability>(one)}));
+    }
+}
+
+TEST_CASE("the code is hardly longer than the information in the bits") {
+  Chance chance(2);
+  const Decisions decisions = random_decisions(chance, 20000);
+  double bits = 0;
+  for (const Decision& decision : decisions) {
+    const double one = decision.one / 256.0;
+    bits -= std::log2(decision.bit ? one : 1 - one);
+  }
+  CHECK(static_cast<double>(encoded(decisions).size()) < bits / 8 * 1.0005 + 2);
+}
+
+TEST_CASE("no bits take no bytes") {
+  CHECK(encoded({}).empty());
+  CHECK(encoded({{true, 255}}).empty());
+}
+
+TEST_CASE("a carry runs through any number of bytes of 255, or stops before them") {
+  int longest = 0;
+  for (size_t run = 0; run < 40; ++run)
+    for (size_t lead = 0; lead < 3; ++lead)
+      for (const Probability one :
+           {Probability{1}, Probability{77}, Probability{128}, Probability{255}}) {
+        CAPTURE(run);
+        Bytes target(lead, 0x5A);
+        target.resize(lead + run, 0xFF);
+        // Every length of the approach, then the least and the greatest of what may follow.
+        for (size_t count = 0; count < 8 * (lead + run) + 4; count += 3) {
+          Decisions decisions = towards(target, count, one);
+          for (const bool end : {false, true}) {
+            Decisions ended = decisions;
+            for (int i = 0; i < 20; ++i) ended.push_back({end, 128});
+            const Bytes bytes = encoded(ended);
+            REQUIRE(wrong_bits(bytes, ended) == 0);
+            int now = 0;
+            for (const uint8_t byte : bytes) {
+              now = byte == 0xFF ? now + 1 : 0;
+              longest = now > longest ? now : longest;
+            }
+          }
+        }
+      }
+  CHECK(longest > 30);
+}
+
+TEST_CASE("a first byte of 255 waits, and goes out whole") {
+  // Zeros of probability 1 / 256 climb to the very top of the range at once.
+  Decisions decisions(40, {false, 255});
+  const Bytes bytes = encoded(decisions);
+  CHECK(bytes.front() == 0xFF);
+  CHECK(wrong_bits(bytes, decisions) == 0);
+}
+
+TEST_CASE("a snapshot undoes all bits since, whatever they wrote") {
+  Chance chance(3);
+  for (int round = 0; round < 300; ++round) {
+    CAPTURE(round);
+    Decisions kept;
+    Bytes bytes(4000);
+    RangeEncoder encoder(bytes.data(), bytes.size());
+    for (int step = 0; step < 12; ++step) {
+      const RangeEncoder before = encoder;
+      const Decisions more = random_decisions(chance, chance.below(60));
+      encode(encoder, more);
+      if (chance.below(2) == 0)
+        encoder = before;
+      else
+        kept.insert(kept.end(), more.begin(), more.end());
+    }
+    bytes.resize(encoder.finish());
+    CHECK(bytes == encoded(kept));
+  }
+}
+
+TEST_CASE("an exhausted buffer is told and never written beyond") {
+  Chance chance(4);
+  const Decisions decisions = random_decisions(chance, 400);
+  const size_t needed = encoded(decisions).size();
+  for (size_t capacity = 0; capacity <= needed + 2; ++capacity) {
+    CAPTURE(capacity);
+    Bytes bytes(capacity + 16, 0xA5);
+    RangeEncoder encoder(bytes.data(), capacity);
+    encode(encoder, decisions);
+    CHECK(encoder.fits() == (capacity >= needed));
+    CHECK(encoder.size() == needed);
+    CHECK(encoder.finish() == needed);
+    for (size_t i = capacity; i < bytes.size(); ++i) REQUIRE(bytes[i] == 0xA5);
+  }
+}
+
+TEST_CASE("size() never shrinks from one bit to the next by more than the closing byte") {
+  Chance chance(5);
+  Bytes bytes(1000);
+  RangeEncoder encoder(bytes.data(), bytes.size());
+  size_t before = encoder.size();
+  for (const Decision& decision : random_decisions(chance, 3000)) {
+    encoder.encode(decision.bit, decision.one);
+    CHECK(encoder.size() + 1 >= before);
+    CHECK(encoder.size() <= before + 2);
+    before = encoder.size();
+  }
+}
+
+TEST_CASE("a decoder that reads on is exhausted after a bounded number of bits") {
+  Chance chance(6);
+  for (size_t count = 0; count < 40; ++count) {
+    Bytes bytes(count);
+    for (uint8_t& byte : bytes) byte = chance.byte();
+    RangeDecoder decoder(bytes.data(), bytes.size());
+    // The cheapest bit costs log2(256 / 255) bits: 1,418 of them are a byte.
+    size_t bits = 0;
+    while (!decoder.is_exhausted() && bits < 1420 * (count + 8)) {
+      (void)decoder.decode(bits % 2 == 0 ? 255 : 1);
+      ++bits;
+    }
+    CHECK(decoder.is_exhausted());
+  }
+}
+
+TEST_CASE("a decoder is exhausted by the fifth byte beyond the end, and not by the fourth") {
+  for (size_t count = 0; count < 5; ++count) {
+    const Bytes bytes(count, 0x55);
+    RangeDecoder decoder(bytes.data(), bytes.size());
+    // Nine bits of one half are worth a byte, and a little more.
+    for (size_t byte = 0; byte < count; ++byte)
+      for (int bit = 0; bit < 8; ++bit) (void)decoder.decode(128);
+    CHECK_FALSE(decoder.is_exhausted());
+    for (int bit = 0; bit < 9; ++bit) (void)decoder.decode(128);
+    CHECK(decoder.is_exhausted());
+  }
+}
+
+TEST_CASE("any bytes decode without harm, beyond their end as well") {
+  Chance chance(7);
+  for (int round = 0; round < 300; ++round) {
+    Bytes bytes(chance.below(12));
+    for (uint8_t& byte : bytes) byte = chance.below(3) == 0 ? 0xFF : chance.byte();
+    RangeDecoder decoder(bytes.data(), bytes.size());
+    int ones = 0;
+    for (int bit = 0; bit < 500; ++bit)
+      ones += decoder.decode(static_cast<Probability>(1 + chance.below(255)));
+    CHECK(ones <= 500);
+  }
+}

@@ -1,0 +1,346 @@
+// The region model: whatever is told in decisions comes back, at the ends of every range as well.
+#include <doctest/doctest.h>
+#include <discmc/record_encoding.hpp>
+
+#include <cmath>
+
+#include "oracle/stream.hpp"
+#include "oracle/table_statements.hpp"
+
+using namespace discmc;
+using test::Bytes;
+using test::Chance;
+
+namespace {
+
+using Values = std::vector<int64_t>;
+
+// Runs `tell` with a model that writes and with one that reads; it returns what was coded.
+template <class Tell>
+void check_round_trip(Tell tell, const Values& expected) {
+  Bytes bytes(UINT16_MAX);
+  RegionModel<test::WritingCoder> writer(test::WritingCoder{{bytes.data(), bytes.size()}});
+  CHECK(tell(writer, true) == expected);
+  REQUIRE(writer.coder().range.fits());
+  bytes.resize(writer.coder().range.finish());
+  RegionModel<test::ReadingCoder> reader(test::ReadingCoder{{bytes.data(), bytes.size()}});
+  CHECK(tell(reader, false) == expected);
+  CHECK_FALSE(reader.coder().range.is_exhausted());
+}
+
+// Around every power of two, and the ends: 0 to 2^32 - 2.
+std::vector<uint32_t> numbers() {
+  std::vector<uint32_t> values{0, UINT32_MAX - 1};
+  for (int bits = 1; bits < 32; ++bits)
+    for (uint32_t off = 0; off < 3; ++off) values.push_back((uint32_t{1} << bits) - 1 + off);
+  return values;
+}
+
+std::vector<int32_t> coordinates() {
+  std::vector<int32_t> values{0, INT32_MAX, INT32_MIN, INT32_MAX - 1, INT32_MIN + 1};
+  for (int bits = 0; bits < 31; ++bits)
+    for (const int32_t sign : {1, -1})
+      for (int32_t off = -1; off <= 1; ++off) values.push_back(sign * (int32_t{1} << bits) + off);
+  return values;
+}
+
+template <class Visit>
+void for_each_incidence(Visit visit) {
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    if (incidence != no_incidence) visit(incidence);
+}
+
+Record record_with(Incidence incidence) {
+  Record record;
+  record.incidence = incidence;
+  return record;
+}
+
+bool is_odd(const Vertex& vertex) {
+  return ((vertex.x ^ vertex.y ^ vertex.z) & 1) != 0;
+}
+
+}  // namespace
+
+TEST_CASE("every probability of the model is usable, and every context has one") {
+  for (uint32_t i = 0; i < context::count; ++i) CHECK(region_model[i] >= 1);
+  CHECK(sizeof(region_model) == context::count);
+}
+
+TEST_CASE("the probabilities are those of version 1") {
+  CHECK(wire::version == 1);
+  CHECK(reference::broken(reference::model_table()) == nullptr);
+}
+
+// Golden files hold few far steps: a context beyond the first ones of a number is seen here.
+TEST_CASE("steps and lengths of every size are told as version 1 tells them") {
+  Bytes bytes(UINT16_MAX);
+  RegionModel<test::WritingCoder> model(test::WritingCoder{{bytes.data(), bytes.size()}});
+  for_each_incidence([&](Incidence incidence) {
+    model.incidence(incidence);
+    for (int bits = 0; bits < 31; ++bits) {
+      const int32_t far = int32_t{1} << bits;
+      model.start({far, -far, 1}, bits % 3 == 0);
+      model.start({-far, 2, far - 1}, bits % 2 == 0);
+      model.run_count(static_cast<uint32_t>(far) + 1);
+      for (uint32_t i = 0; i < 6; ++i) {
+        model.direction(static_cast<Direction>((bits + 5 * static_cast<int>(i)) % 4));
+        model.length(i < 4 ? i + 1 : static_cast<uint32_t>(far));
+      }
+      model.fragment_number(static_cast<uint32_t>(far), bits % 2 == 0);
+    }
+    model.layer(incidence);
+  });
+  bytes.resize(model.coder().range.finish());
+  CHECK(bytes.size() == 41950);
+  CHECK(crc32(bytes.data(), bytes.size()) == 0x45D51FA9);
+}
+
+TEST_CASE("small steps, and every direction after every other, are told as version 1 tells them") {
+  Bytes bytes(UINT16_MAX);
+  RegionModel<test::WritingCoder> model(test::WritingCoder{{bytes.data(), bytes.size()}});
+  for_each_incidence([&](Incidence incidence) {
+    model.incidence(incidence);
+    Vertex at{0, 0, 1};
+    for (int step = -4; step <= 4; ++step)
+      for (const bool further : {false, true}) {
+        at = at + Vertex{2 * step, step, -step};
+        model.start(at, further);
+        for (Direction i = 0; i < direction_count(incidence); ++i)
+          for (Direction j = 0; j < direction_count(incidence); ++j) {
+            model.direction(i);
+            model.direction(j);
+          }
+      }
+  });
+  bytes.resize(model.coder().range.finish());
+  CHECK(bytes.size() == 18062);
+  CHECK(crc32(bytes.data(), bytes.size()) == 0x0E60167A);
+}
+
+TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
+  const std::vector<uint32_t> values = numbers();
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        Values coded;
+        for (const uint32_t value : values) coded.push_back(model.plain_number(writes ? value : 0));
+        return coded;
+      },
+      Values(values.begin(), values.end()));
+}
+
+TEST_CASE("a number reads no more than 63 bits, whatever they are") {
+  struct Ones {
+    uint32_t* bits;
+    bool bit(uint32_t, bool) { return ++*bits > 0; }
+  };
+  uint32_t bits = 0;
+  RegionModel<Ones> model(Ones{&bits});
+  CHECK(model.plain_number(0) == UINT32_MAX - 1);
+  CHECK(bits == 32 + 31);
+}
+
+TEST_CASE("a number with contexts comes back in every class of planes") {
+  const std::vector<uint32_t> values = numbers();
+  for_each_incidence([&](Incidence incidence) {
+    Values expected{incidence};
+    for (const uint32_t value : values) {
+      expected.push_back(uint32_t{value + 2});
+      expected.push_back(uint32_t{value + 1});
+    }
+    check_round_trip(
+        [&](auto& model, bool writes) {
+          Values coded{model.incidence(writes ? incidence : no_incidence)};
+          for (const uint32_t value : values) {
+            coded.push_back(model.run_count(writes ? value + 2 : 2));
+            coded.push_back(model.length(writes ? value + 1 : 1));
+          }
+          return coded;
+        },
+        expected);
+  });
+}
+
+TEST_CASE("bits without a context come back") {
+  const Values expected{0, 255, 0x5A, 0, 1, 0x7FFFFFFF};
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        const auto bits = [&](uint32_t count, uint32_t value) {
+          return int64_t{model.plain_bits(count, writes ? value : 0)};
+        };
+        return Values{bits(8, 0), bits(8, 255), bits(8, 0x5A),
+                      bits(1, 0), bits(1, 1),   bits(31, 0x7FFFFFFF)};
+      },
+      expected);
+}
+
+TEST_CASE("differences over all of 32 bits come back, as fragment numbers and as coordinates") {
+  Values expected;
+  for (const int32_t value : coordinates()) {
+    expected.push_back(static_cast<uint32_t>(value));
+    expected.push_back(static_cast<uint32_t>(-int64_t{value}));
+  }
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        Values coded;
+        for (const int64_t value : expected)
+          coded.push_back(model.fragment_number(writes ? static_cast<uint32_t>(value) : 0,
+                                                coded.size() % 2 == 1));
+        return coded;
+      },
+      expected);
+}
+
+TEST_CASE("every incidence comes back after every other") {
+  Values expected;
+  for_each_incidence([&](Incidence a) {
+    for_each_incidence([&](Incidence b) {
+      expected.push_back(a);
+      expected.push_back(b);
+    });
+  });
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        Values coded;
+        for (const int64_t code : expected)
+          coded.push_back(model.incidence(writes ? static_cast<Incidence>(code) : no_incidence));
+        return coded;
+      },
+      expected);
+}
+
+TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 bits") {
+  Chance chance(1);
+  const std::vector<int32_t> some = coordinates();
+  const auto any = [&](int32_t near) {
+    const int32_t step = static_cast<int32_t>(chance.below(13)) - 6;
+    return chance.below(2) == 0 ? wrapped_sum(near, step)
+                                : some[chance.below(static_cast<uint32_t>(some.size()))];
+  };
+  std::vector<Vertex> starts{{1, 0, 0}};
+  while (starts.size() < 3000) {
+    const Vertex before = starts.back();
+    const Vertex start{any(before.x), any(before.y), any(before.z)};
+    if (is_odd(start)) starts.push_back(start);
+  }
+  Values expected;
+  for (const Vertex& start : starts) expected.insert(expected.end(), {start.x, start.y, start.z});
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        Values coded;
+        Incidence incidence = 0;
+        for (const Vertex& start : starts) {
+          const bool further = start.y % 3 == 0;
+          model.incidence(writes ? incidence : no_incidence);
+          const Vertex told = model.start(writes ? start : Vertex{0, 0, 0}, further);
+          coded.insert(coded.end(), {told.x, told.y, told.z});
+          incidence = incidence == 25 ? 0 : static_cast<Incidence>(incidence + 1);
+          if (incidence == no_incidence) ++incidence;
+          if (start.z % 5 == 0) model.layer(0);
+        }
+        return coded;
+      },
+      expected);
+}
+
+TEST_CASE("directions come back after every other direction, in first and in further rings") {
+  for_each_incidence([&](Incidence incidence) {
+    const uint32_t count = direction_count(incidence);
+    for (const bool further : {false, true}) {
+      Values expected;
+      for (uint32_t a = 0; a < count; ++a)
+        for (uint32_t b = 0; b < count; ++b) expected.insert(expected.end(), {a, b, b, a});
+      check_round_trip(
+          [&](auto& model, bool writes) {
+            Values coded;
+            model.incidence(writes ? incidence : no_incidence);
+            model.start(writes ? Vertex{1, 0, 0} : Vertex{0, 0, 0}, further);
+            for (const int64_t direction : expected) {
+              coded.push_back(model.direction(writes ? static_cast<Direction>(direction) : 0));
+              model.length(1);
+            }
+            return coded;
+          },
+          expected);
+    }
+  });
+}
+
+TEST_CASE("kinds, items and parts come back") {
+  const Values expected{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 1, 0, 9, 26, 0, 1, 4};
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        Values coded;
+        for (uint32_t kind = 0; kind < 8; ++kind)
+          coded.push_back(
+              static_cast<int64_t>(model.other_kind(static_cast<OtherKind>(writes ? kind : 0))));
+        for (uint32_t kind = 0; kind < 4; ++kind)
+          coded.push_back(
+              static_cast<int64_t>(model.item_kind(static_cast<Item>(writes ? kind : 0))));
+        Record fragment = record_with(writes ? Incidence{26} : no_incidence);
+        fragment.is_fragment = writes;
+        fragment.number = writes ? 9 : 0;
+        model.part(fragment);
+        coded.insert(coded.end(), {fragment.is_fragment, fragment.continues, fragment.number,
+                                   fragment.incidence});
+        Record region = record_with(writes ? Incidence{4} : no_incidence);
+        region.continues = writes;
+        model.part(region);
+        coded.insert(coded.end(), {region.is_fragment, region.continues, region.incidence});
+        return coded;
+      },
+      expected);
+}
+
+TEST_CASE("a ring is closed by any two directions and lengths, and by nothing else") {
+  Chance chance(2);
+  int closed = 0;
+  for_each_incidence([&](Incidence incidence) {
+    const uint32_t count = direction_count(incidence);
+    for (uint32_t a = 0; a < count; ++a)
+      for (uint32_t b = 0; b < count; ++b)
+        for (const uint32_t most : {uint32_t{3}, max_compact_length}) {
+          const Vertex u = direction_vector(incidence, static_cast<Direction>(a));
+          const Vertex v = direction_vector(incidence, static_cast<Direction>(b));
+          const int32_t m = static_cast<int32_t>(1 + chance.below(most));
+          const int32_t n = static_cast<int32_t>(1 + chance.below(most));
+          const Vertex way{m * u.x + n * v.x, m * u.y + n * v.y, m * u.z + n * v.z};
+          const Closure closure = close_ring(u, v, way, static_cast<uint32_t>(m));
+          CHECK(closure.is_valid);
+          CHECK(closure.first == static_cast<uint32_t>(m));
+          CHECK(closure.second == static_cast<uint32_t>(n));
+          // Off the plane, and one of the lengths too many.
+          CHECK_FALSE(close_ring(u, v, way + normal(incidence), 1).is_valid);
+          const int32_t over = static_cast<int32_t>(max_compact_length) + 1 - n;
+          const Vertex far{way.x + over * v.x, way.y + over * v.y, way.z + over * v.z};
+          CHECK_FALSE(close_ring(u, v, far, static_cast<uint32_t>(m)).is_valid);
+          ++closed;
+        }
+  });
+  CHECK(closed == 2 * (6 * 64 + 12 * 16 + 8 * 36));
+}
+
+TEST_CASE("the ends of a part and of a packet take no more than their reserves") {
+  const auto cost = [](uint32_t context, bool bit) {
+    const double one = region_model[context] / 256.0;
+    return -std::log2(bit ? one : 1 - one);
+  };
+  const auto tree = [&](uint32_t first, int bits, uint32_t value) {
+    double sum = 0;
+    uint32_t node = 1;
+    for (int i = bits - 1; i >= 0; --i) {
+      sum += cost(first + node - 1, (value >> i & 1) != 0);
+      node = 2 * node + (value >> i & 1);
+    }
+    return sum;
+  };
+  // A byte less than the encoder's reserves of 4 bytes each, for the closing byte.
+  for (const uint32_t after_mark : {0U, 1U})
+    CHECK(cost(context::region_follows + after_mark, false) +
+              tree(context::other_kind, 3, static_cast<uint32_t>(OtherKind::end)) <=
+          24);
+  for (const bool is_last : {false, true})
+    CHECK(tree(context::item_kind, 2, static_cast<uint32_t>(Item::end)) +
+              cost(context::part_kind + 2, is_last) <=
+          24);
+}
