@@ -1,14 +1,11 @@
-// Real scans, where there are any: the environment variable DISCMC_DATA names a folder with volumes
-// and, beside each, a JSON file of the same name that gives "file" and "iso", a list of thresholds
-// on stored samples. Without it these tests say so and pass.
+// Real scans, where there are any: the environment variable DISCMC_DATA names a folder as
+// described_volumes.hpp describes it. Without it these tests say so and pass.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
+#include "host/described_volumes.hpp"
 #include "oracle/agreement.hpp"
 #include "oracle/scan.hpp"
 #include "volume.hpp"
@@ -20,44 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Scan {
-  fs::path file;
-  std::vector<int32_t> thresholds;
-};
-
-// What follows "key": up to the end of the value; the files are flat but for the list.
-std::string value_of(const std::string& json, const std::string& key) {
-  const size_t at = json.find('"' + key + '"');
-  if (at == std::string::npos) return {};
-  const size_t begin = json.find(':', at) + 1;
-  const size_t first = json.find_first_not_of(" \n\r\t", begin);
-  if (json[first] == '[') return json.substr(first + 1, json.find(']', first) - first - 1);
-  if (json[first] == '"') return json.substr(first + 1, json.find('"', first + 1) - first - 1);
-  return json.substr(first, json.find_first_of(",}", first) - first);
-}
-
-Scan read_description(const fs::path& file) {
-  std::ifstream stream(file);
-  const std::string json{std::istreambuf_iterator<char>(stream), {}};
-  Scan scan{file.parent_path() / value_of(json, "file"), {}};
-  std::string list = value_of(json, "iso");
-  std::replace(list.begin(), list.end(), ',', ' ');
-  std::istringstream thresholds(list);
-  for (int32_t threshold = 0; thresholds >> threshold;) scan.thresholds.push_back(threshold);
-  return scan;
-}
-
-std::vector<Scan> scans() {
-  std::vector<Scan> scans;
+std::vector<host::DescribedVolume> scans() {
   const char* folder = std::getenv("DISCMC_DATA");
   if (folder == nullptr) {
     MESSAGE("skipped: DISCMC_DATA names no folder with volumes");
-    return scans;
+    return {};
   }
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".json") scans.push_back(read_description(entry.path()));
-  std::sort(scans.begin(), scans.end(),
-            [](const Scan& a, const Scan& b) { return a.file < b.file; });
+  const auto scans = host::described_volumes(folder);
   CHECK_MESSAGE(!scans.empty(), "no description of a volume in ", folder);
   return scans;
 }
@@ -119,7 +85,7 @@ Collector sweep(const fs::path& file, int32_t threshold, Border border, uint64_t
 
 // The CT head of the known answers, or an empty path.
 fs::path ct_head() {
-  for (const Scan& scan : scans())
+  for (const host::DescribedVolume& scan : scans())
     if (scan.file.stem() == "cthead") return scan.file;
   MESSAGE("skipped: no volume named cthead");
   return {};
@@ -131,7 +97,7 @@ constexpr Border borders[] = {Border::closed, Border::open};
 }  // namespace
 
 TEST_CASE("real volumes are swept as the paper merges them, at every threshold") {
-  for (const Scan& scan : scans())
+  for (const host::DescribedVolume& scan : scans())
     for (const int32_t threshold : scan.thresholds) {
       const BitVolume volume = read(scan.file, threshold);
       for (const Border border : borders) {
@@ -177,7 +143,7 @@ TEST_CASE("the CT head's skin in 64 kB has at most a quarter more regions, and t
 }
 
 TEST_CASE("real volumes keep their surface in very little memory") {
-  for (const Scan& scan : scans()) {
+  for (const host::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
     for (const uint64_t extra : {0U, 1000U, 10000U}) {
