@@ -24,6 +24,7 @@ struct NoNormal {};
 class NoNormals {
  public:
   static constexpr bool holds_samples = false;
+  static constexpr uint32_t type = 0;  ///< tells extractors apart: see CheckpointHead
   using Normal = NoNormal;
 
   static constexpr uint64_t bytes_for(const Limits&) { return 0; }

@@ -5,9 +5,6 @@ namespace discmc::trace {
 
 namespace {
 
-// The columns that belong to a word alone.
-constexpr uint32_t own_columns = 0x7FFFFFFE;
-
 // column / 30, without a division: right for columns below 74,898.
 constexpr uint32_t word_of(uint32_t column) {
   return column * 34953 >> 20;

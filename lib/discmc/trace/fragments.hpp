@@ -428,8 +428,9 @@ bool Fragments<Index, Normal>::should_send(Index list, Index other) const {
   const uint32_t left = spare();
   if (left >= plenty_) return false;
   if (left < 4) return true;
-  const uint32_t longest = left / tune_divisor;
-  return Lists::are_longer(records_, list, other, longest < tune_most ? longest : tune_most);
+  const uint32_t most = left / tune_divisor < tune_most ? left / tune_divisor : tune_most;
+  return Lists::records_up_to(records_, list, most) +
+             Lists::records_up_to(records_, other, most) > most;
 }
 
 // Where a list of runs begins that ends at a vertex.

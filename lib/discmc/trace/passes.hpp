@@ -68,7 +68,7 @@ class Passes {
 
  private:
   // Rays are told by where their nibble begins.
-  static uint32_t nibble(uint32_t rays) { return static_cast<uint32_t>(__builtin_ctz(rays)); }
+  static uint32_t nibble(uint32_t bits) { return static_cast<uint32_t>(__builtin_ctz(bits)); }
   static bool is_face(uint32_t ray) { return ray % 8 == 0; }
 
   // The lines of a quadrant's cell.

@@ -85,9 +85,9 @@ struct Linked {
 /// An end that waits. Where the mate is no_record it is a number of ends that found no room.
 template <class Index, class Normal>
 struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal where the side starts
-  Index mate;                                     // the fragment's other end, or is_loose()
-  Index last;                                     // of the fragment's runs
   Side side;
+  Index mate;  // the fragment's other end, or is_loose()
+  Index last;  // of the fragment's runs
 };
 
 /// Up to three runs of a fragment, in order; those not in use are 0 and may stand before or behind.
@@ -135,9 +135,6 @@ union Record {
   Hole<Index> hole;
   HoleStart<Index> hole_start;
 };
-
-static_assert(sizeof(Record<uint16_t, NoNormal>) == 8, "no padding with 16-bit indices");
-static_assert(sizeof(Record<uint32_t, NoNormal>) == 16, "and little with 32-bit ones");
 
 }  // namespace discmc::trace
 

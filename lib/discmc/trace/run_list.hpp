@@ -66,17 +66,17 @@ struct RunLists {
     }
   }
 
-  /// Whether two lists have more than `count` records together. Cost: at most that many steps.
-  static bool are_longer(const Records& records, Index first, Index second, uint32_t count) {
-    for (const Index last : {first, second}) {
-      if (last == no_record) continue;
-      for (Index index = last;;) {
-        if (count-- == 0) return true;
-        index = records[index].linked.next;
-        if (index == last) break;
-      }
-    }
-    return false;
+  /// How many records a list has, if not more than `most`, else a larger number.
+  /// Cost: at most `most` steps and one.
+  static uint32_t records_up_to(const Records& records, Index last, uint32_t most) {
+    uint32_t count = 0;
+    if (last == no_record) return count;
+    Index index = last;
+    do {
+      index = records[index].linked.next;
+      ++count;
+    } while (index != last && count <= most);
+    return count;
   }
 
  private:

@@ -14,9 +14,20 @@ namespace discmc::trace {
 struct SweptRow {
   RowBlock rows;
   int32_t y, z;
-  uint32_t absent[3];  ///< by axis: quadrants whose row of cells takes no part
+  uint32_t absent[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
   uint32_t axes;       ///< whose edges are there, a bit each
   bool is_above_slab;  ///< what comes from below ends here, and nothing begins
+
+  /// is_absent: of the four rows of cells around, [z - 1, z][y - 1, y].
+  void set_absent(const bool (&is_absent)[2][2]) {
+    const auto quadrants_of = [&](int y0, int z0, int y1, int z1, int y2, int z2, int y3, int z3) {
+      return (is_absent[z0][y0] ? 1U : 0U) | (is_absent[z1][y1] ? 2U : 0U) |
+             (is_absent[z2][y2] ? 4U : 0U) | (is_absent[z3][y3] ? 8U : 0U);
+    };
+    absent[0] = quadrants_of(1, 1, 0, 1, 0, 0, 1, 0);
+    absent[1] = quadrants_of(1, 1, 1, 0, 1, 0, 1, 1);
+    absent[2] = quadrants_of(1, 1, 1, 1, 0, 1, 0, 1);
+  }
 };
 
 /// What happens at the ends of a row: nothing but with an open border.
@@ -27,9 +38,22 @@ struct RowEnds {
   /// Quadrants without a cell for lack of a column. x: of the voxel.
   uint32_t absent(int axis, uint32_t x) const {
     if (!are_open || axis == 0) return 0;
-    const uint32_t before = axis == 1 ? 0b1100 : 0b0110;
-    return (x == 0 ? before : 0) | (x + 1 == width ? before ^ 0b1111 : 0);
+    const uint32_t before = axis == 1 ? 12 : 6;
+    return (x == 0 ? before : 0) | (x + 1 == width ? before ^ 15 : 0);
   }
+};
+
+/// A sum of parts of one.
+class PartCount {
+ public:
+  void add(uint32_t parts) { parts_ += parts; }
+  void add_to(uint64_t& total, uint32_t parts_of_one) {
+    total += parts_ / parts_of_one;
+    parts_ %= parts_of_one;
+  }
+
+ private:
+  uint32_t parts_ = 0;
 };
 
 template <class Index, class Normal>
@@ -37,17 +61,19 @@ class Sweep {
  public:
   Fragments<Index, Normal>& chains() { return chains_; }
   Delivery<Index, Normal>& delivery() { return delivery_; }
+  /// After the last vertex: delivers holes that still wait, loose. As sweep().
+  bool settle_holes(const Sink& sink, Statistics& statistics) {
+    return delivery_.settle_holes(chains_, sink, statistics);
+  }
   const Fragments<Index, Normal>& chains() const { return chains_; }
   const Delivery<Index, Normal>& delivery() const { return delivery_; }
 
   void clear() {
     chains_.clear();
     delivery_.clear();
+    cells_ = facets_ = triangles_ = {};
     end_row();
   }
-
-  /// Whether a row is under way.
-  bool is_suspended() const { return is_word_begun_; }
 
   /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
   template <class Normals>
@@ -58,6 +84,12 @@ class Sweep {
   template <class Normals>
   bool visit(const SweptRow& row, const RowEnds& ends, uint32_t bit, uint32_t axes,
              const Normals& normals, const Sink& sink, Statistics& statistics);
+  void count(uint32_t parts) {
+    constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
+    cells_.add(parts & ((1U << facet) - 1));
+    facets_.add(parts >> facet & ((1U << (triangle - facet)) - 1));
+    triangles_.add(parts >> triangle);
+  }
   void end_row() {
     word_ = 0;
     is_word_begun_ = false;
@@ -68,9 +100,10 @@ class Sweep {
   // Where the sweep of the row is: the word, its voxels still to visit, the edge and its passes.
   bool is_word_begun_ = false;
   uint8_t axis_ = 0;
-  uint8_t pass_ = 0;
+  uint8_t pass_ = 0;  // steps done: one a pass, or two above a slab
   uint32_t word_ = 0;
   uint32_t voxels_ = 0;
+  PartCount cells_, facets_, triangles_;
   Fragments<Index, Normal> chains_;
   Delivery<Index, Normal> delivery_;
 };
@@ -95,6 +128,7 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
     uint32_t any = 0;
     for (int axis = 0; axis < 3; ++axis) {
       crossing_edges[axis] = (row.axes >> axis & 1) != 0 ? crossing(row, axis, word_) : 0;
+      if (axis == 0 && ends.are_open) crossing_edges[0] &= inner_columns(word_, ends.width);
       any |= crossing_edges[axis];
     }
     if (!is_word_begun_) {
@@ -110,6 +144,9 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
     is_word_begun_ = false;
   }
   end_row();
+  cells_.add_to(statistics.cells, CountParts::cell);
+  facets_.add_to(statistics.facets, CountParts::facet);
+  triangles_.add_to(statistics.classic_triangles, CountParts::triangle);
   return true;
 }
 
@@ -127,17 +164,20 @@ bool Sweep<Index, Normal>::visit(const SweptRow& row, const RowEnds& ends, uint3
                         2 * row.z + (axis_ == 2)};
     Passes passes(sector_table.axis[axis_], around.is_on(), around.lines(axis_),
                   row.absent[axis_] | ends.absent(axis_, x));
-    if (pass_ == 0) count(passes.counts());
+    if (pass_ == 0 && !row.is_above_slab) count(passes.counts());
+    const uint32_t steps = row.is_above_slab ? 2 : 1;
     Pass pass;
-    for (uint32_t i = 0; passes.next(pass); ++i) {
-      if (i < pass_) continue;
-      ++pass_;
-      if (row.is_above_slab)
-        chains_.end_at(pass, vertex);
-      else
-        chains_.take(pass, vertex, normals);
-      if (!delivery_.settle(chains_, sink, statistics)) return false;
-    }
+    for (uint32_t first = 0; passes.next(pass); first += steps)
+      while (pass_ < first + steps) {
+        if (!row.is_above_slab)
+          chains_.take(pass, vertex, normals);
+        else if (pass_ == first)
+          chains_.end_at(pass, vertex);
+        else
+          chains_.begin_below(pass, vertex);
+        ++pass_;
+        if (!delivery_.settle(chains_, sink, statistics)) return false;
+      }
     pass_ = 0;
   }
   axis_ = 0;
