@@ -136,6 +136,7 @@ class Extractor {
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
+  enum class RowStage : uint8_t { none, sealed_cells, vertices };  // of the row under way
   using Normal = typename Normals::Normal;
 
   PushResult push_row_of_bits(const uint8_t* bits);
@@ -159,7 +160,7 @@ class Extractor {
   bool abandoned_ = false;
   bool skip_untold_ = false;
   bool skip_repeated_ = false;
-  bool is_row_begun_ = false;
+  RowStage row_stage_ = RowStage::none;
   uint32_t swept_rows_ = 0;  // of the middle slice
   int32_t threshold_ = 0;
   Limits limits_{};

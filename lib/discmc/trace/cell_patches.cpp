@@ -47,7 +47,7 @@ CellPatch cell_patch(Configuration configuration, uint32_t number) {
   for (int l = 0; l < loops.count; ++l) {
     const LoopFacets facets = facets_of(loops.loop[l]);
     for (int i = 0; i < facets.loop.count; ++i) {
-      if (facets.is_fan ? !facets.has_spoke(i) : i > 0) continue;
+      if (facets.is_flat() ? i > 0 : !facets.has_spoke(i)) continue;
       if (number-- == 0) return patch_from(facets, i);
     }
   }

@@ -62,7 +62,7 @@ Status Extractor<Index, Normals>::reset() {
   state_ = State::scanning;
   abandoned_ = false;
   skip_untold_ = false;
-  is_row_begun_ = false;
+  row_stage_ = RowStage::none;
   swept_rows_ = 0;
   return Status::ok;
 }
@@ -159,7 +159,7 @@ void Extractor<Index, Normals>::note(const Arrival& arrival) {
 // Whether the sink has refused something that is due.
 template <class Index, class Normals>
 bool Extractor<Index, Normals>::is_suspended() const {
-  return skip_untold_ || is_row_begun_ || rows_.rows() == limits_.height ||
+  return skip_untold_ || row_stage_ != RowStage::none || rows_.rows() == limits_.height ||
          state_ == State::finishing;
 }
 
@@ -264,12 +264,16 @@ bool Extractor<Index, Normals>::sweep_row() {
   row.is_above_slab = is_last_slice() && limits_.slab.continues_above;
   const bool has_back = !is_open || y + 1 < static_cast<int32_t>(limits_.height);
   const bool has_above = !row.is_above_slab && !(is_open && is_last_slice());
-  if (!is_row_begun_) {
-    if (has_back && has_above) sealing_.begin_row(row.rows, y, sweep_.chains().spare());
+  if (row_stage_ == RowStage::none) {
+    const bool has_cells = has_back && has_above;
+    if (has_cells) sealing_.begin_row(row.rows, y, sweep_.chains().spare());
     sweep_.chains().lose_below(limits_.slab.continues_below && middle_slice() == 1);
-    is_row_begun_ = true;
+    row_stage_ = has_cells ? RowStage::sealed_cells : RowStage::vertices;
   }
-  if (!sealing_.deliver(row.rows, y, row.z, sink_, statistics_)) return false;
+  if (row_stage_ == RowStage::sealed_cells) {
+    if (!sealing_.deliver(row.rows, y, row.z, sink_, statistics_)) return false;
+    row_stage_ = RowStage::vertices;
+  }
   // Rows of cells around the row of voxels: [z - 1, z][y - 1, y].
   const bool has_front = !is_open || y > 0;
   const bool has_below = !is_open || middle_slice() > 0;
@@ -282,8 +286,10 @@ bool Extractor<Index, Normals>::sweep_row() {
   row.axes = 1U | (has_back ? 2U : 0U) | (has_above ? 4U : 0U);
   if (!sweep_.sweep(row, rows_.words(), {is_open, limits_.width}, intake_, sink_, statistics_))
     return false;
-  sealing_.end_row(row.rows, y);
-  is_row_begun_ = false;
+  const bool is_last_row = y + 1 == static_cast<int32_t>(limits_.height);
+  if (has_below && has_front && y >= 0) sealing_.end_front(row.rows, y);
+  if (has_below && has_back && is_last_row) sealing_.end_back(row.rows, y);
+  row_stage_ = RowStage::none;
   return true;
 }
 

@@ -22,9 +22,16 @@ struct LoopFacets {
   bool is_fan;
   Incidence incidence[Loop::max_points];
 
-  constexpr int wrap(int i) const { return i < 0 ? i + loop.count : i < loop.count ? i : i - loop.count; }
+  constexpr int wrap(int i) const {
+    return i < 0 ? i + loop.count : i < loop.count ? i : i - loop.count;
+  }
   constexpr Vertex at(int i) const { return position(loop.point[wrap(i)]); }
   constexpr Incidence behind(int link) const { return incidence[wrap(link)]; }
+  constexpr bool is_flat() const {
+    for (int i = 1; i < loop.count; ++i)
+      if (incidence[i] != incidence[0]) return false;
+    return true;
+  }
   /// Whether a chain turns to, or from, the centroid at a point.
   constexpr bool has_spoke(int point) const { return behind(point) != behind(point - 1); }
 };

@@ -33,8 +33,12 @@ void Sealing::begin_row(const RowBlock& rows, int32_t y, uint32_t spare) {
     committed_ += needed;
 }
 
-void Sealing::end_row(const RowBlock& rows, int32_t y) {
-  if (is_in_use_ && y >= 0 && !is_sealed(y - 1, true)) committed_ -= need(below(rows));
+void Sealing::end_front(const RowBlock& rows, int32_t y) {
+  end({{rows.row[0][0], rows.row[0][1], rows.row[1][0], rows.row[1][1]}}, y - 1);
+}
+
+void Sealing::end_back(const RowBlock& rows, int32_t y) {
+  end({{rows.row[0][1], rows.row[0][2], rows.row[1][1], rows.row[1][2]}}, y);
 }
 
 // Cells that are neither all on nor all off: bit i stands for the cell of bits i and i + 1.

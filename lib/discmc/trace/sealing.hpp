@@ -20,10 +20,10 @@ class Sealing {
   void start(uint32_t* sealed, const Limits& limits, bool is_in_use);
   void clear();
 
-  /// Whether the row of cells at voxel row y (-1 to height - 1) is sealed, in the layer above the
-  /// slice that is swept or in the layer below it.
+  /// Whether the row of cells behind voxel row y is sealed, in the layer above the slice that is
+  /// swept or in the layer below it. False for y = -2, where there are none.
   bool is_sealed(int32_t y, bool is_below) const {
-    return is_in_use_ && (word_of(y, is_below) >> bit_of(y) & 1) != 0;
+    return is_in_use_ && y >= -1 && (word_of(y, is_below) >> bit_of(y) & 1) != 0;
   }
 
   /// Decides on the row of cells above row y. spare: records that are free.
@@ -32,8 +32,10 @@ class Sealing {
   /// now": call again. z: of the slice below them.
   bool deliver(const RowBlock& rows, int32_t y, int32_t z, const Sink& sink,
                Statistics& statistics);
-  /// Row y is swept: the cells below it, up to it, need no more records.
-  void end_row(const RowBlock& rows, int32_t y);
+  /// Row y is swept: the cells below need no more records, those in front of it and, where no row
+  /// follows, those behind it. Limit: there are such cells.
+  void end_front(const RowBlock& rows, int32_t y);
+  void end_back(const RowBlock& rows, int32_t y);
   void end_slice() { is_odd_layer_ = !is_odd_layer_; }
 
  private:
@@ -44,8 +46,8 @@ class Sealing {
   static CellRow above(const RowBlock& rows) {
     return {{rows.row[1][1], rows.row[1][2], rows.row[2][1], rows.row[2][2]}};
   }
-  static CellRow below(const RowBlock& rows) {
-    return {{rows.row[0][0], rows.row[0][1], rows.row[1][0], rows.row[1][1]}};
+  void end(const CellRow& cells, int32_t y) {
+    if (is_in_use_ && !is_sealed(y, true)) committed_ -= need(cells);
   }
 
   uint32_t& word_of(int32_t y, bool is_below) const {

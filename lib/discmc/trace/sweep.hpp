@@ -122,7 +122,7 @@ template <class Normals>
 bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowEnds& ends,
                                  const Normals& normals, const Sink& sink,
                                  Statistics& statistics) {
-  constexpr uint32_t own_voxels = 0x7FFFFFFE;
+  if (!delivery_.settle(chains_, sink, statistics)) return false;
   for (; word_ < words; ++word_) {
     uint32_t crossing_edges[3];
     uint32_t any = 0;
@@ -132,7 +132,7 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
       any |= crossing_edges[axis];
     }
     if (!is_word_begun_) {
-      voxels_ = any & own_voxels;
+      voxels_ = any & own_columns;
       is_word_begun_ = true;
     }
     for (; voxels_ != 0; voxels_ &= voxels_ - 1) {
