@@ -15,7 +15,6 @@ bool Merge<Index, Normals>::settle(const Sink& sink, Statistics& statistics) {
   while (is_delivering_ || begin_delivery()) {
     event.kind = next_event_;
     event.incidence = incidence_;
-    event.number = next_fragment_;
     if (next_event_ == Event::Kind::ring) {
       const ClosedRing<Index, Normal>& ring = regions_.ring(ring_);
       event.start = regions_.start_of(ring);
@@ -80,13 +79,11 @@ void Merge<Index, Normals>::go_on(Run run, Statistics& statistics) {
       break;
     case Event::Kind::ring:
       fragment_ = &regions_.ring(ring_);
-      [[fallthrough]];
-    case Event::Kind::fragment:
       node_ = fragments_.first(*fragment_);
       next_event_ = Event::Kind::run;
       break;
     case Event::Kind::run:
-      if (!run.is_fragment()) statistics.links += run.length();
+      statistics.links += run.length();
       if (node_ != no_record)
         node_ = fragments_.after(*fragment_, node_);
       else
@@ -97,11 +94,8 @@ void Merge<Index, Normals>::go_on(Run run, Statistics& statistics) {
       ++statistics.regions;
       is_delivering_ = false;
       break;
-    default:  // fragment_end
-      fragment_->tail = Run::fragment(next_fragment_);
-      next_fragment_ = (next_fragment_ + 1) & Run::max_fragment;
-      ++statistics.spills;
-      is_delivering_ = false;
+    default:
+      break;
   }
 }
 

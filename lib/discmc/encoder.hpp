@@ -85,8 +85,8 @@ class BasicEncoder : private Normals {
   uint16_t drained_ = 0;
   ByteOutput output_;
   uint32_t packets_ = 0;
-  uint32_t regions_before_ = 0;  // complete ones before the open packet, modulo 2^32
-  uint64_t regions_ = 0;         // complete ones so far
+  uint32_t pieces_before_ = 0;  // regions and fragments before the open packet, modulo 2^32
+  uint64_t pieces_ = 0;         // so far
   uint64_t bytes_ = 0;
   Record record_;
   StreamHeader header_;

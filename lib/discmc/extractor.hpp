@@ -105,11 +105,7 @@ class Extractor {
                                const Sink& sink, const PatchTable& table = patch_table);
 
   /// Totals so far, and all of them once the scan is finished.
-  Statistics statistics() const {
-    Statistics statistics = statistics_;
-    statistics.cuts = merge_.cuts();
-    return statistics;
-  }
+  Statistics statistics() const { return statistics_; }
   const Limits& limits() const { return limits_; }
   const Capacities& capacities() const { return capacities_; }
   HighWater high_water() const { return merge_.high_water(); }

@@ -335,7 +335,6 @@ bool Extractor<Index, Normals>::end_slice() {
 
 template <class Index, class Normals>
 bool Extractor<Index, Normals>::end_scan() {
-  statistics_.cuts = merge_.cuts();
   if (!tell(Event::Kind::finish)) return false;
   state_ = State::finished;
   return true;

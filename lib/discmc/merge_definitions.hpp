@@ -56,7 +56,7 @@ void Merge<Index, Normals>::start(Arena& arena, const Limits& limits, const Capa
   halo_ = limits.halo();
   table_ = table;
   fragment_ = nullptr;
-  spills_ = spills;
+  (void)spills;
   frontier_.start(arena.take<Index>(Frontier<Index>::row_places(columns)), columns, rows);
   edges_.start(arena.take<Edge<Index, Normal>>(capacities.edges), capacities.edges);
   turns_ = counted_from_one(arena.take<uint8_t>(capacities.edges));
