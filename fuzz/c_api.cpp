@@ -24,8 +24,8 @@ namespace {
 // ---- what C has, as C++ has it ----
 
 Statistics cpp(const discmc_statistics& s) {
-  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
-          s.cuts,  s.spills, s.skipped_rows};
+  return {s.cells, s.facets, s.classic_triangles, s.regions,
+          s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
 std::vector<uint64_t> told(const Event& event) {
@@ -42,7 +42,7 @@ std::vector<uint64_t> told(const discmc_event& from) {
   event.repeated = from.repeated != 0;
   event.abandoned = from.abandoned != 0;
   event.run = Run::from_code(from.run);
-  event.number = from.number;
+  event.came = from.came;
   event.slice = from.slice;
   event.row = from.row;
   event.start = {from.start.x, from.start.y, from.start.z};
@@ -53,8 +53,8 @@ std::vector<uint64_t> told(const discmc_event& from) {
 }
 
 std::vector<uint64_t> told(const Statistics& s) {
-  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
-          s.cuts,  s.spills, s.skipped_rows};
+  return {s.cells, s.facets, s.classic_triangles, s.regions,
+          s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
 /// Refuses at random, but on both sides alike.
@@ -125,7 +125,7 @@ void check_ring(uint8_t incidence, discmc_vertex start, std::vector<discmc_run> 
   require(discmc_twice_area(incidence, runs.data(), count) == -area, "turned round, another area");
 }
 
-/// Puts the rings of regions together. Those with fragments are left out: their runs came before.
+/// Puts the rings of regions together.
 class Rings {
  public:
   void take(const discmc_event& event) {
@@ -136,7 +136,6 @@ class Rings {
       is_whole_ = true;
     }
     if (event.kind == DISCMC_RUN) runs_.push_back(event.run);
-    if (event.kind == DISCMC_RUN && discmc_run_is_fragment(event.run) != 0) is_whole_ = false;
     if (event.kind == DISCMC_FRAGMENT_END) runs_.clear();
   }
   void forget() {
@@ -502,7 +501,7 @@ class Both {
                 in_c.repeated_packets == in_cpp.repeated_packets &&
                 in_c.damaged_packets == in_cpp.damaged_packets &&
                 in_c.lost_packets == in_cpp.lost_packets && in_c.regions == in_cpp.regions &&
-                in_c.lost_regions == in_cpp.lost_regions,
+                in_c.fragments == in_cpp.fragments && in_c.lost_pieces == in_cpp.lost_pieces,
             "other counts reported than in C++");
     require(told(cpp(in_c.totals)) == told(in_cpp.totals), "other totals reported than in C++");
     const discmc_stream_header header = discmc_decoder_header(decoder_.get());

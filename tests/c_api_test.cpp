@@ -15,7 +15,7 @@ namespace {
 constexpr uint32_t width = 21, height = 17, depth = 13;
 constexpr int32_t threshold = 100;
 
-// Blobs and noise, so that there are holes, cuts and spills.
+// Blobs and noise, so that there are holes and cuts.
 template <class Sample>
 std::vector<Sample> make_samples() {
   std::vector<Sample> samples(width * height * depth);
@@ -42,7 +42,7 @@ Told told(int kind, const Event& event, uint32_t run) {
     case DISCMC_RUN:
       return {kind, run, 0, 0, 0, 0, 0, 0};
     case DISCMC_FRAGMENT:
-      return {kind, event.incidence, event.number, 0, 0, 0, 0, 0};
+      return {kind, event.incidence, event.came, 0, event.start.x, event.start.y, event.start.z, 0};
     case DISCMC_SKIPPED:
       return {kind, event.slice, event.row, event.repeated, 0, 0, 0, 0};
     case DISCMC_LAYER:
@@ -533,11 +533,8 @@ TEST_CASE("chains and polygons are the same through C") {
                                           {opposite_direction(up, back), 3U}})
     runs.push_back(discmc_run_straight(direction, length));
   const auto count = static_cast<uint32_t>(runs.size());
-  CHECK(discmc_run_is_fragment(runs[1]) == 0);
   CHECK(discmc_run_direction(runs[1]) == right);
   CHECK(discmc_run_length(runs[1]) == 2);
-  CHECK(discmc_run_is_fragment(Run::fragment(9).code()) == 1);
-  CHECK(discmc_run_fragment_number(Run::fragment(9).code()) == 9);
   CHECK(discmc_normal(up).z == 1);
   CHECK(discmc_direction_count(up) == 8);
   CHECK(discmc_direction_vector(up, back).y == 2);
@@ -573,7 +570,6 @@ TEST_CASE("chains and polygons are the same through C") {
 }
 
 TEST_CASE("runs are taken in through C as well") {
-  CHECK(discmc_run_fragment(DISCMC_RUN_MAX_FRAGMENT) == Run::fragment(Run::max_fragment).code());
   discmc_run side = discmc_run_straight(2, 3);
   CHECK(discmc_run_absorb(&side, discmc_run_straight(2, 4)) == 1);
   CHECK(discmc_run_length(side) == 7);

@@ -25,11 +25,9 @@ class Told {
     event_.kind = event.kind;
     const Kind kind = event.kind;
     if (kind == Kind::region || kind == Kind::fragment) event_.incidence = event.incidence;
-    if (kind == Kind::fragment) event_.number = event.number;
-    if (kind == Kind::ring) {
-      event_.start = event.start;
-      event_.hole = event.hole;
-    }
+    if (kind == Kind::fragment) event_.came = event.came;
+    if (kind == Kind::ring || kind == Kind::fragment) event_.start = event.start;
+    if (kind == Kind::ring) event_.hole = event.hole;
     if (kind == Kind::run) {
       event_.run = event.run;
       event_.normal = event.normal;
@@ -60,16 +58,15 @@ class Told {
     const Event& b = other.event_;
     return a.kind == b.kind && a.incidence == b.incidence && a.hole == b.hole && a.run == b.run &&
            a.normal == b.normal && a.repeated == b.repeated && a.abandoned == b.abandoned &&
-           a.number == b.number && a.slice == b.slice && a.row == b.row && a.start == b.start &&
+           a.came == b.came && a.slice == b.slice && a.row == b.row && a.start == b.start &&
            (a.kind != Event::Kind::finish || counts() == other.counts());
   }
   bool operator!=(const Told& other) const { return !(*this == other); }
 
  private:
-  std::array<uint64_t, 9> counts() const {
-    return {totals_.cells,   totals_.facets, totals_.classic_triangles,
-            totals_.regions, totals_.rings,  totals_.links,
-            totals_.cuts,    totals_.spills, totals_.skipped_rows};
+  std::array<uint64_t, 8> counts() const {
+    return {totals_.cells, totals_.facets, totals_.classic_triangles, totals_.regions,
+            totals_.rings, totals_.links,  totals_.fragments,         totals_.skipped_rows};
   }
 
   Event event_{};
@@ -125,7 +122,9 @@ inline Events events_of(const reference::BitVolume& volume, const Capacities& ca
 }
 
 inline Events events_of(const reference::BitVolume& volume, const reference::Plan& plan = {}) {
-  return events_of(volume, worst_case_capacities(reference::limits_of(volume, plan.border)), plan);
+  Capacities capacities = worst_case_capacities(reference::limits_of(volume, plan.border));
+  capacities.runs = 3 * capacities.runs + 500;  // so that no link is cut
+  return events_of(volume, capacities, plan);
 }
 
 inline StreamHeader header_of(const reference::BitVolume& volume, Border border = Border::closed) {
@@ -234,26 +233,34 @@ inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
   return result;
 }
 
-/// The complete regions among the events of a decoder. Errors: throws when the events break the
-/// grammar of sink.hpp, `lost` included.
-inline std::vector<Events> regions_of(const Events& events) {
+/// The complete regions and loose fragments among the events of a decoder. Errors: throws when the
+/// events break the grammar of sink.hpp, `lost` included.
+inline std::vector<Events> pieces_of(const Events& events) {
   using Kind = Event::Kind;
-  enum class Place { between, region, ring, runs, fragment, over } place = Place::between;
+  enum class Place {
+    between,
+    region,
+    ring,
+    runs,
+    fragment,
+    fragment_runs,
+    over
+  } place = Place::between;
   const auto require = [](bool holds) {
     if (!holds) throw reference::GrammarError("events in an order that the grammar does not have");
   };
-  std::vector<Events> regions;
+  std::vector<Events> pieces;
   Events open;
   uint32_t directions = 0;
   for (const Told& told : events) {
     const Event event = told.event();
-    const bool in_chain = place == Place::ring || place == Place::runs || place == Place::fragment;
+    const bool in_ring = place == Place::ring || place == Place::runs;
+    const bool in_fragment = place == Place::fragment || place == Place::fragment_runs;
     require(place != Place::over);
     if (told.is(Kind::run)) {
-      require(in_chain && !event.run.is_empty());
-      if (!event.run.is_fragment())
-        require(event.run.length() > 0 && event.run.direction() < directions);
-      if (place == Place::ring) place = Place::runs;
+      require(in_ring || in_fragment);
+      require(event.run.length() > 0 && event.run.direction() < directions);
+      place = in_ring ? Place::runs : Place::fragment_runs;
     } else if (told.is(Kind::ring)) {
       require(place == Place::region || place == Place::runs);
       require(event.hole == (place == Place::runs));
@@ -263,7 +270,7 @@ inline std::vector<Events> regions_of(const Events& events) {
       require(place == Place::runs);
       place = Place::between;
     } else if (told.is(Kind::fragment_end)) {
-      require(place == Place::fragment);
+      require(place == Place::fragment_runs);
       place = Place::between;
     } else if (told.is(Kind::lost)) {
       require(place != Place::between);
@@ -276,12 +283,16 @@ inline std::vector<Events> regions_of(const Events& events) {
       if (told.is(Kind::finish)) place = Place::over;
       if (place == Place::region || place == Place::fragment)
         directions = direction_count(event.incidence);
+      if (place == Place::fragment) {
+        require((event.start.x ^ event.start.y ^ event.start.z) & 1);
+        require(event.came < directions);
+      }
       open.clear();
     }
     open.push_back(told);
-    if (told.is(Kind::region_end)) regions.push_back(open);
+    if (told.is(Kind::region_end) || told.is(Kind::fragment_end)) pieces.push_back(open);
   }
-  return regions;
+  return pieces;
 }
 
 // ---- packets ----
@@ -289,15 +300,15 @@ inline std::vector<Events> regions_of(const Events& events) {
 struct Packet {
   uint8_t kind = 0;
   uint8_t number = 0;
-  uint16_t regions = 0;
+  uint16_t pieces = 0;
   Bytes payload;
 
   bool is(wire::PacketKind which) const { return kind == static_cast<uint8_t>(which); }
 };
 
 inline Bytes frame_of(const Packet& packet) {
-  Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.regions),
-              static_cast<uint8_t>(packet.regions >> 8)};
+  Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.pieces),
+              static_cast<uint8_t>(packet.pieces >> 8)};
   for (const uint8_t byte : packet.payload) frame.push_back(byte);
   const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
   for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
@@ -314,7 +325,7 @@ inline Packet packet_of(Bytes frame) {
   Packet packet;
   packet.kind = frame[1];
   packet.number = frame[2];
-  packet.regions = static_cast<uint16_t>(frame[3] | frame[4] << 8);
+  packet.pieces = static_cast<uint16_t>(frame[3] | frame[4] << 8);
   packet.payload.assign(frame.begin() + 5, frame.begin() + static_cast<std::ptrdiff_t>(plain) - 3);
   return packet;
 }
@@ -360,8 +371,7 @@ class Payload {
 
   /// Ends the records and the code. Errors: throws when they do not fit.
   Bytes finish() {
-    model.region_follows(false);
-    model.other_kind(OtherKind::end);
+    model.record_kind(RecordKind::end);
     return close();
   }
   /// The same without a word of an end.

@@ -191,7 +191,7 @@ bool BasicEncoder<Normals>::encode_part(uint32_t& words, Event::Kind cause) {
   for (uint32_t i = 0; i < words;) {
     const uint32_t end = i + encode_item(model_, record_, i);
     if (!fits(packet_end::part_reserve)) {
-      words = i;
+      words = i > 0 ? i : end;  // a far start and all normals may be too much: then the start alone
       return false;
     }
     i = end;

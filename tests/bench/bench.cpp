@@ -384,16 +384,14 @@ void print_memory(const std::vector<Row>& rows) {
                 static_cast<unsigned long long>(least_bytes(row)),
                 static_cast<unsigned long long>(row.outcome.arena_bytes));
   }
-  std::printf("\n%-20s %9s %9s %9s %9s %6s %6s %10s\n", "results", "facets", "regions", "rings",
-              "links", "cuts", "spills", "stream");
+  std::printf("\n%-20s %9s %9s %9s %9s %9s %10s\n", "results", "facets", "regions", "rings",
+              "links", "fragments", "stream");
   for (const Row& row : rows) {
     const Statistics& sum = row.outcome.statistics;
     std::printf("%-20s", row.volume.name.c_str());
-    for (const uint64_t count : {sum.facets, sum.regions, sum.rings, sum.links})
+    for (const uint64_t count : {sum.facets, sum.regions, sum.rings, sum.links, sum.fragments})
       std::printf(" %9llu", static_cast<unsigned long long>(count));
-    std::printf(" %6llu %6llu %10llu\n", static_cast<unsigned long long>(sum.cuts),
-                static_cast<unsigned long long>(sum.spills),
-                static_cast<unsigned long long>(row.outcome.stream_bytes));
+    std::printf(" %10llu\n", static_cast<unsigned long long>(row.outcome.stream_bytes));
   }
 }
 

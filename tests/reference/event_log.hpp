@@ -25,7 +25,7 @@ inline void write_down(const Event& event, std::vector<uint64_t>& words) {
       return add(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
                  uint64_t{event.normal.v} << 40);
     case Event::Kind::fragment:
-      return add(event.number, event.incidence);
+      return add(event.incidence, event.came, event.start.x, event.start.y, event.start.z);
     case Event::Kind::skipped:
       return add(event.slice, event.row, event.repeated);
     case Event::Kind::layer:
@@ -33,7 +33,7 @@ inline void write_down(const Event& event, std::vector<uint64_t>& words) {
     case Event::Kind::finish: {
       const Statistics& s = *event.statistics;
       add(event.slice, event.abandoned, s.cells, s.facets, s.classic_triangles, s.regions);
-      return add(s.rings, s.links, s.cuts, s.spills, s.skipped_rows);
+      return add(s.rings, s.links, s.fragments, s.skipped_rows);
     }
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
