@@ -128,8 +128,7 @@ void report() {
   board::report("arena_bytes", sizeof arena);
   board::report("slices", extractor.slices());
   board::report("regions", static_cast<uint32_t>(total.regions));
-  board::report("cuts", static_cast<uint32_t>(total.cuts));
-  board::report("spills", static_cast<uint32_t>(total.spills));
+  board::report("fragments", static_cast<uint32_t>(total.fragments));
   board::report("skipped_rows", static_cast<uint32_t>(total.skipped_rows));
   board::report("stream_bytes", static_cast<uint32_t>(encoder.bytes()));
 }

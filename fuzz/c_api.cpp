@@ -92,7 +92,7 @@ void check_ring(uint8_t incidence, discmc_vertex start, std::vector<discmc_run> 
   require(discmc_twice_area(incidence, runs.data(), count) == -area, "turned round, another area");
 }
 
-/// Puts the rings of regions together. Those with fragments are left out: their runs came before.
+/// Puts the rings of regions together.
 class Rings {
  public:
   void take(const discmc_event& event) {
@@ -103,7 +103,6 @@ class Rings {
       is_whole_ = true;
     }
     if (event.kind == DISCMC_RUN) runs_.push_back(event.run);
-    if (event.kind == DISCMC_RUN && discmc_run_is_fragment(event.run) != 0) is_whole_ = false;
     if (event.kind == DISCMC_FRAGMENT_END) runs_.clear();
   }
   void forget() {
@@ -469,7 +468,7 @@ class Both {
                 in_c.repeated_packets == in_cpp.repeated_packets &&
                 in_c.damaged_packets == in_cpp.damaged_packets &&
                 in_c.lost_packets == in_cpp.lost_packets && in_c.regions == in_cpp.regions &&
-                in_c.lost_regions == in_cpp.lost_regions,
+                in_c.fragments == in_cpp.fragments && in_c.lost_pieces == in_cpp.lost_pieces,
             "other counts reported than in C++");
     require(counts(from_c(in_c.totals)) == counts(in_cpp.totals),
             "other totals reported than in C++");

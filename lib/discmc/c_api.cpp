@@ -15,10 +15,10 @@ namespace {
 
 #define DISCMC_SAME_PLACE(member) (offsetof(Event, member) == offsetof(discmc_event, member))
 static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &&
-                  DISCMC_SAME_PLACE(incidence) && DISCMC_SAME_PLACE(hole) &&
-                  DISCMC_SAME_PLACE(repeated) && DISCMC_SAME_PLACE(abandoned) &&
-                  DISCMC_SAME_PLACE(normal) && DISCMC_SAME_PLACE(run) &&
-                  DISCMC_SAME_PLACE(number) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&
+                  DISCMC_SAME_PLACE(incidence) && DISCMC_SAME_PLACE(came) &&
+                  DISCMC_SAME_PLACE(hole) && DISCMC_SAME_PLACE(repeated) &&
+                  DISCMC_SAME_PLACE(abandoned) && DISCMC_SAME_PLACE(normal) &&
+                  DISCMC_SAME_PLACE(run) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&
                   DISCMC_SAME_PLACE(start) && DISCMC_SAME_PLACE(statistics),
               "events have one layout");
 #undef DISCMC_SAME_PLACE
@@ -27,8 +27,8 @@ static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &
 static_assert(sizeof(Statistics) == sizeof(discmc_statistics) && DISCMC_SAME_PLACE(cells) &&
                   DISCMC_SAME_PLACE(facets) && DISCMC_SAME_PLACE(classic_triangles) &&
                   DISCMC_SAME_PLACE(regions) && DISCMC_SAME_PLACE(rings) &&
-                  DISCMC_SAME_PLACE(links) && DISCMC_SAME_PLACE(cuts) &&
-                  DISCMC_SAME_PLACE(spills) && DISCMC_SAME_PLACE(skipped_rows),
+                  DISCMC_SAME_PLACE(links) && DISCMC_SAME_PLACE(fragments) &&
+                  DISCMC_SAME_PLACE(skipped_rows),
               "so have totals");
 #undef DISCMC_SAME_PLACE
 
@@ -66,8 +66,8 @@ discmc_capacities c(const Capacities& from) {
   return {from.edges, from.runs, from.rings, from.regions, from.slots};
 }
 discmc_statistics c(const Statistics& from) {
-  return {from.cells, from.facets, from.classic_triangles, from.regions, from.rings, from.links,
-          from.cuts,  from.spills, from.skipped_rows};
+  return {from.cells, from.facets, from.classic_triangles, from.regions,
+          from.rings, from.links,  from.fragments,         from.skipped_rows};
 }
 discmc_status c(Status status) {
   return static_cast<discmc_status>(status);
@@ -337,6 +337,6 @@ discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder) {
   const StreamReport& from = cpp(decoder).report();
   return {from.has_header,      from.has_trailer,  from.abandoned, from.is_unreadable,
           from.is_complete(),   from.bytes,        from.packets,   from.repeated_packets,
-          from.damaged_packets, from.lost_packets, from.regions,   from.lost_regions,
-          from.slices,          c(from.totals)};
+          from.damaged_packets, from.lost_packets, from.regions,   from.fragments,
+          from.lost_pieces,     from.slices,       c(from.totals)};
 }

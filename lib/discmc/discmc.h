@@ -117,8 +117,7 @@ typedef struct discmc_vertex {
   int32_t x, y, z;
 } discmc_vertex;
 
-/* A straight run of equal links, or a stand-in for a fragment sent before: see discmc_run_length()
- * and its neighbours. */
+/* A straight run of equal links: see discmc_run_length() and its neighbours. */
 typedef uint32_t discmc_run;
 
 /* A unit vector in two bytes, both zero where there is none: see discmc_unit_normal_of(). */
@@ -132,10 +131,9 @@ typedef struct discmc_statistics {
   uint64_t facets;            /* before merging */
   uint64_t classic_triangles; /* what classic Marching Cubes would have made */
   uint64_t regions;           /* delivered */
-  uint64_t rings;             /* delivered */
-  uint64_t links;             /* of all chains, delivered */
-  uint64_t cuts;              /* links made boundary for lack of memory */
-  uint64_t spills;            /* fragments sent early for lack of memory */
+  uint64_t rings;             /* delivered, as parts of regions */
+  uint64_t links;             /* of all that was delivered, loose fragments included */
+  uint64_t fragments;         /* loose ones, delivered */
   uint64_t skipped_rows;
 } discmc_statistics;
 
@@ -143,13 +141,20 @@ typedef struct discmc_statistics {
  *
  *   scan     = { region | fragment | skipped | layer } finish
  *   region   = region { ring { run } } region_end       outer ring first, then the holes
- *   fragment = fragment { run } fragment_end            only when the sink takes fragments */
+ *   fragment = fragment { run } fragment_end            only when the sink takes fragments
+ *
+ * A fragment is loose: a piece of a boundary ring, sent early for lack of memory, complete in
+ * itself. Fragment E follows fragment F where both have the same incidence, E starts where F's runs
+ * end, and E came there by the direction of F's last run; there is one match at most. Where two
+ * fragments are joined, runs of one direction may meet: that is no corner. A ring that goes out
+ * loose as a whole follows itself. All loose fragments of a region's holes come before its outer
+ * ring, or the last fragment of it. */
 enum {
   DISCMC_REGION,       /* a complete region begins: incidence */
   DISCMC_RING,         /* one of its rings begins: start, hole */
   DISCMC_RUN,          /* the next run of the ring or fragment: run, normal */
   DISCMC_REGION_END,   /* the region is complete */
-  DISCMC_FRAGMENT,     /* a part of an open ring, sent early: number, incidence */
+  DISCMC_FRAGMENT,     /* a loose fragment begins: incidence, start, came */
   DISCMC_FRAGMENT_END, /* the fragment is complete */
   DISCMC_SKIPPED,      /* a row never came: slice, row, repeated */
   DISCMC_LAYER,        /* every region that does not reach `slice` has been delivered */
@@ -162,12 +167,12 @@ enum {
 typedef struct discmc_event {
   uint8_t kind;
   uint8_t incidence; /* see discmc_normal() */
+  uint8_t came; /* the direction of the link by which a fragment's chain comes to its start */
   uint8_t hole;
   uint8_t repeated;
   uint8_t abandoned;
   discmc_octahedral_normal normal; /* where the run starts, if the stream tells normals */
   discmc_run run;
-  uint32_t number;
   uint32_t slice;
   uint32_t row;
   discmc_vertex start;
@@ -183,7 +188,7 @@ enum { DISCMC_TAKEN, DISCMC_NOT_NOW };
 typedef struct discmc_sink {
   void* context;
   discmc_answer (*take)(void* context, const discmc_event* event);
-  uint8_t takes_fragments; /* 0: a lack of memory is answered by cuts instead of spills */
+  uint8_t takes_fragments; /* 0: for lack of memory regions are cut up instead */
 } discmc_sink;
 
 /* ---- the extractor (extractor.hpp) ---- */
@@ -330,7 +335,7 @@ uint32_t discmc_extractor32_rows(const discmc_extractor32* extractor);
 /* ---- the encoder (encoder.hpp) ---- */
 
 /* The version of the stream that is written, and the most bytes of one of its frames. */
-enum { DISCMC_WIRE_VERSION = 1, DISCMC_MAX_FRAME = 256 };
+enum { DISCMC_WIRE_VERSION = 2, DISCMC_MAX_FRAME = 256 };
 
 /* What a stream says of its scan. */
 typedef struct discmc_stream_header {
@@ -401,7 +406,8 @@ typedef struct discmc_stream_report {
   uint64_t damaged_packets; /* frames that are no packet, or fail their checksum */
   uint64_t lost_packets;    /* missing by their numbers */
   uint64_t regions;         /* delivered complete */
-  uint64_t lost_regions;    /* missing by the running count of regions */
+  uint64_t fragments;       /* loose ones delivered complete */
+  uint64_t lost_pieces;     /* regions and fragments missing by the running count of both */
   uint32_t slices;          /* of the trailer */
   discmc_statistics totals; /* of the trailer */
 } discmc_stream_report;
@@ -426,7 +432,7 @@ DISCMC_NODISCARD discmc_status discmc_decoder_start(discmc_decoder* decoder,
 DISCMC_NODISCARD discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes,
                                                     size_t count);
 
-/* Tells that no byte follows: an unfinished region is reported lost. DISCMC_MORE as a push. */
+/* Tells that no byte follows: an unfinished region or fragment is reported lost. DISCMC_MORE as a push. */
 DISCMC_NODISCARD discmc_status discmc_decoder_finish(discmc_decoder* decoder);
 
 discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder);
@@ -477,24 +483,18 @@ int discmc_turn(uint8_t incidence, uint8_t from, uint8_t to);
 /* ---- chains (chain.hpp) ---- */
 
 #define DISCMC_RUN_MAX_LENGTH UINT32_C(0x0FFFFFFF)
-#define DISCMC_RUN_MAX_FRAGMENT UINT32_C(0x7FFFFFFF)
 
 /* A straight run. Limit: length 1 to DISCMC_RUN_MAX_LENGTH links, direction below
- * discmc_direction_count(). And a stand-in for a fragment; Limit: DISCMC_RUN_MAX_FRAGMENT. A run of
- * 0 is empty. */
+ * discmc_direction_count(). A run of 0 is empty. */
 discmc_run discmc_run_straight(uint8_t direction, uint32_t length);
-discmc_run discmc_run_fragment(uint32_t number);
-/* Whether a run stands for a fragment, and for which; else its direction and its length in links.
- */
-uint8_t discmc_run_is_fragment(discmc_run run);
-uint32_t discmc_run_fragment_number(discmc_run run);
+/* Its direction, and its length in links. */
 uint8_t discmc_run_direction(discmc_run run);
 uint32_t discmc_run_length(discmc_run run);
-/* Takes the other run in, when both are straight, of one direction, and short enough together: not
- * 0 when it did. */
+/* Takes the other run in, when both have one direction and are short enough together: not 0 when it
+ * did. */
 uint8_t discmc_run_absorb(discmc_run* run, discmc_run other);
 
-/* The chain's end relative to its start. Limit, here and below: straight runs only. */
+/* The chain's end relative to its start. Limit: no coordinate of it overflows. */
 discmc_vertex discmc_displacement(uint8_t incidence, const discmc_run* runs, uint32_t count);
 /* Whether the chain ends where it starts. */
 uint8_t discmc_is_closed(uint8_t incidence, const discmc_run* runs, uint32_t count);

@@ -9,6 +9,13 @@
 //
 // A decoder may put `lost` in place of the rest of a region or fragment, and a stream that breaks
 // off has no `finish`.
+//
+// A fragment is loose: a piece of a boundary ring, sent early for lack of memory, complete in
+// itself. Fragment E follows fragment F where both have the same incidence, E starts where F's runs
+// end, and E came there by the direction of F's last run. A directed link belongs to one chain, so
+// there is one match at most. Where two fragments are joined, runs of one direction may meet: that
+// is no corner. A ring that goes out loose as a whole is a fragment that follows itself. All loose
+// fragments of a region's holes come before its outer ring, or the last fragment of it.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
@@ -25,12 +32,10 @@ struct Statistics {
   uint64_t facets;             ///< before merging
   uint64_t classic_triangles;  ///< what classic Marching Cubes would have made
   uint64_t regions;            ///< delivered
-  uint64_t rings;              ///< delivered
-  uint64_t links;              ///< of all chains, delivered
-  uint64_t cuts;               ///< links made boundary for lack of memory
-  uint64_t spills;             ///< fragments sent early for lack of memory
+  uint64_t rings;              ///< delivered, as parts of regions
+  uint64_t links;              ///< of all that was delivered, loose fragments included
+  uint64_t fragments;          ///< loose ones, delivered
   uint64_t skipped_rows;
-  uint64_t fragments;
 };
 
 /// One thing that a sink is offered. Only the members that its kind names have a meaning.
@@ -40,7 +45,7 @@ struct Event {
     ring,          ///< one of its rings begins: start, hole
     run,           ///< the next run of the ring or fragment: run, normal
     region_end,    ///< the region is complete
-    fragment,      ///< a part of an open ring, sent early: number, incidence
+    fragment,      ///< a loose fragment begins: incidence, start, came
     fragment_end,  ///< the fragment is complete
     skipped,       ///< a row never came: slice, row; `repeated` when the row before stood in for it
     layer,         ///< every region that does not reach `slice` has been delivered
@@ -49,14 +54,13 @@ struct Event {
   };
   Kind kind;
   Incidence incidence;
+  Direction came;  ///< the link by which a fragment's chain comes to its start
   bool hole;
   bool repeated;
   bool abandoned;
   OctahedralNormal normal;  ///< where the run starts, in space: see unit_normal(); none where there
                             ///< is no gradient, without GradientNormals, or in a stream without
   Run run;
-  Direction came;
-  uint32_t number;
   uint32_t slice;
   uint32_t row;
   Vertex start;                  ///< Units: half-steps
@@ -67,7 +71,7 @@ struct Event {
 struct Sink {
   void* context = nullptr;
   Answer (*take)(void* context, const Event& event) = nullptr;
-  bool takes_fragments = true;  ///< false: a lack of memory is answered by cuts instead of spills
+  bool takes_fragments = true;  ///< false: for lack of memory regions are cut up instead
 };
 
 /// A sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.

@@ -166,7 +166,7 @@ DecodedStream decode_surface(const std::string& path) {
   decode_file(path, sink_to(builder), decoder);
   builder.surface().spacing_mm = spacing_mm(decoder.header());
   StreamReport report = decoder.report();
-  report.lost_regions += builder.incomplete_regions();
+  report.lost_pieces += builder.incomplete_regions();
   return {decoder.header(), report, std::move(builder.surface())};
 }
 
@@ -174,7 +174,7 @@ DecodedStream decode_surface(const std::string& path) {
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
   std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
-            << " packets and " << report.lost_regions << " regions are missing"
+            << " packets and " << report.lost_pieces << " regions or fragments are missing"
             << (report.has_trailer ? "" : ", and its end") << '\n';
   return exit_incomplete;
 }

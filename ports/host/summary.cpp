@@ -48,8 +48,7 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
       ratio(stream_bytes, counts.regions) + " a region");
   row(out, "bytes of arena used", grouped(extraction.arena_bytes_used),
       "of " + grouped(extraction.arena_bytes));
-  row(out, "cuts", grouped(statistics.cuts));
-  row(out, "spills", grouped(statistics.spills));
+  row(out, "loose fragments", grouped(statistics.fragments));
 }
 
 void write_info(const StreamHeader& header, const StreamReport& report, const Counts& counts,
@@ -71,12 +70,11 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << "four " << counts.four << '\n'
       << "more " << counts.more << '\n'
       << "normals " << counts.normals << '\n'
-      << "cut " << report.totals.cuts << '\n'
-      << "spilled " << report.totals.spills << '\n'
+      << "fragments " << report.totals.fragments << '\n'
       << "skipped_rows " << report.totals.skipped_rows << '\n'
       << "lost_packets " << report.lost_packets << '\n'
       << "damaged_packets " << report.damaged_packets << '\n'
-      << "lost_regions " << report.lost_regions << '\n'
+      << "lost_pieces " << report.lost_pieces << '\n'
       << "bytes " << report.bytes << '\n'
       << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
       << "complete " << (report.is_complete() ? "yes" : "no") << '\n';

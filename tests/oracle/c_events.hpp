@@ -9,8 +9,8 @@
 namespace discmc::reference {
 
 inline Statistics from_c(const discmc_statistics& s) {
-  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
-          s.cuts,  s.spills, s.skipped_rows};
+  return {s.cells, s.facets, s.classic_triangles, s.regions,
+          s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
 inline RecordedEvent from_c(const discmc_event& event) {
@@ -21,7 +21,7 @@ inline RecordedEvent from_c(const discmc_event& event) {
   same.repeated = event.repeated != 0;
   same.abandoned = event.abandoned != 0;
   same.run = Run::from_code(event.run);
-  same.number = event.number;
+  same.came = event.came;
   same.slice = event.slice;
   same.row = event.row;
   same.start = {event.start.x, event.start.y, event.start.z};

@@ -1,6 +1,7 @@
 #include "collect.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace discmc::reference {
 
@@ -134,30 +135,14 @@ void Collector::begin_ring(const Event& event) {
 void Collector::add_run(const Run& run) {
   require(place_ == Place::ring || place_ == Place::fragment, "a run outside a ring or fragment");
   require(!run.is_empty(), "an empty run");
-  if (run.is_fragment()) {
-    put_back(run.fragment_number());
-  } else {
-    require(run.length() > 0, "a run of no links");
-    require(run.direction() < direction_count(region_.incidence),
-            "a direction that the plane does not have");
-    Run both = last_run_;
-    if (!last_run_.is_empty() && both.absorb(run)) ++split_sides_;
-    runs_.push_back(run);
-    links_ += run.length();
-  }
+  require(run.length() > 0, "a run of no links");
+  require(run.direction() < direction_count(region_.incidence),
+          "a direction that the plane does not have");
+  Run both = last_run_;
+  if (!last_run_.is_empty() && both.absorb(run)) ++split_sides_;
+  runs_.push_back(run);
+  links_ += run.length();
   last_run_ = run;
-}
-
-void Collector::put_back(uint32_t number) {
-  const auto fragment = waiting_.find(number);
-  require(fragment != waiting_.end(), "a fragment that was never sent, or is used twice");
-  require(fragment->second.incidence == region_.incidence, "a fragment of another incidence");
-  std::vector<Run>& runs = fragment->second.runs;
-  if (runs_.empty())
-    runs_ = std::move(runs);
-  else
-    runs_.insert(runs_.end(), runs.begin(), runs.end());
-  waiting_.erase(fragment);
 }
 
 void Collector::end_ring() {
@@ -185,10 +170,11 @@ void Collector::begin_fragment(const Event& event) {
   require(place_ == Place::between, "a fragment begins inside something else");
   require(takes_fragments_, "a fragment for a sink that takes none");
   require(is_incidence(event.incidence), "a fragment without incidence");
-  require(event.number <= Run::max_fragment, "a fragment number beyond its field");
-  require(numbers_seen_.insert(event.number).second, "a fragment number used twice");
+  require((event.start.x + event.start.y + event.start.z) % 2 != 0,
+          "a fragment starts off the lattice");
+  require(event.came < direction_count(event.incidence),
+          "a fragment that came by a direction that the plane does not have");
   region_ = {event.incidence, {}};
-  number_ = event.number;
   runs_.clear();
   last_run_ = Run();
   place_ = Place::fragment;
@@ -197,8 +183,6 @@ void Collector::begin_fragment(const Event& event) {
 void Collector::end_fragment() {
   require(place_ == Place::fragment, "a fragment ends that never began");
   require(!runs_.empty(), "a fragment without runs");
-  waiting_[number_] = {region_.incidence, std::move(runs_)};
-  runs_ = {};
   ++fragments_;
   place_ = Place::between;
 }
@@ -224,11 +208,10 @@ void Collector::finish(const Event& event) {
   require(event.statistics != nullptr, "finish without statistics");
   statistics_ = *event.statistics;
   was_abandoned_ = event.abandoned;
-  require(waiting_.empty(), "a fragment that no ring uses");
   require(statistics_.regions == regions_.size(), "statistics count other regions");
   require(statistics_.rings == rings_, "statistics count other rings");
   require(statistics_.links == links_, "statistics count other links");
-  require(statistics_.spills == fragments_, "statistics count other spills");
+  require(statistics_.fragments == fragments_, "statistics count other fragments");
   require(statistics_.skipped_rows == skipped_.size(), "statistics count other skipped rows");
   place_ = Place::over;
 }

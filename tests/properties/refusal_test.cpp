@@ -222,7 +222,7 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   return receiver.log->events == plain.events ? "" : "other events";
 }
 
-// Few runs: this scenario spills. How many runs decides which fragments are spilled when.
+// Few runs: this scenario cuts.
 Scenario spilling(uint64_t seed, Border border) {
   const auto step = static_cast<uint32_t>(seed % 7);
   Scenario scenario = scenario_of(random({6, 5, 5}, 60 + 25 * step, seed), border);
@@ -258,26 +258,20 @@ TEST_CASE("any one refusal anywhere in a row of several words changes nothing") 
     check_every_single_refusal(scenario_of(random({99, 2, 2}, 8, 7), border));
 }
 
-TEST_CASE("any one refusal while fragments are spilled changes nothing") {
-  uint64_t spills = 0;
+TEST_CASE("any one refusal while runs are short changes nothing") {
   for (uint64_t seed = 0; seed < 14; ++seed) {
     const Scenario scenario = spilling(seed, seed % 2 == 0 ? Border::closed : Border::open);
     CAPTURE(seed);
-    spills += collected(run<uint16_t>(scenario).events).statistics().spills;
     check_every_single_refusal(scenario);
   }
-  CHECK(spills > 500);
 }
 
 TEST_CASE("any one refusal while links are cut changes nothing") {
-  uint64_t cuts = 0;
   for (uint64_t seed = 0; seed < 12; ++seed) {
     const Scenario scenario = cutting(3 * seed, seed % 2 == 0);
     CAPTURE(seed);
-    cuts += collected(run<uint16_t>(scenario).events).statistics().cuts;
     check_every_single_refusal(scenario);
   }
-  CHECK(cuts > 500);
 }
 
 TEST_CASE("refusing everything once, again and again, or at random changes nothing") {
@@ -305,9 +299,7 @@ TEST_CASE("the surface is right after refusals, not only the same as without") {
     const Scenario scenario = spilling(seed, Border::closed);
     const EventLog log = run<uint32_t>(
         scenario, [seed](uint64_t i) { return i % (seed + 2) == 0; }, Way::again);
-    const Collector collector = collected(log.events);
-    CHECK(collector.statistics().cuts == 0);
-    CHECK(unlike_merge(collector.regions(), scenario.volume, true) == "");
+    CHECK(unlike_surface(log.regions(), scenario.volume, true) == "");
   }
 }
 

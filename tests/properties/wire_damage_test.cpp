@@ -16,19 +16,19 @@ namespace {
 // whatever a decoder delivers, and tell it unchanged.
 Arrival survive(const Bytes& bytes, size_t portion = 0) {
   const Arrival arrival = decode(bytes, portion);
-  const std::vector<Events> regions = regions_of(arrival.events);
-  CHECK(regions.size() == arrival.report.regions);
+  const std::vector<Events> pieces = pieces_of(arrival.events);
+  CHECK(pieces.size() == arrival.report.regions + arrival.report.fragments);
   const Bytes again = encode(arrival.events);
   for (const Bytes& frame : frames_of(again)) CHECK(frame.size() <= wire::max_frame);
-  CHECK(regions_of(decode(again).events) == regions);
+  CHECK(pieces_of(decode(again).events) == pieces);
   return arrival;
 }
 
-// Whether `part` is what is left of `whole` when regions are taken out.
+// Whether `part` is what is left of `whole` when pieces are taken out.
 bool is_subsequence(const std::vector<Events>& part, const std::vector<Events>& whole) {
   size_t at = 0;
-  for (const Events& region : part) {
-    while (at < whole.size() && whole[at] != region) ++at;
+  for (const Events& piece : part) {
+    while (at < whole.size() && whole[at] != piece) ++at;
     if (at++ == whole.size()) return false;
   }
   return true;
@@ -58,8 +58,9 @@ std::vector<Sample> small_samples() {
   Script script;
   Chance chance(3);
   add_ragged_region(script, chance, 150, 1000);
-  script.fragment(up, 3).run(1, 2).fragment_end().layer(1).region(up).ring({1, 0, 0});
-  script.run(Run::fragment(3)).region_end().skipped(2, 0, true).layer(2);
+  script.fragment(up, {1, 0, 0}, 3).run(1, 2).fragment_end().layer(1);
+  add_ragged_fragment(script, chance, 100, 1000);
+  script.skipped(2, 0, true).layer(2);
   std::vector<Sample> small{{"parts and marks", any_header(), script.finish().events}};
   for (const Sample& sample : samples())
     if (encode(sample.events, sample.header).size() < 1000) small.push_back(sample);
@@ -73,7 +74,7 @@ TEST_CASE("a flipped bit anywhere is noticed, and costs only what was in its pac
   for (const Sample& sample : small_samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
-    const std::vector<Events> sent = regions_of(sample.events);
+    const std::vector<Events> sent = pieces_of(sample.events);
     for (size_t bit = 0; bit < 8 * stream.size(); ++bit) {
       CAPTURE(bit);
       Bytes flipped = stream;
@@ -81,10 +82,10 @@ TEST_CASE("a flipped bit anywhere is noticed, and costs only what was in its pac
       const Arrival arrival = decode(flipped);
       REQUIRE_FALSE(arrival.report.is_complete());
       CHECK(arrival.report.damaged_packets >= 1);
-      const std::vector<Events> arrived = regions_of(arrival.events);
+      const std::vector<Events> arrived = pieces_of(arrival.events);
       REQUIRE(is_subsequence(arrived, sent));
       if (arrival.report.has_trailer)
-        REQUIRE(arrival.report.lost_regions == sent.size() - arrived.size());
+        REQUIRE(arrival.report.lost_pieces == sent.size() - arrived.size());
     }
   }
 }
@@ -94,7 +95,7 @@ TEST_CASE("a burst of errors anywhere is noticed") {
   for (const Sample& sample : small_samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
-    const std::vector<Events> sent = regions_of(sample.events);
+    const std::vector<Events> sent = pieces_of(sample.events);
     for (int round = 0; round < 2000; ++round) {
       Bytes burst = stream;
       const uint32_t at = chance.below(static_cast<uint32_t>(burst.size()));
@@ -104,7 +105,7 @@ TEST_CASE("a burst of errors anywhere is noticed") {
       if (burst == stream) continue;
       const Arrival arrival = decode(burst);
       CHECK_FALSE(arrival.report.is_complete());
-      CHECK(is_subsequence(regions_of(arrival.events), sent));
+      CHECK(is_subsequence(pieces_of(arrival.events), sent));
     }
   }
 }
@@ -126,9 +127,9 @@ TEST_CASE("random payloads under a correct checksum end, and break no rule") {
     for (uint8_t number = 0; number < 8; ++number) {
       const Bytes payload = random_bytes(chance, chance.below(wire::max_payload + 1));
       const uint8_t kind = chance.below(5) == 0 ? chance.byte() : 2;
-      const auto regions = static_cast<uint16_t>(chance.below(3) == 0 ? chance.next() : 0);
+      const auto pieces = static_cast<uint16_t>(chance.below(3) == 0 ? chance.next() : 0);
       const Bytes frame =
-          frame_of({kind, chance.below(4) == 0 ? chance.byte() : number, regions, payload});
+          frame_of({kind, chance.below(4) == 0 ? chance.byte() : number, pieces, payload});
       stream.insert(stream.end(), frame.begin(), frame.end());
     }
     events += survive(stream).events.size();
@@ -149,7 +150,7 @@ TEST_CASE("changed packets under a correct checksum end, and break no rule") {
         Packet packet = packet_of(frame);
         if (chance.below(2) == 0) mutate(chance, packet.payload);
         if (chance.below(12) == 0) packet.number = chance.byte();
-        if (chance.below(12) == 0) packet.regions = static_cast<uint16_t>(chance.next());
+        if (chance.below(12) == 0) packet.pieces = static_cast<uint16_t>(chance.next());
         if (chance.below(20) == 0) packet.kind = static_cast<uint8_t>(chance.below(5));
         frame = frame_of(packet);
       }

@@ -345,8 +345,7 @@ TEST_CASE("nothing is saved while the sink has yet to take something, whatever t
   wait(extractor.finish());
   using Kind = Event::Kind;
   CHECK(waited_for == std::set<Kind>{Kind::region, Kind::ring, Kind::run, Kind::region_end,
-                                     Kind::fragment, Kind::fragment_end, Kind::skipped, Kind::layer,
-                                     Kind::finish});
+                                     Kind::skipped, Kind::layer, Kind::finish});
 }
 
 TEST_CASE("what cannot be saved or restored is refused") {

@@ -100,9 +100,8 @@ TEST_CASE("normals do not depend on chunks, or on a sink that refuses") {
     }
 }
 
-TEST_CASE("under pressure normals are right in what is spilled and cut") {
+TEST_CASE("under pressure normals are right in what is cut") {
   const Size size{24, 20, 12};
-  uint64_t spills = 0;
   for (uint64_t seed = 0; seed < 4; ++seed)
     for (const bool takes_fragments : {true, false})
       for (const uint32_t edges : {2U, 20U, 100U, 600U})
@@ -110,22 +109,7 @@ TEST_CASE("under pressure normals are right in what is spilled and cut") {
           Setting setting{128, Border::closed, {edges, runs, 20, 300, 800}, takes_fragments};
           const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
           check_agreement(volume, setting);
-          for (const RecordedEvent& recorded : events_of<uint16_t, NoNormals>(volume, setting))
-            spills += recorded.is(Event::Kind::fragment);
         }
-  CHECK(spills > 1000);
-}
-
-TEST_CASE(
-    "where nearly all runs are spilled, runs and stand-ins have the normals where they start") {
-  const Size size{12, 10, 6};
-  const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 3);
-  const Setting setting{100, Border::closed, {100, 34, 20, 300, 800}};
-  check_agreement(volume, setting);
-  int fragments = 0;
-  for (const RecordedEvent& recorded : events_of<uint16_t, NoNormals>(volume, setting))
-    fragments += recorded.is(Event::Kind::fragment);
-  CHECK(fragments > 1000);
 }
 
 TEST_CASE("a scan that begins anew knows nothing of the one before") {

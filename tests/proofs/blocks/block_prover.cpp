@@ -135,7 +135,6 @@ void BlockProver::check_block() {
 // What is wrong with the block's surface, or nullptr.
 const char* BlockProver::flaw() const {
   const RegionCheck::Sum& sum = check_.sum();
-  if (extractor_.statistics().cuts != 0) return "a cut, for which there is no need";
   if (sum.unpaired != 0) return "an inner link that is used in one direction only";
   if (sum.fingerprint != forest_.fingerprint()) return "other regions than the facets make";
   if (sum.links != forest_.links()) return "a boundary with a slit";

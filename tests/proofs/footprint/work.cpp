@@ -118,7 +118,7 @@ int main() {
   report("facets", statistics.facets);
   report("regions", statistics.regions);
   report("links", statistics.links);
-  report("cuts", statistics.cuts);
+  report("fragments", statistics.fragments);
   report("stream_bytes", encoder.bytes());
   board::stop(good);
 }

@@ -82,7 +82,7 @@ class Hash {
 };
 
 Hash golden;
-uint32_t scans, events, cuts, spills;
+uint32_t scans, events, fragments;
 
 // A sink that hashes the members that an event's kind names.
 class EventHash {
@@ -105,8 +105,11 @@ class EventHash {
         add(event.normal.v);
         break;
       case Event::Kind::fragment:
-        add(event.number);
         add(event.incidence);
+        add(event.came);
+        add(static_cast<uint32_t>(event.start.x));
+        add(static_cast<uint32_t>(event.start.y));
+        add(static_cast<uint32_t>(event.start.z));
         break;
       case Event::Kind::skipped:
         add(event.slice);
@@ -187,7 +190,8 @@ struct Setting {
   Capacities capacities;
   bool takes_fragments;
 };
-// The least; memory for a part, which is answered by spills or by cuts; and for most of it.
+// The least; memory for a part, which is answered by loose fragments or by cuts; and for most of
+// it.
 constexpr Setting settings[] = {{minimum_capacities(), true},
                                 {{32, 80, 12, 24, 40}, true},
                                 {{32, 120, 12, 24, 40}, false},
@@ -234,8 +238,7 @@ class Scan {
   bool end(bool abandons) {
     const Status status = abandons ? extractor_.abandon() : extractor_.finish();
     if (!is_done(status) || !wire_between.finish()) return false;
-    cuts += static_cast<uint32_t>(extractor_.statistics().cuts);
-    spills += static_cast<uint32_t>(extractor_.statistics().spills);
+    fragments += static_cast<uint32_t>(extractor_.statistics().fragments);
     return true;
   }
 
@@ -324,8 +327,7 @@ int main() {
   const bool good = scan_all();
   board::report("scans", scans);
   board::report("events", events);
-  board::report("cuts", cuts);
-  board::report("spills", spills);
+  board::report("fragments", fragments);
   board::report("hash_high", static_cast<uint32_t>(golden.value() >> 32));
   board::report("hash_low", static_cast<uint32_t>(golden.value()));
   board::stop(good);
