@@ -282,7 +282,7 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
   const discmc_memory little = {memory.data(), 100};
   const discmc_limits good = {9, 9, DISCMC_CLOSED, {}};
   const discmc_limits bad = {0, 9, DISCMC_CLOSED, {}};
-  const discmc_capacities too_few = {1, 1};
+  const discmc_capacities too_few = {1, 1}, too_many = {1000, 0};
   const uint8_t samples[9] = {};
   CHECK(discmc_extractor_push_u8(&extractor, samples, 9, 1).status == DISCMC_NOT_STARTED);
   CHECK(discmc_extractor_resume(&extractor) == DISCMC_NOT_STARTED);
@@ -304,6 +304,9 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
         DISCMC_BAD_CAPACITIES);
   CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, little, &sink) ==
         DISCMC_TOO_LITTLE_MEMORY);
+  CHECK(discmc_extractor_start(&extractor, &good, &too_many, 1, all, &sink) ==
+        DISCMC_TOO_LITTLE_MEMORY);
+  CHECK(discmc_extractor_bytes_used(&extractor) == 0);
   REQUIRE(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &sink) == DISCMC_OK);
   CHECK(discmc_extractor_push_u8(&extractor, samples, 4, 1).samples == 4);
   CHECK(discmc_extractor_push_bits(&extractor, samples).status == DISCMC_ROW_IN_PROGRESS);
