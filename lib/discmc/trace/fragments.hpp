@@ -165,7 +165,10 @@ class Fragments {
   bool admits(uint8_t queue) const {
     return spare() >= 6 + (queue >= first_rising_queue ? kept_for_slice_ : 0) || !sends_;
   }
-  bool should_send(Index list, Index other = no_record) const;
+  bool should_send(Index list, Index other = no_record) const {
+    return spare() < plenty_ && is_long(list, other);
+  }
+  bool is_long(Index list, Index other) const;
   Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
@@ -186,7 +189,6 @@ void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
                                     const Normals& normals) {
   Index begin = no_record;  // of the fragment that goes on from here
   if (!pass.goes_ahead) begin = pop(pass.out);
-  Way way{vertex, false};
   Index tail = no_record;
   const bool is_corner = pass.came != pass.first;
   if (pass.comes_from_ahead) {
@@ -194,6 +196,9 @@ void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
     tail = begin_fragment(pass, vertex, normals);
   } else {
     tail = pop(pass.in);
+  }
+  Way way{vertex, false};
+  if (!pass.comes_from_ahead) {
     if (tail == no_record) {
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)));
       if (is_corner) end(tail).set_normal(normals.normal_at(vertex));
@@ -424,9 +429,8 @@ void Fragments<Index, Normal>::wire(Index begin, Index tail, Index list) {
 // The fewer records are left, the shorter a fragment may be to be sent as it stands; with none left
 // any is, and gives back what the pass has taken.
 template <class Index, class Normal>
-bool Fragments<Index, Normal>::should_send(Index list, Index other) const {
+bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
   const uint32_t left = spare();
-  if (left >= plenty_) return false;
   if (left < 4) return true;
   const uint32_t most = left / tune_divisor < tune_most ? left / tune_divisor : tune_most;
   return Lists::records_up_to(records_, list, most) +
