@@ -5,6 +5,7 @@
 #ifndef DISCMC_TRACE_SWEEP_HPP
 #define DISCMC_TRACE_SWEEP_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/trace/delivery.hpp>
 #include <discmc/trace/neighbourhood.hpp>
 
@@ -139,11 +140,11 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
     crossings.of[2] &= has_z;
     uint32_t voxels = (crossings.of[0] | crossings.of[1] | crossings.of[2]) & place_.voxels;
     for (; voxels != 0; voxels &= voxels - 1) {
-      const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(voxels));
+      const uint32_t bit = trailing_zeros(voxels);
       const Neighbourhood around(row.rows, word, bit);
       uint32_t axes = crossings.axes(bit) & place_.axes;
       for (; axes != 0; axes &= axes - 1) {
-        const int axis = __builtin_ctz(axes);
+        const int axis = static_cast<int>(trailing_zeros(axes));
         const uint32_t x = word * columns_per_word + bit - 2;  // -1 wraps
         if (visit(row, ends, around, axis, x, normals, sink, statistics)) continue;
         place_.word = word;
