@@ -51,9 +51,9 @@ class BitRows {
   void clear();
 
   /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples
-  /// from one to the next. Limit: count <= width - column(). Cost: with vectors less than an
-  /// instruction a sample where 32 are consecutive; without them about one far below the threshold
-  /// and a few for others; about ten where they are not consecutive.
+  /// from one to the next. Limit: count <= width - column(). Cost: where 32 are consecutive and
+  /// there are vectors, about an instruction a sample, whatever it is; without them one or two far
+  /// below the threshold and 5 to 15 else, and the same or more where they are not consecutive.
   template <class Sample>
   void append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold);
   /// Fills the whole row from bits, eight voxels a byte, the first in bit 0. Limit: column() == 0.
