@@ -160,15 +160,15 @@ void BitRows::next_slice() {
 
 RowBlock BitRows::around(int32_t y) const {
   RowBlock block;
-  for (uint32_t k = 0; k < 3; ++k) {
-    const uint32_t slice = slices_ + k;  // two more than its number
-    const bool is_there = slice >= 2;
-    const uint32_t rows = k == 2 ? rows_ : height_;
+  // Rows arrive slice by slice: so many rows ago came row y - 1 of the slice that arrives, of the
+  // one before it, and of the one before that.
+  uint32_t back = rows_ + 1 - static_cast<uint32_t>(y);
+  for (uint32_t k = 3; k-- > 0; back += height_) {
+    const uint32_t there = slices_ + k < 2 ? 0 : k == 2 ? rows_ : height_;
     for (uint32_t j = 0; j < 3; ++j) {
       // Beyond the height for a row before the first.
       const uint32_t at = static_cast<uint32_t>(y) + j - 1;
-      const bool is_row = is_there && at < rows;
-      block.row[k][j] = is_row ? row_before((2 - k) * height_ + rows_ - at) : off_;
+      block.row[k][j] = at < there ? row_before(back - j) : off_;
     }
   }
   return block;

@@ -85,6 +85,7 @@ class Sweep {
   template <class Normals>
   bool visit(const SweptRow& row, const RowEnds& ends, const Neighbourhood& around, int axis,
              uint32_t x, const Normals& normals, const Sink& sink, Statistics& statistics);
+  bool end_above(Passes& passes, const Vertex& vertex, const Sink& sink, Statistics& statistics);
   void count(uint32_t parts) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     cells_.add(parts & ((1U << facet) - 1));
@@ -172,24 +173,39 @@ bool Sweep<Index, Normal>::visit(const SweptRow& row, const RowEnds& ends,
                                  Statistics& statistics) {
   Passes passes(sector_table.axis[axis], around.is_on(), around.lines(axis),
                 row.absent[axis] | ends.absent(axis, x));
-  uint32_t done = place_.steps;
-  if (done == 0 && !row.is_above_slab) count(passes.counts());
   const Vertex vertex{2 * static_cast<int32_t>(x) + (axis == 0), 2 * row.y + (axis == 1),
                       2 * row.z + (axis == 2)};
-  const uint32_t steps = row.is_above_slab ? 2 : 1;
+  if (row.is_above_slab) return end_above(passes, vertex, sink, statistics);
+  if (place_.steps == 0) count(passes.counts());
+  uint32_t step = 0;
+  Pass pass;
+  while (passes.next(pass)) {
+    if (++step <= place_.steps) continue;
+    chains_.take(pass, vertex, normals);
+    if (!chains_.has_outgoing() || delivery_.settle(chains_, sink, statistics)) continue;
+    place_.steps = step;
+    return false;
+  }
+  place_.steps = 0;
+  return true;
+}
+
+// Ends the chains that come up to a vertex of the slice above a slab, and begins those that go down
+// from it: two steps a pass.
+template <class Index, class Normal>
+bool Sweep<Index, Normal>::end_above(Passes& passes, const Vertex& vertex, const Sink& sink,
+                                     Statistics& statistics) {
   uint32_t step = 0;
   Pass pass;
   while (passes.next(pass))
-    for (uint32_t i = 0; i < steps; ++i, ++step) {
-      if (step < done) continue;
-      if (!row.is_above_slab)
-        chains_.take(pass, vertex, normals);
-      else if (i == 0)
+    for (int half = 0; half < 2; ++half) {
+      if (++step <= place_.steps) continue;
+      if (half == 0)
         chains_.end_at(pass, vertex);
       else
         chains_.begin_below(pass, vertex);
       if (delivery_.settle(chains_, sink, statistics)) continue;
-      place_.steps = step + 1;
+      place_.steps = step;
       return false;
     }
   place_.steps = 0;
