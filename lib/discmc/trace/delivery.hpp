@@ -57,7 +57,7 @@ class Delivery {
   void go_on(Records& records, Statistics& statistics);
   void end_runs(Records& records, Statistics& statistics);
 
-  bool sends_ = true;
+  bool sends_ = false;
   bool is_delivering_ = false;
   bool is_fragment_ = false;
   bool is_hole_ = false;
