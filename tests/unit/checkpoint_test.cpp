@@ -255,15 +255,15 @@ TEST_CASE("a torn checkpoint is found out, wherever it is torn") {
   const Image before = device.save();
   device.scan_to(20);
   const Image after = device.save();
-  REQUIRE(before.size() == after.size());
   for (size_t written = 0; written <= after.size(); ++written) {
     CAPTURE(written);
     const auto end = static_cast<ptrdiff_t>(written);
     Image torn = before;
+    torn.resize(std::max(before.size(), after.size()));
     std::copy(after.begin(), after.begin() + end, torn.begin());
     auto other = device_for<uint16_t>(scan);
     const Status status = other.restore(torn);
-    if (torn == before || torn == after) {
+    if (written == 0 || torn == after) {
       REQUIRE(status == Status::ok);
       continue;
     }
@@ -377,7 +377,8 @@ TEST_CASE("what cannot be saved or restored is refused") {
   CHECK(extractor.restore(scan, whole, Sink{}) == Status::bad_sink);
   CHECK(extractor.restore(scan, whole, sink_to(encoder, false)) == Status::bad_sink);
   CHECK(encoder.restore(stream, ByteOutput{}) == Status::bad_sink);
-  CHECK(extractor.restore(scan, {memory, used}, sink) == Status::ok);
+  CHECK(extractor.restore(scan, {memory, used}, sink) == Status::too_little_memory);
+  CHECK(extractor.restore(scan, whole, sink) == Status::ok);
 
   std::memmove(memory + 1, memory, used);
   CHECK(extractor.restore(scan, {memory + 1, used}, sink) == Status::bad_checkpoint);

@@ -344,7 +344,7 @@ TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
   const Limits limits{16, 9};
   using Normals = WithNormals<uint16_t>;
   const size_t least = minimum_bytes<uint16_t, Normals>(limits);
-  CHECK(least >= minimum_bytes<uint16_t>(limits) + 16 * (3 * 9 + 2) * 2);
+  CHECK(least >= minimum_bytes<uint16_t>(limits) + 16 * (4 * 9 + 6) * 2);
   Block block(least);
   const Memory memory = block.memory();
   EventLog log;
@@ -352,7 +352,8 @@ TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
   CHECK(extractor.start(limits, 1, {memory.data, least - 1}, sink_to(log)) ==
         Status::too_little_memory);
   CHECK(extractor.start(limits, 1, memory, sink_to(log)) == Status::ok);
-  CHECK(extractor.bytes_used() == least);
+  CHECK(extractor.bytes_used() <= least);
+  CHECK(extractor.bytes_used() > minimum_bytes<uint16_t>(limits) + 16 * (4 * 9 + 6) * 2);
   const uint64_t more = least + 4096;
   const Capacities capacities = default_capacities<uint16_t, Normals>(limits, more);
   CHECK(bytes_for<uint16_t, Normals>(limits, capacities) <= more);
