@@ -15,7 +15,8 @@ namespace {
 
 #define DISCMC_SAME_PLACE(member) (offsetof(Event, member) == offsetof(discmc_event, member))
 static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &&
-                  DISCMC_SAME_PLACE(incidence) && DISCMC_SAME_PLACE(hole) &&
+                  DISCMC_SAME_PLACE(incidence) && DISCMC_SAME_PLACE(came) &&
+                  DISCMC_SAME_PLACE(hole) &&
                   DISCMC_SAME_PLACE(repeated) && DISCMC_SAME_PLACE(abandoned) &&
                   DISCMC_SAME_PLACE(normal) && DISCMC_SAME_PLACE(run) &&
                   DISCMC_SAME_PLACE(number) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&

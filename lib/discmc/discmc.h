@@ -149,7 +149,7 @@ enum {
   DISCMC_RING,         /* one of its rings begins: start, hole */
   DISCMC_RUN,          /* the next run of the ring or fragment: run, normal */
   DISCMC_REGION_END,   /* the region is complete */
-  DISCMC_FRAGMENT,     /* a part of an open ring, sent early: number, incidence */
+  DISCMC_FRAGMENT,     /* a loose fragment begins: incidence, start, came */
   DISCMC_FRAGMENT_END, /* the fragment is complete */
   DISCMC_SKIPPED,      /* a row never came: slice, row, repeated */
   DISCMC_LAYER,        /* every region that does not reach `slice` has been delivered */
@@ -162,6 +162,7 @@ enum {
 typedef struct discmc_event {
   uint8_t kind;
   uint8_t incidence; /* see discmc_normal() */
+  uint8_t came;      /* direction of the link by which a loose fragment's chain comes to its start */
   uint8_t hole;
   uint8_t repeated;
   uint8_t abandoned;

@@ -9,6 +9,11 @@
 //
 // A decoder may put `lost` in place of the rest of a region or fragment, and a stream that breaks
 // off has no `finish`.
+//
+// A loose fragment is a piece of a boundary ring, sent early, complete in itself. It is followed by
+// the fragment of its incidence that starts where it ends and came there in the direction of its
+// last run; there is only one. A ring that is sent loose as a whole follows itself. Within a sweep
+// all fragments of a region's holes are sent before its outer ring, or the last fragment of that.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
@@ -39,7 +44,7 @@ struct Event {
     ring,          ///< one of its rings begins: start, hole
     run,           ///< the next run of the ring or fragment: run, normal
     region_end,    ///< the region is complete
-    fragment,      ///< a part of an open ring, sent early: number, incidence
+    fragment,      ///< a loose fragment begins: incidence, start, came
     fragment_end,  ///< the fragment is complete
     skipped,       ///< a row never came: slice, row; `repeated` when the row before stood in for it
     layer,         ///< every region that does not reach `slice` has been delivered
@@ -48,6 +53,7 @@ struct Event {
   };
   Kind kind;
   Incidence incidence;
+  Direction came;  ///< of the link by which a loose fragment's chain comes to its start
   bool hole;
   bool repeated;
   bool abandoned;

@@ -35,7 +35,8 @@ void for_each_number(const Event& event, Add add) {
       return add_all(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
                      uint64_t{event.normal.v} << 40);
     case Event::Kind::fragment:
-      return add_all(event.number, event.incidence);
+      return add_all(event.number, event.incidence, event.came, event.start.x, event.start.y,
+                     event.start.z);
     case Event::Kind::skipped:
       return add_all(event.slice, event.row, event.repeated);
     case Event::Kind::layer:
