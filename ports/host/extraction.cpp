@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -69,11 +70,30 @@ std::uint64_t least_bytes(const Limits& limits) {
   return narrow < small_arena ? narrow : minimum_bytes<std::uint32_t, Normals>(limits);
 }
 
+// An arena, and how it is split.
+struct Arrangement {
+  std::uint64_t bytes;
+  Capacities capacities;
+};
+
+// Throws where an extractor would refuse.
 template <class Index, class Normals>
-std::uint64_t used_bytes(const Extractor<Index, Normals>& extractor) {
-  const HighWater high = extractor.high_water();
-  return bytes_for<Index, Normals>(extractor.limits(),
-                                   {high.edges, high.runs, high.rings, high.regions, high.slots});
+Arrangement arrangement(const Limits& limits, const ExtractionOptions& options,
+                        std::uint64_t memory) {
+  if (options.capacities) {
+    if (!is_valid<Index>(*options.capacities))
+      throw std::invalid_argument(
+          "--capacities " + std::to_string(options.capacities->records) + "," +
+          std::to_string(options.capacities->holes) + ": give at least " +
+          std::to_string(minimum_capacities().records) + " records, and fewer than 2^31");
+    return {memory, *options.capacities};
+  }
+  if (memory < minimum_bytes<Index, Normals>(limits))
+    throw std::invalid_argument("--memory " + std::to_string(memory) +
+                                " is too little for slices of " + std::to_string(limits.width) +
+                                "x" + std::to_string(limits.height) + ": give at least " +
+                                std::to_string(least_bytes<Normals>(limits)) + " bytes");
+  return {memory, default_capacities<Index, Normals>(limits, memory)};
 }
 
 template <class Index, class Sample, class Normals>
@@ -81,25 +101,23 @@ Extraction extract_samples(VolumeReader& volume, const Limits& limits,
                            const ExtractionOptions& options, std::uint64_t memory,
                            const Sink& sink) {
   const VolumeInfo& info = volume.info();
-  std::vector<std::uint8_t> arena(memory);
+  const auto [bytes, capacities] = arrangement<Index, Normals>(limits, options, memory);
+  // Left as it comes: what is never used costs nothing.
+  const std::unique_ptr<std::uint8_t[]> arena(new std::uint8_t[bytes]);
   Extractor<Index, Normals> extractor;
-  if constexpr (Normals::hold_samples) {
+  if constexpr (Normals::holds_samples) {
     const auto spacing = spacing_nm(info.spacing_mm);
     extractor.set_spacing({spacing[0], spacing[1], spacing[2]});
   }
   const Status started =
-      extractor.start(limits, options.threshold, {arena.data(), arena.size()}, sink);
-  if (started == Status::too_little_memory)
-    throw std::invalid_argument("--memory " + std::to_string(memory) +
-                                " is too little for slices of " + std::to_string(limits.width) +
-                                "x" + std::to_string(limits.height) + ": give at least " +
-                                std::to_string(least_bytes<Normals>(limits)) + " bytes");
+      extractor.start(limits, capacities, options.threshold, {arena.get(), bytes}, sink);
   if (started != Status::ok) throw std::invalid_argument(text(started));
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
   CrossingCounter crossings(limits, options.threshold);
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    const Pushed pushed = extractor.push(slice.data(), static_cast<std::uint32_t>(slice.size()));
+    const PushResult pushed =
+        extractor.push(slice.data(), static_cast<std::uint32_t>(slice.size()));
     if (pushed.status != Status::ok) throw std::runtime_error(text(pushed.status));
     crossings.add_slice(slice.data());
     if (options.progress) options.progress(z + 1);
@@ -107,24 +125,38 @@ Extraction extract_samples(VolumeReader& volume, const Limits& limits,
   const Status finished = extractor.finish();
   if (finished != Status::ok) throw std::runtime_error(text(finished));
   return {extractor.statistics(), std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2],
-          crossings.count(), memory, used_bytes(extractor)};
+          crossings.count(),      bytes,
+          extractor.bytes_used(), capacities,
+          extractor.high_water()};
 }
 
-// With the memory that is asked for, or a generous one.
+// The arena that is asked for, or a generous one. Units: bytes.
+template <class Normals>
+std::uint64_t arena_bytes(const Limits& limits, std::uint32_t slices,
+                          const ExtractionOptions& options) {
+  if (options.capacities) {
+    const std::uint64_t narrow = bytes_for<std::uint16_t, Normals>(limits, *options.capacities);
+    return narrow < small_arena && is_valid<std::uint16_t>(*options.capacities)
+               ? narrow
+               : bytes_for<std::uint32_t, Normals>(limits, *options.capacities);
+  }
+  const std::uint64_t least = 2 * minimum_bytes<std::uint32_t, Normals>(limits);
+  const std::uint64_t most =
+      std::max(worst_case_bytes<std::uint32_t, Normals>(limits, slices), least);
+  // More than the worst case needs is never touched.
+  return options.memory > 0 ? std::min(options.memory, std::max(most, small_arena))
+                            : std::max(std::min(generous_bytes, most), least);
+}
+
 template <class Sample, class Normals>
 Extraction extract_in(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
   const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
-  const std::uint64_t least = 2 * minimum_bytes<std::uint32_t, Normals>(limits);
-  const std::uint64_t most = std::max(worst_case_bytes<std::uint32_t, Normals>(limits), least);
-  const std::uint64_t generous = std::max(std::min(generous_bytes, most), least);
-  // More than the worst case needs is never touched.
-  const std::uint64_t memory =
-      options.memory > 0 ? std::min(options.memory, std::max(most, small_arena)) : generous;
-  return options.memory > 0 && memory < small_arena
-             ? extract_samples<std::uint16_t, Sample, Normals>(volume, limits, options, memory,
-                                                               sink)
-             : extract_samples<std::uint32_t, Sample, Normals>(volume, limits, options, memory,
-                                                               sink);
+  const std::uint64_t memory = arena_bytes<Normals>(limits, volume.info().dims[2], options);
+  const bool is_asked_for = options.memory > 0 || options.capacities;
+  return is_asked_for && memory < small_arena ? extract_samples<std::uint16_t, Sample, Normals>(
+                                                    volume, limits, options, memory, sink)
+                                              : extract_samples<std::uint32_t, Sample, Normals>(
+                                                    volume, limits, options, memory, sink);
 }
 
 template <class Sample>
