@@ -52,8 +52,9 @@ class Delivery {
   void begin_fragments(Records& records);
   void next_fragment(Records& records);
   bool deliver(Records& records, const Sink& sink, Statistics& statistics);
-  Event next_event(const Records& records, Cursor& after) const;
-  void go_on(Records& records, const Event& event, const Cursor& after, Statistics& statistics);
+  bool deliver_runs(Event& event, const Records& records, const Sink& sink,
+                    Statistics& statistics);
+  void go_on(Records& records, Statistics& statistics);
   void end_runs(Records& records, Statistics& statistics);
 
   bool sends_ = true;
@@ -155,36 +156,45 @@ void Delivery<Index, Normal>::next_fragment(Records& records) {
 
 template <class Index, class Normal>
 bool Delivery<Index, Normal>::deliver(Records& records, const Sink& sink, Statistics& statistics) {
+  Event event{};
   while (is_delivering_) {
-    Cursor after = cursor_;
-    const Event event = next_event(records, after);
-    if (sink.take(sink.context, event) != Answer::taken) return false;
-    go_on(records, event, after, statistics);
+    event.kind = next_event_;
+    event.incidence = out_.incidence;
+    event.start = start_;
+    event.hole = is_hole_;
+    event.came = out_.came;
+    if (next_event_ == Event::Kind::run) {
+      if (!deliver_runs(event, records, sink, statistics)) return false;
+      end_runs(records, statistics);
+    } else {
+      if (sink.take(sink.context, event) != Answer::taken) return false;
+      go_on(records, statistics);
+    }
   }
   return true;
 }
 
 template <class Index, class Normal>
-Event Delivery<Index, Normal>::next_event(const Records& records, Cursor& after) const {
-  Event event{};
-  event.kind = next_event_;
-  event.incidence = out_.incidence;
-  event.start = start_;
-  event.hole = is_hole_;
-  event.came = out_.came;
-  if (next_event_ != Event::Kind::run) return event;
-  event.run = long_run(cursor_.run(records));
-  if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = cursor_.slot(records).normal();
-  do
-    after.advance(records);
-  while (after != first_ && event.run.absorb(long_run(after.run(records))));
-  return event;
+bool Delivery<Index, Normal>::deliver_runs(Event& event, const Records& records, const Sink& sink,
+                                           Statistics& statistics) {
+  do {
+    Cursor after = cursor_;
+    const Slot& slot = after.slot(records);
+    event.run = long_run(slot.run);
+    if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
+    do
+      after.advance(records);
+    while (after != first_ && event.run.absorb(long_run(after.run(records))));
+    if (sink.take(sink.context, event) != Answer::taken) return false;
+    statistics.links += event.run.length();
+    cursor_ = after;
+  } while (cursor_ != first_);
+  return true;
 }
 
 // The sink has taken an event: what comes next?
 template <class Index, class Normal>
-void Delivery<Index, Normal>::go_on(Records& records, const Event& event, const Cursor& after,
-                                    Statistics& statistics) {
+void Delivery<Index, Normal>::go_on(Records& records, Statistics& statistics) {
   switch (next_event_) {
     case Event::Kind::region:
       next_event_ = Event::Kind::ring;
@@ -193,11 +203,6 @@ void Delivery<Index, Normal>::go_on(Records& records, const Event& event, const 
     case Event::Kind::fragment:
       cursor_ = first_;
       next_event_ = Event::Kind::run;
-      break;
-    case Event::Kind::run:
-      statistics.links += event.run.length();
-      cursor_ = after;
-      if (cursor_ == first_) end_runs(records, statistics);
       break;
     case Event::Kind::region_end:
       ++statistics.regions;
