@@ -36,6 +36,14 @@ struct Extraction {
   HighWater high_water{};              ///< of them, the most in use at once
 };
 
+/// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
+/// half a MiB. A scan on the host then is one on a device.
+template <class Normals = NoNormals>
+bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
+  return default_capacities<std::uint16_t, Normals>(limits, memory).records >=
+         default_capacities<std::uint32_t, Normals>(limits, memory).records;
+}
+
 /// The header of a volume's stream.
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
 
