@@ -36,8 +36,8 @@ Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t
   return {true, static_cast<uint32_t>(first), static_cast<uint32_t>(second)};
 }
 
-// Printed by train_region_model (tests/bench): what tells regions from streams of balls and of a small
-// CT head, what tells loose fragments from streams of heads and an engine in little memory.
+// Printed by train_region_model (tests/bench): what tells regions from streams of balls and of a
+// small CT head, what tells loose fragments from streams of heads and an engine in little memory.
 // clang-format off
 const Probability region_model[context::count] = {
 128, 214, 244, 173, 162, 30, 90, 17, 249, 237, 251, 1, 145, 128, 109, 1, 128, 128, 66, 128, 72, 47,

@@ -97,7 +97,6 @@ bool check_hostile_volumes() {
                     hostile.name, border == Border::closed ? "closed" : "open", room.name,
                     work.most, work.cells > 0 ? a_cell : 0, 100 * work.most_of_bound,
                     work.fragments);
-        const bool may_cut = std::strcmp(room.name, "worst case") != 0;
         holds = holds && work.most_of_bound <= 1;
       }
     }
