@@ -1,7 +1,7 @@
 // Fuzz target. The promise: any small volume, fed in any portions, in any memory, to a sink that
 // refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined, or
-// for a sink that takes none pieces that make up the same surface; nothing is loose in the memory of
-// the worst case; and neither index width, portions nor refusals show.
+// for a sink that takes none pieces that make up the same surface; nothing is loose in the memory
+// of the worst case; and neither index width, portions nor refusals show.
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
@@ -43,14 +43,14 @@ constexpr uint32_t most_slices = 7;
 Capacities read_capacities(Input& input, const Limits& limits, bool is_wide) {
   switch (input.below(4)) {
     case 0:  // enough for anything
-      return worst_case_capacities(limits, most_slices);
+      return is_wide ? worst_case_capacities(limits, most_slices) : ample;
     case 1: {
       const uint64_t room = input.word();
       return is_wide ? default_capacities<uint32_t>(limits, minimum_bytes<uint32_t>(limits) + room)
                      : default_capacities<uint16_t>(limits, minimum_bytes<uint16_t>(limits) + room);
     }
     case 2:  // few holes may wait
-      return {worst_case_capacities(limits, most_slices).records, input.below(8)};
+      return {ample.records, input.below(8)};
     default:
       return read_little_memory(input);
   }
@@ -245,9 +245,9 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
   const std::string miscount = miscounted(collector, scenario.volume, closed);
   require(miscount.empty(), miscount.c_str());
   const std::vector<Region> merged = merge(scenario.volume, closed);
-  const std::string unlike = scenario.has_all_memory ? unlike_regions(collector.regions(), canonical(merged))
-                             : scenario.takes_fragments
-                                 ? unlike_joined({collector}, merged)
+  const std::string unlike =
+      scenario.has_all_memory    ? unlike_regions(collector.regions(), canonical(merged))
+      : scenario.takes_fragments ? unlike_joined({collector}, merged)
                                  : unlike_surface(collector.regions(), scenario.volume, closed);
   require(unlike.empty(), unlike.c_str());
   require(!scenario.has_all_memory || collector.loose().empty(), "loose, with memory left");
