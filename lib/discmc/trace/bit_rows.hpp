@@ -51,8 +51,9 @@ class BitRows {
   void clear();
 
   /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples
-  /// from one to the next. Limit: count <= width - column(). Cost: about an instruction a sample
-  /// far below the threshold, a few for others, and about ten where they are not consecutive.
+  /// from one to the next. Limit: count <= width - column(). Cost: where 32 are consecutive and
+  /// there are vectors, about an instruction a sample, whatever it is; without them one or two far
+  /// below the threshold and 5 to 15 else, and the same or more where they are not consecutive.
   template <class Sample>
   void append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold);
   /// Fills the whole row from bits, eight voxels a byte, the first in bit 0. Limit: column() == 0.
@@ -81,7 +82,10 @@ class BitRows {
  private:
   uint32_t* row_before(uint32_t back) const;
   uint32_t* arriving();
-  void place(uint32_t* words, uint32_t bits, uint32_t count) const;
+  void place(uint32_t* words, uint32_t bits) const;
+  template <class Sample>
+  void append_windows(uint32_t* words, const Sample* samples, uint32_t count,
+                      int32_t threshold) const;
 
   uint32_t* ring_ = nullptr;
   uint32_t* off_ = nullptr;

@@ -52,11 +52,12 @@ class Delivery {
   void begin_fragments(Records& records);
   void next_fragment(Records& records);
   bool deliver(Records& records, const Sink& sink, Statistics& statistics);
-  Event next_event(const Records& records, Cursor& after) const;
-  void go_on(Records& records, const Event& event, const Cursor& after, Statistics& statistics);
+  bool deliver_runs(Event& event, const Records& records, const Sink& sink,
+                    Statistics& statistics);
+  void go_on(Records& records, Statistics& statistics);
   void end_runs(Records& records, Statistics& statistics);
 
-  bool sends_ = true;
+  bool sends_ = false;
   bool is_delivering_ = false;
   bool is_fragment_ = false;
   bool is_hole_ = false;
@@ -108,16 +109,20 @@ template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
   const Cursor begin(records, out_.last);
   const Direction first = direction_of(begin.run(records));
+  const int directions = direction_count(out_.incidence);
   Direction before = first;
   int turned = 0;
   Cursor cursor = begin;
   do {
-    const Direction direction = direction_of(cursor.run(records));
-    turned += turn(out_.incidence, before, direction);
-    before = direction;
     cursor.advance(records);
+    const Direction direction = direction_of(cursor.run(records));
+    int step = direction - before;
+    if (step < 0) step += directions;
+    turned += 2 * step < directions ? step : step - directions;
+    before = direction;
   } while (cursor != begin);
-  is_hole_ = turned + turn(out_.incidence, before, first) < 0;
+  before = direction_of(RunLists<Index, Normal>::last_run(records, out_.last));
+  is_hole_ = turned < 0;
   out_.came = before;
   start_ = out_.start;
   for (; direction_of(cursor.run(records)) == before; cursor.advance(records)) {
@@ -155,36 +160,45 @@ void Delivery<Index, Normal>::next_fragment(Records& records) {
 
 template <class Index, class Normal>
 bool Delivery<Index, Normal>::deliver(Records& records, const Sink& sink, Statistics& statistics) {
+  Event event{};
   while (is_delivering_) {
-    Cursor after = cursor_;
-    const Event event = next_event(records, after);
-    if (sink.take(sink.context, event) != Answer::taken) return false;
-    go_on(records, event, after, statistics);
+    event.kind = next_event_;
+    event.incidence = out_.incidence;
+    event.start = start_;
+    event.hole = is_hole_;
+    event.came = out_.came;
+    if (next_event_ == Event::Kind::run) {
+      if (!deliver_runs(event, records, sink, statistics)) return false;
+      end_runs(records, statistics);
+    } else {
+      if (sink.take(sink.context, event) != Answer::taken) return false;
+      go_on(records, statistics);
+    }
   }
   return true;
 }
 
 template <class Index, class Normal>
-Event Delivery<Index, Normal>::next_event(const Records& records, Cursor& after) const {
-  Event event{};
-  event.kind = next_event_;
-  event.incidence = out_.incidence;
-  event.start = start_;
-  event.hole = is_hole_;
-  event.came = out_.came;
-  if (next_event_ != Event::Kind::run) return event;
-  event.run = long_run(cursor_.run(records));
-  if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = cursor_.slot(records).normal();
-  do
-    after.advance(records);
-  while (after != first_ && event.run.absorb(long_run(after.run(records))));
-  return event;
+bool Delivery<Index, Normal>::deliver_runs(Event& event, const Records& records, const Sink& sink,
+                                           Statistics& statistics) {
+  do {
+    Cursor after = cursor_;
+    const Slot& slot = after.slot(records);
+    event.run = long_run(slot.run);
+    if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
+    do
+      after.advance(records);
+    while (after != first_ && event.run.absorb(long_run(after.run(records))));
+    if (sink.take(sink.context, event) != Answer::taken) return false;
+    statistics.links += event.run.length();
+    cursor_ = after;
+  } while (cursor_ != first_);
+  return true;
 }
 
 // The sink has taken an event: what comes next?
 template <class Index, class Normal>
-void Delivery<Index, Normal>::go_on(Records& records, const Event& event, const Cursor& after,
-                                    Statistics& statistics) {
+void Delivery<Index, Normal>::go_on(Records& records, Statistics& statistics) {
   switch (next_event_) {
     case Event::Kind::region:
       next_event_ = Event::Kind::ring;
@@ -193,11 +207,6 @@ void Delivery<Index, Normal>::go_on(Records& records, const Event& event, const 
     case Event::Kind::fragment:
       cursor_ = first_;
       next_event_ = Event::Kind::run;
-      break;
-    case Event::Kind::run:
-      statistics.links += event.run.length();
-      cursor_ = after;
-      if (cursor_ == first_) end_runs(records, statistics);
       break;
     case Event::Kind::region_end:
       ++statistics.regions;

@@ -67,7 +67,6 @@ inline Vertex moved_back(const Vertex& v, Link link, uint32_t times) {
   return moved(v, link, 0 - times);
 }
 
-inline uint32_t tune_plenty = 0, tune_divisor = 8, tune_kept = 64, tune_most = ~0u;
 /// A chain that leaves the pool: a closed ring, or a loose fragment.
 template <class Index>
 struct Outgoing {
@@ -88,20 +87,23 @@ class Fragments {
 
   /// The least capacity with which a scan works.
   static constexpr uint32_t least_capacity = 4;
+  /// With as many records left no fragment is sent early.
+  static constexpr uint32_t plenty = 1024;
+  /// So many records, or half of all, are kept from ends that wait for the next slice.
+  static constexpr uint32_t most_kept = 80;
 
   /// sends: a shortage of records sends loose fragments; without it there must be none.
   void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues, bool sends) {
     records_.start(records, capacity);
     queues_.start(queues);
     sends_ = sends;
-    kept_for_slice_ = capacity / 64 < tune_kept ? capacity / 64 : tune_kept;
-    plenty_ = sends ? tune_plenty ? tune_plenty : capacity : 0;
+    kept_for_slice_ = capacity / 2 < most_kept ? capacity / 2 : most_kept;
   }
   void clear() {
     records_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
-    lost_from_ = queue_count;
+    is_below_lost_ = false;
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
@@ -115,7 +117,7 @@ class Fragments {
   void begin_below(const Pass& pass, const Vertex& vertex);
 
   /// Whether what comes from below is another slab's.
-  void lose_below(bool is_lost) { lost_from_ = is_lost ? first_rising_queue : queue_count; }
+  void lose_below(bool is_lost) { is_below_lost_ = is_lost; }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   Outgoing<Index> take_outgoing() {
@@ -159,20 +161,23 @@ class Fragments {
   void wire(Index begin, Index tail, Index list);
 
   Index pop(uint8_t queue) {
-    return queue < lost_from_ ? queues_.pop(records_, queue) : Index{no_record};
+    const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
+    return is_lost ? Index{no_record} : queues_.pop(records_, queue);
   }
   // Ends of links that stay within the slice are the last to be lost: they leave it soon.
   bool admits(uint8_t queue) const {
     return spare() >= 6 + (queue >= first_rising_queue ? kept_for_slice_ : 0) || !sends_;
   }
-  bool should_send(Index list, Index other = no_record) const;
+  bool should_send(Index list, Index other = no_record) const {
+    return spare() < plenty && sends_ && is_long(list, other);
+  }
+  bool is_long(Index list, Index other) const;
   Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  bool sends_ = true;
-  uint8_t lost_from_ = queue_count;  // queues whose ends are not this slab's
+  bool sends_ = false;
+  bool is_below_lost_ = false;
   uint32_t kept_for_slice_ = 0;  // from ends that wait for the next slice
-  uint32_t plenty_ = 0;          // with as many records left nothing is sent
   Outgoing<Index> outgoing_;
   Records records_;
   Queues<Index, Normal> queues_;
@@ -186,7 +191,6 @@ void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
                                     const Normals& normals) {
   Index begin = no_record;  // of the fragment that goes on from here
   if (!pass.goes_ahead) begin = pop(pass.out);
-  Way way{vertex, false};
   Index tail = no_record;
   const bool is_corner = pass.came != pass.first;
   if (pass.comes_from_ahead) {
@@ -194,6 +198,9 @@ void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
     tail = begin_fragment(pass, vertex, normals);
   } else {
     tail = pop(pass.in);
+  }
+  Way way{vertex, false};
+  if (!pass.comes_from_ahead) {
     if (tail == no_record) {
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)));
       if (is_corner) end(tail).set_normal(normals.normal_at(vertex));
@@ -424,11 +431,10 @@ void Fragments<Index, Normal>::wire(Index begin, Index tail, Index list) {
 // The fewer records are left, the shorter a fragment may be to be sent as it stands; with none left
 // any is, and gives back what the pass has taken.
 template <class Index, class Normal>
-bool Fragments<Index, Normal>::should_send(Index list, Index other) const {
+bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
   const uint32_t left = spare();
-  if (left >= plenty_) return false;
   if (left < 4) return true;
-  const uint32_t most = left / tune_divisor < tune_most ? left / tune_divisor : tune_most;
+  const uint32_t most = left / 16;
   return Lists::records_up_to(records_, list, most) +
              Lists::records_up_to(records_, other, most) > most;
 }

@@ -6,6 +6,7 @@
 #ifndef DISCMC_TRACE_PASSES_HPP
 #define DISCMC_TRACE_PASSES_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/trace/sector_table.hpp>
 
 namespace discmc::trace {
@@ -68,7 +69,7 @@ class Passes {
 
  private:
   // Rays are told by where their nibble begins.
-  static uint32_t nibble(uint32_t bits) { return static_cast<uint32_t>(__builtin_ctz(bits)); }
+  static uint32_t nibble(uint32_t bits) { return trailing_zeros(bits); }
   static bool is_face(uint32_t ray) { return ray % 8 == 0; }
 
   // The lines of a quadrant's cell.

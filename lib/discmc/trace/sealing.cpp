@@ -1,3 +1,4 @@
+#include <discmc/compiler.hpp>
 #include <discmc/trace/sealing.hpp>
 
 namespace discmc::trace {
@@ -66,7 +67,7 @@ bool Sealing::deliver(const RowBlock& rows, int32_t y, int32_t z, const Sink& si
     if (!is_word_begun_) cells_ = active(cells, word_);
     is_word_begun_ = true;
     for (; cells_ != 0; cells_ &= cells_ - 1) {
-      const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(cells_));
+      const uint32_t bit = trailing_zeros(cells_);
       uint32_t configuration = 0;
       for (int i = 0; i < 4; ++i) configuration |= (cells.row[i][word_] >> bit & 3) << 2 * i;
       const uint32_t x = word_ * columns_per_word + bit - 2;  // -1 wraps

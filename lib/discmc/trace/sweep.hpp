@@ -5,6 +5,7 @@
 #ifndef DISCMC_TRACE_SWEEP_HPP
 #define DISCMC_TRACE_SWEEP_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/trace/delivery.hpp>
 #include <discmc/trace/neighbourhood.hpp>
 
@@ -72,7 +73,7 @@ class Sweep {
     chains_.clear();
     delivery_.clear();
     cells_ = facets_ = triangles_ = {};
-    end_row();
+    place_ = Place{};
   }
 
   /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
@@ -82,27 +83,26 @@ class Sweep {
 
  private:
   template <class Normals>
-  bool visit(const SweptRow& row, const RowEnds& ends, uint32_t bit, uint32_t axes,
-             const Normals& normals, const Sink& sink, Statistics& statistics);
+  bool visit(const SweptRow& row, const RowEnds& ends, const Neighbourhood& around, int axis,
+             uint32_t x, const Normals& normals, const Sink& sink, Statistics& statistics);
+  bool end_above(Passes& passes, const Vertex& vertex, const Sink& sink, Statistics& statistics);
   void count(uint32_t parts) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     cells_.add(parts & ((1U << facet) - 1));
     facets_.add(parts >> facet & ((1U << (triangle - facet)) - 1));
     triangles_.add(parts >> triangle);
   }
-  void end_row() {
-    word_ = 0;
-    is_word_begun_ = false;
-    axis_ = 0;
-    pass_ = 0;
-  }
 
-  // Where the sweep of the row is: the word, its voxels still to visit, the edge and its passes.
-  bool is_word_begun_ = false;
-  uint8_t axis_ = 0;
-  uint8_t pass_ = 0;  // steps done: one a pass, or two above a slab
-  uint32_t word_ = 0;
-  uint32_t voxels_ = 0;
+  // Where the sweep of a row was suspended: the word, what of it has been visited (voxels, and of the
+  // next voxel the axes of edges), and the steps done at the next vertex: one a pass, or two above a
+  // slab.
+  struct Place {
+    uint32_t word = 0;
+    uint32_t voxels = 0;
+    uint32_t axes = 0;
+    uint32_t steps = 0;
+  };
+  Place place_;
   PartCount cells_, facets_, triangles_;
   Fragments<Index, Normal> chains_;
   Delivery<Index, Normal> delivery_;
@@ -110,12 +110,21 @@ class Sweep {
 
 // ---- implementation ----
 
-/// Bits of the voxels in a word whose edge along an axis crosses.
-inline uint32_t crossing(const SweptRow& row, int axis, uint32_t word) {
-  const uint32_t here = row.rows.row[1][1][word];
-  if (axis == 0) return here ^ here >> 1;
-  return here ^ (axis == 1 ? row.rows.row[1][2][word] : row.rows.row[2][1][word]);
-}
+/// Bits of the voxels in a word whose edges cross, by axis.
+struct Crossings {
+  uint32_t of[3];
+
+  Crossings(const SweptRow& row, uint32_t word) {
+    const uint32_t here = row.rows.row[1][1][word];
+    of[0] = here ^ here >> 1;
+    of[1] = here ^ row.rows.row[1][2][word];
+    of[2] = here ^ row.rows.row[2][1][word];
+  }
+  /// The axes along which the edge of a voxel crosses, a bit each.
+  uint32_t axes(uint32_t bit) const {
+    return (of[0] >> bit & 1) | (of[1] >> bit & 1) << 1 | (of[2] >> bit & 1) << 2;
+  }
+};
 
 template <class Index, class Normal>
 template <class Normals>
@@ -123,64 +132,83 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
                                  const Normals& normals, const Sink& sink,
                                  Statistics& statistics) {
   if (!delivery_.settle(chains_, sink, statistics)) return false;
-  for (; word_ < words; ++word_) {
-    uint32_t crossing_edges[3];
-    uint32_t any = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      crossing_edges[axis] = (row.axes >> axis & 1) != 0 ? crossing(row, axis, word_) : 0;
-      if (axis == 0 && ends.are_open) crossing_edges[0] &= inner_columns(word_, ends.width);
-      any |= crossing_edges[axis];
+  const uint32_t has_y = (row.axes & 2) != 0 ? own_columns : 0;
+  const uint32_t has_z = (row.axes & 4) != 0 ? own_columns : 0;
+  for (uint32_t word = place_.word; word < words; ++word) {
+    Crossings crossings(row, word);
+    crossings.of[0] &= ends.are_open ? inner_columns(word, ends.width) : own_columns;
+    crossings.of[1] &= has_y;
+    crossings.of[2] &= has_z;
+    uint32_t voxels = (crossings.of[0] | crossings.of[1] | crossings.of[2]) & ~place_.voxels;
+    for (; voxels != 0; voxels &= voxels - 1) {
+      const uint32_t bit = trailing_zeros(voxels);
+      const Neighbourhood around(row.rows, word, bit);
+      uint32_t axes = crossings.axes(bit) & ~place_.axes;
+      for (; axes != 0; axes &= axes - 1) {
+        const int axis = static_cast<int>(trailing_zeros(axes));
+        const uint32_t x = word * columns_per_word + bit - 2;  // -1 wraps
+        if (visit(row, ends, around, axis, x, normals, sink, statistics)) continue;
+        place_.word = word;
+        place_.voxels = ~voxels;
+        place_.axes = ~axes;
+        return false;
+      }
+      place_.axes = 0;
     }
-    if (!is_word_begun_) {
-      voxels_ = any & own_columns;
-      is_word_begun_ = true;
-    }
-    for (; voxels_ != 0; voxels_ &= voxels_ - 1) {
-      const uint32_t bit = static_cast<uint32_t>(__builtin_ctz(voxels_));
-      uint32_t axes = 0;
-      for (int axis = 0; axis < 3; ++axis) axes |= (crossing_edges[axis] >> bit & 1) << axis;
-      if (!visit(row, ends, bit, axes, normals, sink, statistics)) return false;
-    }
-    is_word_begun_ = false;
+    place_.voxels = 0;
   }
-  end_row();
+  place_ = Place{};
   cells_.add_to(statistics.cells, CountParts::cell);
   facets_.add_to(statistics.facets, CountParts::facet);
   triangles_.add_to(statistics.classic_triangles, CountParts::triangle);
   return true;
 }
 
-// Visits the vertices on the edges of a voxel.
+// Visits the vertex on the edge of voxel x along an axis.
 template <class Index, class Normal>
 template <class Normals>
-bool Sweep<Index, Normal>::visit(const SweptRow& row, const RowEnds& ends, uint32_t bit,
-                                 uint32_t axes, const Normals& normals, const Sink& sink,
+bool Sweep<Index, Normal>::visit(const SweptRow& row, const RowEnds& ends,
+                                 const Neighbourhood& around, int axis, uint32_t x,
+                                 const Normals& normals, const Sink& sink,
                                  Statistics& statistics) {
-  const Neighbourhood around(row.rows, word_, bit);
-  const uint32_t x = word_ * columns_per_word + bit - 2;  // -1 wraps
-  for (; axis_ < 3; ++axis_) {
-    if ((axes >> axis_ & 1) == 0) continue;
-    const Vertex vertex{2 * static_cast<int32_t>(x) + (axis_ == 0), 2 * row.y + (axis_ == 1),
-                        2 * row.z + (axis_ == 2)};
-    Passes passes(sector_table.axis[axis_], around.is_on(), around.lines(axis_),
-                  row.absent[axis_] | ends.absent(axis_, x));
-    if (pass_ == 0 && !row.is_above_slab) count(passes.counts());
-    const uint32_t steps = row.is_above_slab ? 2 : 1;
-    Pass pass;
-    for (uint32_t first = 0; passes.next(pass); first += steps)
-      while (pass_ < first + steps) {
-        if (!row.is_above_slab)
-          chains_.take(pass, vertex, normals);
-        else if (pass_ == first)
-          chains_.end_at(pass, vertex);
-        else
-          chains_.begin_below(pass, vertex);
-        ++pass_;
-        if (!delivery_.settle(chains_, sink, statistics)) return false;
-      }
-    pass_ = 0;
+  Passes passes(sector_table.axis[axis], around.is_on(), around.lines(axis),
+                row.absent[axis] | ends.absent(axis, x));
+  const Vertex vertex{2 * static_cast<int32_t>(x) + (axis == 0), 2 * row.y + (axis == 1),
+                      2 * row.z + (axis == 2)};
+  if (row.is_above_slab) return end_above(passes, vertex, sink, statistics);
+  if (place_.steps == 0) count(passes.counts());
+  uint32_t step = 0;
+  Pass pass;
+  while (passes.next(pass)) {
+    if (++step <= place_.steps) continue;
+    chains_.take(pass, vertex, normals);
+    if (!chains_.has_outgoing() || delivery_.settle(chains_, sink, statistics)) continue;
+    place_.steps = step;
+    return false;
   }
-  axis_ = 0;
+  place_.steps = 0;
+  return true;
+}
+
+// Ends the chains that come up to a vertex of the slice above a slab, and begins those that go down
+// from it: two steps a pass.
+template <class Index, class Normal>
+bool Sweep<Index, Normal>::end_above(Passes& passes, const Vertex& vertex, const Sink& sink,
+                                     Statistics& statistics) {
+  uint32_t step = 0;
+  Pass pass;
+  while (passes.next(pass))
+    for (int half = 0; half < 2; ++half) {
+      if (++step <= place_.steps) continue;
+      if (half == 0)
+        chains_.end_at(pass, vertex);
+      else
+        chains_.begin_below(pass, vertex);
+      if (delivery_.settle(chains_, sink, statistics)) continue;
+      place_.steps = step;
+      return false;
+    }
+  place_.steps = 0;
   return true;
 }
 

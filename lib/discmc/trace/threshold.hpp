@@ -2,10 +2,10 @@
 //
 // Most rows of most scans are off, and their samples are far below the threshold. So blocks of
 // words that are off are passed by first, which takes a load and an instruction a word.
-#ifndef DISCMC_THRESHOLD_HPP
-#define DISCMC_THRESHOLD_HPP
+#ifndef DISCMC_TRACE_THRESHOLD_HPP
+#define DISCMC_TRACE_THRESHOLD_HPP
 
-#include <stdint.h>
+#include <discmc/compiler.hpp>
 
 namespace discmc {
 
@@ -87,8 +87,7 @@ class Threshold {
 
   /// Whether words of samples can be read here, the first sample lowest.
   static bool reads_words(const Sample* samples) {
-    return __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ &&
-           reinterpret_cast<uintptr_t>(samples) % sizeof(uint32_t) == 0;
+    return is_little_endian && reinterpret_cast<uintptr_t>(samples) % sizeof(uint32_t) == 0;
   }
 
   /// Samples from here to where the next word begins, at least one.
@@ -130,8 +129,7 @@ class Threshold {
 
   // Samples as unsigned numbers of the same order.
   static uint32_t word_at(const Sample* samples) {
-    uint32_t word;
-    __builtin_memcpy(&word, __builtin_assume_aligned(samples, sizeof word), sizeof word);
+    const uint32_t word = aligned_word(samples);
     return least < 0 ? word ^ Lanes::tops : word;
   }
 
