@@ -84,7 +84,7 @@ void HeldChains::close(uint32_t index) {
   const bool turns_left = ring.turn != 0 && (ring.turn & negative) == 0;
   ring.state = turns_left ? HeldChain::State::outer : HeldChain::State::hole;
   const Run first = runs_[ring.first_run].run;
-  if (ring.first_run == ring.last_run || !runs_[ring.last_run].run.absorb(first)) return;
+  if (!runs_[ring.last_run].run.absorb(first)) return;
   // It started in the middle of a side.
   ring.start = after_run(ring.incidence, ring.start, first);
   drop_first_run(index);

@@ -68,7 +68,8 @@ class HeldChains {
   /// Puts `other` behind the chain at whose end it starts; `other` is then no more.
   void join(uint32_t chain, uint32_t other);
 
-  /// Makes a ring of a chain that ends where it starts: outer when it turns left, else a hole.
+  /// Makes a ring of a chain that ends where it starts, after two runs at least: outer when it
+  /// turns left, else a hole.
   void close(uint32_t chain);
 
   void drop_first_run(uint32_t chain);

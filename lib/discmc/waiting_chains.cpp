@@ -44,14 +44,10 @@ WaitingChains::Result WaitingChains::join(uint32_t arrived) {
     return {Joined::refused, arrived};
   const uint32_t chain = before != none ? chain_of(before) : arrived;
 
-  // What takes room comes first.
   if (before == none && !table_.insert(start, entry(arrived, Role::start)))
     return {Joined::no_room, arrived};
-  if (behind == none && !table_.insert(end, entry(chain, Role::end))) {
-    if (before == none) table_.remove(start, entry(arrived, Role::start));
+  if (behind == none && !table_.insert(end, entry(chain, Role::end)))
     return {Joined::no_room, arrived};
-  }
-
   if (before != none) {
     table_.remove(start, before);
     chains_.join(chain, arrived);

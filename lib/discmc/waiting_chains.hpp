@@ -16,7 +16,7 @@ class WaitingChains {
     open,     ///< it waits
     ring,     ///< it is closed, and waits for nothing yet
     refused,  ///< another chain waits where it starts, or where it ends
-    no_room,
+    no_room,  ///< and nothing can be joined from now on
   };
   struct Result {
     Joined joined;
@@ -35,10 +35,10 @@ class WaitingChains {
   const HeldChains& chains() const { return chains_; }
 
   /// Joins a chain that has runs with those that it follows and that follow it. Refused, or without
-  /// room, it is as before. Cost: a few look-ups.
+  /// room, it is as it was. Cost: a few look-ups.
   Result join(uint32_t arrived);
 
-  /// Lets a ring wait on its plane. False when there is no room.
+  /// Lets a ring wait on its plane. False when there is no room, from now on.
   bool keep(uint32_t ring);
 
   /// The first of the holes, or of the outer rings, that wait on the plane of a vertex; the others
@@ -53,7 +53,7 @@ class WaitingChains {
   /// Takes out the first of the outer rings that wait on the plane of one of them.
   uint32_t take_outer(uint32_t outer);
 
-  /// Nothing waits any more: for when the chains go one after another.
+  /// Empties the table: for when the chains go one after another.
   void forget();
 
  private:

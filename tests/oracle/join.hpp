@@ -24,6 +24,16 @@ struct JoinPlan {
   EventLog::Refuses refuses{};
 };
 
+/// Room for all the fragments among events at once.
+inline JoinerCapacities enough_for(const Events& events) {
+  JoinerCapacities capacities{1, 1};
+  for (const RecordedEvent& event : events) {
+    if (event.is(Event::Kind::fragment)) ++capacities.fragments;
+    if (event.is(Event::Kind::run)) ++capacities.runs;
+  }
+  return capacities;
+}
+
 /// Offers every event until it is taken, then finishes. Errors: throws when the joiner is stuck,
 /// breaks a promise, or writes outside its memory.
 inline Joined join(const Events& events, const JoinPlan& plan) {

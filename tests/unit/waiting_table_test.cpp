@@ -1,0 +1,158 @@
+// The joiner's hash table: bounded windows, and a map to compare with.
+#include <doctest/doctest.h>
+#include <discmc/waiting_table.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "oracle/stream.hpp"
+
+using namespace discmc;
+using test::Chance;
+
+namespace {
+
+// A table in memory of exactly its size, filled with what an arena may hold, and the keys that its
+// values lead to.
+class Table {
+ public:
+  explicit Table(uint32_t slots) : hashes_(slots, 0xA5A5A5A5), values_(slots, 0x5A5A5A5A) {
+    table_.start(hashes_.data(), values_.data(), slots);
+    table_.clear();
+  }
+
+  bool insert(const WaitingKey& key) {
+    keys_.push_back(key);
+    if (table_.insert(key, static_cast<uint32_t>(keys_.size()))) return true;
+    keys_.pop_back();
+    return false;
+  }
+  /// How many values were inserted when the key's was, or 0.
+  uint32_t find(const WaitingKey& key) const {
+    return table_.find(key, [this](uint32_t value, const WaitingKey& wanted) {
+      return keys_.at(value - 1) == wanted;
+    });
+  }
+  void remove(const WaitingKey& key) { table_.remove(key, find(key)); }
+
+  WaitingTable& table() { return table_; }
+
+ private:
+  std::vector<uint32_t> hashes_, values_;
+  std::vector<WaitingKey> keys_;
+  WaitingTable table_;
+};
+
+// Neighbours, as the ends of chains are.
+WaitingKey key_at(uint32_t i) {
+  const auto number = static_cast<int32_t>(i);
+  return {{number % 37, number / 37 % 41, number / 1517},
+          static_cast<Incidence>(i % 13),
+          static_cast<uint8_t>(i % 8)};
+}
+
+}  // namespace
+
+TEST_CASE("what waits is found under its key, until it is removed") {
+  Table table(30);
+  CHECK(table.find(key_at(1)) == 0);
+  CHECK(table.insert(key_at(1)));
+  CHECK(table.insert(key_at(2)));
+  CHECK(table.find(key_at(1)) == 1);
+  CHECK(table.find(key_at(2)) == 2);
+  table.remove(key_at(1));
+  CHECK(table.find(key_at(1)) == 0);
+  CHECK(table.find(key_at(2)) == 2);
+  table.table().clear();
+  CHECK(table.find(key_at(2)) == 0);
+}
+
+TEST_CASE("every member of a key tells") {
+  const WaitingKey key{{1, 2, 3}, 4, 5};
+  Table table(100);
+  REQUIRE(table.insert(key));
+  for (const WaitingKey& other : {WaitingKey{{0, 2, 3}, 4, 5},
+                                  {{1, 0, 3}, 4, 5},
+                                  {{1, 2, 0}, 4, 5},
+                                  {{1, 2, 3}, 0, 5},
+                                  {{1, 2, 3}, 4, 0},
+                                  {{2, 1, 3}, 4, 5},
+                                  {{1, 2, 3}, 5, 4}}) {
+    CHECK(WaitingTable::hash_of(other) != WaitingTable::hash_of(key));
+    CHECK(table.find(other) == 0);
+  }
+}
+
+TEST_CASE("a value is replaced under its own key alone, though another has the same") {
+  std::vector<uint32_t> hashes(8), values(8);
+  WaitingTable table;
+  table.start(hashes.data(), values.data(), 8);
+  table.clear();
+  const auto any = [](uint32_t, const WaitingKey&) { return true; };
+  for (uint32_t i = 1; i < 200; ++i) {
+    REQUIRE(table.insert(key_at(0), 7));
+    REQUIRE(table.insert(key_at(i), 7));
+    table.replace(key_at(i), 7, 8);
+    CHECK(table.find(key_at(0), any) == 7);
+    CHECK(table.find(key_at(i), any) == 8);
+    table.remove(key_at(i), 8);
+    CHECK(table.find(key_at(0), any) == 7);
+    CHECK(table.find(key_at(i), any) == 0);
+    table.remove(key_at(0), 7);
+  }
+}
+
+TEST_CASE("a full table is a result, and changes nothing") {
+  for (const uint32_t slots : {1U, 2U, 63U, 64U}) {
+    Table table(slots);
+    for (uint32_t i = 0; i < slots; ++i) CHECK(table.insert(key_at(i)));
+    CHECK_FALSE(table.insert(key_at(slots)));
+    for (uint32_t i = 0; i < slots; ++i) CHECK(table.find(key_at(i)) == i + 1);
+    table.remove(key_at(0));
+    CHECK(table.insert(key_at(slots)));
+    CHECK(table.find(key_at(slots)) != 0);
+  }
+}
+
+TEST_CASE("a full window is a result although the table has room, and no entry is lost") {
+  constexpr uint32_t slots = 1000;
+  Table table(slots);
+  uint32_t refused = 0;
+  std::vector<WaitingKey> kept;
+  for (uint32_t i = 0; i < slots; ++i) {
+    if (table.insert(key_at(i)))
+      kept.push_back(key_at(i));
+    else
+      ++refused;
+  }
+  CHECK(refused > 0);
+  CHECK(refused < slots / 10);
+  for (const WaitingKey& key : kept) CHECK(table.find(key) != 0);
+}
+
+TEST_CASE("with the slots for a number of entries so many find room") {
+  for (const uint32_t entries : {2U, 10U, 30U, 1000U, 100000U}) {
+    Table table(WaitingTable::slots_for(entries));
+    for (uint32_t i = 0; i < entries; ++i) REQUIRE(table.insert(key_at(i)));
+  }
+}
+
+TEST_CASE("whatever is inserted and removed, what waits is what a list says") {
+  Chance chance(1);
+  for (const uint32_t slots : {1U, 7U, 64U, 65U, 300U}) {
+    Table table(slots);
+    std::vector<WaitingKey> model;
+    for (int i = 0; i < 20000; ++i) {
+      const WaitingKey key = key_at(chance.below(2 * slots));
+      const auto known = std::find(model.begin(), model.end(), key);
+      REQUIRE((table.find(key) != 0) == (known != model.end()));
+      if (known != model.end()) {
+        table.remove(key);
+        model.erase(known);
+      } else if (table.insert(key)) {
+        model.push_back(key);
+      }
+    }
+  }
+}
