@@ -190,12 +190,10 @@ struct Setting {
   Capacities capacities;
   bool takes_fragments;
 };
-// The least; memory for a part, which is answered by loose fragments or by cuts; and for most of
-// it.
-constexpr Setting settings[] = {{minimum_capacities(), true},
-                                {{32, 80, 12, 24, 40}, true},
-                                {{32, 120, 12, 24, 40}, false},
-                                {{104, 180, 16, 70, 130}, true}};
+// The least; memory for a part, which is answered by loose fragments, or cell by cell; and for most
+// of it.
+constexpr Setting settings[] = {
+    {minimum_capacities(), true}, {{100, 4}, true}, {{200, 0}, false}, {{400, 30}, true}};
 constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
 
 uint8_t memory[bytes_for<uint32_t>(sizes[0], settings[3].capacities)];
@@ -205,7 +203,7 @@ template <class Index, class Sample, class Normals = NoNormals>
 class Scan {
  public:
   bool start(const Limits& limits, const Setting& setting) {
-    if constexpr (Normals::hold_samples) extractor_.set_spacing({1, -2, 3});
+    if constexpr (Normals::holds_samples) extractor_.set_spacing({1, -2, 3});
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
            is_done(extractor_.start(limits, setting.capacities, on_from, memory_of(memory),
@@ -217,7 +215,7 @@ class Scan {
     const auto value = [&](uint32_t x) { return volume({static_cast<int32_t>(x), y, z}); };
     switch (y % 4) {
       case 1: {
-        if (Normals::hold_samples) return push_samples(value, 7, 1);
+        if (Normals::holds_samples) return push_samples(value, 7, 1);
         uint8_t bits[(width + 7) / 8] = {};
         for (uint32_t x = 0; x < width; ++x)
           if (value(x) >= threshold) bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | 1 << x % 8);
@@ -249,7 +247,7 @@ class Scan {
   }
 
   bool push_bits([[maybe_unused]] const uint8_t* bits) {
-    if constexpr (Normals::hold_samples)
+    if constexpr (Normals::holds_samples)
       return false;
     else
       return is_done(extractor_.push_bits(bits).status);
@@ -261,7 +259,7 @@ class Scan {
     for (uint32_t x = 0; x < width; ++x) row[x * stride] = sample_of<Sample>(value(x));
     for (uint32_t x = 0; x < width;) {
       const uint32_t left = width - x;
-      const Pushed pushed =
+      const PushResult pushed =
           extractor_.push(row + x * stride, left < portion ? left : portion, stride);
       if (!is_done(pushed.status)) return false;
       x += pushed.samples;
