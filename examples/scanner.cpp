@@ -124,7 +124,7 @@ bool end() {
 
 void report() {
   const Statistics total = extractor.statistics();
-  board::report("arena_laid_out", static_cast<uint32_t>(extractor.bytes_used()));
+  board::report("arena_used", static_cast<uint32_t>(extractor.bytes_used()));
   board::report("arena_bytes", sizeof arena);
   board::report("slices", extractor.slices());
   board::report("regions", static_cast<uint32_t>(total.regions));

@@ -143,12 +143,12 @@ class Caller {
   void start() {
     const uint32_t flags = input_.byte();
     Limits limits = read_limits(flags);
-    const uint64_t least = limits.are_valid() ? minimum_bytes<Index>(limits) : 64;
+    const uint64_t least = limits.is_valid() ? minimum_bytes<Index>(limits) : 64;
     Capacities capacities = read_capacities(least);
     const bool is_split = (flags & 2) != 0;
-    const bool is_good = are_valid<Index>(capacities);
+    const bool is_good = is_valid<Index>(capacities);
     const uint64_t needed =
-        is_split || !limits.are_valid() || !is_good ? least : bytes_for<Index>(limits, capacities);
+        is_split || !limits.is_valid() || !is_good ? least : bytes_for<Index>(limits, capacities);
     if (needed > 1 << 20) return;
     const uint64_t bytes = read_bytes(needed, is_split);
     auto place = std::make_unique<Place>(bytes, input_.below(4));
@@ -159,7 +159,7 @@ class Caller {
 
     const Status status = is_split ? extractor_.start(limits, threshold, memory, sink)
                                    : extractor_.start(limits, capacities, threshold, memory, sink);
-    const Status expected = !limits.are_valid()     ? Status::bad_limits
+    const Status expected = !limits.is_valid()     ? Status::bad_limits
                             : !is_split && !is_good ? Status::bad_capacities
                             : sink.take == nullptr  ? Status::bad_sink
                             : bytes < needed        ? Status::too_little_memory
@@ -281,7 +281,7 @@ class Caller {
   }
 
   // Checks what push() came to and notes the samples it took.
-  void took(const Pushed& pushed, const std::vector<uint8_t>& on) {
+  void took(const PushResult& pushed, const std::vector<uint8_t>& on) {
     if (for_samples() != Status::ok) {
       require(pushed.status == for_samples(), "push() comes to another error");
       require(pushed.samples == 0, "samples taken in spite of an error");
@@ -301,7 +301,7 @@ class Caller {
   void whole_row(Call call, const std::vector<uint8_t>& on) {
     const bool was_refused = is_refused();
     const bool is_between = state_ == State::idle || column() == 0;
-    const Pushed pushed = call();
+    const PushResult pushed = call();
     if (for_samples() != Status::ok) {
       require(pushed.status == for_samples(), "a row comes to another error");
       require(pushed.samples == 0, "a row taken in spite of an error");

@@ -185,7 +185,7 @@ class Feeder {
   void push(const Sample* samples, uint32_t count, uint32_t stride) {
     for (uint32_t at = 0; at < count;) {
       const uint32_t part = scenario_.chunk < count - at ? scenario_.chunk : count - at;
-      const Pushed pushed = extractor_.push(samples + at * stride, part, stride);
+      const PushResult pushed = extractor_.push(samples + at * stride, part, stride);
       require(pushed.status == Status::ok || pushed.status == Status::more, text(pushed.status));
       require(pushed.samples <= part, "push took more than it was given");
       at += pushed.samples;
@@ -211,7 +211,7 @@ class Feeder {
   template <class Call>
   void whole_row(Call call) {
     for (;;) {
-      const Pushed pushed = call();
+      const PushResult pushed = call();
       require(pushed.status == Status::ok || pushed.status == Status::more, text(pushed.status));
       if (pushed.samples == scenario_.limits.width) return;
       require(pushed.status == Status::more, "a row was not taken, and why is not told");
@@ -273,7 +273,7 @@ void check(const Scenario& scenario) {
   const EventLog log =
       scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
   check_surface(scenario, collected(log.events, scenario.takes_fragments));
-  if (!are_valid<uint16_t>(scenario.capacities)) return;
+  if (!is_valid<uint16_t>(scenario.capacities)) return;
   Scenario plain = scenario;
   plain.chunk = 1 << 20;
   const EventLog other = scenario.is_wide ? run<uint16_t>(plain, {}) : run<uint32_t>(plain, {});

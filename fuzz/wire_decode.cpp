@@ -36,11 +36,11 @@ Bytes framed(const uint8_t* data, size_t size) {
 }
 
 void check(const Bytes& stream, size_t portion) {
-  const Arrival arrival = decode(stream);
+  const Received arrival = decode(stream);
   const std::vector<Events> pieces = pieces_of(arrival.events);
   require(pieces.size() == arrival.report.regions + arrival.report.fragments,
           "the report counts other pieces");
-  const Arrival again = decode(stream, portion, true);
+  const Received again = decode(stream, portion, true);
   require(again.events == arrival.events, "portions or refusals show");
   require(again.report.lost_pieces == arrival.report.lost_pieces, "the report depends on them");
   const Bytes copy = encode<NormalEncoder>(arrival.events);

@@ -117,7 +117,7 @@ void check_losses(const Bytes& stream, const std::vector<Events>& sent, uint32_t
     if ((pattern >> at % 8 & 1) != 0 && at != frames.size()) continue;
     left.insert(left.end(), frame.begin(), frame.end());
   }
-  const Arrival arrival = decode(left);
+  const Received arrival = decode(left);
   const std::vector<Events> arrived = pieces_of(arrival.events);
   size_t place = 0;
   for (const Events& piece : arrived) {
@@ -140,7 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if ((flags & 2) != 0) add_normals(input, events);
   const Bytes stream = encode<NormalEncoder>(events, header);
   require(encode<NormalEncoder>(events, header, portion) == stream, "the output's portions show");
-  const Arrival arrival = decode(stream);
+  const Received arrival = decode(stream);
   require(arrival.events == events, "what comes out is not what went in");
   require(arrival.report.is_complete(), "a whole stream is not complete");
   require(decode(stream, portion, true).events == events, "the input's portions show");

@@ -164,7 +164,7 @@ class Extractor {
   uint32_t swept_rows_ = 0;  // of the middle slice
   int32_t threshold_ = 0;
   Limits limits_{};
-  Sink sink_;
+  Sink sink_{nullptr, nullptr, false};
   Normals intake_;
   trace::BitRows rows_;
   trace::Sealing sealing_;

@@ -77,7 +77,9 @@ class GradientNormals {
     end_row(given);
     return pass_on_due(rows, threshold);
   }
-  bool holds_rows(const trace::BitRows&) const { return waiting_ > 0 || samples_.column() > 0; }
+  bool holds_rows(const trace::BitRows& rows) const {
+    return waiting_ > 0 || samples_.column() > 0 || rows.rows() > 0;
+  }
 
   OctahedralNormal normal_at(const Vertex& vertex) const {
     const Vertex here{vertex.x, vertex.y, vertex.z - first_z_};

@@ -13,11 +13,14 @@ namespace discmc::test {
 /// Of voxels that are no cubes; the y axis is mirrored.
 constexpr int32_t uneven_spacing[3] = {700, -1000, 1500};
 
-/// Calls visit(vertex, normal) where a run starts.
+/// Calls visit(vertex, normal) where a run starts, but for the rest of a side that a loose fragment
+/// begins with: there is no corner, and no normal.
 template <class Visit>
 void for_each_start(const Events& events, Visit visit) {
   Incidence incidence = 0;
   Vertex vertex{0, 0, 0};
+  bool is_begun = false;  // the fragment, and has no run yet
+  Direction came = 0;
   for (const RecordedEvent& recorded : events) {
     const Event event = recorded.event();
     switch (event.kind) {
@@ -27,12 +30,15 @@ void for_each_start(const Events& events, Visit visit) {
       case Event::Kind::fragment:
         incidence = event.incidence;
         vertex = event.start;
+        is_begun = true;
+        came = event.came;
         break;
       case Event::Kind::ring:
         vertex = event.start;
         break;
       case Event::Kind::run:
-        visit(vertex, event.normal);
+        if (!is_begun || event.run.direction() != came) visit(vertex, event.normal);
+        is_begun = false;
         vertex = vertex + displacement(incidence, &event.run, 1);
         break;
       default:

@@ -51,9 +51,7 @@ inline Events events_of(const reference::BitVolume& volume, const Capacities& ca
 }
 
 inline Events events_of(const reference::BitVolume& volume, const reference::Plan& plan = {}) {
-  Capacities capacities = worst_case_capacities(reference::limits_of(volume, plan.border));
-  capacities.runs = 3 * capacities.runs + 500;  // so that no link is cut
-  return events_of(volume, capacities, plan);
+  return events_of(volume, reference::ample, plan);
 }
 
 inline StreamHeader header_of(const reference::BitVolume& volume, Border border = Border::closed) {
@@ -120,7 +118,7 @@ Bytes encode(const Events& events, const StreamHeader& header = any_header(),
 
 // ---- decoding ----
 
-struct Arrival {
+struct Received {
   Events events;
   StreamReport report;
   StreamHeader header;
@@ -128,7 +126,7 @@ struct Arrival {
 };
 
 /// Decodes `chunk` bytes at a time (0: all at once), with a sink that may refuse every event once.
-inline Arrival decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
+inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
   EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Decoder decoder;
   reference::require_ok(decoder.start(sink_to(log)));

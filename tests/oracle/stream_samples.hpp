@@ -148,16 +148,15 @@ inline reference::BitVolume sieve(uint32_t side) {
 /// A scan in which rows do not come, and which is abandoned after so many rows (0: it is not).
 inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows_until_abandoned) {
   const Limits limits = reference::limits_of(volume, Border::closed);
-  const Capacities capacities = worst_case_capacities(limits);
-  reference::Block block(bytes_for<uint32_t>(limits, capacities));
+  reference::Block block(bytes_for<uint32_t>(limits, reference::ample));
   EventLog log;
   Extractor32 extractor;
-  reference::require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  reference::require_ok(extractor.start(limits, reference::ample, 1, block.memory(), sink_to(log)));
   const uint32_t rows = volume.height * volume.depth;
   const bool is_abandoned = rows_until_abandoned > 0;
   for (uint32_t row = 0; row < (is_abandoned ? rows_until_abandoned : rows); ++row) {
     const uint8_t* samples = volume.on.data() + size_t{row} * volume.width;
-    const Pushed pushed = row % 5 == 2   ? extractor.skip_row(Substitute::off)
+    const PushResult pushed = row % 5 == 2   ? extractor.skip_row(Substitute::off)
                           : row % 7 == 3 ? extractor.skip_row(Substitute::previous_row)
                                          : extractor.push(samples, volume.width);
     reference::require_ok(pushed.status);
@@ -197,7 +196,7 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
   Events result, region;
   std::vector<Chain> rings;
   Statistics totals{};
-  for (const Told& told : events) {
+  for (const RecordedEvent& told : events) {
     const Event event = told.event();
     if (told.is(Event::Kind::finish)) {
       totals.links = event.statistics->links;
@@ -220,7 +219,7 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
         add_loose_ring(script, incidence, rings[i].start, rings[i].runs, most);
       region = script.events;
     }
-    for (const Told& one : region) {
+    for (const RecordedEvent& one : region) {
       totals.regions += one.is(Event::Kind::region_end);
       totals.rings += one.is(Event::Kind::ring);
       totals.fragments += one.is(Event::Kind::fragment_end);
@@ -257,7 +256,7 @@ inline std::vector<Sample> samples() {
       sample_of("a sieve, whose regions have many holes", sieve(45)),
       sample_of("a long wire, all of it one run", box({3000, 3, 3}, {1, 1, 1}, {2998, 1, 1})),
   };
-  all.push_back({"a ball in hardly any memory: cuts", header_of(round),
+  all.push_back({"a ball in hardly any memory", header_of(round),
                  events_of(round, minimum_capacities())});
   all.push_back(
       {"noise in loose fragments", header_of(noise), with_loose_fragments(events_of(noise), 3)});

@@ -36,8 +36,9 @@ TEST_CASE(
   const auto normal = [](Event& event) { event.normal = {7, 9}; };
   const auto slice = [](Event& event) { event.slice = 1; };
   const auto row = [](Event& event) { event.row = 1; };
+  const auto came = [](Event& event) { event.came = 2; };
   const auto links = [](Event& event) {
-    static const Statistics some{0, 0, 0, 0, 0, 1, 0, 0, 0};
+    static const Statistics some{0, 0, 0, 0, 0, 1, 0, 0};
     event.statistics = &some;
   };
   CHECK(tells(Kind::region, incidence));
@@ -45,6 +46,8 @@ TEST_CASE(
   CHECK(tells(Kind::ring, start));
   CHECK(tells(Kind::run, run));
   CHECK(tells(Kind::run, normal));
+  CHECK(tells(Kind::fragment, start));
+  CHECK(tells(Kind::fragment, came));
   CHECK(tells(Kind::skipped, row));
   CHECK(tells(Kind::layer, slice));
   CHECK(tells(Kind::finish, links));

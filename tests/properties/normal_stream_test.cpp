@@ -33,7 +33,7 @@ Events with_normals(const Events& events, NormalOf normal_of) {
 }
 
 Events pressed(const BitVolume& volume) {
-  return with_loose_fragments(events_of(volume, {200, 60, 20, 300, 400}, {}), 6);
+  return events_of(volume, Capacities{200, 12}, {});
 }
 
 // A run of a ring that goes on to and fro.
@@ -105,7 +105,7 @@ TEST_CASE("normals come through, whatever their differences, in whole regions an
           v = static_cast<uint8_t>(v + chance.below(spread + 1) - spread / 2);
           return u == 0 ? none : OctahedralNormal{u, v};
         });
-        const Arrival arrival = decode(encode_normals(told, bytes_a_time), 0, bytes_a_time > 0);
+        const Received arrival = decode(encode_normals(told, bytes_a_time), 0, bytes_a_time > 0);
         REQUIRE(arrival.report.damaged_packets == 0);
         REQUIRE(arrival.report.lost_packets == 0);
         REQUIRE(arrival.events == told);
@@ -227,7 +227,7 @@ TEST_CASE("normals come through in records that no packet holds") {
 
 TEST_CASE("a stream of an extractor with normals comes through") {
   const Limits limits{24, 20};
-  const Capacities capacities{300, 60, 20, 400, 500};
+  const Capacities capacities{300, 20};
   Chance chance(12);
   std::vector<uint8_t> samples(24 * 20 * 10);
   for (uint8_t& sample : samples) sample = chance.byte();

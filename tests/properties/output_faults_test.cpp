@@ -87,7 +87,7 @@ class Device {
       const uint64_t before = gate_.taken;
       Status status = Status::ok;
       if (at_ < total) {
-        const Pushed pushed = extractor_.push(volume.on.data() + at_, total - at_);
+        const PushResult pushed = extractor_.push(volume.on.data() + at_, total - at_);
         status = pushed.status;
         at_ += pushed.samples;
       } else {
@@ -128,15 +128,11 @@ constexpr size_t many = 100;
 
 std::vector<Scenario> scenarios() {
   const BitVolume noise = random({6, 5, 4}, 110, 1);
-  Capacities few_runs = worst_case_capacities(reference::limits_of(noise, Border::closed));
-  few_runs.runs = minimum_capacities().runs;
-  Capacities cutting = minimum_capacities();
-  cutting.edges += 20;
-  cutting.slots += 10;
-  return {{noise, few_runs},
-          {noise, few_runs, true, 3},
-          {noise, cutting},
-          {noise, cutting, false, 4},
+  const Capacities few{60, 4};
+  return {{noise, few},
+          {noise, few, true, 3},
+          {noise, minimum_capacities()},
+          {noise, few, false, 4},
           {ball({12, 12, 12}, {11, 11, 11}, 30), minimum_capacities()}};
 }
 
@@ -265,7 +261,7 @@ TEST_CASE("flushes between faults move the ends of packets and lose nothing") {
       for (const RecordedEvent& recorded : sample.events)
         while (encoder.take(recorded.event()) == Answer::not_now)
           if (++calls % 2 == 0) (void)encoder.flush();
-      const Arrival arrival = decode(output.bytes);
+      const Received arrival = decode(output.bytes);
       REQUIRE(arrival.events == sample.events);
       CHECK(arrival.report.is_complete());
     }

@@ -14,8 +14,8 @@ namespace {
 
 // Decodes with the grammar checked, and encodes again what came of it: an encoder must take
 // whatever a decoder delivers, and tell it unchanged.
-Arrival survive(const Bytes& bytes, size_t portion = 0) {
-  const Arrival arrival = decode(bytes, portion);
+Received survive(const Bytes& bytes, size_t portion = 0) {
+  const Received arrival = decode(bytes, portion);
   const std::vector<Events> pieces = pieces_of(arrival.events);
   CHECK(pieces.size() == arrival.report.regions + arrival.report.fragments);
   const Bytes again = encode(arrival.events);
@@ -79,7 +79,7 @@ TEST_CASE("a flipped bit anywhere is noticed, and costs only what was in its pac
       CAPTURE(bit);
       Bytes flipped = stream;
       flipped[bit / 8] = static_cast<uint8_t>(flipped[bit / 8] ^ 1 << bit % 8);
-      const Arrival arrival = decode(flipped);
+      const Received arrival = decode(flipped);
       REQUIRE_FALSE(arrival.report.is_complete());
       CHECK(arrival.report.damaged_packets >= 1);
       const std::vector<Events> arrived = pieces_of(arrival.events);
@@ -103,7 +103,7 @@ TEST_CASE("a burst of errors anywhere is noticed") {
           std::min(at + 1 + chance.below(300), static_cast<uint32_t>(burst.size()));
       for (uint32_t i = at; i < end; ++i) burst[i] = chance.below(4) == 0 ? 0 : chance.byte();
       if (burst == stream) continue;
-      const Arrival arrival = decode(burst);
+      const Received arrival = decode(burst);
       CHECK_FALSE(arrival.report.is_complete());
       CHECK(is_subsequence(pieces_of(arrival.events), sent));
     }
@@ -113,7 +113,7 @@ TEST_CASE("a burst of errors anywhere is noticed") {
 TEST_CASE("random bytes are no stream") {
   Chance chance(2);
   for (int round = 0; round < 2000; ++round) {
-    const Arrival arrival = survive(random_bytes(chance, chance.below(1500)), chance.below(5));
+    const Received arrival = survive(random_bytes(chance, chance.below(1500)), chance.below(5));
     CHECK(arrival.events.empty());
     CHECK(arrival.report.packets == 0);
   }
@@ -165,7 +165,7 @@ TEST_CASE("hostile payloads that cost next to nothing a decision still end") {
     // All ones or all zeros steer the decoder along the likeliest or least likely decisions.
     Bytes payload(wire::max_payload, chance.below(2) == 0 ? 0xFF : 0);
     for (uint32_t i = chance.below(6); i > 0; --i) payload[chance.below(8)] = chance.byte();
-    const Arrival arrival = survive(frame_of({2, 0, 0, payload}));
+    const Received arrival = survive(frame_of({2, 0, 0, payload}));
     CHECK(arrival.events.size() < 400000);
   }
 }
@@ -174,7 +174,7 @@ TEST_CASE("frames of every length with a correct checksum are safe, too long one
   Chance chance(6);
   for (size_t count = 0; count <= wire::max_payload + 1; ++count)
     for (uint8_t kind = 0; kind < 5; ++kind) {
-      const Arrival arrival = survive(frame_of({kind, 0, 0, random_bytes(chance, count)}));
+      const Received arrival = survive(frame_of({kind, 0, 0, random_bytes(chance, count)}));
       CHECK(arrival.report.packets + arrival.report.damaged_packets >= 1);
       if (count > wire::max_payload) CHECK(arrival.report.packets == 0);
     }

@@ -41,7 +41,7 @@ struct Sent {
 };
 
 // What must arrive of the frames kept, and what the report must say.
-void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Arrival& arrival) {
+void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Received& arrival) {
   std::vector<Events> expected;
   for (const Sent::Span& span : sent.pieces)
     if (std::all_of(is_kept.begin() + static_cast<std::ptrdiff_t>(span.first),
@@ -159,7 +159,7 @@ TEST_CASE("of more packets dropped before the trailer the pieces are still count
     std::vector<Bytes> kept(sent.frames.begin(),
                             sent.frames.end() - static_cast<std::ptrdiff_t>(count) - 1);
     kept.push_back(sent.frames.back());
-    const Arrival arrival = decode(joined(kept));
+    const Received arrival = decode(joined(kept));
     CHECK(arrival.report.lost_pieces + arrival.report.regions + arrival.report.fragments ==
           sent.pieces.size());
     CHECK_FALSE(arrival.report.is_complete());
@@ -179,7 +179,7 @@ TEST_CASE("of any number of pieces lost before the trailer it tells exactly how 
       wire::ByteWriter(totals + 3 * 8).put_long(regions);
       wire::ByteWriter(totals + 6 * 8).put_long(fragments);
       frames[1] = frame_of(trailer);
-      const Arrival arrival = decode(joined(frames));
+      const Received arrival = decode(joined(frames));
       CHECK(arrival.report.totals.regions == regions);
       CHECK(arrival.report.totals.fragments == fragments);
       CHECK(arrival.report.lost_pieces == regions + fragments);
@@ -205,7 +205,7 @@ TEST_CASE("a late listener hears all from the first packet on, whatever its coun
       packet.pieces = static_cast<uint16_t>(packet.pieces + before);
       frame = frame_of(packet);
     }
-    const Arrival arrival = decode(joined(frames));
+    const Received arrival = decode(joined(frames));
     CHECK(arrival.report.packets == frames.size());
     CHECK(arrival.report.lost_pieces == before);
     CHECK(pieces_of(arrival.events) == pieces_of(sample.events));
@@ -237,7 +237,7 @@ TEST_CASE("packets that come twice are delivered once") {
       const Bytes& old = sent.frames[i - back];
       stream.insert(stream.end(), old.begin(), old.end());
     }
-    const Arrival arrival = decode(stream);
+    const Received arrival = decode(stream);
     check_arrival(sent, all, arrival);
     CHECK(arrival.report.repeated_packets > 80);
   }
@@ -256,7 +256,7 @@ TEST_CASE("of packets that change places the later one is kept, the other counte
                   frames.begin() + static_cast<std::ptrdiff_t>(i + apart) + 1);
       std::vector<bool> is_kept(frames.size(), true);
       is_kept[i] = false;
-      const Arrival arrival = decode(joined(frames));
+      const Received arrival = decode(joined(frames));
       check_arrival(sent, is_kept, arrival);
       CHECK(arrival.report.repeated_packets == 1);
     }
@@ -308,7 +308,7 @@ TEST_CASE(
       for (uint32_t i = chance.below(longest + 1); i > 0 && b < second.frames.size(); --i)
         frames.push_back(second.frames[b++]);
     }
-    const Arrival arrival = decode(joined(frames));
+    const Received arrival = decode(joined(frames));
     const std::vector<Events> regions = pieces_of(arrival.events);
     for (const Events& region : regions)
       CHECK((is_known(first, region) || is_known(second, region)));

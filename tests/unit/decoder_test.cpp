@@ -136,7 +136,7 @@ Bytes frame_at(uint32_t number, const Bytes& payload, uint16_t regions = 0) {
 // A payload of one part, told by hand and unreadable, between two marks.
 template <class Tell>
 void check_unreadable(Tell tell) {
-  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+  const Received arrival = decode(stream_of({payload_of([&](auto& model) {
     tell_layer(model, 1);
     tell(model);
     tell_layer(model, 2);
@@ -327,7 +327,7 @@ TEST_CASE("a region may fill a record with parallelograms to the last word") {
   script.region(up);
   for (uint32_t ring = 0; ring < rings; ++ring)
     script.square({1, 4 * static_cast<int32_t>(ring), 0}, 2, ring > 0);
-  const Arrival arrival = decode(encode(script.region_end().finish().events));
+  const Received arrival = decode(encode(script.region_end().finish().events));
   CHECK(arrival.events == script.events);
   CHECK(arrival.report.damaged_packets == 0);
 }
@@ -338,7 +338,7 @@ TEST_CASE("a header of another stream that lies behind does not replace the firs
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).finish().events));
   frames.pop_back();  // the trailer, after which nothing is heard
   frames.push_back(frames_of(encode(Script().finish().events, other)).front());
-  const Arrival arrival = decode(joined(frames));
+  const Received arrival = decode(joined(frames));
   CHECK(arrival.header.width == any_header().width);
   CHECK(arrival.report.repeated_packets == 1);
 }
@@ -364,7 +364,7 @@ TEST_CASE(
   // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
   for (const bool gap_is_seen : {false, true}) {
     const uint32_t number = gap_is_seen ? 258 : 257;
-    const Arrival arrival =
+    const Received arrival =
         decode(joined({stream_of({}), frame_at(number, first_payload()),
                        header_after(number + 1, 0), frame_at(number + 2, last_payload())}));
     Script expected = first_part();
@@ -400,7 +400,7 @@ TEST_CASE("a header that tells of a gap ends what is open, though a gap lay befo
   for (const Gap gap : {Gap{1, 0}, Gap{255, 0}, Gap{256, 1}, Gap{512, 2}}) {
     CAPTURE(gap.packets);
     const uint32_t number = 5;
-    const Arrival arrival = decode(joined(
+    const Received arrival = decode(joined(
         {stream_of({}), frame_at(number, first_payload()),
          header_after(number + 1 + gap.packets, gap.regions),
          frame_at(number + 2 + gap.packets, last_payload(), static_cast<uint16_t>(gap.regions))}));
@@ -422,7 +422,7 @@ TEST_CASE("a header counts as lost what neither came before it nor was known to 
 
 TEST_CASE("who hears no header tells a packet that comes again all the same") {
   const Bytes frame = frame_at(200, payload_of([](auto& model) { tell_layer(model, 3); }));
-  const Arrival arrival = decode(joined({frame, frame}));
+  const Received arrival = decode(joined({frame, frame}));
   CHECK(arrival.events == Script().layer(3).events);
   CHECK(arrival.report.lost_packets == 200);
   CHECK(arrival.report.repeated_packets == 1);
@@ -452,7 +452,7 @@ TEST_CASE("a region does not go on behind a packet that cannot be read") {
 }
 
 TEST_CASE("the longest run is read, in parts and in a fragment") {
-  const Arrival arrival = decode(stream_of({payload_of([](auto& model) {
+  const Received arrival = decode(stream_of({payload_of([](auto& model) {
     begin_part(model, false);
     tell_ring(model, false);
     tell_run(model, 0, Run::max_length);
@@ -499,7 +499,7 @@ TEST_CASE("a fragment may fill a record to the last word, and one run more is re
   constexpr uint32_t most = Record::max_words - Record::ring_words;
   for (const Chain order : {Chain::fragment, Chain::backwards})
     for (const uint32_t runs : {most, most + 1, most + 5, UINT32_MAX - 3, UINT32_MAX}) {
-      const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      const Received arrival = decode(stream_of({payload_of([&](auto& model) {
         begin_fragment(model, order, runs);
         if (order == Chain::fragment) model.direction(6);
         for (uint32_t i = 0; i < most; ++i) {
@@ -516,7 +516,7 @@ TEST_CASE("a fragment may fill a record to the last word, and one run more is re
 
 TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region") {
   for (const bool is_fragment : {false, true}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_part(model, true, is_fragment);
       tell_run(model, 0, 2);
       end_part(model, true);
@@ -540,7 +540,7 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
         whole += brought[frame++].size();
       }
       if (count % step != 0 && count != from && count + 1 != stream.size()) continue;
-      const Arrival cut =
+      const Received cut =
           decode({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(count)});
       Events expected(sample.events.begin(),
                       sample.events.begin() + static_cast<std::ptrdiff_t>(whole));
@@ -583,7 +583,7 @@ TEST_CASE("noise before, between and after the frames does no harm") {
     noisy.insert(noisy.end(), 1 + chance.below(3), 0);
     noisy.insert(noisy.end(), frame.begin(), frame.end());
   }
-  const Arrival arrival = decode(noisy);
+  const Received arrival = decode(noisy);
   CHECK(arrival.events == sample.events);
   CHECK(arrival.report.is_complete());
   CHECK(arrival.report.damaged_packets == damaged);
@@ -597,7 +597,7 @@ TEST_CASE("an unknown version is told and nothing of it is delivered") {
     header.payload[3] = version;
     header.payload.resize(40, 0x55);
     frames[0] = frame_of(header);
-    const Arrival arrival = decode(joined(frames));
+    const Received arrival = decode(joined(frames));
     CHECK(arrival.status == Status::wrong_version);
     CHECK(arrival.events.empty());
     CHECK_FALSE(arrival.report.has_header);
@@ -611,7 +611,7 @@ TEST_CASE("headers that make no sense are no headers") {
     Packet packet = packet_of(frame);
     packet.payload.resize(size);
     if (at < size) packet.payload[at] = value;
-    const Arrival arrival = decode(frame_of(packet));
+    const Received arrival = decode(frame_of(packet));
     CHECK(arrival.report.packets + arrival.report.damaged_packets == 1);
     return !arrival.report.has_header && arrival.report.damaged_packets == 1;
   };
@@ -664,7 +664,7 @@ TEST_CASE("packets of unknown kinds are skipped and lose nothing") {
     packet.number = number++;
     frames.push_back(frame_of(packet));
   }
-  const Arrival arrival = decode(joined(frames));
+  const Received arrival = decode(joined(frames));
   CHECK(arrival.events == sample.events);
   CHECK(arrival.report.is_complete());
 }
@@ -680,7 +680,7 @@ TEST_CASE("extension records are skipped") {
     }
     tell_layer(model, 101);
   });
-  const Arrival arrival = decode(stream_of({payload}));
+  const Received arrival = decode(stream_of({payload}));
   CHECK(arrival.events == Script().layer(0).layer(1).layer(5).layer(100).layer(101).events);
   CHECK(arrival.report.damaged_packets == 0);
 }
@@ -911,7 +911,7 @@ TEST_CASE("a part that goes on with nothing ends what is open, and is all that i
     tell_run(model, 0, 2);
     end_part(model, true);
   };
-  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+  const Received arrival = decode(stream_of({payload_of([&](auto& model) {
     tell_first_part(model);
     tell_stray(model);
     tell_last_part(model);
@@ -943,7 +943,7 @@ TEST_CASE("a part of another incidence or kind does not go on with what is open"
   for (const bool is_fragment : {false, true})
     for (const Incidence incidence : {up, Incidence{0}}) {
       if (!is_fragment && incidence == up) continue;
-      const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      const Received arrival = decode(stream_of({payload_of([&](auto& model) {
         begin_part(model, false);
         tell_ring(model, false);
         end_part(model, false);
@@ -957,7 +957,7 @@ TEST_CASE("a part of another incidence or kind does not go on with what is open"
 
 TEST_CASE("two runs there and back are told in full up to the longest compact run") {
   for (const uint32_t length : {1U, max_compact_length}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_compact_ring(model, 2);
       model.direction(0);
       model.direction(4);
@@ -971,7 +971,7 @@ TEST_CASE("two runs there and back are told in full up to the longest compact ru
 TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
   constexpr uint32_t longest = Record::max_words - Record::ring_words;
   for (const uint32_t runs : {longest, longest + 1, longest + 2, longest + 3, longest + 4}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_compact_ring(model, runs);
       for (uint32_t i = 0; i + 2 < runs; ++i) {
         model.direction(i % 2 == 0 ? 0 : 2);
@@ -987,7 +987,7 @@ TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
 
 TEST_CASE("a fragment in parts goes on with its own parts, and with no other fragment's") {
   for (const bool is_same : {true, false}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_part(model, false, true, up, 5);
       tell_ring(model, false);
       tell_run(model, 0, 2);
@@ -1009,7 +1009,7 @@ TEST_CASE("a fragment in parts goes on with its own parts, and with no other fra
 }
 
 TEST_CASE("a fragment has no second ring, nor in a part that goes on") {
-  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+  const Received arrival = decode(stream_of({payload_of([&](auto& model) {
     begin_part(model, false, true, up, 5);
     tell_ring(model, false);
     tell_run(model, 0, 2);
@@ -1040,7 +1040,7 @@ TEST_CASE("a stream whose trailer counts another number of fragments is not comp
 TEST_CASE("a header that arrives behind its packets is the first all the same") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   std::swap(frames[0], frames[1]);
-  const Arrival arrival = decode(joined(frames));
+  const Received arrival = decode(joined(frames));
   CHECK(arrival.report.has_header);
   CHECK(arrival.report.repeated_packets == 1);
   CHECK(arrival.header.width == any_header().width);
@@ -1094,7 +1094,7 @@ TEST_CASE("a payload that ends before its records do is refused") {
   });
   for (size_t count = 0; count < whole.size(); ++count) {
     const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
-    const Arrival arrival = decode(stream_of({part}));
+    const Received arrival = decode(stream_of({part}));
     CHECK(arrival.events.size() <= 150);
     (void)pieces_of(arrival.events);
   }
@@ -1108,7 +1108,7 @@ TEST_CASE("a part may fill a record to the last word, and one word more is refus
     end_part(model, true);
   };
   constexpr uint32_t most = Record::max_words - Record::ring_words;
-  const Arrival full =
+  const Received full =
       decode(stream_of({payload_of([&](auto& model) { tell_part(model, most); })}));
   CHECK(full.report.regions == 1);
   CHECK(full.events.size() == 1 + 1 + most + 1);
@@ -1138,7 +1138,7 @@ TEST_CASE("nothing is delivered after the trailer") {
   Bytes two = stream;
   const Bytes second = encode(other.events, other.header);
   two.insert(two.end(), second.begin(), second.end());
-  const Arrival arrival = decode(two);
+  const Received arrival = decode(two);
   CHECK(arrival.events == sample.events);
   CHECK(arrival.report.is_complete());
   CHECK(arrival.report.repeated_packets == frames_of(second).size());

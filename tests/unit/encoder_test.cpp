@@ -280,7 +280,7 @@ TEST_CASE(
 TEST_CASE("a fragment without runs does harm to nothing but its packet") {
   Script script;
   script.fragment(up, {1, 0, 0}, 0).fragment_end();
-  const Arrival arrival = decode(encode(script.layer(1).finish().events));
+  const Received arrival = decode(encode(script.layer(1).finish().events));
   CHECK(pieces_of(arrival.events).empty());
   CHECK(arrival.report.damaged_packets == 1);
   CHECK(arrival.report.has_trailer);
@@ -298,7 +298,7 @@ TEST_CASE("a region that is lost before its end is told as lost, whatever follow
       if (follower == 2) script.region(up).square({1, 0, 0}, 2).region_end();
       if (follower == 3) script.fragment(up, {1, 0, 0}, 1).run(2, 2).fragment_end();
       const Events events = script.finish().events;
-      const Arrival arrival = decode(encode(events));
+      const Received arrival = decode(encode(events));
       CHECK(pieces_of(arrival.events) == pieces_of(events));
       CHECK(arrival.events.back() == events.back());
     }
@@ -324,7 +324,7 @@ TEST_CASE("a region whose first run is in no ring does harm to nothing but its p
   for (const Vertex& start : {Vertex{1, 0, 0}, Vertex{1, 0, 8}}) {
     Script script;
     script.region(up).run(0, 2).ring(start).run(0, 2).run(4, 3).region_end();
-    const Arrival arrival = decode(encode(script.layer(1).finish().events));
+    const Received arrival = decode(encode(script.layer(1).finish().events));
     CHECK(pieces_of(arrival.events).empty());
     CHECK(arrival.report.damaged_packets == 1);
     CHECK(arrival.report.has_trailer);

@@ -57,7 +57,7 @@ class Delivery {
   void go_on(Records& records, Statistics& statistics);
   void end_runs(Records& records, Statistics& statistics);
 
-  bool sends_ = true;
+  bool sends_ = false;
   bool is_delivering_ = false;
   bool is_fragment_ = false;
   bool is_hole_ = false;
@@ -109,16 +109,20 @@ template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
   const Cursor begin(records, out_.last);
   const Direction first = direction_of(begin.run(records));
+  const int directions = direction_count(out_.incidence);
   Direction before = first;
   int turned = 0;
   Cursor cursor = begin;
   do {
-    const Direction direction = direction_of(cursor.run(records));
-    turned += turn(out_.incidence, before, direction);
-    before = direction;
     cursor.advance(records);
+    const Direction direction = direction_of(cursor.run(records));
+    int step = direction - before;
+    if (step < 0) step += directions;
+    turned += 2 * step < directions ? step : step - directions;
+    before = direction;
   } while (cursor != begin);
-  is_hole_ = turned + turn(out_.incidence, before, first) < 0;
+  before = direction_of(RunLists<Index, Normal>::last_run(records, out_.last));
+  is_hole_ = turned < 0;
   out_.came = before;
   start_ = out_.start;
   for (; direction_of(cursor.run(records)) == before; cursor.advance(records)) {

@@ -69,6 +69,7 @@ Status Extractor<Index, Normals>::reset() {
 
 template <class Index, class Normals>
 size_t Extractor<Index, Normals>::bytes_used() const {
+  if (state_ == State::idle) return 0;
   return fixed_bytes_ + size_t{high_water().records} * sizeof(trace::Record<Index, Normal>);
 }
 

@@ -103,7 +103,7 @@ class Fragments {
     records_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
-    lost_from_ = queue_count;
+    is_below_lost_ = false;
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
@@ -117,7 +117,7 @@ class Fragments {
   void begin_below(const Pass& pass, const Vertex& vertex);
 
   /// Whether what comes from below is another slab's.
-  void lose_below(bool is_lost) { lost_from_ = is_lost ? first_rising_queue : queue_count; }
+  void lose_below(bool is_lost) { is_below_lost_ = is_lost; }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   Outgoing<Index> take_outgoing() {
@@ -161,7 +161,8 @@ class Fragments {
   void wire(Index begin, Index tail, Index list);
 
   Index pop(uint8_t queue) {
-    return queue < lost_from_ ? queues_.pop(records_, queue) : Index{no_record};
+    const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
+    return is_lost ? Index{no_record} : queues_.pop(records_, queue);
   }
   // Ends of links that stay within the slice are the last to be lost: they leave it soon.
   bool admits(uint8_t queue) const {
@@ -174,8 +175,8 @@ class Fragments {
   Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  bool sends_ = true;
-  uint8_t lost_from_ = queue_count;  // queues whose ends are not this slab's
+  bool sends_ = false;
+  bool is_below_lost_ = false;
   uint32_t kept_for_slice_ = 0;  // from ends that wait for the next slice
   Outgoing<Index> outgoing_;
   Records records_;

@@ -36,6 +36,7 @@ class Holes {
     for (uint32_t i = 0; i <= heads_mask_; ++i) heads_[i] = no_record;
     count_ = 0;
     high_water_ = 0;
+    incidences_ = 0;
   }
 
   uint32_t count() const { return count_; }
@@ -73,6 +74,7 @@ class Holes {
   uint32_t heads_mask_ = 0;
   uint32_t count_ = 0;
   uint32_t high_water_ = 0;
+  uint32_t incidences_ = 0;  // a bit for each that may have holes
 };
 
 // ---- implementation ----
@@ -90,6 +92,7 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
   hole.incidence = ring.incidence;
   hole.is_marked = 0;
   head = index;
+  incidences_ |= uint32_t{1} << ring.incidence;
   if (++count_ > high_water_) high_water_ = count_;
 }
 
@@ -98,7 +101,7 @@ template <class Wanted>
 uint32_t Holes<Index, Normal>::mark(Records& records, Incidence incidence, const Vertex& at,
                                     Wanted is_wanted) const {
   uint32_t marked = 0;
-  if (count_ == 0) return marked;
+  if ((incidences_ >> incidence & 1) == 0) return marked;
   const uint32_t plane = plane_of(incidence, at);
   for (Index i = head_of(incidence, at); i != no_record; i = records[i].linked.next) {
     Hole<Index>& hole = records[i].hole;
@@ -128,7 +131,10 @@ uint32_t Holes<Index, Normal>::mark_plane(Records& records, Incidence incidence,
 template <class Index, class Normal>
 void Holes<Index, Normal>::take(Records& records, Outgoing<Index>& out) {
   Index* link = &head_of(out.incidence, out.start);
-  while (records[*link].hole.is_marked == 0 || records[*link].hole.incidence != out.incidence) link = &records[*link].linked.next;
+  const auto is_wanted = [&](const Hole<Index>& hole) {
+    return hole.is_marked != 0 && hole.incidence == out.incidence;
+  };
+  while (!is_wanted(records[*link].hole)) link = &records[*link].linked.next;
   const Index index = *link;
   const Hole<Index> hole = records[index].hole;
   *link = hole.next;
@@ -136,7 +142,7 @@ void Holes<Index, Normal>::take(Records& records, Outgoing<Index>& out) {
   out.start = records[hole.start].hole_start.get();
   records.give(hole.start);
   records.give(index);
-  --count_;
+  if (--count_ == 0) incidences_ = 0;
 }
 
 template <class Index, class Normal>

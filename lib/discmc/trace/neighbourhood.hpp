@@ -39,7 +39,9 @@ class Neighbourhood {
   /// bit: of the voxel in its word, 1 to 30.
   Neighbourhood(const RowBlock& rows, uint32_t word, uint32_t bit) {
     const uint32_t shift = bit - 1;
+#pragma GCC unroll 3
     for (int k = 0; k < 3; ++k)
+#pragma GCC unroll 3
       for (int j = 0; j < 3; ++j) row_[k][j] = rows.row[k][j][word] >> shift & 7;
   }
 

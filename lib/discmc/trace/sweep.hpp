@@ -93,13 +93,13 @@ class Sweep {
     triangles_.add(parts >> triangle);
   }
 
-  // Where the sweep of a row was suspended: the word, its voxels still to visit, the axes of the
-  // first one's edges, and the steps done there: one a pass, or two above a slab.
-  static constexpr uint32_t all_axes = 7;
+  // Where the sweep of a row was suspended: the word, what of it has been visited (voxels, and of the
+  // next voxel the axes of edges), and the steps done at the next vertex: one a pass, or two above a
+  // slab.
   struct Place {
     uint32_t word = 0;
-    uint32_t voxels = ~uint32_t{0};
-    uint32_t axes = all_axes;
+    uint32_t voxels = 0;
+    uint32_t axes = 0;
     uint32_t steps = 0;
   };
   Place place_;
@@ -139,23 +139,23 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
     crossings.of[0] &= ends.are_open ? inner_columns(word, ends.width) : own_columns;
     crossings.of[1] &= has_y;
     crossings.of[2] &= has_z;
-    uint32_t voxels = (crossings.of[0] | crossings.of[1] | crossings.of[2]) & place_.voxels;
+    uint32_t voxels = (crossings.of[0] | crossings.of[1] | crossings.of[2]) & ~place_.voxels;
     for (; voxels != 0; voxels &= voxels - 1) {
       const uint32_t bit = trailing_zeros(voxels);
       const Neighbourhood around(row.rows, word, bit);
-      uint32_t axes = crossings.axes(bit) & place_.axes;
+      uint32_t axes = crossings.axes(bit) & ~place_.axes;
       for (; axes != 0; axes &= axes - 1) {
         const int axis = static_cast<int>(trailing_zeros(axes));
         const uint32_t x = word * columns_per_word + bit - 2;  // -1 wraps
         if (visit(row, ends, around, axis, x, normals, sink, statistics)) continue;
         place_.word = word;
-        place_.voxels = voxels;
-        place_.axes = axes;
+        place_.voxels = ~voxels;
+        place_.axes = ~axes;
         return false;
       }
-      place_.axes = all_axes;
+      place_.axes = 0;
     }
-    place_.voxels = ~uint32_t{0};
+    place_.voxels = 0;
   }
   place_ = Place{};
   cells_.add_to(statistics.cells, CountParts::cell);

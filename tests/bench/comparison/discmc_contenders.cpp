@@ -13,16 +13,16 @@ void require_ok(Status status) {
   if (status != Status::ok) throw std::runtime_error(text(status));
 }
 
+// With so much nothing goes out loose. What is never used is never touched.
+constexpr size_t arena_bytes = size_t{64} << 20;
+
 // A volume, and the memory for its extraction.
 class Scan {
  public:
-  explicit Scan(const Volume& volume)
-      : volume_(volume),
-        bytes_(worst_case_bytes<uint32_t>(limits())),
-        memory_(new uint8_t[bytes_]) {}
+  explicit Scan(const Volume& volume) : volume_(volume), memory_(new uint8_t[arena_bytes]) {}
 
   void extract(const Sink& sink) {
-    require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), bytes_}, sink));
+    require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), arena_bytes}, sink));
     const uint32_t slice = volume_.width * volume_.height;
     std::visit(
         [&](const auto& samples) {
@@ -47,7 +47,6 @@ class Scan {
   Limits limits() const { return {volume_.width, volume_.height, Border::open}; }
 
   const Volume& volume_;
-  size_t bytes_;
   std::unique_ptr<uint8_t[]> memory_;
   Extractor32 extractor_;
 };

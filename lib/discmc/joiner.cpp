@@ -1,0 +1,355 @@
+#include <discmc/joiner.hpp>
+
+namespace discmc {
+
+namespace {
+
+void add(Statistics& sum, const Statistics& other) {
+  sum.cells += other.cells;
+  sum.facets += other.facets;
+  sum.classic_triangles += other.classic_triangles;
+  sum.regions += other.regions;
+  sum.rings += other.rings;
+  sum.links += other.links;
+  sum.fragments += other.fragments;
+  sum.skipped_rows += other.skipped_rows;
+}
+
+}  // namespace
+
+Status Joiner::start(Memory memory, const Sink& sink, InputOrder order) {
+  return start(default_capacities(memory.bytes), memory, sink, order);
+}
+
+Status Joiner::start(const JoinerCapacities& capacities, Memory memory, const Sink& sink,
+                     InputOrder order) {
+  if (sink.take == nullptr) return Status::bad_sink;
+  if (capacities.fragments < 1 || capacities.fragments > JoinerCapacities::max_fragments ||
+      capacities.runs < 1 || capacities.runs > JoinerCapacities::max_runs)
+    return Status::bad_capacities;
+  if (memory.data == nullptr || memory.bytes < bytes_for(capacities))
+    return Status::too_little_memory;
+  *this = Joiner{};
+  sink_ = sink;
+  order_ = order;
+  capacities_ = capacities;
+  Arena arena(memory);
+  waiting_.start(arena, capacities.fragments, capacities.runs);
+  return Status::ok;
+}
+
+Answer Joiner::take(const Event& event) {
+  const bool is_taken = sink_.take != nullptr && settle() && accept(event);
+  return is_taken ? Answer::taken : Answer::not_now;
+}
+
+Status Joiner::finish() {
+  if (sink_.take == nullptr) return Status::not_started;
+  forget_fragment();
+  if (!settle() || !end()) return Status::more;
+  return is_short_ ? Status::too_little_memory : Status::ok;
+}
+
+// ---- events, one by one: false when the sink said "not now"; then the same comes again ----
+
+bool Joiner::accept(const Event& event) {
+  const Event::Kind kind = event.kind;
+  if (kind == Event::Kind::run) return add_run(event);
+  if (kind == Event::Kind::fragment_end) return end_fragment(event);
+  if (kind == Event::Kind::lost) return lose(event);
+  forget_fragment();  // there is none, unless events break the grammar
+  if (kind == Event::Kind::fragment) return begin_fragment(event);
+  if (kind == Event::Kind::region_end) return end_region(event);
+  if (kind == Event::Kind::finish) return take_finish(event);
+  return pass(event);
+}
+
+bool Joiner::begin_fragment(const Event& event) {
+  region_.forget();
+  if (!is_short_) {
+    if (!is_incidence(event.incidence) || !is_direction_of(event.incidence, event.came)) {
+      ignore_fragment();
+      return true;
+    }
+    arriving_ = chains().take(event.incidence, event.start, event.came);
+    if (arriving_ != no_record) {
+      arrival_ = Arrival::held;
+      return true;
+    }
+    run_short();
+    if (!settle()) return false;
+  }
+  if (!pass_loose(event)) return false;
+  arrival_ = Arrival::passed;
+  return true;
+}
+
+bool Joiner::add_run(const Event& event) {
+  if (arrival_ == Arrival::held) {
+    if (!is_run_of(chains()[arriving_].incidence, event.run))
+      ignore_fragment();
+    else if (chains().append(arriving_, event.run, event.normal))
+      return true;
+    else
+      run_short();
+    if (!settle()) return false;
+  }
+  if (arrival_ == Arrival::ignored) return true;
+  return arrival_ == Arrival::passed ? pass_loose(event) : pass(event);
+}
+
+bool Joiner::end_fragment(const Event& event) {
+  if (arrival_ == Arrival::held) place_fragment();
+  if (!settle()) return false;
+  switch (arrival_) {
+    case Arrival::passed:
+      if (!pass_loose(event)) return false;
+      ++report_.passed;
+      break;
+    case Arrival::ignored:
+      ++report_.invalid;
+      break;
+    default:  // it has its place, and was counted
+      return true;
+  }
+  ++report_.fragments;
+  arrival_ = Arrival::none;
+  return true;
+}
+
+bool Joiner::lose(const Event& event) {
+  region_.forget();
+  // Of a fragment that is held the sink knows nothing.
+  if (arrival_ == Arrival::none) return pass(event);
+  if (arrival_ == Arrival::passed && !pass_loose(event)) return false;
+  forget_fragment();
+  return true;
+}
+
+// Before a region ends it gets the holes that came loose.
+bool Joiner::end_region(const Event& event) {
+  delivery_ = Delivery::holes;
+  claimed_ = region_.claim(waiting_);
+  begin_next_hole();
+  return settle() && pass(event);
+}
+
+bool Joiner::take_finish(const Event& event) {
+  if (order_ == InputOrder::any || !has_finish_) {
+    has_finish_ = true;
+    was_abandoned_ = was_abandoned_ || event.abandoned;
+    slices_ += event.slice;
+    if (event.statistics != nullptr) add(totals_, *event.statistics);
+  }
+  return order_ == InputOrder::any || end();
+}
+
+bool Joiner::pass(const Event& event) {
+  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  region_.follow(event, waiting_);
+  return true;
+}
+
+bool Joiner::pass_loose(const Event& event) {
+  return !wants_loose() || sink_.take(sink_.context, event) == Answer::taken;
+}
+
+// ---- fragments ----
+
+// Joins the fragment that has arrived with what it belongs to.
+void Joiner::place_fragment() {
+  const uint32_t arrived = arriving_;
+  if (chains()[arrived].first_run == no_record) return ignore_fragment();
+  const WaitingChains::Result result = waiting_.join(arrived);
+  if (result.joined == WaitingChains::Joined::no_room) return run_short();
+  ++report_.fragments;
+  arrival_ = Arrival::none;
+  arriving_ = no_record;
+  if (result.joined == WaitingChains::Joined::refused) return begin_loose(arrived);
+  if (result.joined == WaitingChains::Joined::open) return;
+  chains().close(result.chain);
+  const bool is_outer = !chains()[result.chain].is_hole();
+  if (is_outer && order_ == InputOrder::sweep)
+    begin_delivery(Delivery::region, Event::Kind::region, result.chain);
+  else if (!waiting_.keep(result.chain))
+    run_short();
+}
+
+void Joiner::forget_fragment() {
+  if (arriving_ != no_record) chains().give(arriving_);
+  arriving_ = no_record;
+  arrival_ = Arrival::none;
+}
+
+void Joiner::ignore_fragment() {
+  forget_fragment();
+  arrival_ = Arrival::ignored;
+}
+
+// From now on everything is passed on, what is held first.
+void Joiner::run_short() {
+  is_short_ = true;
+  if (arriving_ != no_record) arrival_ = Arrival::passed;
+  let_all_go();
+}
+
+// ---- delivery ----
+
+// Delivers what is under way, and all chains when these are let go. False when the sink said "not
+// now".
+bool Joiner::settle() {
+  while (delivery_ != Delivery::none || begin_next_loose()) {
+    if (!pass(next_event())) return false;
+    go_on();
+  }
+  return true;
+}
+
+Event Joiner::next_event() const {
+  Event event{};
+  event.kind = next_kind_;
+  if (next_kind_ == Event::Kind::region_end || next_kind_ == Event::Kind::fragment_end)
+    return event;
+  const HeldChain& chain = chains()[delivered_];
+  if (next_kind_ == Event::Kind::run) {
+    const HeldRun& first = chains().run(chain.first_run);
+    event.run = first.run;
+    event.normal = first.normal;
+    return event;
+  }
+  event.incidence = chain.incidence;
+  event.came = chain.came;
+  event.hole = chain.is_hole();
+  event.start = chain.start;
+  return event;
+}
+
+// The sink has taken an event: what comes next?
+void Joiner::go_on() {
+  switch (next_kind_) {
+    case Event::Kind::region:
+      next_kind_ = Event::Kind::ring;
+      return;
+    case Event::Kind::region_end:
+      ++report_.regions;
+      delivery_ = Delivery::none;
+      return;
+    case Event::Kind::fragment_end:
+      delivery_ = Delivery::none;
+      return;
+    case Event::Kind::run:
+      chains().drop_first_run(delivered_);
+      break;
+    default:  // ring and fragment
+      next_kind_ = Event::Kind::run;
+  }
+  if (chains()[delivered_].first_run == no_record) end_chain();
+}
+
+// All runs of the chain are gone.
+void Joiner::end_chain() {
+  const bool is_outer = !chains()[delivered_].is_hole();
+  chains().give(delivered_);
+  switch (delivery_) {
+    case Delivery::loose:
+      next_kind_ = Event::Kind::fragment_end;
+      return;
+    case Delivery::beginning:
+      arriving_ = no_record;
+      delivery_ = Delivery::none;
+      return;
+    default:
+      ++report_.rings;
+      if (is_outer) claimed_ = region_.claim(waiting_);
+      begin_next_hole();
+  }
+}
+
+void Joiner::begin_delivery(Delivery delivery, Event::Kind kind, uint32_t chain) {
+  delivery_ = delivery;
+  next_kind_ = kind;
+  delivered_ = chain;
+}
+
+void Joiner::begin_next_hole() {
+  const uint32_t hole = claimed_;
+  if (hole != no_record) {
+    claimed_ = chains()[hole].next;
+    begin_delivery(delivery_, Event::Kind::ring, hole);
+  } else if (delivery_ == Delivery::region) {
+    next_kind_ = Event::Kind::region_end;
+  } else {
+    delivery_ = Delivery::none;
+  }
+}
+
+void Joiner::begin_loose(uint32_t chain) {
+  ++(is_short_ ? report_.passed : report_.unmatched);
+  if (wants_loose())
+    begin_delivery(Delivery::loose, Event::Kind::fragment, chain);
+  else
+    chains().give(chain);
+}
+
+void Joiner::let_all_go() {
+  is_letting_go_ = true;
+  region_.forget();
+}
+
+// Begins the delivery of the next of the chains that are let go. False when all are gone.
+bool Joiner::begin_next_loose() {
+  if (!is_letting_go_) return false;
+  while (looked_at_ < chains().last_used()) {
+    const uint32_t chain = ++looked_at_;
+    if (chain == arriving_ || chains()[chain].state == HeldChain::State::unused) continue;
+    begin_loose(chain);
+    if (delivery_ != Delivery::none) return true;
+  }
+  is_letting_go_ = false;
+  looked_at_ = 0;
+  waiting_.forget();
+  if (arriving_ == no_record) return false;
+  begin_delivery(Delivery::beginning, Event::Kind::fragment, arriving_);
+  if (wants_loose()) return true;
+  end_chain();
+  return false;
+}
+
+// ---- the end ----
+
+bool Joiner::end() {
+  while (begin_next_outer())
+    if (!settle()) return false;
+  if (chains().in_use() > 0) let_all_go();
+  return settle() && send_finish();
+}
+
+// Begins the delivery of an outer ring that waits: the first on the plane of one that is found.
+bool Joiner::begin_next_outer() {
+  for (; looked_at_ < chains().last_used(); ++looked_at_) {
+    const uint32_t chain = looked_at_ + 1;
+    if (chains()[chain].state != HeldChain::State::outer) continue;
+    begin_delivery(Delivery::region, Event::Kind::region, waiting_.take_outer(chain));
+    return true;
+  }
+  looked_at_ = 0;
+  return false;
+}
+
+bool Joiner::send_finish() {
+  if (!has_finish_) return true;
+  Statistics totals = totals_;
+  totals.regions += report_.regions;
+  totals.rings += report_.rings;
+  totals.fragments -= report_.fragments;
+  if (wants_loose()) totals.fragments += report_.unmatched + report_.passed;
+  Event event{};
+  event.kind = Event::Kind::finish;
+  event.slice = slices_;
+  event.abandoned = was_abandoned_;
+  event.statistics = &totals;
+  has_finish_ = sink_.take(sink_.context, event) != Answer::taken;
+  return !has_finish_;
+}
+
+}  // namespace discmc

@@ -1,0 +1,176 @@
+// The joiner: loose fragments in, regions out.
+//
+// An extractor that is short of memory sends pieces of boundary rings early, as loose fragments;
+// one that scans a slab does so at its seams. The joiner is a sink that stands before another:
+//
+//   static Joiner joiner;
+//   if (joiner.start(memory, sink, InputOrder::sweep) == Status::ok &&
+//       decoder.start(sink_to(joiner)) == Status::ok)
+//     ...  // push the stream
+//   while (joiner.finish() == Status::more)
+//     ...  // until the sink takes again
+//
+// A fragment goes on where its last link leads, and no directed link belongs to two chains: so ends
+// match by vertex, incidence and direction, in whatever order they come. A chain that ends where it
+// starts is a ring. A hole waits for the outer ring around it, on the same plane.
+//
+// A shortage of memory loses nothing: from then on the joiner passes on what it holds and what it
+// gets, and another with more memory can join that.
+#ifndef DISCMC_JOINER_HPP
+#define DISCMC_JOINER_HPP
+
+#include <discmc/region_holes.hpp>
+#include <discmc/status.hpp>
+
+namespace discmc {
+
+/// What is known of the order in which events come.
+enum class InputOrder : uint8_t {
+  /// That of one sweep. A region is delivered as soon as its outer ring closes.
+  sweep,
+  /// Loose fragments in any order, of one stream or several. Regions joined of them wait for
+  /// finish(). Limit: what one stream has between `region` and `region_end`, or `fragment` and
+  /// `fragment_end`, comes without events of others between; and a region that is whole already
+  /// comes after the loose fragments that its own stream has before it.
+  any,
+};
+
+/// How much a joiner has room for. Limit: at least 1 of each.
+struct JoinerCapacities {
+  static constexpr uint32_t max_fragments = uint32_t{1} << 28;
+  static constexpr uint32_t max_runs = UINT32_MAX - 1;
+
+  uint32_t fragments;  ///< chains not closed yet, and rings that wait
+  uint32_t runs;       ///< of all of them
+};
+
+/// What a joiner has done since its start.
+struct JoinerReport {
+  uint64_t fragments = 0;  ///< that came
+  uint64_t invalid = 0;    ///< of them: left out, for an incidence, direction or run that is none
+  uint64_t regions = 0;    ///< delivered, their outer rings joined of fragments
+  uint64_t rings = 0;      ///< joined of fragments and delivered in any region
+  uint64_t unmatched = 0;  ///< chains without a partner and holes without a region, in the end, and
+                           ///< fragments whose place was taken: the measure of what was lost
+  uint64_t passed = 0;     ///< chains passed on for lack of memory, whole fragments or some joined
+};
+
+/// Takes the events of extractors and decoders and gives them to a sink, regions completed and
+/// joined. Any events are safe.
+///
+/// The sink gets everything but loose fragments in the order in which it came. If it takes
+/// fragments, it gets as such what the report counts as unmatched or passed; else these are lost,
+/// and so are the regions that they belong to. Runs keep their normals. A region is right when all
+/// its fragments came, whatever else is lost.
+///
+/// The sink gets one `finish` event: of several, in any order, the sum, when finish() is called.
+/// Its regions, rings and loose fragments are those that were delivered. Layer marks stay true
+/// in the order of a sweep alone.
+///
+/// Cost: of a fragment, its runs. Of a region, its runs times the holes that wait on its plane.
+class Joiner {
+ public:
+  /// The bytes that a joiner takes from the caller's memory, and the least.
+  static constexpr uint64_t bytes_for(const JoinerCapacities& capacities) {
+    return WaitingChains::bytes_for(capacities.fragments, capacities.runs) + Arena::alignment - 1;
+  }
+  static constexpr uint64_t minimum_bytes() { return bytes_for({1, 1}); }
+
+  /// The default split of a number of bytes: eight runs for every fragment, in 192 bytes.
+  static constexpr JoinerCapacities default_capacities(uint64_t bytes) {
+    // In 32 bits: no 64-bit division on small machines.
+    const uint64_t units = bytes < Arena::alignment ? 0 : (bytes - (Arena::alignment - 1)) >> 6;
+    const uint32_t affordable = static_cast<uint32_t>(units < UINT32_MAX ? units : UINT32_MAX) / 3;
+    if (affordable == 0) return {1, 1};
+    const uint32_t fragments =
+        affordable < JoinerCapacities::max_fragments ? affordable : JoinerCapacities::max_fragments;
+    return {fragments, 8 * fragments};
+  }
+
+  /// Begins anew, with the default split of the memory. memory: Owner: the caller, for as long as
+  /// events are taken. Errors: bad_sink, too_little_memory; then nothing has changed.
+  [[nodiscard]] Status start(Memory memory, const Sink& sink, InputOrder order);
+  /// The same with capacities of one's own. Errors: also bad_capacities.
+  [[nodiscard]] Status start(const JoinerCapacities& capacities, Memory memory, const Sink& sink,
+                             InputOrder order);
+
+  /// Takes an event; nothing before start(). What it completes has been delivered once it is taken.
+  Answer take(const Event& event);
+
+  /// Tells that no event follows, and delivers what waits; a `finish` event in the order of a sweep
+  /// does the same. Status::more: the sink said "not now", call again. Errors: not_started;
+  /// too_little_memory when memory was short at any time, though all is done that can be.
+  [[nodiscard]] Status finish();
+
+  const JoinerReport& report() const { return report_; }
+  JoinerCapacities capacities() const { return capacities_; }
+  /// The most that was held at once.
+  JoinerCapacities high_water() const { return {chains().high_water(), chains().run_high_water()}; }
+
+ private:
+  bool accept(const Event& event);
+  bool begin_fragment(const Event& event);
+  bool add_run(const Event& event);
+  bool end_fragment(const Event& event);
+  bool end_region(const Event& event);
+  bool lose(const Event& event);
+  bool take_finish(const Event& event);
+  bool pass(const Event& event);
+  bool pass_loose(const Event& event);
+
+  void place_fragment();
+  void forget_fragment();
+  void ignore_fragment();
+
+  enum class Delivery : uint8_t { none, region, holes, loose, beginning };
+  bool settle();
+  Event next_event() const;
+  void go_on();
+  void end_chain();
+  void begin_delivery(Delivery delivery, Event::Kind kind, uint32_t chain);
+  void begin_next_hole();
+  void begin_loose(uint32_t chain);
+  void run_short();
+  void let_all_go();
+  bool begin_next_loose();
+
+  bool end();
+  bool begin_next_outer();
+  bool send_finish();
+
+  bool wants_loose() const { return sink_.takes_fragments; }
+  HeldChains& chains() { return waiting_.chains(); }
+  const HeldChains& chains() const { return waiting_.chains(); }
+
+  WaitingChains waiting_;
+  RegionHoles region_;  // of the region that passes or is delivered, as far as the sink has it
+  Sink sink_{nullptr, nullptr, false};
+  JoinerCapacities capacities_{0, 0};
+  JoinerReport report_{};
+  InputOrder order_ = InputOrder::sweep;
+  bool is_short_ = false;  // of memory: everything is passed on
+
+  // What becomes of the fragment that arrives, and the chain that holds it.
+  enum class Arrival : uint8_t { none, held, passed, ignored };
+  Arrival arrival_ = Arrival::none;
+  uint32_t arriving_ = no_record;
+
+  // What is delivered: the next event, and of which chain. `holes` complete a region that passes; a
+  // `beginning` is of the fragment that arrives.
+  Delivery delivery_ = Delivery::none;
+  Event::Kind next_kind_ = Event::Kind::region;
+  bool is_letting_go_ = false;  // of all chains, one after another
+  uint32_t delivered_ = no_record;
+  uint32_t claimed_ = no_record;  // the holes that follow
+  uint32_t looked_at_ = 0;        // the last chain, on a walk over all
+
+  // The sum of the `finish` events.
+  bool has_finish_ = false;
+  bool was_abandoned_ = false;
+  uint32_t slices_ = 0;
+  Statistics totals_{};
+};
+
+}  // namespace discmc
+
+#endif

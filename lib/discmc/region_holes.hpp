@@ -1,0 +1,40 @@
+// Which of the holes that wait are those of a region that passes? Told by its events.
+#ifndef DISCMC_REGION_HOLES_HPP
+#define DISCMC_REGION_HOLES_HPP
+
+#include <discmc/sink.hpp>
+#include <discmc/waiting_chains.hpp>
+
+namespace discmc {
+
+/// A hole belongs to a region when it lies in it, and in no other waiting ring inside: that would
+/// be of a region that lies in one of its holes.
+class RegionHoles {
+ public:
+  /// Looks at an event of the region, in their order. Nothing may begin or end to wait from its
+  /// outer ring on. Cost: of a run, the holes that wait on its plane.
+  void follow(const Event& event, WaitingChains& waiting);
+
+  /// Forgets the region.
+  void forget() { first_ = no_record; }
+
+  /// Takes the holes that are the region's out of those that wait, when all its runs have passed;
+  /// no_record when there is none, and from then on. The others follow by HeldChain::next.
+  /// Cost: for every hole inside, the rings of its plane, and the runs of those near by.
+  uint32_t claim(WaitingChains& waiting);
+
+ private:
+  void begin_ring(const Event& event, WaitingChains& waiting);
+  void add_run(Run run, HeldChains& chains);
+  bool is_within_another(uint32_t hole, const WaitingChains& waiting) const;
+
+  Incidence incidence_ = no_incidence;
+  bool has_point_ = false;
+  uint32_t first_ = no_record;  // of the holes on the plane
+  Vertex at_{};                 // where the ring under way has got to
+  PlanePoint point_{};          // beside the outer ring
+};
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,90 @@
+// What waits in a joiner: open chains for the fragments before and behind them, rings for the other
+// rings of their plane.
+#ifndef DISCMC_WAITING_CHAINS_HPP
+#define DISCMC_WAITING_CHAINS_HPP
+
+#include <discmc/arena.hpp>
+#include <discmc/held_chains.hpp>
+#include <discmc/waiting_table.hpp>
+
+namespace discmc {
+
+class WaitingChains {
+ public:
+  /// What became of a chain that was joined with what waited for it.
+  enum class Joined : uint8_t {
+    open,     ///< it waits
+    ring,     ///< it is closed, and waits for nothing yet
+    refused,  ///< another chain waits where it starts, or where it ends
+    no_room,
+  };
+  struct Result {
+    Joined joined;
+    uint32_t chain;  ///< of which the fragment is now a part
+  };
+
+  static constexpr uint64_t bytes_for(uint32_t chains, uint32_t runs) {
+    return Arena::bytes_of(chains, sizeof(HeldChain)) + Arena::bytes_of(runs, sizeof(HeldRun)) +
+           2 * Arena::bytes_of(slots_for(chains), sizeof(uint32_t));
+  }
+
+  /// Takes its arrays from the arena. Limit: these have room in it.
+  void start(Arena& arena, uint32_t chains, uint32_t runs);
+
+  HeldChains& chains() { return chains_; }
+  const HeldChains& chains() const { return chains_; }
+
+  /// Joins a chain that has runs with those that it follows and that follow it. Refused, or without
+  /// room, it is as before. Cost: a few look-ups.
+  Result join(uint32_t arrived);
+
+  /// Lets a ring wait on its plane. False when there is no room.
+  bool keep(uint32_t ring);
+
+  /// The first of the holes, or of the outer rings, that wait on the plane of a vertex; the others
+  /// follow by HeldChain::next.
+  uint32_t first_hole(Incidence incidence, const Vertex& vertex) const;
+  uint32_t first_outer(Incidence incidence, const Vertex& vertex) const;
+  uint32_t hole_count() const { return hole_count_; }
+
+  /// Takes the claimed ones out of a list of holes that wait. Returns the list of these.
+  uint32_t take_claimed(uint32_t first_hole);
+
+  /// Takes out the first of the outer rings that wait on the plane of one of them.
+  uint32_t take_outer(uint32_t outer);
+
+  /// Nothing waits any more: for when the chains go one after another.
+  void forget();
+
+ private:
+  // What the table says of a chain: an entry is an index and one of these.
+  enum class Role : uint8_t { start, end, hole, outer };
+
+  // Both ends of a chain wait, or a ring.
+  static constexpr uint32_t slots_for(uint32_t chains) {
+    return WaitingTable::slots_for(2 * chains);
+  }
+  static constexpr uint32_t entry(uint32_t chain, Role role) {
+    return chain << 2 | static_cast<uint32_t>(role);
+  }
+  static constexpr uint32_t chain_of(uint32_t entry) { return entry >> 2; }
+  static constexpr Role role_of(uint32_t entry) { return static_cast<Role>(entry & 3); }
+  static constexpr WaitingKey plane_key(Incidence incidence, const Vertex& vertex, Role role) {
+    const int kind = max_directions + static_cast<int>(role);
+    return {{plane_offset(incidence, vertex), 0, 0}, incidence, static_cast<uint8_t>(kind)};
+  }
+  WaitingKey plane_key(uint32_t ring, Role role) const {
+    return plane_key(chains_[ring].incidence, chains_[ring].start, role);
+  }
+  WaitingKey key_of(uint32_t entry) const;
+  uint32_t find(const WaitingKey& key) const;
+  void set_first(uint32_t ring, uint32_t first, Role role);
+
+  HeldChains chains_;
+  WaitingTable table_;
+  uint32_t hole_count_ = 0;
+};
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,53 @@
+// Runs events through a joiner, in memory of exactly its size.
+#ifndef DISCMC_TESTS_ORACLE_JOIN_HPP
+#define DISCMC_TESTS_ORACLE_JOIN_HPP
+
+#include <discmc/joiner.hpp>
+#include <stdexcept>
+
+#include "event_log.hpp"
+#include "scan.hpp"
+
+namespace discmc::reference {
+
+struct Joined {
+  Events events;
+  JoinerReport report;
+  JoinerCapacities high_water;
+  Status status;
+};
+
+struct JoinPlan {
+  InputOrder order = InputOrder::sweep;
+  JoinerCapacities capacities{2000, 20000};
+  bool takes_fragments = true;
+  EventLog::Refuses refuses{};
+};
+
+/// Offers every event until it is taken, then finishes. Errors: throws when the joiner is stuck,
+/// breaks a promise, or writes outside its memory.
+inline Joined join(const Events& events, const JoinPlan& plan) {
+  constexpr int most_tries = 1 << 20;
+  Block block(Joiner::bytes_for(plan.capacities), Block::Kind::guarded);
+  EventLog log(plan.refuses);
+  Joiner joiner;
+  require_ok(joiner.start(plan.capacities, block.memory(), sink_to(log, plan.takes_fragments),
+                          plan.order));
+  for (const RecordedEvent& event : events)
+    for (int tries = 0; joiner.take(event.event()) != Answer::taken; ++tries)
+      if (tries > most_tries) throw std::runtime_error("an event that is never taken");
+  Status status = joiner.finish();
+  for (int tries = 0; status == Status::more; ++tries) {
+    if (tries > most_tries) throw std::runtime_error("no end");
+    status = joiner.finish();
+  }
+  if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
+  const JoinerCapacities most = joiner.high_water();
+  if (most.fragments > plan.capacities.fragments || most.runs > plan.capacities.runs)
+    throw std::runtime_error("in use beyond the capacity");
+  return {std::move(log.events), joiner.report(), most, status};
+}
+
+}  // namespace discmc::reference
+
+#endif

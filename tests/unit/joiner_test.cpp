@@ -1,0 +1,619 @@
+// The joiner: whatever is cut comes out whole, in any order, any memory, whenever the sink refuses;
+// and any events are safe.
+#include <doctest/doctest.h>
+
+#include "oracle/join.hpp"
+#include "oracle/loose.hpp"
+#include "oracle/merge.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+using test::Chance;
+
+namespace {
+
+using Kind = Event::Kind;
+
+// Walls around walls: on top and below, rings of a plane lie within one another.
+BitVolume walls_around_walls(uint32_t side, uint32_t depth) {
+  BitVolume volume({side, side, depth});
+  for (int64_t z = 0; z < depth; ++z)
+    for (int64_t y = 0; y < side; ++y)
+      for (int64_t x = 0; x < side; ++x) {
+        const int64_t inwards = std::min({x, y, side - 1 - x, side - 1 - y});
+        volume.on[volume.index(x, y, z)] = inwards % 4 < 2 ? 1 : 0;
+      }
+  return volume;
+}
+
+struct Surface {
+  std::string name;
+  std::vector<Region> regions;
+};
+
+const std::vector<Surface>& surfaces() {
+  static const std::vector<Surface> all = [] {
+    std::vector<Surface> made;
+    const auto add = [&](const char* name, const BitVolume& volume, bool closed = true) {
+      made.push_back({name, canonical(merge(volume, closed))});
+    };
+    add("walls around walls", walls_around_walls(15, 3));
+    add("a ball", ball({11, 11, 11}, {10, 10, 10}, 24));
+    add("a torus", torus({17, 17, 7}, 10, 5));
+    add("a spiral", spiral({13, 13, 5}));
+    add("a tiling", tiling_61({7, 7, 7}));
+    add("a checkerboard", checkerboard({6, 6, 4}));
+    add("noise", random({9, 8, 7}, 128, 1));
+    add("thin noise", random({12, 12, 5}, 50, 2));
+    add("dense noise", random({12, 12, 5}, 200, 3));
+    add("noise with an open border", random({9, 9, 6}, 120, 4), false);
+    return made;
+  }();
+  return all;
+}
+
+Cuts cuts_of(Chance& chance, uint32_t loose_outers = 50) {
+  Cuts cuts;
+  cuts.below = [&chance](uint32_t limit) { return chance.below(limit); };
+  cuts.loose_outers = loose_outers;
+  return cuts;
+}
+
+std::string unlike(const Events& delivered, const std::vector<Region>& regions) {
+  return describe_difference(canonical(Delivered(delivered).regions), regions);
+}
+
+Events fragment_of(Incidence incidence, const Vertex& start, Direction came,
+                   const std::vector<Run>& runs) {
+  Event event{};
+  event.kind = Kind::fragment;
+  event.incidence = incidence;
+  event.start = start;
+  event.came = came;
+  Events events{RecordedEvent(event)};
+  for (const Run run : runs) {
+    event = {};
+    event.kind = Kind::run;
+    event.run = run;
+    events.emplace_back(event);
+  }
+  event = {};
+  event.kind = Kind::fragment_end;
+  events.emplace_back(event);
+  return events;
+}
+
+// Once round, from the direction 0 on.
+std::vector<Run> square_runs(uint32_t side) {
+  return {Run::straight(0, side), Run::straight(2, side), Run::straight(4, side),
+          Run::straight(6, side)};
+}
+
+RecordedEvent finish_of(const Statistics& statistics, uint32_t slices, bool abandoned) {
+  Event event{};
+  event.kind = Kind::finish;
+  event.statistics = &statistics;
+  event.slice = slices;
+  event.abandoned = abandoned;
+  return RecordedEvent(event);
+}
+
+uint64_t count(const Events& events, Kind kind) {
+  return static_cast<uint64_t>(std::count_if(
+      events.begin(), events.end(), [kind](const RecordedEvent& event) { return event.is(kind); }));
+}
+
+size_t fragments_in(const Pieces& pieces) {
+  return static_cast<size_t>(std::count_if(pieces.begin(), pieces.end(),
+                                           [](const Piece& piece) { return piece.is_fragment(); }));
+}
+
+}  // namespace
+
+// ---- what comes out is whole ----
+
+TEST_CASE("the loose fragments of a sweep are joined to its regions") {
+  Chance chance(1);
+  for (const Surface& surface : surfaces())
+    for (int round = 0; round < 20; ++round) {
+      CAPTURE(surface.name);
+      CAPTURE(round);
+      const Pieces pieces = cut(surface.regions, cuts_of(chance));
+      const Joined joined = join(events_of(pieces), {});
+      REQUIRE(unlike(joined.events, surface.regions) == "");
+      CHECK(joined.status == Status::ok);
+      CHECK(joined.report.fragments == fragments_in(pieces));
+      CHECK(joined.report.unmatched == 0);
+      CHECK(joined.report.passed == 0);
+    }
+}
+
+TEST_CASE("so are fragments in any order") {
+  Chance chance(2);
+  for (const Surface& surface : surfaces())
+    for (int round = 0; round < 20; ++round) {
+      CAPTURE(surface.name);
+      CAPTURE(round);
+      const Cuts cuts = cuts_of(chance, 60);
+      Pieces pieces = cut(surface.regions, cuts);
+      // What came whole comes after the fragments.
+      shuffle(pieces, cuts.below);
+      std::stable_partition(pieces.begin(), pieces.end(),
+                            [](const Piece& piece) { return piece.is_fragment(); });
+      JoinPlan plan;
+      plan.order = InputOrder::any;
+      const Joined joined = join(events_of(pieces), plan);
+      REQUIRE(unlike(joined.events, surface.regions) == "");
+      CHECK(joined.report.unmatched == 0);
+    }
+}
+
+TEST_CASE("so are the streams of several slabs") {
+  Chance chance(3);
+  for (const Surface& surface : surfaces())
+    for (const int32_t slab : {1, 2, 3, 7})
+      for (const uint32_t loose : {0U, 50U, 100U}) {
+        CAPTURE(surface.name);
+        CAPTURE(slab);
+        CAPTURE(loose);
+        Cuts cuts = cuts_of(chance, loose);
+        cuts.loose_holes = loose;
+        cuts.slab = 2 * slab;
+        JoinPlan plan;
+        plan.order = InputOrder::any;
+        const Pieces pieces = interleaved(cut(surface.regions, cuts), cuts.below);
+        const Joined joined = join(events_of(pieces), plan);
+        REQUIRE(unlike(joined.events, surface.regions) == "");
+        CHECK(joined.report.unmatched == 0);
+      }
+}
+
+TEST_CASE("a hole goes to its region when the two meet in vertices") {
+  // Pits that touch one another and the rim.
+  BitVolume volume = box({9, 9, 4}, {1, 1, 0}, {7, 7, 2});
+  for (const auto& [x, y] : {std::pair{2, 2}, {3, 3}, {4, 4}, {2, 5}, {3, 6}, {1, 4}, {6, 2}})
+    volume.on[volume.index(x, y, 2)] = 0;
+  const std::vector<Region> regions = canonical(merge(volume, true));
+  Chance chance(4);
+  for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
+    for (int round = 0; round < 100; ++round) {
+      JoinPlan plan;
+      plan.order = order;
+      REQUIRE(unlike(join(events_of(cut(regions, cuts_of(chance))), plan).events, regions) == "");
+    }
+}
+
+TEST_CASE("in the order of a sweep a region is there as soon as its last fragment is") {
+  Chance chance(5);
+  const Surface& surface = surfaces()[0];
+  const Pieces pieces = cut(surface.regions, cuts_of(chance, 100));
+  EventLog log;
+  Block block(100000);
+  Joiner joiner;
+  REQUIRE(joiner.start(block.memory(), sink_to(log), InputOrder::sweep) == Status::ok);
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    for (const RecordedEvent& event : pieces[i].events)
+      REQUIRE(joiner.take(event.event()) == Answer::taken);
+    std::vector<Region> complete;
+    for (size_t region = 0; region < surface.regions.size(); ++region) {
+      const auto is_of_it = [&](const Piece& piece) { return piece.region == region; };
+      if (std::none_of(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1, pieces.end(), is_of_it))
+        complete.push_back(surface.regions[region]);
+    }
+    REQUIRE(unlike(log.events, complete) == "");
+  }
+}
+
+// ---- short memory ----
+
+TEST_CASE("what a joiner with too little memory passes on, another joins") {
+  Chance chance(6);
+  for (const size_t index : {size_t{0}, size_t{4}, size_t{6}}) {
+    const Surface& surface = surfaces()[index];
+    const Cuts cuts = cuts_of(chance, 70);
+    JoinPlan plan;
+    Pieces pieces = cut(surface.regions, cuts);
+    for (const InputOrder order : {InputOrder::sweep, InputOrder::any}) {
+      plan.order = order;
+      for (uint32_t size = 1; size < 300; size += size < 30 ? 1 : step(10)) {
+        CAPTURE(surface.name);
+        CAPTURE(size);
+        plan.capacities = {1 + size / 4, size};
+        if (size % 3 == 0) plan.capacities = {size, 1 + size / 2};
+        const Joined first = join(events_of(pieces), plan);
+        plan.capacities = {2000, 20000};
+        const Joined second = join(first.events, plan);
+        REQUIRE(unlike(second.events, surface.regions) == "");
+        REQUIRE(second.status == Status::ok);
+        REQUIRE(first.status == (first.report.passed > 0 ? Status::too_little_memory : Status::ok));
+        REQUIRE(first.report.passed == Delivered(first.events).fragments.size());
+        REQUIRE(first.report.unmatched == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("with any number of bytes from the least on") {
+  Chance chance(7);
+  const Surface& surface = surfaces()[6];
+  const Events events = events_of(cut(surface.regions, cuts_of(chance)));
+  uint64_t passed_before = UINT64_MAX;
+  for (uint64_t bytes = Joiner::minimum_bytes(); bytes < 30000;
+       bytes += step(5) * (1 + bytes / 50)) {
+    CAPTURE(bytes);
+    JoinPlan plan;
+    plan.capacities = Joiner::default_capacities(bytes);
+    REQUIRE(Joiner::bytes_for(plan.capacities) <= bytes);
+    const Joined joined = join(events, plan);
+    REQUIRE(unlike(join(joined.events, {}).events, surface.regions) == "");
+    REQUIRE(joined.report.passed <= passed_before);
+    passed_before = joined.report.passed;
+  }
+  CHECK(passed_before == 0);
+}
+
+TEST_CASE("the marks tell what would have been enough") {
+  Chance chance(8);
+  for (const Surface& surface : surfaces()) {
+    const Events events = events_of(cut(surface.regions, cuts_of(chance)));
+    CAPTURE(surface.name);
+    const JoinerCapacities most = join(events, {}).high_water;
+    CAPTURE(most.fragments);
+    CAPTURE(most.runs);
+    JoinPlan plan;
+    plan.capacities = most;
+    CHECK(join(events, plan).status == Status::ok);
+    plan.capacities = {most.fragments - 1, most.runs};
+    CHECK(join(events, plan).status == Status::too_little_memory);
+    plan.capacities = {most.fragments, most.runs - 1};
+    CHECK(join(events, plan).status == Status::too_little_memory);
+  }
+}
+
+TEST_CASE("a sink that takes no fragments is given none") {
+  Chance chance(9);
+  for (const Surface& surface : surfaces()) {
+    const Events events = events_of(cut(surface.regions, cuts_of(chance)));
+    JoinPlan plan;
+    plan.takes_fragments = false;
+    CHECK(unlike(join(events, plan).events, surface.regions) == "");
+    plan.capacities = {5, 30};
+    const Joined joined = join(events, plan);
+    CHECK(joined.status == Status::too_little_memory);
+    CHECK(joined.report.passed > 0);
+    CHECK(Delivered(joined.events).fragments.empty());
+  }
+}
+
+// ---- refusals ----
+
+TEST_CASE("a sink may refuse any event, and it does not show") {
+  Chance chance(10);
+  const Surface& surface = surfaces()[0];
+  for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
+    for (const bool takes_fragments : {true, false})
+      for (const JoinerCapacities& capacities :
+           {JoinerCapacities{500, 5000}, {12, 100}, {3, 1000}, {1, 1}}) {
+        JoinPlan plan;
+        plan.order = order;
+        plan.capacities = capacities;
+        plan.takes_fragments = takes_fragments;
+        Pieces pieces = cut(surface.regions, cuts_of(chance));
+        pieces.erase(pieces.begin() + 7, pieces.begin() + 9);
+        test::Script script;
+        script.layer(0).finish();
+        Events events = events_of(pieces);
+        events.insert(events.end(), script.events.begin(), script.events.end());
+        const Joined plain = join(events, plan);
+        for (size_t refused = 0; refused < plain.events.size(); refused += step(17)) {
+          plan.refuses = [&](uint64_t offer) { return offer == refused; };
+          REQUIRE(join(events, plan).events == plain.events);
+        }
+        plan.refuses = refuses_first;
+        const Joined slow = join(events, plan);
+        CHECK(slow.events == plain.events);
+        CHECK(slow.report.fragments == plain.report.fragments);
+        CHECK(slow.report.unmatched == plain.report.unmatched);
+        CHECK(slow.report.passed == plain.report.passed);
+      }
+}
+
+// ---- losses ----
+
+namespace {
+
+// What fragments come to, some of which are lost: whole rings, and chains between two gaps.
+size_t count_chains(const Pieces& left) {
+  const auto has = [&](const Piece& wanted, size_t place) {
+    return std::any_of(left.begin(), left.end(), [&](const Piece& piece) {
+      return piece.is_fragment() && piece.region == wanted.region && piece.ring == wanted.ring &&
+             piece.place == place;
+    });
+  };
+  const auto is_whole = [&](const Piece& piece) {
+    for (size_t place = 0; place < piece.places; ++place)
+      if (!has(piece, place)) return false;
+    return true;
+  };
+  size_t count = 0;
+  for (const Piece& piece : left) {
+    if (!piece.is_fragment()) continue;
+    const size_t before = (piece.place + piece.places - 1) % piece.places;
+    if (is_whole(piece) ? piece.place == 0 : !has(piece, before)) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a region is right when all its fragments came, and what is left over is counted") {
+  Chance chance(11);
+  for (const Surface& surface : surfaces())
+    for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
+      for (int round = 0; round < 20; ++round) {
+        CAPTURE(surface.name);
+        CAPTURE(round);
+        std::vector<bool> is_damaged(surface.regions.size());
+        Pieces left;
+        for (const Piece& piece : cut(surface.regions, cuts_of(chance, 80))) {
+          const bool is_lost = piece.is_fragment() && chance.below(20) == 0;
+          if (is_lost) is_damaged[piece.region] = true;
+          if (!is_lost) left.push_back(piece);
+        }
+        JoinPlan plan;
+        plan.order = order;
+        const Joined joined = join(events_of(left), plan);
+        const Delivered delivered(joined.events);
+        const std::vector<Region> regions = canonical(delivered.regions);
+        for (size_t region = 0; region < surface.regions.size(); ++region)
+          if (!is_damaged[region])
+            REQUIRE(std::count(regions.begin(), regions.end(), surface.regions[region]) == 1);
+        REQUIRE(joined.report.rings + joined.report.unmatched == count_chains(left));
+        REQUIRE(joined.report.unmatched == delivered.fragments.size());
+        REQUIRE(joined.status == Status::ok);
+      }
+}
+
+TEST_CASE("what is lost in the middle is forgotten, and the sink is told where it knows of it") {
+  const test::Script whole = [] {
+    test::Script script;
+    script.region(test::up).square({1, 0, 0}, 3).region_end();
+    return script;
+  }();
+  Events events = fragment_of(test::up, {1, 0, 0}, 2, {Run::straight(2, 3)});
+  events.back() = test::Script().lost().events[0];
+  events.insert(events.end(), whole.events.begin(), whole.events.end());
+  Joined joined = join(events, {});
+  CHECK(joined.events == whole.events);
+  CHECK(joined.report.unmatched == 0);
+
+  events = whole.events;
+  events.back() = test::Script().lost().events[0];
+  joined = join(events, {});
+  CHECK(joined.events == events);
+}
+
+// ---- the end ----
+
+TEST_CASE("the finish event counts what was delivered") {
+  Chance chance(12);
+  const Surface& surface = surfaces()[0];
+  for (const JoinerCapacities& capacities : {JoinerCapacities{500, 5000}, {20, 100}, {1, 1}}) {
+    const Pieces pieces = cut(surface.regions, cuts_of(chance));
+    Events events = events_of(pieces);
+    Statistics sent{};
+    sent.cells = 1000;
+    sent.links = 2000;
+    sent.regions = count(events, Kind::region);
+    sent.rings = count(events, Kind::ring);
+    sent.spills = count(events, Kind::fragment);
+    events.push_back(finish_of(sent, 7, true));
+    JoinPlan plan;
+    plan.capacities = capacities;
+    const Joined joined = join(events, plan);
+    Statistics delivered = sent;
+    delivered.regions = count(joined.events, Kind::region);
+    delivered.rings = count(joined.events, Kind::ring);
+    delivered.spills = count(joined.events, Kind::fragment);
+    CHECK(joined.events.back() == finish_of(delivered, 7, true));
+    CHECK(delivered.regions - sent.regions == joined.report.regions);
+    CHECK(delivered.rings - sent.rings == joined.report.rings);
+  }
+}
+
+TEST_CASE("of several streams there is one finish event, and it comes last") {
+  const Statistics one{1, 2, 3, 4, 5, 6, 7, 8, 9}, two{10, 20, 30, 40, 50, 60, 70, 80, 90};
+  const Statistics sum{11, 22, 33, 44, 55, 66, 77, 88, 99};
+  JoinPlan plan;
+  plan.order = InputOrder::any;
+  Events events = {finish_of(one, 3, false), finish_of(two, 4, true)};
+  const Events ring = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
+  events.insert(events.end(), ring.begin(), ring.end());
+  const Joined joined = join(events, plan);
+  REQUIRE(joined.report.regions == 1);
+  Statistics expected = sum;
+  ++expected.regions;
+  ++expected.rings;
+  --expected.spills;
+  CHECK(joined.events.back() == finish_of(expected, 7, true));
+  CHECK(count(joined.events, Kind::finish) == 1);
+}
+
+TEST_CASE("a stream that breaks off is finished without a finish event") {
+  const Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
+  CHECK(join(events, {}).events == events);
+  Events begun = events;
+  begun.pop_back();
+  CHECK(join(begun, {}).events.empty());
+}
+
+// ---- any events ----
+
+TEST_CASE("the second of two fragments that want one place is left over") {
+  const Events first = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
+  const Events same_start = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(2, 2)});
+  const Events same_end =
+      fragment_of(test::up, {-1, 0, 0}, 0, {Run::straight(2, 1), Run::straight(0, 2)});
+  for (const Events& second : {same_start, same_end}) {
+    Events events = first;
+    events.insert(events.end(), second.begin(), second.end());
+    const Joined joined = join(events, {});
+    CHECK(joined.report.unmatched == 2);
+    Events swapped = second;
+    swapped.insert(swapped.end(), first.begin(), first.end());
+    CHECK(joined.events == swapped);
+  }
+}
+
+TEST_CASE("what is no fragment is left out and counted") {
+  const std::vector<Events> none = {
+      fragment_of(no_incidence, {1, 0, 0}, 0, {Run::straight(0, 1)}),
+      fragment_of(27, {1, 0, 0}, 0, {Run::straight(0, 1)}),
+      fragment_of(255, {1, 0, 0}, 0, {Run::straight(0, 1)}),
+      fragment_of(test::up, {1, 0, 0}, 8, {Run::straight(0, 1)}),
+      fragment_of(incidence_of({1, 1, 0}), {1, 0, 0}, 4, {Run::straight(0, 1)}),
+      fragment_of(incidence_of({1, 1, 1}), {1, 0, 0}, 0, {Run::straight(6, 1)}),
+      fragment_of(incidence_of({1, 1, 1}), {1, 0, 0}, 0, {Run::straight(1, 1), Run()}),
+      fragment_of(test::up, {1, 0, 0}, 0, {Run::straight(1, Run::max_length + 1)}),
+      fragment_of(test::up, {1, 0, 0}, 0, {}),
+  };
+  for (const Events& events : none) {
+    const Joined joined = join(events, {});
+    CHECK(joined.events.empty());
+    CHECK(joined.report.unmatched == 0);
+    CHECK(joined.report.invalid == 1);
+    CHECK(joined.report.fragments == 1);
+  }
+}
+
+TEST_CASE("a long side is one run until it is longer than a run can be") {
+  constexpr uint32_t most = Run::max_length;
+  const auto rings = [&](uint32_t before, uint32_t behind) {
+    // A side in two, the rest of a triangle in one.
+    Events events = fragment_of(test::up, {1, 0, 0}, 0, {Run::straight(0, behind)});
+    const Vertex step = direction_vector(test::up, 0);
+    const Vertex start = Vertex{1, 0, 0} + Vertex{step.x * static_cast<int32_t>(behind),
+                                                  step.y * static_cast<int32_t>(behind), 0};
+    const Events rest =
+        fragment_of(test::up, start, 0,
+                    {Run::straight(2, 5), Run::straight(4, before), Run::straight(4, behind),
+                     Run::straight(6, 5), Run::straight(0, before)});
+    events.insert(events.end(), rest.begin(), rest.end());
+    return join(events, {});
+  };
+  CHECK(count(rings(most - 7, 7).events, Kind::run) == 4);
+  CHECK(count(rings(most - 7, 8).events, Kind::run) == 6);
+  CHECK(rings(most - 7, 7).report.regions == 1);
+}
+
+TEST_CASE("coordinates wrap, wherever fragments start and however long they are") {
+  Chance chance(13);
+  for (int round = 0; round < 500; ++round) {
+    Events events;
+    for (int i = 0; i < 20; ++i) {
+      const auto coordinate = [&] {
+        return static_cast<int32_t>(chance.next()) >> chance.below(31);
+      };
+      const Incidence incidence = i < 10 ? test::up : static_cast<Incidence>(chance.below(28));
+      const Vertex start{coordinate(), coordinate(), coordinate()};
+      std::vector<Run> runs;
+      for (uint32_t count = chance.below(9); count > 0; --count)
+        runs.push_back(Run::from_code(static_cast<uint32_t>(chance.next()) >> chance.below(32)));
+      const Events more =
+          fragment_of(incidence, start, static_cast<Direction>(chance.below(9)), runs);
+      events.insert(events.end(), more.begin(), more.end());
+      // A ring that wraps, and may take whatever waits on its plane.
+      test::Script script;
+      script.region(incidence).ring(start);
+      for (const Run run : runs) script.run(run);
+      script.region_end();
+      events.insert(events.end(), script.events.begin(), script.events.end());
+    }
+    JoinPlan plan;
+    plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
+    if (round % 3 == 0) plan.capacities = {1 + chance.below(20), 1 + chance.below(100)};
+    const Joined joined = join(events, plan);
+    CHECK(joined.report.fragments == 20);
+  }
+}
+
+TEST_CASE("events in no order that the grammar has do no harm") {
+  Chance chance(14);
+  for (int round = 0; round < 300; ++round) {
+    const Surface& surface = surfaces()[static_cast<size_t>(round) % surfaces().size()];
+    Events events = events_of(cut(surface.regions, cuts_of(chance)));
+    if (events.size() > 2000) events.erase(events.begin() + 2000, events.end());
+    for (uint32_t damage = 1 + chance.below(20); damage > 0; --damage) {
+      const size_t at = chance.below(static_cast<uint32_t>(events.size()));
+      const size_t other = chance.below(static_cast<uint32_t>(events.size()));
+      if (chance.below(2) == 0) std::swap(events[at], events[other]);
+      if (chance.below(2) == 0) events[at] = events[other];
+    }
+    JoinPlan plan;
+    plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
+    if (round % 3 == 0) plan.capacities = {1 + chance.below(50), 1 + chance.below(200)};
+    plan.takes_fragments = round % 5 != 0;
+    (void)join(events, plan);
+  }
+}
+
+// ---- the start ----
+
+TEST_CASE("what start() refuses leaves everything as it was") {
+  std::vector<uint8_t> memory(4000, 0xA5);
+  const Memory all{memory.data(), memory.size()};
+  EventLog log, other;
+  Joiner joiner;
+  Event layer{};
+  layer.kind = Kind::layer;
+  CHECK(joiner.finish() == Status::not_started);
+  CHECK(joiner.take(layer) == Answer::not_now);
+  CHECK(joiner.start(all, Sink{}, InputOrder::any) == Status::bad_sink);
+  CHECK(joiner.start({nullptr, 4000}, sink_to(log), InputOrder::any) == Status::too_little_memory);
+  CHECK(joiner.start({memory.data(), Joiner::minimum_bytes() - 1}, sink_to(log), InputOrder::any) ==
+        Status::too_little_memory);
+  for (const JoinerCapacities& bad :
+       {JoinerCapacities{0, 1}, {1, 0}, {JoinerCapacities::max_fragments + 1, 1}, {1, UINT32_MAX}})
+    CHECK(joiner.start(bad, all, sink_to(log), InputOrder::any) == Status::bad_capacities);
+  CHECK(joiner.start({100, 100}, all, sink_to(log), InputOrder::any) == Status::too_little_memory);
+  CHECK(joiner.finish() == Status::not_started);
+  CHECK(memory == std::vector<uint8_t>(4000, 0xA5));
+
+  REQUIRE(joiner.start({memory.data(), Joiner::minimum_bytes()}, sink_to(log), InputOrder::sweep) ==
+          Status::ok);
+  CHECK(joiner.start({memory.data(), 3}, sink_to(other), InputOrder::any) ==
+        Status::too_little_memory);
+  CHECK(joiner.take(layer) == Answer::taken);
+  CHECK(log.events.size() == 1);
+  CHECK(joiner.finish() == Status::ok);
+}
+
+TEST_CASE("a joiner that is started again has forgotten everything") {
+  std::vector<uint8_t> memory(4000, 0xA5);
+  EventLog log;
+  Joiner joiner;
+  const Events half = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
+  for (int i = 0; i < 2; ++i) {
+    REQUIRE(joiner.start({memory.data(), memory.size()}, sink_to(log), InputOrder::sweep) ==
+            Status::ok);
+    CHECK(joiner.high_water().fragments == 0);
+    for (const RecordedEvent& event : half) REQUIRE(joiner.take(event.event()) == Answer::taken);
+    CHECK(joiner.report().fragments == 1);
+    CHECK(joiner.high_water().fragments == 1);
+    CHECK(joiner.high_water().runs == 1);
+  }
+  CHECK(log.events.empty());
+}
+
+TEST_CASE("the default split uses what there is, and no more") {
+  CHECK(Joiner::default_capacities(0).fragments == 1);
+  for (uint64_t bytes = 3 + 192; bytes < uint64_t{1} << 50; bytes = bytes * 5 / 4 + 1) {
+    const JoinerCapacities split = Joiner::default_capacities(bytes);
+    REQUIRE(Joiner::bytes_for(split) <= bytes);
+    REQUIRE(split.runs == 8 * split.fragments);
+    const bool is_most = split.fragments == JoinerCapacities::max_fragments;
+    REQUIRE((is_most || Joiner::bytes_for(split) + 5 * split.fragments + 192 + 8 > bytes));
+  }
+}
