@@ -104,28 +104,31 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
   last_.kind = Out::Kind::none;
 }
 
-// Finds a corner to begin at, whether the ring is a hole, and the direction before its first run.
+// Finds where to begin, whether the ring is a hole, and the direction before its first run.
+//
+// A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
+// front of the sweep, and there only some directions are left: so it takes few bits to tell.
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
   const Cursor begin(records, out_.last);
   const Direction first = direction_of(begin.run(records));
   Direction before = first;
+  Vertex at = out_.start;
+  start_ = at;
   int turned = 0;
   Cursor cursor = begin;
   do {
-    const Direction direction = direction_of(cursor.run(records));
-    turned += turn(out_.incidence, before, direction);
-    before = direction;
+    const Run run = long_run(cursor.run(records));
+    turned += turn(out_.incidence, before, run.direction());
+    before = run.direction();
+    at = moved(at, link_of(out_.incidence, before), run.length());
     cursor.advance(records);
+    if (precedes(at, start_)) continue;
+    start_ = at;
+    first_ = cursor;
+    out_.came = before;
   } while (cursor != begin);
   is_hole_ = turned + turn(out_.incidence, before, first) < 0;
-  out_.came = before;
-  start_ = out_.start;
-  for (; direction_of(cursor.run(records)) == before; cursor.advance(records)) {
-    const Run run = long_run(cursor.run(records));
-    start_ = moved(start_, link_of(out_.incidence, before), run.length());
-  }
-  first_ = cursor;
 }
 
 // A loose fragment may be the last of the ring around holes of its plane: they go before it.
