@@ -26,6 +26,10 @@ constexpr bool operator==(const Vertex& a, const Vertex& b) {
 constexpr bool operator!=(const Vertex& a, const Vertex& b) {
   return !(a == b);
 }
+/// Whether a comes before b in the order of z, then y, then x.
+constexpr bool precedes(const Vertex& a, const Vertex& b) {
+  return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x;
+}
 constexpr Vertex operator+(const Vertex& a, const Vertex& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

@@ -315,8 +315,8 @@ Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
   return start_;
 }
 
-// The first direction of a region depends on its incidence: rings start where the sweep closed
-// them.
+// The first direction of a region depends on its incidence: where rings start at their last vertex
+// only some lead back.
 template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
   using namespace context;

@@ -104,32 +104,34 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
   last_.kind = Out::Kind::none;
 }
 
-// Finds a corner to begin at, whether the ring is a hole, and the direction before its first run.
+// Finds where to begin, whether the ring is a hole, and the direction before its first run.
+//
+// A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
+// front of the sweep, and there only some directions are left: so it takes few bits to tell.
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
-  const Cursor begin(records, out_.last);
-  const Direction first = direction_of(begin.run(records));
   const int directions = direction_count(out_.incidence);
-  Direction before = first;
+  const Cursor begin(records, out_.last);
+  Direction before = direction_of(RunLists<Index, Normal>::last_run(records, out_.last));
+  Vertex at = out_.start;
+  start_ = at;
   int turned = 0;
   Cursor cursor = begin;
   do {
-    cursor.advance(records);
-    const Direction direction = direction_of(cursor.run(records));
+    const ShortRun run = cursor.run(records);
+    const Direction direction = direction_of(run);
     int step = direction - before;
     if (step < 0) step += directions;
     turned += 2 * step < directions ? step : step - directions;
     before = direction;
+    at = moved(at, link_of(out_.incidence, direction), length_of(run));
+    cursor.advance(records);
+    if (precedes(at, start_)) continue;
+    start_ = at;
+    first_ = cursor;
+    out_.came = direction;
   } while (cursor != begin);
-  before = direction_of(RunLists<Index, Normal>::last_run(records, out_.last));
   is_hole_ = turned < 0;
-  out_.came = before;
-  start_ = out_.start;
-  for (; direction_of(cursor.run(records)) == before; cursor.advance(records)) {
-    const Run run = long_run(cursor.run(records));
-    start_ = moved(start_, link_of(out_.incidence, before), run.length());
-  }
-  first_ = cursor;
 }
 
 // A loose fragment may be the last of the ring around holes of its plane: they go before it.
