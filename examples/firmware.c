@@ -5,7 +5,7 @@
 enum { SIZE = 48, THRESHOLD = 192 }; /* voxels a row, rows a slice, slices */
 
 static const discmc_limits limits = {.width = SIZE, .height = SIZE, .border = DISCMC_CLOSED};
-static uint8_t memory[DISCMC_MINIMUM_BYTES(SIZE, SIZE) + 11 * 1024];
+static uint8_t memory[DISCMC_MINIMUM_BYTES(SIZE, SIZE) + 5 * 1024];
 static discmc_extractor extractor;
 static discmc_encoder encoder;
 static const discmc_sink sink = {&encoder, discmc_encoder_take, 1};

@@ -18,7 +18,8 @@ inline size_t link_count(const std::vector<Region>& regions) {
   return links;
 }
 
-/// Empty when the regions of a sweep that lacks nothing are `merged`, which is canonical, ring for ring.
+/// Empty when the regions of a sweep that lacks nothing are `merged`, which is canonical, ring for
+/// ring.
 inline std::string unlike_regions(const std::vector<Region>& swept,
                                   const std::vector<Region>& merged) {
   const std::vector<Region> simple = canonical(simple_rings(swept));

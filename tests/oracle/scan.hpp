@@ -139,8 +139,8 @@ std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32
     EventLog log(refuses);
     Extractor<Index> extractor;
     require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
-    push_all(extractor, std::vector<uint8_t>(volume.on.data() + from * slice,
-                                             volume.on.data() + to * slice));
+    push_all(extractor,
+             std::vector<uint8_t>(volume.on.data() + from * slice, volume.on.data() + to * slice));
     finish_all(extractor);
     if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
     scans.push_back(collected(log.events, true, from));

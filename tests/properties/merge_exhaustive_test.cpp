@@ -81,7 +81,8 @@ std::string sweep_all(Size size, bool closed, uint64_t sample, uint64_t stride =
 }
 
 // The same of the first block whose loose fragments, or sealed cells, do not make up the surface
-// that comes out in plenty of memory. Every number of records from the least to `most` has its turn.
+// that comes out in plenty of memory. Every number of records from the least to `most` has its
+// turn.
 std::string press_all(Size size, bool closed, uint32_t most, uint64_t stride) {
   BlockScanner scanner(size, closed, plenty);
   std::vector<std::unique_ptr<BlockScanner>> loose, sealed;

@@ -206,7 +206,8 @@ TEST_CASE("slabs of any thickness, in any memory, join to the whole") {
   for (uint64_t seed = 0; seed < 120; seed += step(11)) {
     CAPTURE(seed);
     const auto s = static_cast<uint32_t>(seed);
-    const BitVolume volume = random({1 + s % 9, 1 + s / 2 % 8, 1 + s % 15}, 30 + s * 41 % 200, seed);
+    const BitVolume volume =
+        random({1 + s % 9, 1 + s / 2 % 8, 1 + s % 15}, 30 + s * 41 % 200, seed);
     for (const Border border : {Border::closed, Border::open}) {
       const std::vector<Region> merged = merge(volume, border == Border::closed);
       for (const uint32_t slices : {1U, 2U, 3U, 7U})
@@ -214,9 +215,9 @@ TEST_CASE("slabs of any thickness, in any memory, join to the whole") {
           CAPTURE(slices);
           CAPTURE(spare);
           CHECK(unlike_joined(scan_slabs<uint16_t>(volume, border, slices, spare), merged) == "");
-          CHECK(unlike_joined(scan_slabs<uint32_t>(volume, border, slices, spare,
-                                                   reference::refuses_first),
-                              merged) == "");
+          CHECK(unlike_joined(
+                    scan_slabs<uint32_t>(volume, border, slices, spare, reference::refuses_first),
+                    merged) == "");
         }
     }
   }

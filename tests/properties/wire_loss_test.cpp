@@ -31,7 +31,8 @@ struct Sent {
         if (recorded.is(Kind::region) || recorded.is(Kind::fragment)) span = {i, i, {}};
         span.events.push_back(recorded);
         span.last = i;
-        if (recorded.is(Kind::region_end) || recorded.is(Kind::fragment_end)) pieces.push_back(span);
+        if (recorded.is(Kind::region_end) || recorded.is(Kind::fragment_end))
+          pieces.push_back(span);
       }
   }
 

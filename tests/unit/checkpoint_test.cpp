@@ -252,18 +252,18 @@ TEST_CASE("a torn checkpoint is found out, wherever it is torn") {
   auto device = device_for<uint16_t>(scan);
   device.start();
   device.scan_to(14);
-  const Image before = device.save();
+  Image before = device.save();
   device.scan_to(20);
   const Image after = device.save();
+  before.resize(std::max(before.size(), after.size()));  // more of the memory is in use later
   for (size_t written = 0; written <= after.size(); ++written) {
     CAPTURE(written);
     const auto end = static_cast<ptrdiff_t>(written);
     Image torn = before;
-    torn.resize(std::max(before.size(), after.size()));
     std::copy(after.begin(), after.begin() + end, torn.begin());
     auto other = device_for<uint16_t>(scan);
     const Status status = other.restore(torn);
-    if (written == 0 || torn == after) {
+    if (torn == before || torn == after) {
       REQUIRE(status == Status::ok);
       continue;
     }

@@ -264,8 +264,7 @@ TEST_CASE("memory that begins anywhere will do") {
     std::vector<uint8_t> memory(bytes + offset + 8, 0x5A);
     EventLog log;
     Extractor16 extractor;
-    require_ok(
-        extractor.start(limits, ample, 1, {memory.data() + offset, bytes}, sink_to(log)));
+    require_ok(extractor.start(limits, ample, 1, {memory.data() + offset, bytes}, sink_to(log)));
     push_all(extractor, volume.on);
     finish_all(extractor);
     CHECK(log.events == expected.events);

@@ -191,8 +191,9 @@ Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<R
     REQUIRE(extractor.slices() == row / volume.size.height);
     REQUIRE(extractor.rows() == row % volume.size.height);
     const PushResult pushed = rows[row] == Row::given ? extractor.push(samples, volume.size.width)
-                          : rows[row] == Row::off ? extractor.skip_row(Substitute::off)
-                                                  : extractor.skip_row(Substitute::previous_row);
+                              : rows[row] == Row::off
+                                  ? extractor.skip_row(Substitute::off)
+                                  : extractor.skip_row(Substitute::previous_row);
     require_ok(pushed.status);
   }
   if (ending == Ending::abandon) {

@@ -23,7 +23,13 @@ Status Extractor<Index, Normals>::start(const Limits& limits, const Capacities& 
   if (!is_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr || (is_slab && !sink.takes_fragments)) return Status::bad_sink;
   state_ = State::idle;
-  limits_ = limits;
+  // Member by member: what lies between them in the caller's is not for a checkpoint.
+  limits_.width = limits.width;
+  limits_.height = limits.height;
+  limits_.border = limits.border;
+  limits_.slab.first = limits.slab.first;
+  limits_.slab.continues_below = limits.slab.continues_below;
+  limits_.slab.continues_above = limits.slab.continues_above;
   capacities_ = capacities;
   sink_ = sink;
   threshold_ = threshold;
