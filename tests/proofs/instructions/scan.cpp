@@ -40,7 +40,7 @@ int main() {
   const reference::BitVolume volume =
       reference::ball({extent, extent, extent}, {extent - 1, extent - 1, extent - 1}, 45 * 45);
   const Limits limits{extent, extent};
-  const size_t bytes = worst_case_bytes<uint32_t>(limits);
+  const size_t bytes = minimum_bytes<uint32_t>(limits) + (size_t{1} << 20);
   const std::unique_ptr<uint8_t[]> memory(new uint8_t[bytes]);
   Extractor32 extractor;
   if (extractor.start(limits, 1, {memory.get(), bytes}, {nullptr, take_event}) != Status::ok ||

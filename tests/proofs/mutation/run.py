@@ -35,16 +35,15 @@ def write_copy(refused):
     """The library with its mutants, in the build folder; a file that is as it was is left alone."""
     numbers = itertools.count(1)
     mutants = []
-    copy = BUILD / 'lib' / 'discmc'
-    copy.mkdir(parents=True, exist_ok=True)
-    for path in sorted((ROOT / 'lib' / 'discmc').iterdir()):
+    for path in sorted((ROOT / 'lib' / 'discmc').rglob('*.*')):
         text = path.read_text()
         if path.suffix in ('.cpp', '.hpp'):
             flags = ['-x', 'c++', '-std=c++17', f'-I{ROOT}/lib']
             file = instrument.Instrumenter(path, flags, lambda: next(numbers), refused[path.name])
             mutants += file.mutants
             text = file.rewritten()
-        target = copy / path.name
+        target = BUILD / path.relative_to(ROOT)
+        target.parent.mkdir(parents=True, exist_ok=True)
         if not target.exists() or target.read_text() != text:
             target.write_text(text)
     return mutants
@@ -240,7 +239,7 @@ def arguments():
         f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
         'most of it for those that survive.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
-                        help='of lib/discmc, as merge.cpp or "*.hpp"; all when none is named')
+                        help='of lib/discmc, as sealing.cpp or "*.hpp"; all when none is named')
     parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
     parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
                         help='test cases that take longer are left out (1)')

@@ -2,6 +2,8 @@
 #ifndef DISCMC_TESTS_WORK_COUNTED_SCAN_HPP
 #define DISCMC_TESTS_WORK_COUNTED_SCAN_HPP
 
+#include <algorithm>
+#include <discmc/extractor.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -23,10 +25,10 @@ struct Room {
 /// What the calls of a scan came to.
 struct Work {
   double most_of_bound = 0;  ///< the greatest share of its bound that a call took
-  double most_at_work = 0;   ///< the same of calls that met active cells
+  double most_at_work = 0;   ///< the same of calls that met vertices
   uint64_t most = 0;         ///< blocks of a push
   uint64_t blocks = 0;       ///< of all calls
-  uint64_t cells = 0;
+  uint64_t vertices = 0;
   uint64_t fragments = 0;
 };
 
@@ -35,9 +37,8 @@ class CountedScan {
  public:
   CountedScan(const reference::BitVolume& volume, Border border, const Room& room)
       : volume_(volume),
+        room_(room),
         limits_{volume.width, volume.height, border},
-        runs_{room.capacities.runs},
-        bound_(limits_, room.capacities),
         memory_(bytes_for<uint32_t>(limits_, room.capacities)) {
     require_ok(extractor_.start(limits_, room.capacities, 1, {memory_.data(), memory_.size()},
                                 sink_to(counter_, room.takes_fragments)));
@@ -45,9 +46,9 @@ class CountedScan {
 
   Work run() {
     for (uint32_t z = 0; z < volume_.depth; ++z) {
-      uint32_t swept = 0;
+      int32_t swept = first_row();
       for (uint32_t y = 0; y < volume_.height; ++y) {
-        const uint32_t ready = ready_rows(y, z);
+        const int32_t ready = ready_rows(y, z);
         Asked asked = sweep_of(z, swept, ready);
         asked.voxels = volume_.width;
         const uint8_t* const row = volume_.on.data() + volume_.index(0, y, z);
@@ -55,73 +56,104 @@ class CountedScan {
         swept = ready;
       }
     }
-    const uint64_t most = work_.most;
-    count(sweep_of(volume_.depth, 0, limits_.cell_rows()), [&] { return extractor_.finish(); });
-    work_.most = most;
-    work_.fragments = extractor_.statistics().fragments;
-    return work_;
+    const size_t pushes = calls_.size();
+    count(sweep_of(volume_.depth, first_row(), end_row()), [&] { return extractor_.finish(); });
+    return sum(pushes);
   }
 
  private:
   struct Counter {
-    uint64_t events = 0;
-    Answer take(const Event&) {
-      ++events;
+    uint64_t events = 0, holes = 0, hole_runs = 0;
+    bool is_in_hole = false;
+    Answer take(const Event& event) {
+      // A long side is kept in pieces.
+      events += 1 + event.run.length() / trace::Side::longest;
+      if (event.kind == Event::Kind::ring || event.kind == Event::Kind::fragment)
+        holes += is_in_hole = event.hole;
+      if (event.kind == Event::Kind::run) hole_runs += is_in_hole;
       return Answer::taken;
     }
+  };
+  struct Call {
+    Asked asked;
+    uint64_t taken;
   };
 
   static void require_ok(Status status) {
     if (status != Status::ok) throw std::runtime_error(text(status));
   }
 
-  // Rows of cells below slice z that can be swept once its row y is there.
-  uint32_t ready_rows(uint32_t y, uint32_t z) const {
+  // Rows of voxels that are swept, and the first row of the halo.
+  int32_t first_row() const { return limits_.border == Border::closed ? -1 : 0; }
+  int32_t end_row() const { return static_cast<int32_t>(limits_.height); }
+  // The row behind those below slice z that can be swept once its row y is there.
+  int32_t ready_rows(uint32_t y, uint32_t z) const {
     if (limits_.border == Border::open && z == 0) return 0;
-    if (y + 1 == volume_.height) return limits_.cell_rows();
-    return limits_.border == Border::closed ? y + 1 : y;
+    if (y + 1 == volume_.height) return end_row();
+    return static_cast<int32_t>(y);
   }
 
-  // What the rows of cells from `first` to `end` - 1 below slice z ask for.
-  Asked sweep_of(uint32_t z, uint32_t first, uint32_t end) const {
-    const auto halo = static_cast<int32_t>(limits_.halo());
+  // What the rows from `first` to `end` - 1 of the slice below slice z ask for.
+  Asked sweep_of(uint32_t z, int32_t first, int32_t end) const {
+    const int32_t slice = static_cast<int32_t>(z) - 1;
+    const auto differ = [&](const Vertex& a, const Vertex& b) {
+      const bool is_edge = limits_.border == Border::closed ||
+                           (volume_.contains(a.x, a.y, a.z) && volume_.contains(b.x, b.y, b.z));
+      return is_edge && volume_.at(a.x, a.y, a.z) != volume_.at(b.x, b.y, b.z);
+    };
     Asked asked;
-    asked.rows = end - first;
-    for (uint32_t row = first; row < end; ++row)
-      for (uint32_t column = 0; column < limits_.columns(); ++column) {
-        const Configuration configuration =
-            volume_.configuration({static_cast<int32_t>(column) - halo,
-                                   static_cast<int32_t>(row) - halo, static_cast<int32_t>(z) - 1});
-        asked.cells += configuration != 0 && configuration != 255;
+    for (int32_t y = first; y < end; ++y) {
+      ++asked.rows;
+      for (int32_t x = -1; x < static_cast<int32_t>(limits_.width); ++x) {
+        const Vertex here{x, y, slice};
+        for (const Vertex& step : {Vertex{1, 0, 0}, Vertex{0, 1, 0}, Vertex{0, 0, 1}})
+          if (differ(here, here + step)) ++asked.vertices;
+        const Configuration configuration = volume_.configuration(here);
+        if (!room_.takes_fragments && configuration != 0 && configuration != 255) ++asked.sealed;
       }
+    }
     return asked;
   }
 
-  template <class Call>
-  void count(Asked asked, Call call) {
+  template <class Function>
+  void count(Asked asked, Function call) {
     const uint64_t events = counter_.events;
     const uint64_t before = blocks;
     const Status status = call();
     const uint64_t taken = blocks - before;
     require_ok(status);
     asked.delivered = counter_.events - events;
-    asked.runs_were_short = runs_ - extractor_.high_water().runs < runs_kept(runs_);
-    const double share = static_cast<double>(taken) / static_cast<double>(bound_.of(asked));
-    work_.most_of_bound = std::max(work_.most_of_bound, share);
-    if (asked.cells > 0) work_.most_at_work = std::max(work_.most_at_work, share);
-    work_.most = std::max(work_.most, taken);
-    work_.blocks += taken;
-    work_.cells += asked.cells;
+    asked.is_short = room_.takes_fragments &&
+                     room_.capacities.records < extractor_.high_water().records + plenty;
+    calls_.push_back({asked, taken});
   }
 
+  Work sum(size_t pushes) const {
+    Work work;
+    for (size_t i = 0; i < calls_.size(); ++i) {
+      const auto& [asked, taken] = calls_[i];
+      const double share =
+          static_cast<double>(taken) /
+          static_cast<double>(bound(limits_.width, asked, counter_.holes, counter_.hole_runs));
+      work.most_of_bound = std::max(work.most_of_bound, share);
+      if (asked.vertices > 0) work.most_at_work = std::max(work.most_at_work, share);
+      if (i < pushes) work.most = std::max(work.most, taken);
+      work.blocks += taken;
+      work.vertices += asked.vertices;
+    }
+    work.fragments = extractor_.statistics().fragments;
+    return work;
+  }
+
+  static constexpr uint32_t plenty = trace::Fragments<uint32_t, NoNormal>::plenty;
+
   const reference::BitVolume& volume_;
+  Room room_;
   Limits limits_;
-  uint32_t runs_;
-  Bound bound_;
   std::vector<uint8_t> memory_;
   Counter counter_;
   Extractor32 extractor_;
-  Work work_;
+  std::vector<Call> calls_;
 };
 
 }  // namespace discmc::work
