@@ -7,6 +7,7 @@
 // seldom is copied member by member.
 #include <discmc/discmc.h>
 
+#include <discmc/c_sink.hpp>
 #include <discmc/discmc.hpp>
 
 using namespace discmc;
@@ -16,11 +17,11 @@ namespace {
 #define DISCMC_SAME_PLACE(member) (offsetof(Event, member) == offsetof(discmc_event, member))
 static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &&
                   DISCMC_SAME_PLACE(incidence) && DISCMC_SAME_PLACE(came) &&
-                  DISCMC_SAME_PLACE(hole) &&
-                  DISCMC_SAME_PLACE(repeated) && DISCMC_SAME_PLACE(abandoned) &&
-                  DISCMC_SAME_PLACE(normal) && DISCMC_SAME_PLACE(run) &&
-                  DISCMC_SAME_PLACE(number) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&
-                  DISCMC_SAME_PLACE(start) && DISCMC_SAME_PLACE(statistics),
+                  DISCMC_SAME_PLACE(hole) && DISCMC_SAME_PLACE(repeated) &&
+                  DISCMC_SAME_PLACE(abandoned) && DISCMC_SAME_PLACE(normal) &&
+                  DISCMC_SAME_PLACE(run) && DISCMC_SAME_PLACE(number) && DISCMC_SAME_PLACE(slice) &&
+                  DISCMC_SAME_PLACE(row) && DISCMC_SAME_PLACE(start) &&
+                  DISCMC_SAME_PLACE(statistics),
               "events have one layout");
 #undef DISCMC_SAME_PLACE
 #define DISCMC_SAME_PLACE(member) \
@@ -77,69 +78,36 @@ discmc_pushed c(Pushed pushed) {
   return {c(pushed.status), pushed.samples};
 }
 
-// An object that offers events to a sink of C's, of which it has a copy. The function that C++
-// calls is of C++'s type, and calls the one that C has given.
-template <class Object>
-struct Telling {
-  Object object;
-  void* context;
-  discmc_answer (*take)(void* context, const discmc_event* event);
-
-  // start(sink): of the object. When it fails the sink stays that of the last start.
-  template <class Start>
-  discmc_status start_to(const discmc_sink& sink, Start start) {
-    const Status status =
-        start(Sink{this, sink.take == nullptr ? nullptr : offer, sink.takes_fragments != 0});
-    if (status == Status::ok) {
-      context = sink.context;
-      take = sink.take;
-    }
-    return c(status);
-  }
-
-  static Answer offer(void* telling, const Event& event) {
-    const Telling& to = *static_cast<const Telling*>(telling);
-    return static_cast<Answer>(to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
-  }
-};
-
-template <class Object, class Storage>
-constexpr bool has_size = sizeof(Object) <= sizeof(Storage) &&
-                          sizeof(Storage) <= sizeof(Object) + sizeof(Object) / 10;
-template <class Object, class Storage>
-constexpr bool fits = has_size<Object, Storage>&& __is_trivially_copyable(Object) &&
-                      alignof(Object) <= alignof(Storage);
-
-static_assert(fits<Telling<Extractor16>, discmc_extractor16> &&
-                  fits<Telling<Extractor32>, discmc_extractor32> && fits<Encoder, discmc_encoder> &&
-                  fits<Telling<Decoder>, discmc_decoder>,
+static_assert(fits<SinkAdapter<Extractor16>, discmc_extractor16> &&
+                  fits<SinkAdapter<Extractor32>, discmc_extractor32> &&
+                  fits<Encoder, discmc_encoder> && fits<SinkAdapter<Decoder>, discmc_decoder>,
               "the sizes in discmc.h are enough and not much more");
 static_assert(fits<Checkpoint<Extractor16>, discmc_extractor16_checkpoint> &&
                   fits<Checkpoint<Extractor32>, discmc_extractor32_checkpoint> &&
                   fits<Checkpoint<Encoder>, discmc_encoder_checkpoint>,
               "so are those of checkpoints");
 
-Telling<Extractor16>& telling(discmc_extractor16* extractor) {
-  return *reinterpret_cast<Telling<Extractor16>*>(extractor);
+SinkAdapter<Extractor16>& adapter(discmc_extractor16* extractor) {
+  return *reinterpret_cast<SinkAdapter<Extractor16>*>(extractor);
 }
-Telling<Extractor32>& telling(discmc_extractor32* extractor) {
-  return *reinterpret_cast<Telling<Extractor32>*>(extractor);
+SinkAdapter<Extractor32>& adapter(discmc_extractor32* extractor) {
+  return *reinterpret_cast<SinkAdapter<Extractor32>*>(extractor);
 }
-Telling<Decoder>& telling(discmc_decoder* decoder) {
-  return *reinterpret_cast<Telling<Decoder>*>(decoder);
+SinkAdapter<Decoder>& adapter(discmc_decoder* decoder) {
+  return *reinterpret_cast<SinkAdapter<Decoder>*>(decoder);
 }
 
 Extractor16& cpp(discmc_extractor16* extractor) {
-  return telling(extractor).object;
+  return adapter(extractor).object;
 }
 const Extractor16& cpp(const discmc_extractor16* extractor) {
-  return reinterpret_cast<const Telling<Extractor16>*>(extractor)->object;
+  return reinterpret_cast<const SinkAdapter<Extractor16>*>(extractor)->object;
 }
 Extractor32& cpp(discmc_extractor32* extractor) {
-  return telling(extractor).object;
+  return adapter(extractor).object;
 }
 const Extractor32& cpp(const discmc_extractor32* extractor) {
-  return reinterpret_cast<const Telling<Extractor32>*>(extractor)->object;
+  return reinterpret_cast<const SinkAdapter<Extractor32>*>(extractor)->object;
 }
 Encoder& cpp(discmc_encoder* encoder) {
   return *reinterpret_cast<Encoder*>(encoder);
@@ -148,10 +116,10 @@ const Encoder& cpp(const discmc_encoder* encoder) {
   return *reinterpret_cast<const Encoder*>(encoder);
 }
 Decoder& cpp(discmc_decoder* decoder) {
-  return telling(decoder).object;
+  return adapter(decoder).object;
 }
 const Decoder& cpp(const discmc_decoder* decoder) {
-  return reinterpret_cast<const Telling<Decoder>*>(decoder)->object;
+  return reinterpret_cast<const SinkAdapter<Decoder>*>(decoder)->object;
 }
 
 }  // namespace
@@ -206,7 +174,7 @@ discmc_capacities discmc_default_capacities32(const discmc_limits* limits, uint6
       discmc_extractor##bits* extractor, const discmc_limits* limits,                              \
       const discmc_capacities* capacities, int32_t threshold, discmc_memory memory,                \
       const discmc_sink* sink) {                                                                   \
-    return telling(extractor).start_to(*sink, [&](const Sink& to) {                                \
+    return adapter(extractor).start_to(*sink, [&](const Sink& to) {                                \
       const Memory bytes{memory.data, memory.bytes};                                               \
       return capacities == nullptr                                                                 \
                  ? cpp(extractor).start(cpp(*limits), threshold, bytes, to)                        \
@@ -255,7 +223,7 @@ discmc_capacities discmc_default_capacities32(const discmc_limits* limits, uint6
   discmc_status discmc_extractor##bits##_restore(                                                  \
       discmc_extractor##bits* extractor, const discmc_extractor##bits##_checkpoint* checkpoint,    \
       discmc_memory memory, const discmc_sink* sink) {                                             \
-    return telling(extractor).start_to(*sink, [&](const Sink& to) {                                \
+    return adapter(extractor).start_to(*sink, [&](const Sink& to) {                                \
       return cpp(extractor).restore(                                                               \
           *reinterpret_cast<const Checkpoint<Extractor##bits>*>(checkpoint),                       \
           {memory.data, memory.bytes}, to);                                                        \
@@ -319,7 +287,7 @@ uint64_t discmc_encoder_bytes(const discmc_encoder* encoder) {
 }
 
 discmc_status discmc_decoder_start(discmc_decoder* decoder, const discmc_sink* sink) {
-  return telling(decoder).start_to(*sink, [&](const Sink& to) { return cpp(decoder).start(to); });
+  return adapter(decoder).start_to(*sink, [&](const Sink& to) { return cpp(decoder).start(to); });
 }
 discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes, size_t count) {
   const Decoded decoded = cpp(decoder).push(bytes, count);

@@ -19,6 +19,8 @@
 //     record.hpp, region_model.hpp, record_encoding.hpp, normal_encoding.hpp, range_coder.hpp,
 //     cobs.hpp, crc32.hpp
 //   decoder.hpp           bytes of a stream in, the same events out
+//   joiner.hpp            loose fragments of one stream or several in, regions out
+//     held_chains.hpp, waiting_chains.hpp, waiting_table.hpp, region_holes.hpp, plane.hpp
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     the normals of polygons that are there already, in a second pass
 //
@@ -30,6 +32,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/facet_table.hpp>
+#include <discmc/joiner.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
 

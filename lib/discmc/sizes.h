@@ -44,7 +44,23 @@
 #define DISCMC_DEFAULT_CAPACITIES32(width, height, border, bytes) \
   DISCMC_DEFAULT_CAPACITIES_(4, width, height, border, bytes)
 
+/* The bytes that a joiner with room for so many fragments and runs takes, the least, and an
+ * initialiser of a discmc_join_capacities: the default split of a number of bytes. */
+#define DISCMC_JOINER_BYTES_FOR(fragments, runs) \
+  (3 + UINT64_C(96) * (fragments) + UINT64_C(12) * (runs))
+#define DISCMC_JOINER_MINIMUM_BYTES DISCMC_JOINER_BYTES_FOR(1, 1)
+#define DISCMC_JOINER_DEFAULT_CAPACITIES(bytes)                            \
+  {                                                                        \
+    DISCMC_JOIN_UNITS_(bytes) == 0 ? 1 : DISCMC_JOIN_UNITS_(bytes),        \
+        DISCMC_JOIN_UNITS_(bytes) == 0 ? 1 : 8 * DISCMC_JOIN_UNITS_(bytes) \
+  }
+
 /* ---- how they come about: i is the bytes of an index; w, h, b are width, height, border ---- */
+
+#define DISCMC_JOIN_MAX_FRAGMENTS_ (UINT64_C(1) << 28)
+#define DISCMC_JOIN_UNITS_(bytes) \
+  ((bytes) < 3 ? UINT64_C(0)      \
+               : DISCMC_LESSER_((UINT64_C(1) * (bytes)-3) / 192, DISCMC_JOIN_MAX_FRAGMENTS_))
 
 #define DISCMC_LESSER_(a, b) ((a) < (b) ? (a) : (b))
 #define DISCMC_ALIGNED_(bytes) (((bytes) + 3) / 4 * 4)

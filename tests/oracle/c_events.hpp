@@ -17,9 +17,11 @@ inline RecordedEvent from_c(const discmc_event& event) {
   Event same{};
   same.kind = static_cast<Event::Kind>(event.kind);
   same.incidence = event.incidence;
+  same.came = event.came;
   same.hole = event.hole != 0;
   same.repeated = event.repeated != 0;
   same.abandoned = event.abandoned != 0;
+  same.normal = {event.normal.u, event.normal.v};
   same.run = Run::from_code(event.run);
   same.number = event.number;
   same.slice = event.slice;

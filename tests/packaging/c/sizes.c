@@ -14,6 +14,11 @@ static const discmc_capacities worst = DISCMC_WORST_CASE_CAPACITIES(9, 5, DISCMC
 static const discmc_capacities split16 = DISCMC_DEFAULT_CAPACITIES16(64, 48, DISCMC_CLOSED, 20000);
 static const discmc_capacities split32 = DISCMC_DEFAULT_CAPACITIES32(64, 48, DISCMC_CLOSED, 20000);
 
+static uint8_t join_some[DISCMC_JOINER_BYTES_FOR(101, 151)];
+static uint8_t join_least[DISCMC_JOINER_MINIMUM_BYTES];
+static const discmc_join_capacities join_fragments = {101, 151};
+static const discmc_join_capacities join_split = DISCMC_JOINER_DEFAULT_CAPACITIES(20000);
+
 static int are_equal(discmc_capacities a, discmc_capacities b) {
   return a.edges == b.edges && a.runs == b.runs && a.rings == b.rings && a.regions == b.regions &&
          a.slots == b.slots;
@@ -34,5 +39,9 @@ int main(void) {
   if (!are_equal(worst, discmc_worst_case_capacities(&small))) return 8;
   if (!are_equal(split16, discmc_default_capacities16(&slice, 20000))) return 9;
   if (!are_equal(split32, discmc_default_capacities32(&slice, 20000))) return 10;
+  if (sizeof join_some != discmc_joiner_bytes_for(&join_fragments)) return 11;
+  if (sizeof join_least != discmc_joiner_minimum_bytes()) return 12;
+  if (join_split.fragments != discmc_joiner_default_capacities(20000).fragments) return 13;
+  if (join_split.runs != discmc_joiner_default_capacities(20000).runs) return 14;
   return 0;
 }
