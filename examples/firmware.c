@@ -4,9 +4,9 @@
 
 enum { SIZE = 48, THRESHOLD = 192 }; /* voxels a row, rows a slice, slices */
 
-static const discmc_limits limits = {SIZE, SIZE, DISCMC_CLOSED};
-static uint8_t memory[DISCMC_MINIMUM_BYTES16(SIZE, SIZE, DISCMC_CLOSED) + 11 * 1024];
-static discmc_extractor16 extractor;
+static const discmc_limits limits = {.width = SIZE, .height = SIZE, .border = DISCMC_CLOSED};
+static uint8_t memory[DISCMC_MINIMUM_BYTES(SIZE, SIZE) + 5 * 1024];
+static discmc_extractor extractor;
 static discmc_encoder encoder;
 static const discmc_sink sink = {&encoder, discmc_encoder_take, 1};
 
@@ -24,7 +24,7 @@ static uint8_t sample_at(int32_t x, int32_t y, int32_t z) { /* of a ball, denses
 
 static int succeeds(discmc_status status) {
   while (status == DISCMC_MORE) /* the UART is busy: sleep here */
-    status = discmc_extractor16_resume(&extractor);
+    status = discmc_extractor_resume(&extractor);
   return status == DISCMC_OK;
 }
 
@@ -33,12 +33,12 @@ int main(void) {
   const discmc_byte_output uart = {NULL, uart_write};
   const discmc_memory arena = {memory, sizeof memory};
   int good = succeeds(discmc_encoder_start(&encoder, &header, uart)) &&
-             succeeds(discmc_extractor16_start(&extractor, &limits, NULL, THRESHOLD, arena, &sink));
+             succeeds(discmc_extractor_start(&extractor, &limits, NULL, THRESHOLD, arena, &sink));
   int32_t i, x;
   for (i = 0; good && i < SIZE * SIZE; ++i) {
     uint8_t row[SIZE];
     for (x = 0; x < SIZE; ++x) row[x] = sample_at(x, i % SIZE, i / SIZE);
-    good = succeeds(discmc_extractor16_push_u8(&extractor, row, SIZE, 1).status);
+    good = succeeds(discmc_extractor_push_u8(&extractor, row, SIZE, 1).status);
   }
-  return good && succeeds(discmc_extractor16_finish(&extractor)) ? 0 : 1;
+  return good && succeeds(discmc_extractor_finish(&extractor)) ? 0 : 1;
 }

@@ -4,7 +4,10 @@
 //
 //   firmware | print_regions
 //   ( 0 -1 -1)  from (42 36 9): 3x1 0x2 1x1 2x2
-//   fragment 0 of ( 1  0  0): 0x4 1x2      a part of a ring, sent early: where #0 stands, it goes
+//   fragment of ( 1  0  0)  from (41 36 12) by 7: 0x4 1x2
+//
+// A fragment is a piece of a ring, sent early for lack of memory: it goes on the one that ends
+// where it starts, with a run of direction 7.
 #include <cinttypes>
 #include <cstdio>
 #include <discmc/decoder.hpp>
@@ -21,16 +24,17 @@ class Printer {
         print_normal(event.incidence);
         break;
       case Event::Kind::fragment:
-        std::printf("fragment %" PRIu32 " of ", event.number);
+        std::printf("fragment of ");
         print_normal(event.incidence);
-        std::printf(":");
+        print_start(event.start);
+        std::printf(" by %d:", event.came);
         break;
       case Event::Kind::ring:
-        std::printf("  from (%" PRId32 " %" PRId32 " %" PRId32 "):", event.start.x, event.start.y,
-                    event.start.z);
+        print_start(event.start);
+        std::printf(":");
         break;
       case Event::Kind::run:
-        print_run(event.run);
+        std::printf(" %dx%" PRIu32, event.run.direction(), event.run.length());
         break;
       case Event::Kind::region_end:
       case Event::Kind::fragment_end:
@@ -52,11 +56,8 @@ class Printer {
     const Vertex n = normal(incidence);
     std::printf("(%2d %2d %2d)", n.x, n.y, n.z);
   }
-  static void print_run(Run run) {
-    if (run.is_fragment())
-      std::printf(" #%" PRIu32, run.fragment_number());
-    else
-      std::printf(" %dx%" PRIu32, run.direction(), run.length());
+  static void print_start(const Vertex& start) {
+    std::printf("  from (%" PRId32 " %" PRId32 " %" PRId32 ")", start.x, start.y, start.z);
   }
 };
 
@@ -72,7 +73,9 @@ int main() {
     status = decoder.push(bytes, count).status;
   if (status == Status::ok) status = decoder.finish();
   const StreamReport& report = decoder.report();
-  std::fprintf(stderr, "%" PRIu64 " regions in %" PRIu64 " bytes, %s\n", report.regions,
-               report.bytes, report.is_complete() ? "complete" : "not complete");
+  std::fprintf(stderr,
+               "%" PRIu64 " regions, %" PRIu64 " loose fragments in %" PRIu64 " bytes, %s\n",
+               report.regions, report.fragments, report.bytes,
+               report.is_complete() ? "complete" : "not complete");
   return status == Status::ok && report.is_complete() ? 0 : 1;
 }

@@ -124,12 +124,11 @@ bool end() {
 
 void report() {
   const Statistics total = extractor.statistics();
-  board::report("arena_laid_out", static_cast<uint32_t>(extractor.bytes_used()));
+  board::report("arena_used", static_cast<uint32_t>(extractor.bytes_used()));
   board::report("arena_bytes", sizeof arena);
   board::report("slices", extractor.slices());
   board::report("regions", static_cast<uint32_t>(total.regions));
-  board::report("cuts", static_cast<uint32_t>(total.cuts));
-  board::report("spills", static_cast<uint32_t>(total.spills));
+  board::report("fragments", static_cast<uint32_t>(total.fragments));
   board::report("skipped_rows", static_cast<uint32_t>(total.skipped_rows));
   board::report("stream_bytes", static_cast<uint32_t>(encoder.bytes()));
 }

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "input.hpp"
-#include "oracle/agreement.hpp"
 #include "oracle/event_log.hpp"
+#include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "require.hpp"
 
@@ -143,12 +143,12 @@ class Caller {
   void start() {
     const uint32_t flags = input_.byte();
     Limits limits = read_limits(flags);
-    const uint64_t least = limits.are_valid() ? minimum_bytes<Index>(limits) : 64;
+    const uint64_t least = limits.is_valid() ? minimum_bytes<Index>(limits) : 64;
     Capacities capacities = read_capacities(least);
     const bool is_split = (flags & 2) != 0;
-    const bool is_good = are_valid<Index>(capacities);
+    const bool is_good = is_valid<Index>(capacities);
     const uint64_t needed =
-        is_split || !limits.are_valid() || !is_good ? least : bytes_for<Index>(limits, capacities);
+        is_split || !limits.is_valid() || !is_good ? least : bytes_for<Index>(limits, capacities);
     if (needed > 1 << 20) return;
     const uint64_t bytes = read_bytes(needed, is_split);
     auto place = std::make_unique<Place>(bytes, input_.below(4));
@@ -159,7 +159,7 @@ class Caller {
 
     const Status status = is_split ? extractor_.start(limits, threshold, memory, sink)
                                    : extractor_.start(limits, capacities, threshold, memory, sink);
-    const Status expected = !limits.are_valid()     ? Status::bad_limits
+    const Status expected = !limits.is_valid()      ? Status::bad_limits
                             : !is_split && !is_good ? Status::bad_capacities
                             : sink.take == nullptr  ? Status::bad_sink
                             : bytes < needed        ? Status::too_little_memory
@@ -208,19 +208,14 @@ class Caller {
     const uint32_t kind = input_.below(8);
     if (kind == 0) return capacities;
     if (kind == 1) {
-      // One of no use: too few, or more than an index counts.
-      uint32_t* const all[] = {&capacities.edges, &capacities.runs, &capacities.rings,
-                               &capacities.regions, &capacities.slots};
-      uint32_t& one = *all[input_.below(5)];
-      one = input_.below(2) != 0 ? one - 1 : UINT32_MAX - input_.byte();
+      // Of no use: too few, or more than an index counts.
+      capacities.records =
+          input_.below(2) != 0 ? capacities.records - 1 : UINT32_MAX - input_.byte();
       return capacities;
     }
     if (kind == 2) return default_capacities<Index>({9, 9}, least_bytes + 16 * input_.byte());
-    capacities.edges += input_.byte();
-    capacities.runs += input_.byte();
-    capacities.rings += input_.below(16);
-    capacities.regions += input_.byte();
-    capacities.slots += input_.byte();
+    capacities.records += input_.byte();
+    capacities.holes += input_.below(16);
     return capacities;
   }
 
@@ -281,7 +276,7 @@ class Caller {
   }
 
   // Checks what push() came to and notes the samples it took.
-  void took(const Pushed& pushed, const std::vector<uint8_t>& on) {
+  void took(const PushResult& pushed, const std::vector<uint8_t>& on) {
     if (for_samples() != Status::ok) {
       require(pushed.status == for_samples(), "push() comes to another error");
       require(pushed.samples == 0, "samples taken in spite of an error");
@@ -301,7 +296,7 @@ class Caller {
   void whole_row(Call call, const std::vector<uint8_t>& on) {
     const bool was_refused = is_refused();
     const bool is_between = state_ == State::idle || column() == 0;
-    const Pushed pushed = call();
+    const PushResult pushed = call();
     if (for_samples() != Status::ok) {
       require(pushed.status == for_samples(), "a row comes to another error");
       require(pushed.samples == 0, "a row taken in spite of an error");
@@ -404,7 +399,7 @@ class Caller {
     if (state_ != State::idle) look();
   }
 
-  // The scan goes on in another object and in other memory of exactly the bytes in use.
+  // The scan goes on in another object and in other memory, which has the bytes in use alone.
   void fail_power() {
     const auto checkpoint = std::make_unique<Checkpoint<Extractor<Index>>>();
     const Status expected = state_ == State::idle ? Status::not_started
@@ -412,15 +407,16 @@ class Caller {
                                                   : Status::ok;
     require(extractor_.save(*checkpoint) == expected, "save() comes to another status");
     if (expected != Status::ok) return;
-    auto place = std::make_unique<Place>(extractor_.bytes_used(), place_->offset());
+    const size_t used = extractor_.bytes_used();
+    auto place = std::make_unique<Place>(place_->memory().bytes, place_->offset());
     const Memory memory = place->memory();
-    std::copy_n(static_cast<uint8_t*>(place_->memory().data), memory.bytes,
+    std::copy_n(static_cast<uint8_t*>(place_->memory().data), used,
                 static_cast<uint8_t*>(memory.data));
     check_own_memory();
     place_ = std::move(place);
     extractor_ = Extractor<Index>{};
     const Sink sink = sink_to(listener_, takes_fragments_);
-    uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % memory.bytes];
+    uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % used];
     any = static_cast<uint8_t>(any ^ 1);
     require(extractor_.restore(*checkpoint, memory, sink) == Status::bad_checkpoint,
             "memory with a wrong bit is taken for what was saved");
@@ -442,11 +438,10 @@ class Caller {
     require(collector.layers().size() == depth, "another number of slices");
     require(collector.skipped().size() == skipped_, "another number of skipped rows");
     require(collector.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
-    const std::string unlike = unlike_surface(collector.regions(), volume, closed);
+    const std::string unlike = takes_fragments_
+                                   ? unlike_joined({collector}, merge(volume, closed))
+                                   : unlike_surface(collector.regions(), volume, closed);
     require(unlike.empty(), unlike.c_str());
-    if (collector.statistics().cuts != 0) return;
-    const std::string difference = unlike_merge(collector.regions(), volume, closed);
-    require(difference.empty(), difference.c_str());
   }
 
   void check_own_memory() const {
@@ -458,9 +453,7 @@ class Caller {
     const HighWater most = extractor_.high_water();
     const Capacities& room = extractor_.capacities();
     if (state_ == State::idle) return;
-    require(most.edges <= room.edges && most.runs <= room.runs && most.rings <= room.rings &&
-                most.regions <= room.regions && most.slots <= room.slots,
-            "a pool was in use beyond its capacity");
+    require(most.records <= room.records, "more in use than there is room for");
     require(extractor_.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
     require(extractor_.limits().width == limits_.width, "other limits");
     require(extractor_.bytes_used() <= place_->memory().bytes, "more bytes in use than given");

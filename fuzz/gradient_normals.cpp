@@ -49,7 +49,7 @@ void resume(Scan& scan, Status status) {
 template <class Scan, class Sample>
 void push(Scan& scan, const Sample* samples, uint32_t count, uint32_t portion) {
   for (uint32_t at = 0; at < count;) {
-    const Pushed pushed = scan.push(samples + at, std::min(portion, count - at));
+    const PushResult pushed = scan.push(samples + at, std::min(portion, count - at));
     at += pushed.samples;
     resume(scan, pushed.status);
   }
@@ -62,7 +62,7 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting, con
   const std::unique_ptr<uint8_t[]> memory(new uint8_t[bytes]);
   EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Scan scan;
-  if constexpr (Normals::hold_samples) scan.set_spacing(uneven_spacing);
+  if constexpr (Normals::holds_samples) scan.set_spacing(uneven_spacing);
   resume(scan, scan.start(setting.limits, setting.capacities, setting.threshold,
                           {memory.get(), bytes}, sink_to(log, setting.takes_fragments)));
   const uint32_t width = setting.limits.width;

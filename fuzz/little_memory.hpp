@@ -2,18 +2,14 @@
 #ifndef DISCMC_FUZZ_LITTLE_MEMORY_HPP
 #define DISCMC_FUZZ_LITTLE_MEMORY_HPP
 
-#include <discmc/limits.hpp>
+#include <discmc/capacities.hpp>
 
 #include "input.hpp"
 
 inline discmc::Capacities read_little_memory(Input& input) {
-  discmc::Capacities capacities = discmc::minimum_capacities();
-  capacities.edges += input.byte();
-  capacities.runs += input.below(64);
-  capacities.rings += input.below(16);
-  capacities.regions += input.byte();
-  capacities.slots += input.byte();
-  return capacities;
+  const uint32_t records = input.byte();
+  const uint32_t more = input.below(4) * 256;
+  return {discmc::minimum_capacities().records + records + more, input.below(32)};
 }
 
 #endif

@@ -14,7 +14,7 @@ using namespace discmc::test;
 
 namespace {
 
-// Cuts the bytes into packets, each led by its length, kind, number and count of regions.
+// Cuts the bytes into packets, each led by its length, kind, number and count of pieces.
 Bytes framed(const uint8_t* data, size_t size) {
   Bytes stream;
   for (size_t at = 0; at + 4 <= size;) {
@@ -24,7 +24,7 @@ Bytes framed(const uint8_t* data, size_t size) {
     // Mostly what an encoder would say of a packet, so that its records are looked at.
     packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 5;
     packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
-    packet.regions = data[at + 3];
+    packet.pieces = data[at + 3];
     packet.payload.assign(data + at + 4, data + at + 4 + count);
     if (count <= wire::max_payload) {
       const Bytes frame = frame_of(packet);
@@ -36,16 +36,17 @@ Bytes framed(const uint8_t* data, size_t size) {
 }
 
 void check(const Bytes& stream, size_t portion) {
-  const Arrival arrival = decode(stream);
-  const std::vector<Events> regions = regions_of(arrival.events);
-  require(regions.size() == arrival.report.regions, "the report counts other regions");
-  const Arrival again = decode(stream, portion, true);
+  const Received arrival = decode(stream);
+  const std::vector<Events> pieces = pieces_of(arrival.events);
+  require(pieces.size() == arrival.report.regions + arrival.report.fragments,
+          "the report counts other pieces");
+  const Received again = decode(stream, portion, true);
   require(again.events == arrival.events, "portions or refusals show");
-  require(again.report.lost_regions == arrival.report.lost_regions, "the report depends on them");
+  require(again.report.lost_pieces == arrival.report.lost_pieces, "the report depends on them");
   const Bytes copy = encode<NormalEncoder>(arrival.events);
   for (const Bytes& frame : frames_of(copy))
     require(frame.size() <= wire::max_frame, "a frame too long");
-  require(regions_of(decode(copy).events) == regions, "a copy has other regions");
+  require(pieces_of(decode(copy).events) == pieces, "a copy has other pieces");
   require(encode<NormalEncoder>(arrival.events, any_header(), portion) == copy,
           "the output's portions show");
 }

@@ -38,18 +38,16 @@ Events read_scan(Input& input, StreamHeader& header) {
   const Capacities capacities = read_little_memory(input);
   const BitVolume volume = read_volume(input);
   header = header_of(volume, plan.border);
-  return events_of(volume, capacities, plan);
+  const Events events = events_of(volume, capacities, plan);
+  return (flags & 4) != 0 ? with_loose_fragments(events, 1 + flags / 8) : events;
 }
 
 void read_runs(Input& input, Script& script, Incidence incidence) {
   const uint32_t count = 1 + (input.below(8) == 0 ? input.byte() : input.below(8));
   const uint32_t directions = direction_count(incidence);
   for (uint32_t i = 0; i < count; ++i) {
-    if (input.byte() > 240)
-      script.run(Run::fragment(input.number(Run::max_fragment)));
-    else
-      script.run(static_cast<Direction>(input.below(directions)),
-                 1 + input.number(Run::max_length - 1));
+    const auto direction = static_cast<Direction>(input.below(directions));
+    script.run(direction, 1 + input.number(Run::max_length - 1));
   }
 }
 
@@ -75,7 +73,9 @@ Events read_script(Input& input) {
     } else if (kind == 1) {
       script.skipped(input.number(UINT32_MAX - 1), input.number(UINT32_MAX - 1), kind % 2 == 1);
     } else if (kind == 2) {
-      script.fragment(incidence, input.number(Run::max_fragment));
+      const Vertex start = read_start(input);
+      script.fragment(incidence, start,
+                      static_cast<Direction>(input.below(direction_count(incidence))));
       read_runs(input, script, incidence);
       script.fragment_end();
     } else if (kind == 3) {
@@ -117,14 +117,14 @@ void check_losses(const Bytes& stream, const std::vector<Events>& sent, uint32_t
     if ((pattern >> at % 8 & 1) != 0 && at != frames.size()) continue;
     left.insert(left.end(), frame.begin(), frame.end());
   }
-  const Arrival arrival = decode(left);
-  const std::vector<Events> arrived = regions_of(arrival.events);
+  const Received arrival = decode(left);
+  const std::vector<Events> arrived = pieces_of(arrival.events);
   size_t place = 0;
-  for (const Events& region : arrived) {
-    while (place < sent.size() && sent[place] != region) ++place;
-    require(place++ < sent.size(), "a region that was never sent");
+  for (const Events& piece : arrived) {
+    while (place < sent.size() && sent[place] != piece) ++place;
+    require(place++ < sent.size(), "a region or fragment that was never sent");
   }
-  require(arrival.report.lost_regions == sent.size() - arrived.size(), "lost regions not counted");
+  require(arrival.report.lost_pieces == sent.size() - arrived.size(), "losses not counted");
   require(arrival.report.is_complete() == (left.size() == stream.size()), "a loss not noticed");
 }
 
@@ -140,10 +140,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if ((flags & 2) != 0) add_normals(input, events);
   const Bytes stream = encode<NormalEncoder>(events, header);
   require(encode<NormalEncoder>(events, header, portion) == stream, "the output's portions show");
-  const Arrival arrival = decode(stream);
+  const Received arrival = decode(stream);
   require(arrival.events == events, "what comes out is not what went in");
   require(arrival.report.is_complete(), "a whole stream is not complete");
   require(decode(stream, portion, true).events == events, "the input's portions show");
-  check_losses(stream, regions_of(events), pattern);
+  check_losses(stream, pieces_of(events), pattern);
   return 0;
 }

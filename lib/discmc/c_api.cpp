@@ -1,10 +1,10 @@
 // discmc.h in terms of the C++ library: sizes, extractor, encoder and decoder.
 //
 // A C object is storage, and the C++ object lies in it; C never looks into it. The classes are
-// trivially copyable, and zero as they begin (what is not, of a decoder, is set before it is read),
-// so storage of zeros is such an object, and nothing need be constructed. Events and totals have
-// one layout on both sides and are looked at in place, each side through its own type; what passes
-// seldom is copied member by member.
+// trivially copyable, and storage of zeros is an object that has not been started: start() or
+// restore() sets whatever else is read. So nothing need be constructed. Events and totals have one
+// layout on both sides and are read in place, each side through its own type; what is rarely passed
+// is copied member by member.
 #include <discmc/discmc.h>
 
 #include <discmc/c_sink.hpp>
@@ -19,9 +19,8 @@ static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &
                   DISCMC_SAME_PLACE(incidence) && DISCMC_SAME_PLACE(came) &&
                   DISCMC_SAME_PLACE(hole) && DISCMC_SAME_PLACE(repeated) &&
                   DISCMC_SAME_PLACE(abandoned) && DISCMC_SAME_PLACE(normal) &&
-                  DISCMC_SAME_PLACE(run) && DISCMC_SAME_PLACE(number) && DISCMC_SAME_PLACE(slice) &&
-                  DISCMC_SAME_PLACE(row) && DISCMC_SAME_PLACE(start) &&
-                  DISCMC_SAME_PLACE(statistics),
+                  DISCMC_SAME_PLACE(run) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&
+                  DISCMC_SAME_PLACE(start) && DISCMC_SAME_PLACE(statistics),
               "events have one layout");
 #undef DISCMC_SAME_PLACE
 #define DISCMC_SAME_PLACE(member) \
@@ -29,8 +28,8 @@ static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &
 static_assert(sizeof(Statistics) == sizeof(discmc_statistics) && DISCMC_SAME_PLACE(cells) &&
                   DISCMC_SAME_PLACE(facets) && DISCMC_SAME_PLACE(classic_triangles) &&
                   DISCMC_SAME_PLACE(regions) && DISCMC_SAME_PLACE(rings) &&
-                  DISCMC_SAME_PLACE(links) && DISCMC_SAME_PLACE(cuts) &&
-                  DISCMC_SAME_PLACE(spills) && DISCMC_SAME_PLACE(skipped_rows),
+                  DISCMC_SAME_PLACE(links) && DISCMC_SAME_PLACE(fragments) &&
+                  DISCMC_SAME_PLACE(skipped_rows),
               "so have totals");
 #undef DISCMC_SAME_PLACE
 
@@ -47,67 +46,77 @@ static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == D
                   wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME,
               "constants are the same");
 
-template <class Index, uint64_t i = sizeof(Index)>
-constexpr bool sizes_agree =
-    DISCMC_EDGE_BYTES_(i) == sizeof(Edge<Index>) &&
-    DISCMC_RUN_BYTES_(i) == sizeof(RunNode<Index>) &&
-    DISCMC_RING_BYTES_(i) == sizeof(ClosedRing<Index>) &&
-    DISCMC_REGION_BYTES_(i) == sizeof(RegionNode<Index>) &&
-    DISCMC_MINIMUM_BYTES_(i, 31, 7, DISCMC_OPEN) == minimum_bytes<Index>({31, 7, Border::open}) &&
-    DISCMC_WORST_CASE_BYTES_(i, 31, 7, DISCMC_CLOSED) == worst_case_bytes<Index>({31, 7});
-static_assert(sizes_agree<uint16_t> && sizes_agree<uint32_t>,
+constexpr Limits some_limits{31, 7};
+static_assert(DISCMC_RECORD_BYTES_ == sizing::record_bytes<uint16_t, NoNormals> &&
+                  DISCMC_MINIMUM_RECORDS_ == minimum_capacities().records &&
+                  is_valid<uint16_t>({DISCMC_MOST_RECORDS_, 0}) &&
+                  !is_valid<uint16_t>({DISCMC_MOST_RECORDS_ + 1, 0}) &&
+                  DISCMC_MINIMUM_BYTES(31, 7) == minimum_bytes<uint16_t>(some_limits) &&
+                  DISCMC_DEFAULT_RECORDS_(31, 7, 5000) ==
+                      default_capacities<uint16_t>(some_limits, 5000).records,
               "the constants of sizes.h are what the functions give; the tests have many more");
 
-Limits cpp(const discmc_limits& limits) {
-  return {limits.width, limits.height, static_cast<Border>(limits.border)};
+Limits cpp(const discmc_limits& from) {
+  return {from.width,
+          from.height,
+          static_cast<Border>(from.border),
+          {from.slab.first, from.slab.continues_below != 0, from.slab.continues_above != 0}};
 }
-Capacities cpp(const discmc_capacities& c) {
-  return {c.edges, c.runs, c.rings, c.regions, c.slots};
+discmc_limits c(const Limits& from) {
+  return {from.width,
+          from.height,
+          static_cast<uint8_t>(from.border),
+          {from.slab.first, from.slab.continues_below, from.slab.continues_above}};
+}
+Capacities cpp(const discmc_capacities& from) {
+  return {from.records, from.holes};
 }
 discmc_capacities c(const Capacities& from) {
-  return {from.edges, from.runs, from.rings, from.regions, from.slots};
+  return {from.records, from.holes};
 }
 discmc_statistics c(const Statistics& from) {
-  return {from.cells, from.facets, from.classic_triangles, from.regions, from.rings, from.links,
-          from.cuts,  from.spills, from.skipped_rows};
+  return {from.cells, from.facets, from.classic_triangles, from.regions,
+          from.rings, from.links,  from.fragments,         from.skipped_rows};
 }
 discmc_status c(Status status) {
   return static_cast<discmc_status>(status);
 }
-discmc_pushed c(Pushed pushed) {
-  return {c(pushed.status), pushed.samples};
+discmc_push_result c(PushResult from) {
+  return {c(from.status), from.samples};
+}
+discmc_stream_header c(const StreamHeader& from) {
+  return {from.width,     from.height,
+          from.depth,     {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
+          from.threshold, static_cast<uint8_t>(from.border)};
+}
+StreamHeader cpp(const discmc_stream_header& from) {
+  return {from.width,     from.height,
+          from.depth,     {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
+          from.threshold, static_cast<Border>(from.border)};
 }
 
-static_assert(fits<SinkAdapter<Extractor16>, discmc_extractor16> &&
-                  fits<SinkAdapter<Extractor32>, discmc_extractor32> &&
-                  fits<Encoder, discmc_encoder> && fits<SinkAdapter<Decoder>, discmc_decoder>,
+using ExtractorAdapter = SinkAdapter<Extractor16>;
+using DecoderAdapter = SinkAdapter<Decoder>;
+
+static_assert(fits<ExtractorAdapter, discmc_extractor> && fits<Encoder, discmc_encoder> &&
+                  fits<DecoderAdapter, discmc_decoder>,
               "the sizes in discmc.h are enough and not much more");
-static_assert(fits<Checkpoint<Extractor16>, discmc_extractor16_checkpoint> &&
-                  fits<Checkpoint<Extractor32>, discmc_extractor32_checkpoint> &&
+static_assert(fits<Checkpoint<Extractor16>, discmc_extractor_checkpoint> &&
                   fits<Checkpoint<Encoder>, discmc_encoder_checkpoint>,
               "so are those of checkpoints");
 
-SinkAdapter<Extractor16>& adapter(discmc_extractor16* extractor) {
-  return *reinterpret_cast<SinkAdapter<Extractor16>*>(extractor);
+ExtractorAdapter& adapter(discmc_extractor* extractor) {
+  return *reinterpret_cast<ExtractorAdapter*>(extractor);
 }
-SinkAdapter<Extractor32>& adapter(discmc_extractor32* extractor) {
-  return *reinterpret_cast<SinkAdapter<Extractor32>*>(extractor);
-}
-SinkAdapter<Decoder>& adapter(discmc_decoder* decoder) {
-  return *reinterpret_cast<SinkAdapter<Decoder>*>(decoder);
+DecoderAdapter& adapter(discmc_decoder* decoder) {
+  return *reinterpret_cast<DecoderAdapter*>(decoder);
 }
 
-Extractor16& cpp(discmc_extractor16* extractor) {
+Extractor16& cpp(discmc_extractor* extractor) {
   return adapter(extractor).object;
 }
-const Extractor16& cpp(const discmc_extractor16* extractor) {
-  return reinterpret_cast<const SinkAdapter<Extractor16>*>(extractor)->object;
-}
-Extractor32& cpp(discmc_extractor32* extractor) {
-  return adapter(extractor).object;
-}
-const Extractor32& cpp(const discmc_extractor32* extractor) {
-  return reinterpret_cast<const SinkAdapter<Extractor32>*>(extractor)->object;
+const Extractor16& cpp(const discmc_extractor* extractor) {
+  return reinterpret_cast<const ExtractorAdapter*>(extractor)->object;
 }
 Encoder& cpp(discmc_encoder* encoder) {
   return *reinterpret_cast<Encoder*>(encoder);
@@ -119,7 +128,7 @@ Decoder& cpp(discmc_decoder* decoder) {
   return adapter(decoder).object;
 }
 const Decoder& cpp(const discmc_decoder* decoder) {
-  return reinterpret_cast<const SinkAdapter<Decoder>*>(decoder)->object;
+  return reinterpret_cast<const DecoderAdapter*>(decoder)->object;
 }
 
 }  // namespace
@@ -128,142 +137,103 @@ const char* discmc_text(discmc_status status) {
   return text(static_cast<Status>(status));
 }
 
-uint8_t discmc_limits_are_valid(const discmc_limits* limits) {
-  return cpp(*limits).are_valid() ? 1 : 0;
+uint8_t discmc_limits_is_valid(const discmc_limits* limits) {
+  return cpp(*limits).is_valid() ? 1 : 0;
 }
-uint8_t discmc_capacities_are_valid16(const discmc_capacities* capacities) {
-  return are_valid<uint16_t>(cpp(*capacities)) ? 1 : 0;
+uint8_t discmc_capacities_is_valid(const discmc_capacities* capacities) {
+  return is_valid<uint16_t>(cpp(*capacities)) ? 1 : 0;
 }
-uint8_t discmc_capacities_are_valid32(const discmc_capacities* capacities) {
-  return are_valid<uint32_t>(cpp(*capacities)) ? 1 : 0;
-}
-uint64_t discmc_minimum_bytes16(const discmc_limits* limits) {
+uint64_t discmc_minimum_bytes(const discmc_limits* limits) {
   return minimum_bytes<uint16_t>(cpp(*limits));
-}
-uint64_t discmc_minimum_bytes32(const discmc_limits* limits) {
-  return minimum_bytes<uint32_t>(cpp(*limits));
-}
-uint64_t discmc_bytes_for16(const discmc_limits* limits, const discmc_capacities* capacities) {
-  return bytes_for<uint16_t>(cpp(*limits), cpp(*capacities));
-}
-uint64_t discmc_bytes_for32(const discmc_limits* limits, const discmc_capacities* capacities) {
-  return bytes_for<uint32_t>(cpp(*limits), cpp(*capacities));
-}
-uint64_t discmc_worst_case_bytes16(const discmc_limits* limits) {
-  return worst_case_bytes<uint16_t>(cpp(*limits));
-}
-uint64_t discmc_worst_case_bytes32(const discmc_limits* limits) {
-  return worst_case_bytes<uint32_t>(cpp(*limits));
 }
 discmc_capacities discmc_minimum_capacities(void) {
   return c(minimum_capacities());
 }
-discmc_capacities discmc_worst_case_capacities(const discmc_limits* limits) {
-  return c(worst_case_capacities(cpp(*limits)));
+uint64_t discmc_bytes_for(const discmc_limits* limits, const discmc_capacities* capacities) {
+  return bytes_for<uint16_t>(cpp(*limits), cpp(*capacities));
 }
-discmc_capacities discmc_default_capacities16(const discmc_limits* limits, uint64_t bytes) {
+discmc_capacities discmc_default_capacities(const discmc_limits* limits, uint64_t bytes) {
   return c(default_capacities<uint16_t>(cpp(*limits), bytes));
 }
-discmc_capacities discmc_default_capacities32(const discmc_limits* limits, uint64_t bytes) {
-  return c(default_capacities<uint32_t>(cpp(*limits), bytes));
+
+discmc_status discmc_extractor_start(discmc_extractor* extractor, const discmc_limits* limits,
+                                     const discmc_capacities* capacities, int32_t threshold,
+                                     discmc_memory memory, const discmc_sink* sink) {
+  return adapter(extractor).start_to(*sink, [&](const Sink& to) {
+    const Memory bytes{memory.data, memory.bytes};
+    return capacities == nullptr
+               ? cpp(extractor).start(cpp(*limits), threshold, bytes, to)
+               : cpp(extractor).start(cpp(*limits), cpp(*capacities), threshold, bytes, to);
+  });
 }
-
-// Both extractors have the same functions, which differ in nothing but the bits of an index.
-#define DISCMC_EXTRACTOR(bits)                                                                     \
-  discmc_status discmc_extractor##bits##_start(                                                    \
-      discmc_extractor##bits* extractor, const discmc_limits* limits,                              \
-      const discmc_capacities* capacities, int32_t threshold, discmc_memory memory,                \
-      const discmc_sink* sink) {                                                                   \
-    return adapter(extractor).start_to(*sink, [&](const Sink& to) {                                \
-      const Memory bytes{memory.data, memory.bytes};                                               \
-      return capacities == nullptr                                                                 \
-                 ? cpp(extractor).start(cpp(*limits), threshold, bytes, to)                        \
-                 : cpp(extractor).start(cpp(*limits), cpp(*capacities), threshold, bytes, to);     \
-    });                                                                                            \
-  }                                                                                                \
-  discmc_status discmc_extractor##bits##_reset(discmc_extractor##bits* extractor) {                \
-    return c(cpp(extractor).reset());                                                              \
-  }                                                                                                \
-  discmc_pushed discmc_extractor##bits##_push_u8(discmc_extractor##bits* extractor,                \
-                                                 const uint8_t* samples, uint32_t count,           \
-                                                 uint32_t stride) {                                \
-    return c(cpp(extractor).push(samples, count, stride));                                         \
-  }                                                                                                \
-  discmc_pushed discmc_extractor##bits##_push_u16(discmc_extractor##bits* extractor,               \
-                                                  const uint16_t* samples, uint32_t count,         \
-                                                  uint32_t stride) {                               \
-    return c(cpp(extractor).push(samples, count, stride));                                         \
-  }                                                                                                \
-  discmc_pushed discmc_extractor##bits##_push_i16(discmc_extractor##bits* extractor,               \
-                                                  const int16_t* samples, uint32_t count,          \
-                                                  uint32_t stride) {                               \
-    return c(cpp(extractor).push(samples, count, stride));                                         \
-  }                                                                                                \
-  discmc_pushed discmc_extractor##bits##_push_bits(discmc_extractor##bits* extractor,              \
-                                                   const uint8_t* packed) {                        \
-    return c(cpp(extractor).push_bits(packed));                                                    \
-  }                                                                                                \
-  discmc_pushed discmc_extractor##bits##_skip_row(discmc_extractor##bits* extractor,               \
-                                                  uint8_t substitute) {                            \
-    return c(cpp(extractor).skip_row(static_cast<Substitute>(substitute)));                        \
-  }                                                                                                \
-  discmc_status discmc_extractor##bits##_resume(discmc_extractor##bits* extractor) {               \
-    return c(cpp(extractor).resume());                                                             \
-  }                                                                                                \
-  discmc_status discmc_extractor##bits##_finish(discmc_extractor##bits* extractor) {               \
-    return c(cpp(extractor).finish());                                                             \
-  }                                                                                                \
-  discmc_status discmc_extractor##bits##_abandon(discmc_extractor##bits* extractor) {              \
-    return c(cpp(extractor).abandon());                                                            \
-  }                                                                                                \
-  discmc_status discmc_extractor##bits##_save(const discmc_extractor##bits* extractor,             \
-                                              discmc_extractor##bits##_checkpoint* checkpoint) {   \
-    return c(cpp(extractor).save(*reinterpret_cast<Checkpoint<Extractor##bits>*>(checkpoint)));    \
-  }                                                                                                \
-  discmc_status discmc_extractor##bits##_restore(                                                  \
-      discmc_extractor##bits* extractor, const discmc_extractor##bits##_checkpoint* checkpoint,    \
-      discmc_memory memory, const discmc_sink* sink) {                                             \
-    return adapter(extractor).start_to(*sink, [&](const Sink& to) {                                \
-      return cpp(extractor).restore(                                                               \
-          *reinterpret_cast<const Checkpoint<Extractor##bits>*>(checkpoint),                       \
-          {memory.data, memory.bytes}, to);                                                        \
-    });                                                                                            \
-  }                                                                                                \
-  discmc_statistics discmc_extractor##bits##_statistics(const discmc_extractor##bits* extractor) { \
-    return c(cpp(extractor).statistics());                                                         \
-  }                                                                                                \
-  discmc_limits discmc_extractor##bits##_limits(const discmc_extractor##bits* extractor) {         \
-    const Limits& limits = cpp(extractor).limits();                                                \
-    return {limits.width, limits.height, static_cast<uint8_t>(limits.border)};                     \
-  }                                                                                                \
-  discmc_capacities discmc_extractor##bits##_capacities(const discmc_extractor##bits* extractor) { \
-    return c(cpp(extractor).capacities());                                                         \
-  }                                                                                                \
-  discmc_high_water discmc_extractor##bits##_high_water(const discmc_extractor##bits* extractor) { \
-    const HighWater most = cpp(extractor).high_water();                                            \
-    return {most.edges, most.runs, most.rings, most.regions, most.slots};                          \
-  }                                                                                                \
-  size_t discmc_extractor##bits##_bytes_used(const discmc_extractor##bits* extractor) {            \
-    return cpp(extractor).bytes_used();                                                            \
-  }                                                                                                \
-  uint32_t discmc_extractor##bits##_slices(const discmc_extractor##bits* extractor) {              \
-    return cpp(extractor).slices();                                                                \
-  }                                                                                                \
-  uint32_t discmc_extractor##bits##_rows(const discmc_extractor##bits* extractor) {                \
-    return cpp(extractor).rows();                                                                  \
-  }
-
-DISCMC_EXTRACTOR(16)
-DISCMC_EXTRACTOR(32)
-#undef DISCMC_EXTRACTOR
+discmc_status discmc_extractor_reset(discmc_extractor* extractor) {
+  return c(cpp(extractor).reset());
+}
+discmc_push_result discmc_extractor_push_u8(discmc_extractor* extractor, const uint8_t* samples,
+                                            uint32_t count, uint32_t stride) {
+  return c(cpp(extractor).push(samples, count, stride));
+}
+discmc_push_result discmc_extractor_push_u16(discmc_extractor* extractor, const uint16_t* samples,
+                                             uint32_t count, uint32_t stride) {
+  return c(cpp(extractor).push(samples, count, stride));
+}
+discmc_push_result discmc_extractor_push_i16(discmc_extractor* extractor, const int16_t* samples,
+                                             uint32_t count, uint32_t stride) {
+  return c(cpp(extractor).push(samples, count, stride));
+}
+discmc_push_result discmc_extractor_push_bits(discmc_extractor* extractor, const uint8_t* bits) {
+  return c(cpp(extractor).push_bits(bits));
+}
+discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor, uint8_t substitute) {
+  return c(cpp(extractor).skip_row(static_cast<Substitute>(substitute)));
+}
+discmc_status discmc_extractor_resume(discmc_extractor* extractor) {
+  return c(cpp(extractor).resume());
+}
+discmc_status discmc_extractor_finish(discmc_extractor* extractor) {
+  return c(cpp(extractor).finish());
+}
+discmc_status discmc_extractor_abandon(discmc_extractor* extractor) {
+  return c(cpp(extractor).abandon());
+}
+discmc_status discmc_extractor_save(const discmc_extractor* extractor,
+                                    discmc_extractor_checkpoint* checkpoint) {
+  return c(cpp(extractor).save(*reinterpret_cast<Checkpoint<Extractor16>*>(checkpoint)));
+}
+discmc_status discmc_extractor_restore(discmc_extractor* extractor,
+                                       const discmc_extractor_checkpoint* checkpoint,
+                                       discmc_memory memory, const discmc_sink* sink) {
+  return adapter(extractor).start_to(*sink, [&](const Sink& to) {
+    return cpp(extractor).restore(*reinterpret_cast<const Checkpoint<Extractor16>*>(checkpoint),
+                                  {memory.data, memory.bytes}, to);
+  });
+}
+discmc_statistics discmc_extractor_statistics(const discmc_extractor* extractor) {
+  return c(cpp(extractor).statistics());
+}
+discmc_limits discmc_extractor_limits(const discmc_extractor* extractor) {
+  return c(cpp(extractor).limits());
+}
+discmc_capacities discmc_extractor_capacities(const discmc_extractor* extractor) {
+  return c(cpp(extractor).capacities());
+}
+discmc_high_water discmc_extractor_high_water(const discmc_extractor* extractor) {
+  const HighWater most = cpp(extractor).high_water();
+  return {most.records, most.holes};
+}
+size_t discmc_extractor_bytes_used(const discmc_extractor* extractor) {
+  return cpp(extractor).bytes_used();
+}
+uint32_t discmc_extractor_slices(const discmc_extractor* extractor) {
+  return cpp(extractor).slices();
+}
+uint32_t discmc_extractor_rows(const discmc_extractor* extractor) {
+  return cpp(extractor).rows();
+}
 
 discmc_status discmc_encoder_start(discmc_encoder* encoder, const discmc_stream_header* header,
                                    discmc_byte_output output) {
-  const StreamHeader told{
-      header->width,     header->height,
-      header->depth,     {header->spacing_nm[0], header->spacing_nm[1], header->spacing_nm[2]},
-      header->threshold, static_cast<Border>(header->border)};
-  return c(cpp(encoder).start(told, {output.context, output.write}));
+  return c(cpp(encoder).start(cpp(*header), {output.context, output.write}));
 }
 discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event) {
   return static_cast<discmc_answer>(
@@ -297,15 +267,12 @@ discmc_status discmc_decoder_finish(discmc_decoder* decoder) {
   return c(cpp(decoder).finish());
 }
 discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder) {
-  const StreamHeader& from = cpp(decoder).header();
-  return {from.width,     from.height,
-          from.depth,     {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
-          from.threshold, static_cast<uint8_t>(from.border)};
+  return c(cpp(decoder).header());
 }
 discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder) {
   const StreamReport& from = cpp(decoder).report();
   return {from.has_header,      from.has_trailer,  from.abandoned, from.is_unreadable,
           from.is_complete(),   from.bytes,        from.packets,   from.repeated_packets,
-          from.damaged_packets, from.lost_packets, from.regions,   from.lost_regions,
-          from.slices,          c(from.totals)};
+          from.damaged_packets, from.lost_packets, from.regions,   from.fragments,
+          from.lost_pieces,     from.slices,       c(from.totals)};
 }

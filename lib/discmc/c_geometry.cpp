@@ -12,8 +12,7 @@ using namespace discmc;
 
 namespace {
 
-static_assert(sizeof(Run) == sizeof(discmc_run) && Run::max_length == DISCMC_RUN_MAX_LENGTH &&
-                  Run::max_fragment == DISCMC_RUN_MAX_FRAGMENT,
+static_assert(sizeof(Run) == sizeof(discmc_run) && Run::max_length == DISCMC_RUN_MAX_LENGTH,
               "a run is its code");
 static_assert(sizeof(Vertex) == sizeof(discmc_vertex) &&
                   offsetof(Vertex, x) == offsetof(discmc_vertex, x) &&
@@ -86,15 +85,6 @@ int discmc_turn(uint8_t incidence, uint8_t from, uint8_t to) {
 
 discmc_run discmc_run_straight(uint8_t direction, uint32_t length) {
   return Run::straight(direction, length).code();
-}
-discmc_run discmc_run_fragment(uint32_t number) {
-  return Run::fragment(number).code();
-}
-uint8_t discmc_run_is_fragment(discmc_run run) {
-  return Run::from_code(run).is_fragment() ? 1 : 0;
-}
-uint32_t discmc_run_fragment_number(discmc_run run) {
-  return Run::from_code(run).fragment_number();
 }
 uint8_t discmc_run_direction(discmc_run run) {
   return Run::from_code(run).direction();

@@ -1,4 +1,4 @@
-// C objects as storage of C++ ones, and the sinks that they offer events to.
+// What the files of the C API share: objects in storage of C's, and their sinks.
 #ifndef DISCMC_C_SINK_HPP
 #define DISCMC_C_SINK_HPP
 
@@ -8,15 +8,15 @@
 
 namespace discmc {
 
-/// An object that offers events to a sink of C's, of which it has a copy. The function that C++
-/// calls is of C++'s type, and calls the one that C has given.
+/// An object that offers its events to a C sink, of which it keeps a copy. The object calls a
+/// function of a C++ type, which calls the C function.
 template <class Object>
 struct SinkAdapter {
   Object object;
   void* context;
   discmc_answer (*take)(void* context, const discmc_event* event);
 
-  /// start(sink): of the object. When it fails the sink stays that of the last start.
+  /// start(sink): starts the object. When it fails, the sink of the last start stays.
   template <class Start>
   discmc_status start_to(const discmc_sink& sink, Start start) {
     const Status status =

@@ -9,12 +9,10 @@
 
 namespace discmc {
 
-/// One step of a chain in 32 bits: a straight run of links, or a stand-in for a fragment that was
-/// sent before under a number. A default Run is empty.
+/// One step of a chain in 32 bits: a straight run of equal links. A default Run is empty.
 class Run {
  public:
   static constexpr uint32_t max_length = (uint32_t{1} << 28) - 1;
-  static constexpr uint32_t max_fragment = (uint32_t{1} << 31) - 1;
 
   constexpr Run() = default;
 
@@ -22,27 +20,22 @@ class Run {
   static constexpr Run straight(Direction direction, uint32_t length) {
     return Run(length << 3 | direction);
   }
-  static constexpr Run fragment(uint32_t number) { return Run(fragment_bit | number); }
   static constexpr Run from_code(uint32_t code) { return Run(code); }
 
   constexpr uint32_t code() const { return code_; }
   constexpr bool is_empty() const { return code_ == 0; }
-  constexpr bool is_fragment() const { return (code_ & fragment_bit) != 0; }
-  constexpr uint32_t fragment_number() const { return code_ & max_fragment; }
   constexpr Direction direction() const { return code_ & 7; }
   constexpr uint32_t length() const { return code_ >> 3; }
 
-  /// Takes the other run in, when both are straight, of one direction, and short enough together.
+  /// Takes the other run in, when both have one direction and are short enough together.
   constexpr bool absorb(Run other) {
     if (direction() != other.direction()) return false;
-    // The bit of a fragment makes it look longer than any run.
     if (length() + other.length() > max_length) return false;
     code_ += other.length() << 3;
     return true;
   }
 
  private:
-  static constexpr uint32_t fragment_bit = uint32_t{1} << 31;
   explicit constexpr Run(uint32_t code) : code_(code) {}
   uint32_t code_ = 0;
 };
@@ -54,7 +47,7 @@ constexpr bool operator!=(Run a, Run b) {
   return a.code() != b.code();
 }
 
-/// The chain's end relative to its start. Units: half-steps. Limit: straight runs only.
+/// The chain's end relative to its start. Units: half-steps. Limit: no coordinate of it overflows.
 constexpr Vertex displacement(Incidence incidence, const Run* runs, uint32_t count) {
   Vertex sum{0, 0, 0};
   for (uint32_t i = 0; i < count; ++i) {
@@ -65,13 +58,12 @@ constexpr Vertex displacement(Incidence incidence, const Run* runs, uint32_t cou
   return sum;
 }
 
-/// Whether the chain ends where it starts. Limit: straight runs only.
+/// Whether the chain ends where it starts. Limit: as displacement().
 constexpr bool is_closed(Incidence incidence, const Run* runs, uint32_t count) {
   return displacement(incidence, runs, count) == Vertex{0, 0, 0};
 }
 
-/// Turns the chain round in place: the same vertices from the end to the start.
-/// Limit: straight runs only. Cost: one pass.
+/// Turns the chain round in place: the same vertices from the end to the start. Cost: one pass.
 constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
   for (uint32_t i = 0; i < (count + 1) / 2; ++i) {
     const Run first = runs[i];
@@ -86,7 +78,7 @@ constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
 
 /// Twice the area that a closed chain encloses, times the length of the incidence's normal (1, the
 /// square root of 2 or of 3): an exact integer. Positive for an outer ring, negative for a hole.
-/// Units: square half-steps. Limit: straight runs only.
+/// Units: square half-steps.
 constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t count) {
   const Vertex n = normal(incidence);
   int64_t sum = 0;

@@ -29,10 +29,10 @@ namespace discmc {
 /// What a checkpoint says of itself.
 struct CheckpointHead {
   /// Of this layout and of the state within; another byte order reads another number.
-  static constexpr uint32_t current_format = 0x314B4344;  // "DCK1"
+  static constexpr uint32_t current_format = 0x324B4344;  // "DCK2"
 
   uint32_t format;
-  uint32_t object_bytes;
+  uint32_t layout;         ///< of the object: another build's has another number
   uint64_t memory_bytes;   ///< the first ones of the memory, which belong to the checkpoint
   uint32_t memory_offset;  ///< of the memory from a multiple of Arena::alignment
   uint32_t checksum;       ///< of the head with 0 in this place, of the object and of the memory
@@ -54,15 +54,15 @@ struct Checkpoint {
   bool is_whole(Memory memory) const {
     if (head.memory_bytes > memory.bytes) return false;
     const CheckpointHead now = head_with({memory.data, static_cast<size_t>(head.memory_bytes)});
-    return head.format == now.format && head.object_bytes == now.object_bytes &&
+    return head.format == now.format && head.layout == now.layout &&
            head.memory_offset == now.memory_offset && head.checksum == now.checksum;
   }
 
  private:
   CheckpointHead head_with(Memory used) const {
     const auto offset = reinterpret_cast<uintptr_t>(used.data) % Arena::alignment;
-    CheckpointHead told{CheckpointHead::current_format, sizeof(Object), used.bytes,
-                        static_cast<uint32_t>(offset), 0};
+    CheckpointHead told{CheckpointHead::current_format, sizeof(Object) | Object::layout << 16,
+                        used.bytes, static_cast<uint32_t>(offset), 0};
     uint32_t checksum = crc32(reinterpret_cast<const uint8_t*>(&told), sizeof told);
     checksum = crc32(reinterpret_cast<const uint8_t*>(&object), sizeof object, checksum);
     told.checksum = crc32(static_cast<const uint8_t*>(used.data), used.bytes, checksum);

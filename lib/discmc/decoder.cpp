@@ -10,7 +10,7 @@ Status Decoder::start(const Sink& sink) {
   report_ = StreamReport{};
   is_started_ = true;
   is_refused_ = false;
-  regions_passed_ = 0;
+  pieces_passed_ = 0;
   gap_is_noted_ = true;
   frame_bytes_ = 0;
   stage_ = Stage::collect;
@@ -77,27 +77,27 @@ void Decoder::damage() {
 }
 
 // Whether a packet is the next one or a later one; a gap before it is noted. Half of the counts of
-// regions, and where these say nothing half of the numbers, lie behind.
+// pieces, and where these say nothing half of the numbers, lie behind.
 bool Decoder::is_expected(const uint8_t* packet) {
   const uint8_t number = packet[1];
   const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
-  const uint16_t regions = static_cast<uint16_t>(low - regions_passed_);
+  const uint16_t pieces = static_cast<uint16_t>(low - pieces_passed_);
   const uint8_t gap = static_cast<uint8_t>(number - packets_passed());
   const bool is_trailer = packet[0] == static_cast<uint8_t>(wire::PacketKind::trailer);
-  if (packets_passed() > 0 && !is_trailer && (regions >= 0x8000 || (regions == 0 && gap >= 128))) {
+  if (packets_passed() > 0 && !is_trailer && (pieces >= 0x8000 || (pieces == 0 && gap >= 128))) {
     ++report_.repeated_packets;
     return false;
   }
-  note_gap(gap, is_trailer ? 0 : regions);  // a trailer tells of regions in full
+  note_gap(gap, is_trailer ? 0 : pieces);  // a trailer tells of pieces in full
   return true;
 }
 
-void Decoder::note_gap(uint64_t packets, uint64_t regions) {
-  if (packets == 0 && regions == 0) return;
+void Decoder::note_gap(uint64_t packets, uint64_t pieces) {
+  if (packets == 0 && pieces == 0) return;
   gap_is_noted_ = true;
   report_.lost_packets += packets;
-  report_.lost_regions += regions;
-  regions_passed_ += regions;
+  report_.lost_pieces += pieces;
+  pieces_passed_ += pieces;
   lose_open();
 }
 
@@ -124,9 +124,9 @@ bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
   header.threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
   header.border = reader.get(1) == 1 ? Border::open : Border::closed;
   const uint64_t packets_before = reader.get(4);
-  const uint64_t regions_before = reader.get(8);
+  const uint64_t pieces_before = reader.get(8);
   const Limits limits{header.width, header.height, header.border};
-  if (!is_ours || bytes < header_payload || !limits.are_valid()) {
+  if (!is_ours || bytes < header_payload || !limits.is_valid()) {
     damage();
     return false;
   }
@@ -137,13 +137,13 @@ bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
     return false;
   }
   const uint64_t packets_missing = packets_before - packets_passed();
-  const uint64_t regions = regions_before > regions_passed_ ? regions_before - regions_passed_ : 0;
+  const uint64_t pieces = pieces_before > pieces_passed_ ? pieces_before - pieces_passed_ : 0;
   // A gap noted too small, by whole rounds of the short number, was before what is open.
   const bool is_gap_here =
-      packets_missing % 256 != 0 || regions > 0 || (packets_missing > 0 && !gap_is_noted_);
+      packets_missing % 256 != 0 || pieces > 0 || (packets_missing > 0 && !gap_is_noted_);
   report_.lost_packets += packets_missing;
   if (is_gap_here) {
-    note_gap(0, regions);
+    note_gap(0, pieces);
     lose_open();
   }
   gap_is_noted_ = false;
@@ -158,7 +158,8 @@ void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
   report_.abandoned = reader.get(1) != 0;
   Statistics& totals = report_.totals;
   for (const auto total : wire::trailer_totals) totals.*total = reader.get(8);
-  if (totals.regions > regions_passed_) note_gap(0, totals.regions - regions_passed_);
+  const uint64_t pieces = totals.regions + totals.fragments;
+  if (pieces > pieces_passed_) note_gap(0, pieces - pieces_passed_);
   lose_open();
   mark_ = Event{};
   mark_.kind = Event::Kind::finish;
@@ -173,32 +174,33 @@ void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
 // Reads the next record of the packet and sets the stage for its delivery.
 void Decoder::read_record() {
   bool is_good = true;
-  OtherKind kind = OtherKind::part;
   if (!normals_are_ahead_) normals_.clear();
   normals_are_ahead_ = false;
-  if (model_.region_follows(false)) {
-    is_good = read_region();
-    stage_ = Stage::record;
-  } else {
-    kind = model_.other_kind(OtherKind::end);
-    switch (kind) {
-      case OtherKind::layer:
-      case OtherKind::skipped:
-        read_mark(kind);
-        break;
-      case OtherKind::part:
-        is_good = read_part();
-        stage_ = Stage::record;
-        break;
-      case OtherKind::extension:
-        read_extension();
-        break;
-      case OtherKind::end:
-        stage_ = Stage::collect;
-        break;
-      default:
-        is_good = false;
-    }
+  const RecordKind kind = model_.record_kind(RecordKind::end);
+  stage_ = Stage::record;
+  switch (kind) {
+    case RecordKind::region:
+      is_good = read_region();
+      break;
+    case RecordKind::fragment:
+      is_good = read_fragment();
+      break;
+    case RecordKind::part:
+      is_good = read_part();
+      break;
+    case RecordKind::layer:
+    case RecordKind::skipped:
+      read_mark(kind);
+      break;
+    case RecordKind::extension:
+      read_extension();
+      stage_ = Stage::records;
+      break;
+    case RecordKind::end:
+      stage_ = Stage::collect;
+      break;
+    default:
+      is_good = false;
   }
   is_good = is_good && !model_.coder().range.is_exhausted();
   if (is_good && (stage_ != Stage::record || begin_record())) return;
@@ -224,12 +226,12 @@ bool Decoder::read_region() {
   record_.is_last = true;
   const uint32_t rings = model_.ring_count(1);
   for (uint32_t ring = 0; ring < rings; ++ring)
-    if (!read_ring(ring > 0)) return false;
+    if (!read_ring(ring > 0 ? Chain::further : Chain::first)) return false;
   return true;
 }
 
-bool Decoder::read_ring(bool further) {
-  const Vertex start = model_.start(Vertex{0, 0, 0}, further);
+bool Decoder::read_ring(Chain chain) {
+  const Vertex start = model_.start(Vertex{0, 0, 0}, chain);
   const bool is_parallelogram = model_.parallelogram(false);
   const uint32_t count = is_parallelogram ? 4 : model_.run_count(2);
   if (count < 2 || count > Record::max_words || !record_.has_room(Record::ring_words + count))
@@ -269,10 +271,37 @@ bool Decoder::read_ring(bool further) {
   return true;
 }
 
+// Told from its end, it is the runs that lead back to the start.
+bool Decoder::read_fragment() {
+  const Incidence incidence = model_.incidence(no_incidence);
+  const Chain order = model_.order(Chain::fragment);
+  Vertex start = model_.start(Vertex{0, 0, 0}, order);
+  const uint32_t count = model_.fragment_run_count(1);
+  record_.begin_fragment(incidence, 0, start);
+  if (count > Record::max_words || !record_.has_room(count)) return false;
+  record_.is_last = true;
+  record_.count += count;
+  for (uint32_t i = 0; i <= count; ++i) {
+    const uint32_t link = order == Chain::backwards ? count - i : i;
+    const Direction direction = model_.direction(0);
+    if (!is_direction(incidence, direction)) return false;
+    if (link == 0) {
+      record_.came = direction;
+      continue;
+    }
+    const uint32_t length = model_.length(1);
+    if (length > Run::max_length) return false;
+    record_.word[Record::ring_words + link - 1] = Run::straight(direction, length).code();
+    start = after_links(start, direction_vector(incidence, direction), 0U - length);
+  }
+  if (order == Chain::backwards) record_.set_start(0, start);
+  return true;
+}
+
 bool Decoder::read_part() {
   record_.begin(no_incidence);
   model_.part(record_);
-  if (record_.number > Run::max_fragment) return false;
+  if (record_.is_fragment && !is_direction(record_.incidence, record_.came)) return false;
   for (;;) {
     if (!record_.has_room(1)) {
       if (model_.item_kind(Item::end) != Item::end) return false;
@@ -280,13 +309,10 @@ bool Decoder::read_part() {
     }
     const Item kind = model_.item_kind(Item::end);
     if (kind == Item::end) break;
+    const bool is_first = record_.count == 0 && !record_.continues;
     if (kind == Item::ring) {
-      if (!record_.has_room(Record::ring_words) || record_.is_fragment) return false;
-      record_.add_ring(model_.start(Vertex{0, 0, 0}, record_.count > 0 || record_.continues));
-    } else if (kind == Item::fragment) {
-      const uint32_t number = model_.fragment_number(0, true);
-      if (number > Run::max_fragment) return false;
-      record_.add_run(Run::fragment(number));
+      if (!record_.has_room(Record::ring_words) || (record_.is_fragment && !is_first)) return false;
+      record_.add_ring(model_.start(Vertex{0, 0, 0}, is_first ? Chain::first : Chain::further));
     } else {
       const Direction direction = model_.direction(0);
       if (!is_direction(record_.incidence, direction)) return false;
@@ -299,10 +325,10 @@ bool Decoder::read_part() {
   return true;
 }
 
-void Decoder::read_mark(OtherKind kind) {
+void Decoder::read_mark(RecordKind kind) {
   lose_open();
   mark_ = Event{};
-  if (kind == OtherKind::layer) {
+  if (kind == RecordKind::layer) {
     mark_.kind = Event::Kind::layer;
     mark_.slice = model_.layer(0);
   } else {
@@ -319,13 +345,13 @@ void Decoder::read_mark(OtherKind kind) {
 bool Decoder::begin_record() {
   told_ = 0;
   told_runs_ = 0;
-  const bool goes_on = is_open_ && open_.incidence == record_.incidence &&
-                       open_.is_fragment == record_.is_fragment && open_.number == record_.number;
+  const bool goes_on =
+      is_open_ && open_.incidence == record_.incidence && open_.is_fragment == record_.is_fragment;
   if (record_.continues && !goes_on) {
     lose_open();
-    if (record_.is_last && !record_.is_fragment) {
-      ++report_.lost_regions;
-      ++regions_passed_;
+    if (record_.is_last) {
+      ++report_.lost_pieces;
+      ++pieces_passed_;
     }
     stage_ = Stage::records;
     return true;
@@ -334,7 +360,7 @@ bool Decoder::begin_record() {
     lose_open();
     ring_is_empty_ = false;
   }
-  if (!record_.is_fragment && !rings_are_whole()) return false;
+  if (!rings_are_whole()) return false;
   begin_is_untold_ = !record_.continues;
   return true;
 }
@@ -383,14 +409,19 @@ bool Decoder::deliver() {
 bool Decoder::deliver_record() {
   Event event{};
   event.incidence = record_.incidence;
-  event.number = record_.number;
   if (begin_is_untold_) {
-    event.kind = record_.is_fragment ? Event::Kind::fragment : Event::Kind::region;
+    event.kind = Event::Kind::region;
+    if (record_.is_fragment) {
+      event.kind = Event::Kind::fragment;
+      event.start = record_.start_at(0);
+      event.came = record_.came;
+    }
     if (!offer(event)) return false;
     begin_is_untold_ = false;
-    open_ = {record_.incidence, record_.is_fragment, record_.number};
+    open_ = {record_.incidence, record_.is_fragment};
     is_open_ = true;
     is_first_ring_ = true;
+    if (record_.is_fragment) told_ = Record::ring_words;
   }
   while (told_ < record_.count) {
     const bool is_ring = record_.word[told_] == Record::ring_mark;
@@ -414,10 +445,8 @@ bool Decoder::deliver_record() {
   event.kind = record_.is_fragment ? Event::Kind::fragment_end : Event::Kind::region_end;
   if (!offer(event)) return false;
   is_open_ = false;
-  if (!record_.is_fragment) {
-    ++report_.regions;
-    ++regions_passed_;
-  }
+  ++(record_.is_fragment ? report_.fragments : report_.regions);
+  ++pieces_passed_;
   return true;
 }
 

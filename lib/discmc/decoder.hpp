@@ -23,14 +23,15 @@ struct StreamReport {
   bool is_unreadable = false;    ///< a packet was whole, but its records are of no known kind
   uint64_t lost_packets = 0;     ///< missing by their numbers
   uint64_t regions = 0;          ///< delivered complete
-  uint64_t lost_regions = 0;     ///< missing by the running count of regions
+  uint64_t fragments = 0;        ///< loose ones delivered complete
+  uint64_t lost_pieces = 0;      ///< regions and fragments missing by the running count of both
   uint32_t slices = 0;           ///< of the trailer
   Statistics totals{};           ///< of the trailer
 
   /// Nothing is missing from header to trailer, and nothing came that the trailer does not count.
   bool is_complete() const {
-    return has_header && has_trailer && lost_packets == 0 && lost_regions == 0 &&
-           regions == totals.regions && !is_unreadable;
+    return has_header && has_trailer && lost_packets == 0 && lost_pieces == 0 &&
+           regions == totals.regions && fragments == totals.fragments && !is_unreadable;
   }
 };
 
@@ -52,7 +53,8 @@ class Decoder {
   /// The events of packets that arrive before any header are delivered too.
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// Tells that no byte follows: an unfinished region is reported lost. Status::more as push().
+  /// Tells that no byte follows: an unfinished region or fragment is reported lost. Status::more as
+  /// push().
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return header_; }
@@ -72,15 +74,16 @@ class Decoder {
   bool is_expected(const uint8_t* packet);
   // What the next packet is to be numbered.
   uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
-  void note_gap(uint64_t packets, uint64_t regions);
+  void note_gap(uint64_t packets, uint64_t pieces);
   void lose_open();
   bool read_header(const uint8_t* payload, size_t bytes);
   void read_trailer(const uint8_t* payload, size_t bytes);
   void read_record();
   bool read_region();
-  bool read_ring(bool further);
+  bool read_ring(Chain chain);
+  bool read_fragment();
   bool read_part();
-  void read_mark(OtherKind kind);
+  void read_mark(RecordKind kind);
   void read_extension();
   bool begin_record();
   bool rings_are_whole();
@@ -94,9 +97,9 @@ class Decoder {
   StreamHeader header_;
   StreamReport report_;
   bool is_started_ = false;
-  bool is_refused_ = false;      // by its version
-  uint64_t regions_passed_ = 0;  // complete regions sent before now, lost ones included
-  bool gap_is_noted_ = true;     // since the last header; what came before the start is a gap
+  bool is_refused_ = false;     // by its version
+  uint64_t pieces_passed_ = 0;  // regions and fragments sent before now, lost ones included
+  bool gap_is_noted_ = true;    // since the last header; what came before the start is a gap
 
   uint8_t frame_[wire::max_frame];
   size_t frame_bytes_ = 0;  // what is more than a frame is dropped: it is none
@@ -105,7 +108,7 @@ class Decoder {
   Model model_{Coder{}};
   Record record_;
   uint32_t told_ = 0;               // words of the record that the sink has taken
-  uint32_t told_runs_ = 0;          // of them runs and stand-ins
+  uint32_t told_runs_ = 0;          // of them runs
   ToldNormals normals_;             // of the record
   bool normals_are_ahead_ = false;  // of the next record
   bool begin_is_untold_ = false;
@@ -115,7 +118,6 @@ class Decoder {
   struct Open {
     Incidence incidence;
     bool is_fragment;
-    uint32_t number;
   };
   Open open_{};
   bool is_open_ = false;

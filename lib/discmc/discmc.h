@@ -1,19 +1,18 @@
-/* discmc for C: the library but for the making of normals, C99, linked by the C linker.
+/* discmc for C99: scan, encode and decode, linked by the C linker. Only C++ makes normals.
  *
- *   discmc_encoder_start        once
- *   discmc_extractor16_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
- *   discmc_extractor16_push_u8  as often as samples arrive
- *   discmc_extractor16_resume   after DISCMC_MORE, when the output takes bytes again
- *   discmc_extractor16_finish   after the last slice; the stream is whole then, without a flush
+ *   discmc_encoder_start      once
+ *   discmc_extractor_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
+ *   discmc_extractor_push_u8  as often as samples arrive
+ *   discmc_extractor_resume   after DISCMC_MORE, when the output takes bytes again
+ *   discmc_extractor_finish   after the last slice; the stream is then complete, without a flush
  *
- * Names and meanings are those of the C++ headers, which say more where a reference is given.
- * Objects are opaque and lie in your memory. They must be zero before they are first used, as
- * static ones are, and `= {{0}}` makes others. Once started they stay where they are; they may be
- * forgotten at any time, and nothing has to be released. Nothing is shared between objects, and no
- * function has static state.
+ * Names and meanings are those of the C++ headers, which say more where a section names one.
+ * Objects are opaque and lie in your memory. They must be zero before their first use: static ones
+ * are, others are with `= {{0}}`. Do not move them once started. Drop them at any time: nothing has
+ * to be released. Objects share nothing, and no function has static state.
  *
- * Pointers must not be null except where that is said. Every function is for one context at a time:
- * see ports/README.md for interrupts. Coordinates are in half-steps: voxel (i, j, k) lies at
+ * Pointers must not be null unless said otherwise. Call an object's functions from one context at a
+ * time: see ports/README.md for interrupts. Coordinates are in half-steps: voxel (i, j, k) lies at
  * (2i, 2j, 2k). */
 #ifndef DISCMC_H
 #define DISCMC_H
@@ -34,47 +33,58 @@ extern "C" {
 
 /* ---- status (status.hpp) ---- */
 
-/* What a call came to. DISCMC_OK and DISCMC_MORE are not errors: DISCMC_MORE means that the sink
- * said "not now" and the work goes on with ..._resume(). After an error nothing has changed and
- * nothing was delivered; only a start that finds too little memory also ends a scan that was under
- * way. */
+/* Result of a call. DISCMC_OK and DISCMC_MORE are not errors: DISCMC_MORE means that the sink said
+ * "not now" and that ..._resume() goes on with the work. After an error nothing has changed and
+ * nothing was delivered; but a start that finds too little memory also ends the scan under way. */
 typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,
   DISCMC_MORE,              /* suspended by the sink; nothing is lost */
-  DISCMC_BAD_LIMITS,        /* width or height is 0 or above DISCMC_MAX_EXTENT, or no border */
-  DISCMC_BAD_CAPACITIES,    /* below the minimum, or beyond what the index can count */
+  DISCMC_BAD_LIMITS,        /* see discmc_limits */
+  DISCMC_BAD_CAPACITIES,    /* below the minimum, or more records than an index can count */
   DISCMC_TOO_LITTLE_MEMORY, /* smaller than the limits or capacities need, or null */
-  DISCMC_BAD_SINK,          /* the sink has no function */
+  DISCMC_BAD_SINK,          /* it has no function, or takes no fragments where a slab needs them */
   DISCMC_NOT_STARTED,       /* ..._start() has not succeeded yet */
-  DISCMC_FINISHED,          /* it takes no more samples: ..._reset() or ..._start() */
+  DISCMC_FINISHED,          /* the scan takes no more samples: ..._reset() or ..._start() */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
-  DISCMC_TOO_DEEP,          /* DISCMC_MAX_SLICES are there; finish still works */
-  DISCMC_WRONG_VERSION,     /* the stream's version is not known to this decoder */
+  DISCMC_TOO_DEEP,          /* the volume has DISCMC_MAX_SLICES; finish still works */
+  DISCMC_WRONG_VERSION,     /* this decoder does not know the stream's version */
   DISCMC_BAD_CHECKPOINT     /* it, or the memory that goes with it, is not what was saved */
 };
 
 /* A short English text for a status. Owner: static storage. */
 const char* discmc_text(discmc_status status);
 
-/* ---- limits and memory (limits.hpp) ---- */
+/* ---- limits and memory (limits.hpp, capacities.hpp) ---- */
 
 enum { DISCMC_MAX_EXTENT = 32766, DISCMC_MAX_SLICES = 1073741823 };
 
 /* What lies around the volume: a halo of off voxels, which closes the surface, or nothing. */
 enum { DISCMC_CLOSED, DISCMC_OPEN };
 
+/* The slices of a volume that one extractor scans. All zero: all of them. Where others continue it,
+ * push one slice of theirs as well, before the first or after the last of its own. What crosses the
+ * seam leaves as loose fragments, which whoever receives all slabs joins. Flags are 0 or 1. */
+typedef struct discmc_slab {
+  uint32_t first; /* number of its first own slice in the volume; not 0 where it continues below */
+  uint8_t continues_below;
+  uint8_t continues_above;
+} discmc_slab;
+
 /* The size of a slice. The number of slices is not limited by memory. */
 typedef struct discmc_limits {
   uint32_t width;  /* voxels a row; Limit: 1 to DISCMC_MAX_EXTENT */
   uint32_t height; /* rows a slice; likewise */
   uint8_t border;  /* DISCMC_CLOSED or DISCMC_OPEN */
+  discmc_slab slab;
 } discmc_limits;
 
-/* How many records of each kind there is room for. A shortage costs merging, never correctness. */
+/* What there is room for. A shortage costs bytes of the stream, never regions: what has no room is
+ * sent as loose fragments. */
 typedef struct discmc_capacities {
-  uint32_t edges, runs, rings, regions, slots;
+  uint32_t records; /* of 8 bytes: an end that waits, up to three corners, or half a hole */
+  uint32_t holes;   /* that wait for the ring around them; their records count above */
 } discmc_capacities;
 
 /* A piece of memory. Owner: the caller. */
@@ -83,32 +93,24 @@ typedef struct discmc_memory {
   size_t bytes;
 } discmc_memory;
 
-/* Whether the limits are, and whether an index of 16 or 32 bits can count the records. */
-uint8_t discmc_limits_are_valid(const discmc_limits* limits);
-uint8_t discmc_capacities_are_valid16(const discmc_capacities* capacities);
-uint8_t discmc_capacities_are_valid32(const discmc_capacities* capacities);
+/* 1 when they are valid, else 0. */
+uint8_t discmc_limits_is_valid(const discmc_limits* limits);
+uint8_t discmc_capacities_is_valid(const discmc_capacities* capacities);
 
-/* The least memory with which a scan works: every surface comes out right, not merged beyond cells;
- * more merges better. The bytes for any capacities. Those for the worst case: with the memory of
- * discmc_worst_case_bytesN() and discmc_worst_case_capacities() no volume ever cuts a region apart.
- * N is the bits of an index. Limit: the limits are valid.
+/* The least memory with which a scan works: the surface comes out right, in loose fragments of a
+ * few links, or cell by cell where the sink takes none. The least capacities. The bytes that a scan
+ * with any capacities takes. Limit: the limits are valid.
  *
- * sizes.h has the same as constants, to size a static array with: DISCMC_MINIMUM_BYTES16(),
- * DISCMC_BYTES_FOR16(), DISCMC_WORST_CASE_BYTES16() and, for `const discmc_capacities c = `,
- * DISCMC_MINIMUM_CAPACITIES, DISCMC_WORST_CASE_CAPACITIES() and DISCMC_DEFAULT_CAPACITIES16(); and
- * likewise with 32. */
-uint64_t discmc_minimum_bytes16(const discmc_limits* limits);
-uint64_t discmc_minimum_bytes32(const discmc_limits* limits);
-uint64_t discmc_bytes_for16(const discmc_limits* limits, const discmc_capacities* capacities);
-uint64_t discmc_bytes_for32(const discmc_limits* limits, const discmc_capacities* capacities);
-uint64_t discmc_worst_case_bytes16(const discmc_limits* limits);
-uint64_t discmc_worst_case_bytes32(const discmc_limits* limits);
+ * sizes.h has the same as constants, to size a static array with: DISCMC_MINIMUM_BYTES(),
+ * DISCMC_BYTES_FOR() and, as initialisers of a discmc_capacities, DISCMC_MINIMUM_CAPACITIES and
+ * DISCMC_DEFAULT_CAPACITIES(). */
+uint64_t discmc_minimum_bytes(const discmc_limits* limits);
 discmc_capacities discmc_minimum_capacities(void);
-discmc_capacities discmc_worst_case_capacities(const discmc_limits* limits);
+uint64_t discmc_bytes_for(const discmc_limits* limits, const discmc_capacities* capacities);
 
-/* The default split of a number of bytes, the same on every machine. */
-discmc_capacities discmc_default_capacities16(const discmc_limits* limits, uint64_t bytes);
-discmc_capacities discmc_default_capacities32(const discmc_limits* limits, uint64_t bytes);
+/* The capacities that a number of bytes has room for, the same on every machine. More bytes never
+ * make less of anything; fewer than discmc_minimum_bytes() give the minimum. */
+discmc_capacities discmc_default_capacities(const discmc_limits* limits, uint64_t bytes);
 
 /* ---- events and sinks (sink.hpp) ---- */
 
@@ -117,8 +119,7 @@ typedef struct discmc_vertex {
   int32_t x, y, z;
 } discmc_vertex;
 
-/* A straight run of equal links, or a stand-in for a fragment sent before: see discmc_run_length()
- * and its neighbours. */
+/* A straight run of equal links: see discmc_run_length() and its neighbours. */
 typedef uint32_t discmc_run;
 
 /* A unit vector in two bytes, both zero where there is none: see discmc_unit_normal_of(). */
@@ -132,10 +133,9 @@ typedef struct discmc_statistics {
   uint64_t facets;            /* before merging */
   uint64_t classic_triangles; /* what classic Marching Cubes would have made */
   uint64_t regions;           /* delivered */
-  uint64_t rings;             /* delivered */
-  uint64_t links;             /* of all chains, delivered */
-  uint64_t cuts;              /* links made boundary for lack of memory */
-  uint64_t spills;            /* fragments sent early for lack of memory */
+  uint64_t rings;             /* delivered, as parts of regions */
+  uint64_t links;             /* of all that was delivered, loose fragments included */
+  uint64_t fragments;         /* loose ones, delivered */
   uint64_t skipped_rows;
 } discmc_statistics;
 
@@ -143,7 +143,14 @@ typedef struct discmc_statistics {
  *
  *   scan     = { region | fragment | skipped | layer } finish
  *   region   = region { ring { run } } region_end       outer ring first, then the holes
- *   fragment = fragment { run } fragment_end            only when the sink takes fragments */
+ *   fragment = fragment { run } fragment_end            only when the sink takes fragments
+ *
+ * A fragment is loose: a piece of a boundary ring, sent early for lack of memory, complete in
+ * itself. Fragment E follows fragment F where both have the same incidence, E starts where F's runs
+ * end, and E came there by the direction of F's last run; there is one match at most. Where two
+ * fragments are joined, runs of one direction may meet: that is no corner. A ring that goes out
+ * loose as a whole follows itself. All loose fragments of a region's holes come before its outer
+ * ring, or the last fragment of it. */
 enum {
   DISCMC_REGION,       /* a complete region begins: incidence */
   DISCMC_RING,         /* one of its rings begins: start, hole */
@@ -162,20 +169,19 @@ enum {
 typedef struct discmc_event {
   uint8_t kind;
   uint8_t incidence; /* see discmc_normal() */
-  uint8_t came; /* direction of the link by which a loose fragment's chain comes to its start */
+  uint8_t came;      /* the direction of the link by which a fragment's chain comes to its start */
   uint8_t hole;
   uint8_t repeated;
   uint8_t abandoned;
   discmc_octahedral_normal normal; /* where the run starts, if the stream tells normals */
   discmc_run run;
-  uint32_t number;
   uint32_t slice;
   uint32_t row;
   discmc_vertex start;
   const discmc_statistics* statistics; /* Owner: the sender; valid during the call */
 } discmc_event;
 
-/* What a sink answers. What it did not take is offered again, unchanged, on the next resume. */
+/* A sink's answer. What it did not take is offered again, unchanged, on the next resume. */
 typedef uint8_t discmc_answer;
 enum { DISCMC_TAKEN, DISCMC_NOT_NOW };
 
@@ -184,156 +190,120 @@ enum { DISCMC_TAKEN, DISCMC_NOT_NOW };
 typedef struct discmc_sink {
   void* context;
   discmc_answer (*take)(void* context, const discmc_event* event);
-  uint8_t takes_fragments; /* 0: a lack of memory is answered by cuts instead of spills */
+  uint8_t takes_fragments; /* 0: for lack of memory regions are cut at cells instead */
 } discmc_sink;
 
 /* ---- the extractor (extractor.hpp) ---- */
 
-/* What a push came to, and how many of the samples it took. The rest must be pushed again. */
-typedef struct discmc_pushed {
+/* The result of a push, and how many of the samples it took. The rest must be pushed again. */
+typedef struct discmc_push_result {
   discmc_status status;
   uint32_t samples;
-} discmc_pushed;
+} discmc_push_result;
 
-/* High-water marks of the pools, in records. */
+/* High-water marks. Units: as discmc_capacities. */
 typedef struct discmc_high_water {
-  uint32_t edges, runs, rings, regions, slots;
+  uint32_t records, holes;
 } discmc_high_water;
 
 /* What stands in for a row that never came. */
 enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
 
-/* With indices of 16 bits (fewer than 65,535 records of a kind; firmware) and of 32 (hosts). The
- * events do not depend on the width, given the same capacities. */
-typedef struct discmc_extractor16 {
-  uint64_t opaque[(sizeof(void*) == 8 ? 720 : 640) / 8];
-} discmc_extractor16;
-typedef struct discmc_extractor32 {
-  uint64_t opaque[(sizeof(void*) == 8 ? 960 : 864) / 8];
-} discmc_extractor32;
+/* With 16-bit indices: at most 32,759 records, which are 256 KiB. Hosts that give it more memory
+ * use C++, where Extractor32 has no such limit. */
+typedef struct discmc_extractor {
+  uint64_t opaque[(sizeof(void*) == 8 ? 504 : 432) / 8];
+} discmc_extractor;
 
-/* Where a scan is, in plain bytes: see checkpoint.hpp. */
-typedef struct discmc_extractor16_checkpoint {
+/* Where a scan is, as plain bytes: see checkpoint.hpp. */
+typedef struct discmc_extractor_checkpoint {
   uint64_t head[3];
-  discmc_extractor16 extractor;
-} discmc_extractor16_checkpoint;
-typedef struct discmc_extractor32_checkpoint {
-  uint64_t head[3];
-  discmc_extractor32 extractor;
-} discmc_extractor32_checkpoint;
+  discmc_extractor extractor;
+} discmc_extractor_checkpoint;
 
-/* Begins a scan; a voxel is on where its sample is >= threshold. capacities: may be null, for the
- * default split of the memory. memory: Owner: the caller, for as long as the scan lasts. Errors:
+/* Begins a scan; a voxel is on where its sample is >= threshold. capacities: null for as many
+ * records as the memory has room for. memory: at least discmc_minimum_bytes(), or
+ * discmc_bytes_for() of the capacities; Owner: the caller, for as long as the scan lasts. Errors:
  * DISCMC_BAD_LIMITS, DISCMC_BAD_CAPACITIES, DISCMC_BAD_SINK, DISCMC_TOO_LITTLE_MEMORY; then the
- * memory is untouched. */
-DISCMC_NODISCARD discmc_status discmc_extractor16_start(discmc_extractor16* extractor,
-                                                        const discmc_limits* limits,
-                                                        const discmc_capacities* capacities,
-                                                        int32_t threshold, discmc_memory memory,
-                                                        const discmc_sink* sink);
+ * memory is untouched. Cost: a write for each queue, and for each word of a row. */
+DISCMC_NODISCARD discmc_status discmc_extractor_start(discmc_extractor* extractor,
+                                                      const discmc_limits* limits,
+                                                      const discmc_capacities* capacities,
+                                                      int32_t threshold, discmc_memory memory,
+                                                      const discmc_sink* sink);
 
 /* Begins the next scan with the limits, threshold, memory and sink of the last start. */
-DISCMC_NODISCARD discmc_status discmc_extractor16_reset(discmc_extractor16* extractor);
+DISCMC_NODISCARD discmc_status discmc_extractor_reset(discmc_extractor* extractor);
 
 /* Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
  * samples: Owner: the caller; free again when the call returns. stride: from one sample to the
- * next, in samples; 1 for samples in a row. With DISCMC_MORE all samples up to the end of the row
- * that caused it have been taken. Errors: DISCMC_NOT_STARTED, DISCMC_FINISHED, DISCMC_TOO_DEEP. */
-DISCMC_NODISCARD discmc_pushed discmc_extractor16_push_u8(discmc_extractor16* extractor,
-                                                          const uint8_t* samples, uint32_t count,
-                                                          uint32_t stride);
-DISCMC_NODISCARD discmc_pushed discmc_extractor16_push_u16(discmc_extractor16* extractor,
-                                                           const uint16_t* samples, uint32_t count,
-                                                           uint32_t stride);
-DISCMC_NODISCARD discmc_pushed discmc_extractor16_push_i16(discmc_extractor16* extractor,
-                                                           const int16_t* samples, uint32_t count,
-                                                           uint32_t stride);
+ * next, in samples; 1 where they are adjacent. With DISCMC_MORE all samples up to the end of the
+ * row that caused it have been taken. Errors: DISCMC_NOT_STARTED, DISCMC_FINISHED, DISCMC_TOO_DEEP.
+ * Cost: a comparison a sample; a completed row also sweeps a row of the slice below. */
+DISCMC_NODISCARD discmc_push_result discmc_extractor_push_u8(discmc_extractor* extractor,
+                                                             const uint8_t* samples, uint32_t count,
+                                                             uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_extractor_push_u16(discmc_extractor* extractor,
+                                                              const uint16_t* samples,
+                                                              uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_extractor_push_i16(discmc_extractor* extractor,
+                                                              const int16_t* samples,
+                                                              uint32_t count, uint32_t stride);
 
-/* Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0. Errors:
- * as a push, DISCMC_ROW_IN_PROGRESS. The samples taken are the width, or 0. */
-DISCMC_NODISCARD discmc_pushed discmc_extractor16_push_bits(discmc_extractor16* extractor,
-                                                            const uint8_t* bits);
+/* Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0. Counts as
+ * `width` samples, or 0 when it was not taken. Errors: as a push, and DISCMC_ROW_IN_PROGRESS. */
+DISCMC_NODISCARD discmc_push_result discmc_extractor_push_bits(discmc_extractor* extractor,
+                                                               const uint8_t* bits);
 
 /* Stands in for a row that never came; the sink is told. substitute: DISCMC_OFF or
  * DISCMC_PREVIOUS_ROW. Result and errors: as push_bits. */
-DISCMC_NODISCARD discmc_pushed discmc_extractor16_skip_row(discmc_extractor16* extractor,
-                                                           uint8_t substitute);
+DISCMC_NODISCARD discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor,
+                                                              uint8_t substitute);
 
 /* Goes on after DISCMC_MORE. Also harmless at any other time. */
-DISCMC_NODISCARD discmc_status discmc_extractor16_resume(discmc_extractor16* extractor);
+DISCMC_NODISCARD discmc_status discmc_extractor_resume(discmc_extractor* extractor);
 
 /* Ends the scan: delivers every region and the totals. After DISCMC_MORE go on with resume. Errors:
  * DISCMC_NOT_STARTED, DISCMC_SLICE_IN_PROGRESS. */
-DISCMC_NODISCARD discmc_status discmc_extractor16_finish(discmc_extractor16* extractor);
+DISCMC_NODISCARD discmc_status discmc_extractor_finish(discmc_extractor* extractor);
 
-/* Ends the scan wherever it is: the rest of the slice is taken as off, and the sink is told.
+/* Ends the scan wherever it is: the rest of the slice is taken as off, so the surface is closed all
+ * the same, and the sink is told. After DISCMC_MORE go on with resume.
  * Errors: DISCMC_NOT_STARTED. */
-DISCMC_NODISCARD discmc_status discmc_extractor16_abandon(discmc_extractor16* extractor);
+DISCMC_NODISCARD discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
 
-/* Writes down where the scan is; with the first ..._bytes_used() bytes of the memory that is all of
- * it. Errors: DISCMC_NOT_STARTED. DISCMC_MORE: resume first. */
-DISCMC_NODISCARD discmc_status discmc_extractor16_save(const discmc_extractor16* extractor,
-                                                       discmc_extractor16_checkpoint* checkpoint);
+/* Writes down where the scan is; with the first discmc_extractor_bytes_used() bytes of the memory
+ * that is all of it. Errors: DISCMC_NOT_STARTED. DISCMC_MORE: resume first. Cost: a checksum of
+ * those bytes. */
+DISCMC_NODISCARD discmc_status discmc_extractor_save(const discmc_extractor* extractor,
+                                                     discmc_extractor_checkpoint* checkpoint);
 
-/* Goes on where a checkpoint was saved. memory: as it was then, though it may lie elsewhere, as far
- * from a multiple of four bytes; Owner: the caller. sink: with takes_fragments as then. Errors:
- * DISCMC_TOO_LITTLE_MEMORY (none), DISCMC_BAD_CHECKPOINT, DISCMC_BAD_SINK. */
-DISCMC_NODISCARD discmc_status discmc_extractor16_restore(
-    discmc_extractor16* extractor, const discmc_extractor16_checkpoint* checkpoint,
-    discmc_memory memory, const discmc_sink* sink);
+/* Goes on where a checkpoint was saved, by the same build. memory: as many bytes as the start was
+ * given, the first ones as they were then; it may lie elsewhere, with the same alignment modulo 4;
+ * Owner: as of the start. sink: with takes_fragments as then. Errors: DISCMC_TOO_LITTLE_MEMORY,
+ * DISCMC_BAD_CHECKPOINT, DISCMC_BAD_SINK. Cost: as save. */
+DISCMC_NODISCARD discmc_status
+discmc_extractor_restore(discmc_extractor* extractor, const discmc_extractor_checkpoint* checkpoint,
+                         discmc_memory memory, const discmc_sink* sink);
 
-/* Totals so far; what the last start came to; the bytes of the memory in use at all; complete
- * slices so far, and complete rows of the current one. */
-discmc_statistics discmc_extractor16_statistics(const discmc_extractor16* extractor);
-discmc_limits discmc_extractor16_limits(const discmc_extractor16* extractor);
-discmc_capacities discmc_extractor16_capacities(const discmc_extractor16* extractor);
-discmc_high_water discmc_extractor16_high_water(const discmc_extractor16* extractor);
-size_t discmc_extractor16_bytes_used(const discmc_extractor16* extractor);
-uint32_t discmc_extractor16_slices(const discmc_extractor16* extractor);
-uint32_t discmc_extractor16_rows(const discmc_extractor16* extractor);
-
-/* The same with indices of 32 bits. */
-DISCMC_NODISCARD discmc_status discmc_extractor32_start(discmc_extractor32* extractor,
-                                                        const discmc_limits* limits,
-                                                        const discmc_capacities* capacities,
-                                                        int32_t threshold, discmc_memory memory,
-                                                        const discmc_sink* sink);
-DISCMC_NODISCARD discmc_status discmc_extractor32_reset(discmc_extractor32* extractor);
-DISCMC_NODISCARD discmc_pushed discmc_extractor32_push_u8(discmc_extractor32* extractor,
-                                                          const uint8_t* samples, uint32_t count,
-                                                          uint32_t stride);
-DISCMC_NODISCARD discmc_pushed discmc_extractor32_push_u16(discmc_extractor32* extractor,
-                                                           const uint16_t* samples, uint32_t count,
-                                                           uint32_t stride);
-DISCMC_NODISCARD discmc_pushed discmc_extractor32_push_i16(discmc_extractor32* extractor,
-                                                           const int16_t* samples, uint32_t count,
-                                                           uint32_t stride);
-DISCMC_NODISCARD discmc_pushed discmc_extractor32_push_bits(discmc_extractor32* extractor,
-                                                            const uint8_t* bits);
-DISCMC_NODISCARD discmc_pushed discmc_extractor32_skip_row(discmc_extractor32* extractor,
-                                                           uint8_t substitute);
-DISCMC_NODISCARD discmc_status discmc_extractor32_resume(discmc_extractor32* extractor);
-DISCMC_NODISCARD discmc_status discmc_extractor32_finish(discmc_extractor32* extractor);
-DISCMC_NODISCARD discmc_status discmc_extractor32_abandon(discmc_extractor32* extractor);
-DISCMC_NODISCARD discmc_status discmc_extractor32_save(const discmc_extractor32* extractor,
-                                                       discmc_extractor32_checkpoint* checkpoint);
-DISCMC_NODISCARD discmc_status discmc_extractor32_restore(
-    discmc_extractor32* extractor, const discmc_extractor32_checkpoint* checkpoint,
-    discmc_memory memory, const discmc_sink* sink);
-discmc_statistics discmc_extractor32_statistics(const discmc_extractor32* extractor);
-discmc_limits discmc_extractor32_limits(const discmc_extractor32* extractor);
-discmc_capacities discmc_extractor32_capacities(const discmc_extractor32* extractor);
-discmc_high_water discmc_extractor32_high_water(const discmc_extractor32* extractor);
-size_t discmc_extractor32_bytes_used(const discmc_extractor32* extractor);
-uint32_t discmc_extractor32_slices(const discmc_extractor32* extractor);
-uint32_t discmc_extractor32_rows(const discmc_extractor32* extractor);
+/* Totals so far, and all of them once the scan is finished. */
+discmc_statistics discmc_extractor_statistics(const discmc_extractor* extractor);
+/* What the scan was started with, the default capacities worked out; and the most in use so far. */
+discmc_limits discmc_extractor_limits(const discmc_extractor* extractor);
+discmc_capacities discmc_extractor_capacities(const discmc_extractor* extractor);
+discmc_high_water discmc_extractor_high_water(const discmc_extractor* extractor);
+/* The bytes of the memory, from its beginning, that the scan has written to so far. */
+size_t discmc_extractor_bytes_used(const discmc_extractor* extractor);
+/* Complete slices so far, and complete rows of the current one. */
+uint32_t discmc_extractor_slices(const discmc_extractor* extractor);
+uint32_t discmc_extractor_rows(const discmc_extractor* extractor);
 
 /* ---- the encoder (encoder.hpp) ---- */
 
 /* The version of the stream that is written, and the most bytes of one of its frames. */
-enum { DISCMC_WIRE_VERSION = 1, DISCMC_MAX_FRAME = 256 };
+enum { DISCMC_WIRE_VERSION = 2, DISCMC_MAX_FRAME = 256 };
 
-/* What a stream says of its scan. */
+/* A stream's description of its scan. */
 typedef struct discmc_stream_header {
   uint32_t width, height;
   uint32_t depth;        /* planned slices; 0 when not known */
@@ -345,8 +315,8 @@ typedef struct discmc_stream_header {
 /* Where bytes go. Owner: the context is the caller's. */
 typedef struct discmc_byte_output {
   void* context;
-  /* Takes up to `count` bytes and returns how many it took; 0 means "not now". An error is no
-   * number of bytes: answer 0. */
+  /* Takes up to `count` bytes and returns how many it took; 0 means "not now". On error, return
+   * 0. */
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
 } discmc_byte_output;
 
@@ -364,11 +334,11 @@ DISCMC_NODISCARD discmc_status discmc_encoder_start(discmc_encoder* encoder,
  * context is one: {&encoder, discmc_encoder_take, 1}. */
 discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
 
-/* Hands over what is there so far instead of waiting for a full packet. 0 when the output does not
- * take all of it now: call again. */
+/* Sends what is there so far instead of waiting for a full packet. 0 when the output does not take
+ * all of it now: call again. */
 DISCMC_NODISCARD uint8_t discmc_encoder_flush(discmc_encoder* encoder);
 
-/* Where a stream is, in plain bytes. */
+/* Where a stream is, as plain bytes. */
 typedef struct discmc_encoder_checkpoint {
   uint64_t head[3];
   discmc_encoder encoder;
@@ -389,8 +359,8 @@ uint64_t discmc_encoder_bytes(const discmc_encoder* encoder);
 
 /* ---- the decoder (decoder.hpp) ---- */
 
-/* How a stream arrived. Lost counts grow when the next whole packet tells of the gap. Flags are 0
- * or 1. */
+/* How a stream arrived. Lost counts grow when the next whole packet reveals the gap. Flags are 0 or
+ * 1. */
 typedef struct discmc_stream_report {
   uint8_t has_header, has_trailer;
   uint8_t abandoned;     /* the scan was ended before its time; the surface is closed */
@@ -402,12 +372,13 @@ typedef struct discmc_stream_report {
   uint64_t damaged_packets; /* frames that are no packet, or fail their checksum */
   uint64_t lost_packets;    /* missing by their numbers */
   uint64_t regions;         /* delivered complete */
-  uint64_t lost_regions;    /* missing by the running count of regions */
+  uint64_t fragments;       /* loose ones delivered complete */
+  uint64_t lost_pieces;     /* regions and fragments missing by the running count of both */
   uint32_t slices;          /* of the trailer */
   discmc_statistics totals; /* of the trailer */
 } discmc_stream_report;
 
-/* What a push came to, and how many of the bytes it took. The rest must be pushed again. */
+/* The result of a push, and how many of the bytes it took. The rest must be pushed again. */
 typedef struct discmc_decoded {
   discmc_status status;
   size_t bytes;
@@ -427,7 +398,8 @@ DISCMC_NODISCARD discmc_status discmc_decoder_start(discmc_decoder* decoder,
 DISCMC_NODISCARD discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes,
                                                     size_t count);
 
-/* Tells that no byte follows: an unfinished region is reported lost. DISCMC_MORE as a push. */
+/* Says that no byte follows: an unfinished region or fragment is reported lost. DISCMC_MORE as a
+ * push. */
 DISCMC_NODISCARD discmc_status discmc_decoder_finish(discmc_decoder* decoder);
 
 discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder);
@@ -533,28 +505,22 @@ int discmc_turn(uint8_t incidence, uint8_t from, uint8_t to);
 /* ---- chains (chain.hpp) ---- */
 
 #define DISCMC_RUN_MAX_LENGTH UINT32_C(0x0FFFFFFF)
-#define DISCMC_RUN_MAX_FRAGMENT UINT32_C(0x7FFFFFFF)
 
 /* A straight run. Limit: length 1 to DISCMC_RUN_MAX_LENGTH links, direction below
- * discmc_direction_count(). And a stand-in for a fragment; Limit: DISCMC_RUN_MAX_FRAGMENT. A run of
- * 0 is empty. */
+ * discmc_direction_count(). A run of 0 is empty. */
 discmc_run discmc_run_straight(uint8_t direction, uint32_t length);
-discmc_run discmc_run_fragment(uint32_t number);
-/* Whether a run stands for a fragment, and for which; else its direction and its length in links.
- */
-uint8_t discmc_run_is_fragment(discmc_run run);
-uint32_t discmc_run_fragment_number(discmc_run run);
+/* Its direction, and its length in links. */
 uint8_t discmc_run_direction(discmc_run run);
 uint32_t discmc_run_length(discmc_run run);
-/* Takes the other run in, when both are straight, of one direction, and short enough together: not
- * 0 when it did. */
+/* Appends the other run, when both have one direction and are short enough together: 1 if it did,
+ * else 0. */
 uint8_t discmc_run_absorb(discmc_run* run, discmc_run other);
 
-/* The chain's end relative to its start. Limit, here and below: straight runs only. */
+/* The chain's end relative to its start. Limit: no coordinate of it overflows. */
 discmc_vertex discmc_displacement(uint8_t incidence, const discmc_run* runs, uint32_t count);
 /* Whether the chain ends where it starts. */
 uint8_t discmc_is_closed(uint8_t incidence, const discmc_run* runs, uint32_t count);
-/* Turns the chain round in place. */
+/* Reverses the chain in place. */
 void discmc_reverse(uint8_t incidence, discmc_run* runs, uint32_t count);
 /* Twice the area of a closed chain times the length of its incidence's normal: positive for an
  * outer ring, negative for a hole. Units: square half-steps. */
@@ -572,14 +538,14 @@ void discmc_unfold(uint8_t incidence, discmc_vertex start, const discmc_run* run
 /* discmc_twice_area() of a ring of vertices. */
 int64_t discmc_twice_area_of_ring(uint8_t incidence, const discmc_vertex* vertices, uint32_t count);
 
-/* Who is handed simple rings: of three vertices or more, valid during the call. */
+/* Where simple rings go: of three vertices or more, valid during the call. */
 typedef struct discmc_ring_receiver {
   void* context;
   void (*take)(void* context, const discmc_vertex* vertices, uint32_t count);
 } discmc_ring_receiver;
 
-/* Splits a closed ring of vertices into simple rings and hands them over. vertices: is used up.
- * scratch: 2 * count words. Owner: the caller. Cost: count * log(count) comparisons. */
+/* Splits a closed ring of vertices into simple rings. vertices: overwritten. scratch: 2 * count
+ * words. Owner: the caller. Cost: count * log(count) comparisons. */
 void discmc_split_ring(discmc_vertex* vertices, uint32_t count, uint32_t* scratch,
                        const discmc_ring_receiver* receiver);
 

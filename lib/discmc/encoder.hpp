@@ -47,6 +47,9 @@ class BasicEncoder : private Normals {
   /// The bytes that the output has taken so far.
   uint64_t bytes() const { return bytes_; }
 
+  /// Of what a checkpoint holds: see CheckpointHead.
+  static constexpr uint32_t layout = sizeof(void*) << 4 | (Normals::are_told ? 1 : 0);
+
  private:
   struct Coder {
     RangeEncoder range;
@@ -85,8 +88,8 @@ class BasicEncoder : private Normals {
   uint16_t drained_ = 0;
   ByteOutput output_;
   uint32_t packets_ = 0;
-  uint32_t regions_before_ = 0;  // complete ones before the open packet, modulo 2^32
-  uint64_t regions_ = 0;         // complete ones so far
+  uint32_t pieces_before_ = 0;  // regions and fragments before the open packet, modulo 2^32
+  uint64_t pieces_ = 0;         // so far
   uint64_t bytes_ = 0;
   Record record_;
   StreamHeader header_;

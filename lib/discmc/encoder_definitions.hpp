@@ -16,16 +16,20 @@ constexpr size_t part_reserve = reserve + 4;
 
 }  // namespace packet_end
 
+constexpr bool is_end(Event::Kind kind) {
+  return kind == Event::Kind::region_end || kind == Event::Kind::fragment_end;
+}
+
 template <class Normals>
 Status BasicEncoder<Normals>::start(const StreamHeader& header, const ByteOutput& output) {
-  if (!Limits{header.width, header.height, header.border}.are_valid()) return Status::bad_limits;
+  if (!Limits{header.width, header.height, header.border}.is_valid()) return Status::bad_limits;
   if (output.write == nullptr) return Status::bad_sink;
   header_ = header;
   output_ = output;
   bytes_ = 0;
-  regions_ = 0;
+  pieces_ = 0;
   packets_ = 0;
-  regions_before_ = 0;
+  pieces_before_ = 0;
   trailer_is_sealed_ = false;
   is_emptying_ = false;
   seal_header();
@@ -38,10 +42,10 @@ Answer BasicEncoder<Normals>::take(const Event& event) {
   bool done = true;
   switch (event.kind) {
     case Event::Kind::region:
-    case Event::Kind::fragment:
       record_.begin(event.incidence);
-      record_.is_fragment = event.kind == Event::Kind::fragment;
-      record_.number = event.number;
+      break;
+    case Event::Kind::fragment:
+      record_.begin_fragment(event.incidence, event.came, event.start);
       break;
     case Event::Kind::ring:
       done = make_room(Record::ring_words, event);
@@ -154,7 +158,7 @@ bool BasicEncoder<Normals>::put(const Event& event) {
     words = record_.count;
   }
   is_emptying_ = false;
-  if (event.kind == Event::Kind::region_end) ++regions_;
+  if (is_end(event.kind)) ++pieces_;
   return true;
 }
 
@@ -162,18 +166,19 @@ template <class Normals>
 bool BasicEncoder<Normals>::encode_whole(const Event& event) {
   switch (event.kind) {
     case Event::Kind::layer:
-      encode_kind(model_, OtherKind::layer);
+      model_.record_kind(RecordKind::layer);
       model_.layer(event.slice);
       return true;
     case Event::Kind::skipped:
-      encode_kind(model_, OtherKind::skipped);
+      model_.record_kind(RecordKind::skipped);
       model_.plain_number(event.slice);
       model_.plain_number(event.row);
       model_.plain_bits(1, event.repeated ? 1 : 0);
       return true;
     default:
       encode_normals(record_.count);
-      return encode_region(model_, record_);
+      return record_.is_fragment ? encode_fragment(model_, record_)
+                                 : encode_region(model_, record_);
   }
 }
 
@@ -181,19 +186,18 @@ bool BasicEncoder<Normals>::encode_whole(const Event& event) {
 template <class Normals>
 bool BasicEncoder<Normals>::encode_part(uint32_t& words, Event::Kind cause) {
   encode_normals(words);
-  encode_kind(model_, OtherKind::part);
+  model_.record_kind(RecordKind::part);
   model_.part(record_);
   for (uint32_t i = 0; i < words;) {
     const uint32_t end = i + encode_item(model_, record_, i);
     if (!fits(packet_end::part_reserve)) {
-      words = i;
+      words = i > 0 ? i : end;  // a far start and all normals may be too much: then the start alone
       return false;
     }
     i = end;
   }
   model_.item_kind(Item::end);
-  const bool is_end = cause == Event::Kind::region_end || cause == Event::Kind::fragment_end;
-  model_.end_part(is_end && words == record_.count);
+  model_.end_part(is_end(cause) && words == record_.count);
   return true;
 }
 
@@ -227,7 +231,7 @@ void BasicEncoder<Normals>::open_packet() {
 
 template <class Normals>
 void BasicEncoder<Normals>::seal_records() {
-  encode_kind(model_, OtherKind::end);
+  model_.record_kind(RecordKind::end);
   ++packets_since_header_;
   seal(wire::PacketKind::records, payload() + model_.coder().range.finish());
 }
@@ -243,7 +247,7 @@ void BasicEncoder<Normals>::seal_header() {
   place = wire::put(place, static_cast<uint32_t>(header_.threshold), 4);
   place = wire::put(place, header_.border == Border::open ? 1 : 0, 1);
   place = wire::put(place, packets_, 4);
-  place = wire::put_long(place, regions_);
+  place = wire::put_long(place, pieces_);
   packets_since_header_ = 0;
   seal(wire::PacketKind::header, place);
 }
@@ -253,14 +257,14 @@ template <class Normals>
 void BasicEncoder<Normals>::seal(wire::PacketKind kind, uint8_t* end) {
   uint8_t* const packet = frame_ + 1;
   wire::put(packet,
-            uint32_t{static_cast<uint8_t>(kind)} | (packets_ & 0xFF) << 8 | regions_before_ << 16,
+            uint32_t{static_cast<uint8_t>(kind)} | (packets_ & 0xFF) << 8 | pieces_before_ << 16,
             wire::packet_head);
   wire::put(end, crc32(packet, static_cast<size_t>(end - packet)), wire::packet_crc);
   frame_bytes_ = static_cast<uint16_t>(
       cobs::stuff(frame_, static_cast<size_t>(end - packet) + wire::packet_crc));
   drained_ = 0;
   ++packets_;
-  regions_before_ = static_cast<uint32_t>(regions_);
+  pieces_before_ = static_cast<uint32_t>(pieces_);
 }
 
 // Hands the sealed frame over. When all of it is gone the next packet is open.

@@ -1,13 +1,13 @@
 // Extractors without normals.
-#include <discmc/extractor_definitions.hpp>
+#include <discmc/trace/extractor_definitions.hpp>
 
 namespace discmc {
 
-#define DISCMC_INSTANTIATE(Index)                                              \
-  template class Extractor<Index>;                                             \
-  template Pushed Extractor<Index>::push(const uint8_t*, uint32_t, uint32_t);  \
-  template Pushed Extractor<Index>::push(const uint16_t*, uint32_t, uint32_t); \
-  template Pushed Extractor<Index>::push(const int16_t*, uint32_t, uint32_t);
+#define DISCMC_INSTANTIATE(Index)                                                  \
+  template class Extractor<Index>;                                                 \
+  template PushResult Extractor<Index>::push(const uint8_t*, uint32_t, uint32_t);  \
+  template PushResult Extractor<Index>::push(const uint16_t*, uint32_t, uint32_t); \
+  template PushResult Extractor<Index>::push(const int16_t*, uint32_t, uint32_t);
 
 DISCMC_INSTANTIATE(uint16_t)
 DISCMC_INSTANTIATE(uint32_t)

@@ -1,16 +1,13 @@
-// Extractors with gradient normals, apart from the others: so those cost what they cost without.
-#include <discmc/delivery_definitions.hpp>
-#include <discmc/extractor_definitions.hpp>
-#include <discmc/merge_definitions.hpp>
+// Extractors with gradient normals: a file of their own, so that plain scanners do not link them.
+#include <discmc/trace/extractor_definitions.hpp>
 
 namespace discmc {
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the arguments are types.
-#define DISCMC_INSTANTIATE(Index, Sample)                                                  \
-  template class Merge<Index, GradientNormals<Sample>>;                                    \
-  template class Extractor<Index, GradientNormals<Sample>>;                                \
-  template Pushed Extractor<Index, GradientNormals<Sample>>::push(const Sample*, uint32_t, \
-                                                                  uint32_t);
+#define DISCMC_INSTANTIATE(Index, Sample)                                                      \
+  template class Extractor<Index, GradientNormals<Sample>>;                                    \
+  template PushResult Extractor<Index, GradientNormals<Sample>>::push(const Sample*, uint32_t, \
+                                                                      uint32_t);
 // NOLINTEND(bugprone-macro-parentheses)
 
 DISCMC_INSTANTIATE(uint16_t, uint8_t)

@@ -7,27 +7,28 @@
 //   static NormalEncoder encoder;                       // and an Encoder leaves them out
 //   extractor.set_spacing(header.spacing_nm);           // before start(), unless voxels are cubes
 //
-// It keeps the samples of three slices and two rows, and lets every row wait for a slice: row y of
-// slice k becomes bits when row y of slice k + 1 is there, so that samples on all sides are at hand
-// where the sweep is. A normal is made when the second of the two links of a corner is known, and
-// kept with the run that starts there; what becomes the middle of a side never has one.
+// It keeps the samples of four slices and six rows, and lets every row wait for a slice and a row:
+// so samples on all sides are at hand where the sweep is. A normal is made with its corner, and kept
+// with the run that starts there; what is the middle of a side never has one.
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
+#include <discmc/intake.hpp>
 #include <discmc/sample_rows.hpp>
-#include <discmc/slice.hpp>
 
 namespace discmc {
 
-/// The samples and where in them the sweep is: its functions are for the extractor to call. Sample
-/// is uint8_t, uint16_t or int16_t.
+/// The intake of an extractor that makes normals. Sample is uint8_t, uint16_t or int16_t.
 template <class Sample>
 class GradientNormals {
  public:
-  static constexpr bool hold_samples = true;
+  static constexpr bool holds_samples = true;
+  static constexpr uint32_t type = 2 * sizeof(Sample) + (static_cast<Sample>(-1) < 0 ? 1 : 0);
   using Normal = OctahedralNormal;
 
-  static constexpr uint32_t ring_rows(const Limits& limits) { return 3 * limits.height + 2; }
+  // A corner at the centroid of a cell below may be met a slice later than the cell, and the normal
+  // there takes a slice and a row more on all sides.
+  static constexpr uint32_t ring_rows(const Limits& limits) { return 4 * limits.height + 6; }
   static constexpr uint64_t bytes_for(const Limits& limits) {
     return SampleRows<Sample>::bytes_for(limits, ring_rows(limits)) +
            Arena::bytes_of(ring_rows(limits), sizeof(uint16_t));
@@ -38,75 +39,54 @@ class GradientNormals {
     given_ = arena.take<uint16_t>(ring_rows(limits));
     width_ = limits.width;
     height_ = limits.height;
+    first_z_ = 2 * (static_cast<int32_t>(limits.slab.first) - (limits.slab.continues_below ? 1 : 0));
   }
   void clear() {
     samples_.clear();
     waiting_ = 0;
   }
 
-  /// Whether the bytes of this object were one of this class, as those of a checkpoint should be.
-  bool is_of_this_type() const { return type_ == type; }
-
   /// How the normals are bent where voxels are not cubes.
   void set_weights(const AxisWeights& weights) { weights_ = weights; }
 
-  /// Where the samples that arrive are: as SampleRows.
-  uint32_t column() const { return samples_.column(); }
-  uint32_t rows() const { return samples_.rows(); }
-  uint32_t slices() const { return samples_.slices(); }
+  /// Where the samples that arrive are: as NoNormals.
+  uint32_t column(const trace::BitRows&) const { return samples_.column(); }
+  uint32_t rows(const trace::BitRows&) const { return samples_.rows(); }
+  uint32_t slices(const trace::BitRows&) const { return samples_.slices(); }
 
-  /// Appends samples to the row that arrives. Limit: count <= width - column().
-  void append(const Sample* samples, uint32_t count, uint32_t stride) {
+  /// As NoNormals, with samples of this type alone.
+  Arrival append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
+                 int32_t threshold) {
     samples_.append(samples, count, stride);
-    if (samples_.row_is_complete()) end_row(width_);
+    if (!samples_.row_is_complete()) return {};
+    end_row(width_);
+    return pass_on_due(rows, threshold);
   }
-  /// The row that arrives, or what is left of it, is off.
-  void fill_off(int32_t threshold) {
-    const uint32_t given = samples_.column();
-    samples_.fill(off_below(threshold));
-    end_row(given);
-  }
-  /// A row never came. Limit: column() == 0.
-  void skip(bool is_repeated, int32_t threshold) {
+  Arrival skip(trace::BitRows& rows, bool is_repeated, int32_t threshold) {
     if (is_repeated)
       samples_.repeat(off_below(threshold));
     else
       samples_.fill(off_below(threshold));
     end_row(is_repeated ? skipped_repeated : skipped_off);
+    return pass_on_due(rows, threshold);
+  }
+  Arrival drain(trace::BitRows& rows, int32_t threshold) {
+    if (samples_.rows() == 0 && samples_.column() == 0) return pass_on(rows, threshold);
+    const uint32_t given = samples_.column();
+    samples_.fill(off_below(threshold));
+    end_row(given);
+    return pass_on_due(rows, threshold);
+  }
+  bool holds_rows(const trace::BitRows& rows) const {
+    return waiting_ > 0 || samples_.column() > 0 || rows.rows() > 0;
   }
 
-  /// Whether any row, or part of one, has arrived and is not bits yet.
-  bool has_rows() const { return waiting_ > 0 || samples_.column() > 0; }
-  /// Whether the row that has waited longest has waited for a whole slice.
-  bool has_due_row() const { return waiting_ > height_; }
-
-  struct PassedRow {
-    bool is_skipped;   ///< it never came
-    bool is_repeated;  ///< the row before stands in for it
-  };
-  /// Makes bits of the row that has waited longest. Limit: has_rows().
-  PassedRow pass_on(BitRows& bits, int32_t threshold) {
-    const uint16_t given = given_[samples_.place_before(waiting_)];
-    const PassedRow row{given >= skipped_off, given == skipped_repeated};
-    if (!row.is_skipped) bits.append(samples_.row_before(waiting_), given, 1, threshold);
-    if (row.is_repeated)
-      bits.repeat();
-    else
-      bits.fill_off();
-    --waiting_;
-    return row;
-  }
-
-  /// Says where two links meet, and what the normal is there.
-  void meet_at(const Vertex& vertex) { here_ = vertex; }
-  OctahedralNormal normal_here() const {
-    return octahedral_normal(weighted(samples_.downhill(here_), weights_));
+  OctahedralNormal normal_at(const Vertex& vertex) const {
+    const Vertex here{vertex.x, vertex.y, vertex.z - first_z_};
+    return octahedral_normal(weighted(samples_.downhill(here), weights_));
   }
 
  private:
-  // Objects for other samples are as large.
-  static constexpr uint32_t type = 2 * sizeof(Sample) + (static_cast<Sample>(-1) < 0 ? 1 : 0);
-
   // In the place of how many samples of a row were given.
   static constexpr uint16_t skipped_off = 0xFFFE;
   static constexpr uint16_t skipped_repeated = 0xFFFF;
@@ -116,6 +96,24 @@ class GradientNormals {
     given_[samples_.place_before(0)] = static_cast<uint16_t>(given);
     samples_.next_row();
     ++waiting_;
+  }
+  // A row is due when it has waited for a slice and a row.
+  Arrival pass_on_due(trace::BitRows& rows, int32_t threshold) {
+    if (waiting_ <= height_ + 1) return {};
+    return pass_on(rows, threshold);
+  }
+  // Makes bits of the row that has waited longest.
+  Arrival pass_on(trace::BitRows& rows, int32_t threshold) {
+    const uint16_t given = given_[samples_.place_before(waiting_)];
+    const Arrival row{true, given >= skipped_off, given == skipped_repeated};
+    if (!row.is_skipped) rows.append(samples_.row_before(waiting_), given, 1, threshold);
+    if (row.is_repeated)
+      rows.repeat();
+    else
+      rows.fill_off();
+    rows.next_row();
+    --waiting_;
+    return row;
   }
 
   // What samples that never came are for the gradient: just off, where the type has such a value.
@@ -127,13 +125,12 @@ class GradientNormals {
   }
 
   AxisWeights weights_;
-  Vertex here_{0, 0, 0};
   SampleRows<Sample> samples_;
   uint16_t* given_ = nullptr;
   uint32_t width_ = 0;
   uint32_t height_ = 0;
+  int32_t first_z_ = 0;  // of the samples in the volume
   uint32_t waiting_ = 0;
-  uint32_t type_ = type;
 };
 
 }  // namespace discmc

@@ -11,8 +11,7 @@ void add(Statistics& sum, const Statistics& other) {
   sum.regions += other.regions;
   sum.rings += other.rings;
   sum.links += other.links;
-  sum.cuts += other.cuts;
-  sum.spills += other.spills;
+  sum.fragments += other.fragments;
   sum.skipped_rows += other.skipped_rows;
 }
 
@@ -342,8 +341,8 @@ bool Joiner::send_finish() {
   Statistics totals = totals_;
   totals.regions += report_.regions;
   totals.rings += report_.rings;
-  totals.spills -= report_.fragments;
-  if (wants_loose()) totals.spills += report_.unmatched + report_.passed;
+  totals.fragments -= report_.fragments;
+  if (wants_loose()) totals.fragments += report_.unmatched + report_.passed;
   Event event{};
   event.kind = Event::Kind::finish;
   event.slice = slices_;

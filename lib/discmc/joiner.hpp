@@ -64,7 +64,7 @@ struct JoinReport {
 /// its fragments came, whatever else is lost.
 ///
 /// The sink gets one `finish` event: of several, in any order, the sum, when finish() is called.
-/// Its regions, rings and fragments (spills) are those that were delivered. Layer marks stay true
+/// Its regions, rings and loose fragments are those that were delivered. Layer marks stay true
 /// in the order of a sweep alone.
 ///
 /// Cost: of a fragment, its runs. Of a region, its runs times the holes that wait on its plane.

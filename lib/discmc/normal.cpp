@@ -1,3 +1,4 @@
+#include <discmc/compiler.hpp>
 #include <discmc/normal.hpp>
 
 namespace discmc {
@@ -11,7 +12,7 @@ constexpr uint64_t magnitude(int64_t value) {
 // The bits that the largest component needs.
 int bits_of(const LongVector& v) {
   const uint64_t together = magnitude(v.x) | magnitude(v.y) | magnitude(v.z);
-  return together == 0 ? 0 : 64 - __builtin_clzll(together);
+  return static_cast<int>(bit_width(together));
 }
 
 // A half is rounded away from zero, so that opposite vectors stay opposite.

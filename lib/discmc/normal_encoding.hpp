@@ -15,7 +15,7 @@ namespace discmc {
 constexpr uint32_t first_normals_extension = 1;
 constexpr uint32_t last_normals_extension = first_normals_extension + 8;
 
-/// The normals where the runs and stand-ins of a record start.
+/// The normals where the runs of a record start.
 class RecordNormals {
  public:
   static constexpr bool are_told = true;
@@ -39,7 +39,7 @@ struct NoRecordNormals {
   static constexpr bool are_told = false;
 };
 
-/// What an extension has told of normals, in the order of the record's runs and stand-ins.
+/// What an extension has told of normals, in the order of the record's runs.
 class ToldNormals {
  public:
   void clear() { count_ = 0; }
@@ -98,8 +98,7 @@ void RecordNormals::encode(Model& model, const Record& record, uint32_t words) c
   while (all >> bits != 0) ++bits;
   const uint32_t total = 16 + 2 * bits * (runs - 1);
   const uint32_t bytes = (total + 7) / 8;
-  model.region_follows(false);
-  model.other_kind(OtherKind::extension);
+  model.record_kind(RecordKind::extension);
   model.plain_bits(8, first_normals_extension + bits);
   model.plain_bits(8, bytes);
   for_each([&](OctahedralNormal normal, OctahedralNormal before, bool is_first) {

@@ -6,19 +6,20 @@
 
 namespace discmc {
 
-/// A region, a fragment, or a part of one: as much as is encoded at a time. Rings and runs stand in
-/// one list of words: a zero word begins a ring and is followed by its start (x, y, z); any other
-/// word is the code of a Run. All runs before the first ring go on where the part before ended.
+/// A region, a loose fragment, or a part of one: as much as is encoded at a time. Rings and runs
+/// stand in one list of words: a zero word begins a ring and is followed by its start (x, y, z);
+/// any other word is the code of a Run. All runs before the first ring go on where the part before
+/// ended. A fragment begins like a ring.
 struct Record {
   static constexpr uint32_t max_words = 96;
   static constexpr uint32_t ring_mark = 0;
   static constexpr uint32_t ring_words = 4;
 
   Incidence incidence = 0;
+  Direction came = 0;  ///< to the start of a fragment
   bool is_fragment = false;
   bool continues = false;  ///< not the first part
   bool is_last = false;    ///< no part follows
-  uint32_t number = 0;     ///< of a fragment
   uint32_t rings = 0;      ///< begun so far
   uint32_t count = 0;
   uint32_t word[max_words] = {};
@@ -26,22 +27,33 @@ struct Record {
   /// Empties the record and makes it the first part of a region.
   void begin(Incidence of) {
     incidence = of;
+    came = 0;
     is_fragment = false;
     continues = false;
     is_last = false;
-    number = 0;
     rings = 0;
     count = 0;
+  }
+  /// Empties the record and makes it the first part of a fragment.
+  void begin_fragment(Incidence of, Direction came_by, const Vertex& start) {
+    begin(of);
+    came = came_by;
+    is_fragment = true;
+    add_ring(start);
   }
 
   bool has_room(uint32_t words) const { return count + words <= max_words; }
   void add_run(Run run) { word[count++] = run.code(); }
   void add_ring(const Vertex& start) {
     ++rings;
-    word[count++] = ring_mark;
-    word[count++] = static_cast<uint32_t>(start.x);
-    word[count++] = static_cast<uint32_t>(start.y);
-    word[count++] = static_cast<uint32_t>(start.z);
+    word[count] = ring_mark;
+    set_start(count, start);
+    count += ring_words;
+  }
+  void set_start(uint32_t mark, const Vertex& start) {
+    word[mark + 1] = static_cast<uint32_t>(start.x);
+    word[mark + 2] = static_cast<uint32_t>(start.y);
+    word[mark + 3] = static_cast<uint32_t>(start.z);
   }
   /// Takes the first words away: what is left goes on where they ended.
   void drop(uint32_t words) {

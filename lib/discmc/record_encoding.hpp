@@ -1,4 +1,5 @@
-// Records told to a region model: whole regions in few decisions, anything else item by item.
+// Records told to a region model: whole regions and fragments in few decisions, others item by
+// item.
 #ifndef DISCMC_RECORD_ENCODING_HPP
 #define DISCMC_RECORD_ENCODING_HPP
 
@@ -13,7 +14,7 @@ inline uint32_t compact_runs(const Record& record, uint32_t first) {
   uint32_t end = first;
   for (; end < record.count && record.word[end] != Record::ring_mark; ++end) {
     const Run run = Run::from_code(record.word[end]);
-    if (run.length() > max_compact_length) return 0;  // a stand-in looks longer than any run
+    if (run.length() > max_compact_length) return 0;
     way = way + displacement(record.incidence, &run, 1);
   }
   return way == Vertex{0, 0, 0} ? end - first : 0;
@@ -41,7 +42,7 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
 
 template <class Model>
 void encode_start(Model& model, const Record& record, uint32_t mark) {
-  model.start(record.start_at(mark), mark > 0 || record.continues);
+  model.start(record.start_at(mark), mark > 0 || record.continues ? Chain::further : Chain::first);
 }
 
 /// A whole region of closed rings, in as few decisions as they take. False, with only some of it
@@ -49,7 +50,7 @@ void encode_start(Model& model, const Record& record, uint32_t mark) {
 template <class Model>
 bool encode_region(Model& model, const Record& record) {
   if (record.continues || record.rings == 0 || record.word[0] != Record::ring_mark) return false;
-  model.region_follows(true);
+  model.record_kind(RecordKind::region);
   model.incidence(record.incidence);
   model.ring_count(record.rings);
   for (uint32_t mark = 0; mark < record.count;) {
@@ -63,11 +64,47 @@ bool encode_region(Model& model, const Record& record) {
   return true;
 }
 
-/// Begins a record that is no whole region.
+/// About what it costs to tell a start relative to the one before: a step in z most of all.
+inline uint32_t cost_of_start(const Vertex& start, const Vertex& before) {
+  const auto distance = [](int32_t to, int32_t from) {
+    const uint32_t steps = static_cast<uint32_t>(to) - static_cast<uint32_t>(from);
+    return steps < 0U - steps ? steps : 0U - steps;
+  };
+  return 64 * distance(start.z, before.z) + 8 * distance(start.y, before.y) +
+         distance(start.x, before.x);
+}
+
+/// A whole loose fragment, told from the end that costs less: the one where the sweep is. False,
+/// with nothing told, when the record is a part or has no run.
 template <class Model>
-void encode_kind(Model& model, OtherKind kind) {
-  model.region_follows(false);
-  model.other_kind(kind);
+bool encode_fragment(Model& model, const Record& record) {
+  if (record.continues || record.count == Record::ring_words) return false;
+  const uint32_t* const runs = record.word + Record::ring_words;
+  const uint32_t count = record.count - Record::ring_words;
+  const Vertex start = record.start_at(0);
+  Vertex end = start;
+  for (uint32_t i = 0; i < count; ++i) {
+    const Run run = Run::from_code(runs[i]);
+    end = after_links(end, direction_vector(record.incidence, run.direction()), run.length());
+  }
+  const Vertex& before = model.last_start();
+  const bool from_end = cost_of_start(end, before) < cost_of_start(start, before);
+  model.record_kind(RecordKind::fragment);
+  model.incidence(record.incidence);
+  model.order(from_end ? Chain::backwards : Chain::fragment);
+  model.start(from_end ? end : start, from_end ? Chain::backwards : Chain::fragment);
+  model.fragment_run_count(count);
+  for (uint32_t i = 0; i <= count; ++i) {
+    const uint32_t link = from_end ? count - i : i;
+    if (link == 0) {
+      model.direction(record.came);
+    } else {
+      const Run run = Run::from_code(runs[link - 1]);
+      model.direction(run.direction());
+      model.length(run.length());
+    }
+  }
+  return true;
 }
 
 /// One item of a part. Returns how many words it takes.
@@ -79,14 +116,9 @@ uint32_t encode_item(Model& model, const Record& record, uint32_t index) {
     return Record::ring_words;
   }
   const Run run = Run::from_code(record.word[index]);
-  if (run.is_fragment()) {
-    model.item_kind(Item::fragment);
-    model.fragment_number(run.fragment_number(), true);
-  } else {
-    model.item_kind(Item::run);
-    model.direction(run.direction());
-    model.length(run.length());
-  }
+  model.item_kind(Item::run);
+  model.direction(run.direction());
+  model.length(run.length());
   return 1;
 }
 

@@ -1,4 +1,4 @@
-// What the stream's bits mean: how regions, fragments and marks are told in binary decisions.
+// What the stream's bits mean: how regions, loose fragments and marks are told in binary decisions.
 //
 // The same functions encode and decode: a Coder's bit(context, bit) writes the bit it is given and
 // returns it, or ignores it and returns the bit it reads. So each function returns what was coded.
@@ -21,8 +21,9 @@ constexpr uint32_t size_of_run_length = 7;  ///< likewise
 constexpr uint32_t size_of_tree = 7;        ///< of 3 bits
 
 constexpr uint32_t even = 0;                                    ///< one or zero, equally likely
-constexpr uint32_t region_follows = even + 1;                   ///< by: whether a mark came last
-constexpr uint32_t other_kind = region_follows + 2;             ///< tree of 3 bits
+constexpr uint32_t region_follows = even + 1;                   ///< by: what came before
+constexpr uint32_t fragment_follows = region_follows + 5;       ///< likewise
+constexpr uint32_t other_kind = fragment_follows + 5;           ///< tree of 3 bits
 constexpr uint32_t component_zero = other_kind + size_of_tree;  ///< of the normal; by zeros, before
 constexpr uint32_t component_sign = component_zero + 15;        ///< likewise
 constexpr uint32_t one_ring = component_sign + 18;              ///< by class
@@ -30,26 +31,42 @@ constexpr uint32_t start_z = one_ring + 3;                      ///< by: mark ca
 constexpr uint32_t start_y = start_z + 6 * size_of_delta;       ///< by z step
 constexpr uint32_t start_x = start_y + 6 * size_of_delta;       ///< by same layer, y step
 constexpr uint32_t start_hole = start_x + 10 * size_of_delta;   ///< z, y, x of a further ring
-constexpr uint32_t first_direction = start_hole + 3 * size_of_delta;     ///< by incidence, tree
+constexpr uint32_t fragment_z = start_hole + 3 * size_of_delta;          ///< by: mark came last
+constexpr uint32_t fragment_y = fragment_z + 2 * size_of_delta;          ///< by sign of z step
+constexpr uint32_t fragment_x = fragment_y + 3 * size_of_delta;          ///< by sign of y step
+constexpr uint32_t first_direction = fragment_x + 3 * size_of_delta;     ///< by incidence, tree
 constexpr uint32_t parallelogram = first_direction + 27 * size_of_tree;  ///< by class
 constexpr uint32_t run_count = parallelogram + 3;                        ///< by class
 constexpr uint32_t next_turn = run_count + 3 * size_of_run_count;  ///< by class, turn before, tree
 constexpr uint32_t run_length = next_turn + 21 * size_of_tree;  ///< by kind of link, length before
-constexpr uint32_t item_kind = run_length + 16 * size_of_run_length;  ///< of a part: tree of 2 bits
-constexpr uint32_t part_kind = item_kind + 3;        ///< fragment, continues, is last
-constexpr uint32_t fragment_number = part_kind + 3;  ///< of a fragment, of a stand-in
-constexpr uint32_t count = fragment_number + 2 * size_of_delta;
+constexpr uint32_t is_backwards = run_length + 16 * size_of_run_length;  ///< a fragment
+constexpr uint32_t fragment_run_count = is_backwards + 1;
+constexpr uint32_t fragment_direction = fragment_run_count + size_of_run_count;  ///< by class, tree
+constexpr uint32_t fragment_turn =
+    fragment_direction + 3 * size_of_tree;                                ///< by class, first, tree
+constexpr uint32_t fragment_length = fragment_turn + 6 * size_of_tree;    ///< by kind of link
+constexpr uint32_t item_kind = fragment_length + 4 * size_of_run_length;  ///< of a part
+constexpr uint32_t part_kind = item_kind + 2;  ///< fragment, continues, is last
+constexpr uint32_t count = part_kind + 3;
 
 }  // namespace context
 
 /// The probability of a one in each context, in 256ths.
 extern const Probability region_model[context::count];
 
-/// What a record that is no region is.
-enum class OtherKind : uint8_t { layer, end, part, skipped, extension };
+/// What a record is. Any kind may come back from decoding, also beyond these.
+enum class RecordKind : uint8_t { region, fragment, layer, end, part, skipped, extension };
 
 /// What comes next in a part of a region or fragment.
-enum class Item : uint8_t { run, fragment, ring, end };
+enum class Item : uint8_t { run, ring, end };
+
+/// What a chain is: the first ring of a region, any other chain that is told run by run, a whole
+/// fragment, or one that is told from its end.
+enum class Chain : uint8_t { first, further, fragment, backwards };
+
+constexpr bool is_fragment(Chain chain) {
+  return chain >= Chain::fragment;
+}
 
 // Differences wrap: any 32-bit coordinates come through.
 constexpr int32_t wrapped_difference(uint32_t a, uint32_t b) {
@@ -57,6 +74,13 @@ constexpr int32_t wrapped_difference(uint32_t a, uint32_t b) {
 }
 constexpr int32_t wrapped_sum(int32_t a, int32_t b) {
   return static_cast<int32_t>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+}
+/// Where so many links of one vector lead.
+constexpr Vertex after_links(const Vertex& from, const Vertex& link, uint32_t count) {
+  const auto moved = [count](int32_t coordinate, int32_t step) {
+    return wrapped_sum(coordinate, static_cast<int32_t>(static_cast<uint32_t>(step) * count));
+  };
+  return {moved(from.x, link.x), moved(from.y, link.y), moved(from.z, link.z)};
 }
 
 /// The state that goes from one record of a packet to the next, and the grammar of records.
@@ -71,16 +95,11 @@ class RegionModel {
   Coder& coder() { return coder_; }
   const Coder& coder() const { return coder_; }
 
-  bool region_follows(bool follows) {
-    return bit(context::region_follows + (after_region_ ? 0U : 1U), follows);
-  }
-  OtherKind other_kind(OtherKind kind) {
-    return static_cast<OtherKind>(tree(context::other_kind, 3, static_cast<uint32_t>(kind)));
-  }
+  RecordKind record_kind(RecordKind kind);
 
   /// A layer mark's slice.
   uint32_t layer(uint32_t slice) {
-    after_region_ = false;
+    before_ = Before::mark;
     return slice_ += plain_number(slice - slice_);
   }
   /// A number or some bits without a context.
@@ -90,9 +109,16 @@ class RegionModel {
   /// The normal, guessed from that of the record before.
   Incidence incidence(Incidence incidence);
   uint32_t ring_count(uint32_t count);
-  /// A ring's start, relative to that of the ring before; begins its chain. `further` for all but
-  /// the first ring of a region. Limit: an odd coordinate sum.
-  Vertex start(const Vertex& start, bool further);
+  /// Whether a fragment is told from its end: in the order of its links from the last to the first.
+  Chain order(Chain fragment) {
+    return bit(context::is_backwards, fragment == Chain::backwards) ? Chain::backwards
+                                                                    : Chain::fragment;
+  }
+  /// Where the chain begins, or a fragment told from its end ends; relative to the vertex told
+  /// last. Limit: an odd coordinate sum.
+  Vertex start(const Vertex& start, Chain chain);
+  /// The vertex told last.
+  const Vertex& last_start() const { return start_; }
   bool parallelogram(bool is_parallelogram) {
     return bit(context::parallelogram + link_class_, is_parallelogram);
   }
@@ -102,23 +128,25 @@ class RegionModel {
     return 2 + number(context::run_count + link_class_ * size_of_run_count, size_of_run_count,
                       count - 2);
   }
-  /// A run's direction. Decoding, any of 8 may come back: see is_direction().
+  /// How many runs a fragment has. Limit: at least 1.
+  uint32_t fragment_run_count(uint32_t count) {
+    return 1 + number(context::fragment_run_count, context::size_of_run_count, count - 1);
+  }
+  /// A run's direction, or that by which a fragment's chain comes to its start. Decoding, any of 8
+  /// may come back: see is_direction().
   Direction direction(Direction direction);
   /// Whether the last direction of a ring is that of the run before, or opposite to it.
   bool is_parallel() const { return turns_ == 1 || turns_ == 1 + direction_count() / 2; }
   /// A run's length, after its direction. Limit: at least 1, and decoding it is.
   uint32_t length(uint32_t length);
 
-  /// A part of a region that is not compact, or of a fragment: part(), then item_kind() with
-  /// direction() and length(), plain_number() or start() for each item, and end_part() last.
+  /// A part of a region that is not compact, or of a fragment that is too long: part(), then
+  /// item_kind() with direction() and length(), or with start(), for each item, and end_part()
+  /// last.
   void part(Record& record);
   Item item_kind(Item kind) {
-    return static_cast<Item>(tree(context::item_kind, 2, static_cast<uint32_t>(kind)));
-  }
-  /// The number of a fragment, or of one that is put back here, relative to the last one told.
-  uint32_t fragment_number(uint32_t number, bool is_put_back) {
-    const uint32_t first = context::fragment_number + (is_put_back ? context::size_of_delta : 0U);
-    return fragment_ += static_cast<uint32_t>(delta(first, wrapped_difference(number, fragment_)));
+    if (bit(context::item_kind, kind == Item::run)) return Item::run;
+    return bit(context::item_kind + 1, kind == Item::ring) ? Item::ring : Item::end;
   }
   bool end_part(bool is_last) { return bit(context::part_kind + 2, is_last); }
 
@@ -131,27 +159,27 @@ class RegionModel {
   }
   uint32_t number(uint32_t first, uint32_t contexts, uint32_t value);
   int32_t delta(uint32_t first, int32_t value);
-  void begin_chain(bool further) {
+  void begin_chain(Chain chain) {
     direction_ = no_direction;
     turns_ = 0;
     length_ = 0;
-    further_ = further;
+    chain_ = chain;
   }
 
+  enum class Before : uint8_t { mark, region, fragment };
+
   Coder coder_;
-  // Of the last run, or 3 when it is longer; 0 before the first. As wide as leaves no padding,
-  // whose bytes would be anything in a checkpoint.
-  uint16_t length_ = 0;
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;  // of its planes: diagonal, corner, axis
-  bool after_region_ = false;
+  Before before_ = Before::mark;
+  bool fragments_came_ = false;  // in this packet: then memory is short, and more will come
   // Of the chain:
-  bool further_ = false;
+  Chain chain_ = Chain::first;
   Direction direction_ = 0;
-  uint8_t turns_ = 0;  // the last turn and one more; 0 before the first
+  uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
+  uint8_t length_ = 0;  // of the last run, or 3 when it is longer; 0 before the first
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
-  uint32_t fragment_ = 0;
 };
 
 /// Whether a decoded direction is one of the incidence's.
@@ -169,7 +197,7 @@ struct Closure {
 /// `told`. Invalid where no two lengths of 1 to max_compact_length do it.
 Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t told);
 
-/// Longer runs, and rings with fragments in them, are told in parts.
+/// Rings with longer runs are told in parts.
 constexpr uint32_t max_compact_length = 0xFFFF;
 
 // ---- implementation ----
@@ -236,6 +264,18 @@ Incidence RegionModel<Coder>::incidence(Incidence incidence) {
   return incidence_;
 }
 
+// With memory to spare there are regions alone; when it is short, fragments by the dozen.
+template <class Coder>
+RecordKind RegionModel<Coder>::record_kind(RecordKind kind) {
+  const uint32_t by = static_cast<uint32_t>(before_) + (fragments_came_ ? 2U : 0U);
+  if (bit(context::region_follows + by, kind == RecordKind::region)) return RecordKind::region;
+  if (bit(context::fragment_follows + by, kind == RecordKind::fragment))
+    return RecordKind::fragment;
+  constexpr uint32_t first = static_cast<uint32_t>(RecordKind::layer);
+  return static_cast<RecordKind>(first +
+                                 tree(context::other_kind, 3, static_cast<uint32_t>(kind) - first));
+}
+
 template <class Coder>
 uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
   if (bit(context::one_ring + link_class_, count == 1)) return 1;
@@ -243,26 +283,35 @@ uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
 }
 
 template <class Coder>
-Vertex RegionModel<Coder>::start(const Vertex& start, bool further) {
+Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
   using namespace context;
-  // The contexts from start_z on are rows for a delta each: 6 of z, 6 of y, 10 of x, 3 of holes.
-  const auto step = [&](uint32_t row, uint32_t hole_row, int32_t to, int32_t from) {
-    return delta(start_z + (further ? hole_row : row) * size_of_delta,
+  // The contexts from start_z on are rows for a delta each: 6 of z, 6 of y, 10 of x, 3 of holes,
+  // and of fragments 2 of z, 3 of y, 3 of x.
+  const auto step = [&](uint32_t first_row, uint32_t hole_row, uint32_t fragment_row, int32_t to,
+                        int32_t from) {
+    const uint32_t row = chain == Chain::first     ? first_row
+                         : chain == Chain::further ? hole_row
+                                                   : fragment_row;
+    return delta(start_z + row * size_of_delta,
                  wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
   };
-  const int32_t dz = step(link_class_ + (after_region_ ? 0U : 3U), 22, start.z, start_.z);
+  const auto sign = [](int32_t value) { return value == 0 ? 0U : value > 0 ? 1U : 2U; };
+  const uint32_t after_mark = before_ == Before::mark ? 1 : 0;
+  const int32_t dz = step(link_class_ + 3 * after_mark, 22, 25 + after_mark, start.z, start_.z);
   const uint32_t from_2 = static_cast<uint32_t>(dz) + 2;
-  const int32_t dy = step(6 + (from_2 < 5 ? from_2 : 5), 23, start.y, start_.y);
+  const int32_t dy = step(6 + (from_2 < 5 ? from_2 : 5), 23, 27 + sign(dz), start.y, start_.y);
   const uint32_t by_y = dy < -2 ? 0U : dy > 2 ? 4U : static_cast<uint32_t>(dy + 2);
   // The sum of the coordinates is odd, so of x only the half is told.
-  const int32_t half = step((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24, start.x >> 1, start_.x >> 1);
+  const int32_t half =
+      step((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24, 30 + sign(dy), start.x >> 1, start_.x >> 1);
   start_.z = wrapped_sum(start_.z, dz);
   start_.y = wrapped_sum(start_.y, dy);
   const uint32_t x = static_cast<uint32_t>(wrapped_sum(start_.x >> 1, half)) << 1;
   const uint32_t parity = static_cast<uint32_t>(start_.y ^ start_.z ^ 1) & 1;
   start_.x = static_cast<int32_t>(x | parity);
-  after_region_ = true;
-  begin_chain(further);
+  before_ = is_fragment(chain) ? Before::fragment : Before::region;
+  fragments_came_ = fragments_came_ || is_fragment(chain);
+  begin_chain(chain);
   return start_;
 }
 
@@ -272,18 +321,28 @@ template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
   using namespace context;
   if (direction_ == no_direction) {
-    const uint32_t first =
-        further_ ? uint32_t{even} : first_direction + uint32_t{incidence_} * size_of_tree;
+    const uint32_t first = chain_ == Chain::first ? first_direction + incidence_ * size_of_tree
+                           : chain_ == Chain::further
+                               ? even
+                               : fragment_direction + link_class_ * size_of_tree;
     direction_ = static_cast<Direction>(tree(first, 3, direction));
     return direction_;
   }
-  // A class has a tree for each turn and one for none: 5, 7 or 9.
-  const uint32_t by = link_class_ * (link_class_ + 4U) + turns_;
+  // A class has a tree for each turn before and one for none: 5, 7 or 9. In fragments two.
+  const uint32_t first =
+      is_fragment(chain_)
+          ? fragment_turn + (2U * link_class_ + (turns_ > 0 ? 1U : 0U)) * size_of_tree
+          : next_turn + (link_class_ * (link_class_ + 4U) + turns_) * size_of_tree;
+  // Told backwards, a chain still turns as it does forwards.
   const uint32_t directions = direction_count();
+  const bool mirrors = chain_ == Chain::backwards;
+  const auto mirrored = [&](uint32_t turn) {
+    return mirrors && turn > 0 ? directions - turn : turn;
+  };
   const uint32_t back = direction < direction_ ? directions : 0;
-  const uint32_t turn = tree(next_turn + by * size_of_tree, 3, direction + back - direction_);
+  const uint32_t turn = tree(first, 3, mirrored(direction + back - direction_));
   turns_ = static_cast<uint8_t>(turn + 1);
-  const uint32_t sum = direction_ + turn;
+  const uint32_t sum = direction_ + mirrored(turn);
   direction_ = static_cast<Direction>(sum < directions ? sum : sum - directions);
   return direction_;
 }
@@ -292,10 +351,12 @@ template <class Coder>
 uint32_t RegionModel<Coder>::length(uint32_t length) {
   using namespace context;
   const bool is_axis_link = link_class_ == 2 && direction_ % 2 == 0;
-  const uint32_t by = 4 * (is_axis_link ? 3U : link_class_) + length_;
-  const uint32_t coded =
-      1 + number(run_length + by * size_of_run_length, size_of_run_length, length - 1);
-  length_ = static_cast<uint16_t>(coded < 3 ? coded : 3);
+  const uint32_t kind = is_axis_link ? 3U : link_class_;
+  const uint32_t first = is_fragment(chain_)
+                             ? fragment_length + kind * size_of_run_length
+                             : run_length + (4 * kind + length_) * size_of_run_length;
+  const uint32_t coded = 1 + number(first, size_of_run_length, length - 1);
+  length_ = static_cast<uint8_t>(coded < 3 ? coded : 3);
   return coded;
 }
 
@@ -303,9 +364,10 @@ template <class Coder>
 void RegionModel<Coder>::part(Record& record) {
   record.is_fragment = bit(context::part_kind, record.is_fragment);
   record.continues = bit(context::part_kind + 1, record.continues);
-  if (record.is_fragment) record.number = fragment_number(record.number, false);
   record.incidence = incidence(record.incidence);
-  begin_chain(true);
+  if (record.is_fragment && !record.continues)
+    record.came = static_cast<Direction>(plain_bits(3, record.came));
+  begin_chain(Chain::further);
 }
 
 }  // namespace discmc

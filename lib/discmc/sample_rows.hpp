@@ -6,6 +6,7 @@
 #ifndef DISCMC_SAMPLE_ROWS_HPP
 #define DISCMC_SAMPLE_ROWS_HPP
 
+#include <discmc/arena.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/normal.hpp>
 

@@ -32,7 +32,7 @@ class SampleWindow {
   /// Begins a pass. memory: at least bytes_for(limits); Owner: the caller, as long as the window is
   /// in use. Errors: bad_limits, too_little_memory.
   [[nodiscard]] Status start(const Limits& limits, Memory memory) {
-    if (!limits.are_valid()) return Status::bad_limits;
+    if (!limits.is_valid()) return Status::bad_limits;
     Arena arena(memory);
     SampleRows<Sample> rows;
     rows.start(arena, limits, slices_held * limits.height);

@@ -10,10 +10,12 @@
 // A decoder may put `lost` in place of the rest of a region or fragment, and a stream that breaks
 // off has no `finish`.
 //
-// A loose fragment is a piece of a boundary ring, sent early, complete in itself. It is followed by
-// the fragment of its incidence that starts where it ends and came there in the direction of its
-// last run; there is only one. A ring that is sent loose as a whole follows itself. Within a sweep
-// all fragments of a region's holes are sent before its outer ring, or the last fragment of that.
+// A fragment is loose: a piece of a boundary ring, sent early for lack of memory, complete in
+// itself. Fragment E follows fragment F where both have the same incidence, E starts where F's runs
+// end, and E came there by the direction of F's last run. A directed link belongs to one chain, so
+// there is one match at most. Where two fragments are joined, runs of one direction may meet: that
+// is no corner. A ring that goes out loose as a whole is a fragment that follows itself. All loose
+// fragments of a region's holes come before its outer ring, or the last fragment of it.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
@@ -30,10 +32,9 @@ struct Statistics {
   uint64_t facets;             ///< before merging
   uint64_t classic_triangles;  ///< what classic Marching Cubes would have made
   uint64_t regions;            ///< delivered
-  uint64_t rings;              ///< delivered
-  uint64_t links;              ///< of all chains, delivered
-  uint64_t cuts;               ///< links made boundary for lack of memory
-  uint64_t spills;             ///< fragments sent early for lack of memory
+  uint64_t rings;              ///< delivered, as parts of regions
+  uint64_t links;              ///< of all that was delivered, loose fragments included
+  uint64_t fragments;          ///< loose ones, delivered
   uint64_t skipped_rows;
 };
 
@@ -53,14 +54,13 @@ struct Event {
   };
   Kind kind;
   Incidence incidence;
-  Direction came;  ///< of the link by which a loose fragment's chain comes to its start
+  Direction came;  ///< the link by which a fragment's chain comes to its start
   bool hole;
   bool repeated;
   bool abandoned;
   OctahedralNormal normal;  ///< where the run starts, in space: see unit_normal(); none where there
                             ///< is no gradient, without GradientNormals, or in a stream without
   Run run;
-  uint32_t number;
   uint32_t slice;
   uint32_t row;
   Vertex start;                  ///< Units: half-steps
@@ -71,7 +71,7 @@ struct Event {
 struct Sink {
   void* context = nullptr;
   Answer (*take)(void* context, const Event& event) = nullptr;
-  bool takes_fragments = true;  ///< false: a lack of memory is answered by cuts instead of spills
+  bool takes_fragments = true;  ///< false: for lack of memory regions are cut up instead
 };
 
 /// A sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.

@@ -6,16 +6,16 @@
 
 namespace discmc {
 
-/// What a call came to. `ok` and `more` are not errors: `more` means that the sink said "not now"
-/// and the work goes on with resume(). After an error nothing has changed and nothing was
-/// delivered; only a start() that finds too little memory also ends a scan that was under way.
+/// Result of a call. `ok` and `more` are not errors: `more` means that the sink said "not now" and
+/// that resume() goes on with the work. After an error nothing has changed and nothing was
+/// delivered; but a start() that finds too little memory also ends the scan under way.
 enum class Status : uint8_t {
   ok,
   more,               ///< suspended by the sink; nothing is lost, call resume()
-  bad_limits,         ///< width or height is 0 or above Limits::max_extent, or no border
+  bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
   too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
-  bad_sink,           ///< the sink has no function
+  bad_sink,           ///< it has no function, or takes no fragments where a slab needs them
   not_started,        ///< start() has not succeeded yet
   finished,           ///< finish() or abandon() was called: reset() or start() for another scan
   row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
@@ -33,13 +33,13 @@ constexpr const char* text(Status status) {
     case Status::more:
       return "the sink is busy: call resume()";
     case Status::bad_limits:
-      return "width and height must be 1 to 32766, and the border closed or open";
+      return "width and height must be 1 to 32766, and border and slab valid";
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type";
     case Status::too_little_memory:
       return "the memory is too small: see minimum_bytes()";
     case Status::bad_sink:
-      return "the sink has no function";
+      return "the sink has no function, or a slab's takes no fragments";
     case Status::not_started:
       return "start() has not succeeded";
     case Status::slice_in_progress:

@@ -20,13 +20,13 @@ struct StreamHeader {
 
 namespace wire {
 
-constexpr uint8_t version = 1;
+constexpr uint8_t version = 2;
 
 /// What a packet holds. Packets of unknown kinds are skipped: a better region coder is a new kind.
 enum class PacketKind : uint8_t { header = 1, records = 2, trailer = 3 };
 
-// A packet before stuffing: kind, number modulo 256, complete regions before it modulo 65,536,
-// payload, CRC-32 of all before.
+// A packet before stuffing: kind, number modulo 256, complete pieces (regions and fragments) before
+// it modulo 65,536, payload, CRC-32 of all before.
 constexpr size_t packet_head = 4;
 constexpr size_t packet_crc = 4;
 constexpr size_t max_packet = cobs::max_plain;
@@ -86,11 +86,11 @@ constexpr size_t header_payload = 3 + 1 + 2 + 2 + 4 + 3 * 4 + 4 + 1 + 4 + 8;
 
 /// The totals of the trailer in their order. A reader must know all of them.
 constexpr uint64_t Statistics::*trailer_totals[] = {
-    &Statistics::cells,   &Statistics::facets, &Statistics::classic_triangles,
-    &Statistics::regions, &Statistics::rings,  &Statistics::links,
-    &Statistics::cuts,    &Statistics::spills, &Statistics::skipped_rows};
+    &Statistics::cells,     &Statistics::facets,      &Statistics::classic_triangles,
+    &Statistics::regions,   &Statistics::rings,       &Statistics::links,
+    &Statistics::fragments, &Statistics::skipped_rows};
 constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics);
-static_assert(sizeof(Statistics) == 9 * sizeof(uint64_t), "every total is told");
+static_assert(sizeof(Statistics) == 8 * sizeof(uint64_t), "every total is told");
 
 }  // namespace wire
 

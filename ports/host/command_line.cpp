@@ -105,9 +105,17 @@ std::vector<CLI::Option*> add_volume_options(CLI::App& app, VolumeArguments& arg
                                    "on means value >= ISO, in the units that the file declares")
                         ->check(finite()));
   options.push_back(add_border(app, arguments.border));
-  options.push_back(
+  CLI::Option* memory =
       add_memory_option(app, arguments.memory,
-                        "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)"));
+                        "bytes of the arena, with K or M for 1024 and 1024^2 (default: generous)");
+  options.push_back(memory);
+  options.push_back(app.add_option("--capacities", arguments.capacities,
+                                   "records and holes that the arena has room for, in place of "
+                                   "--memory")
+                        ->delimiter(',')
+                        ->expected(2)
+                        ->option_text("RECORDS,HOLES")
+                        ->excludes(memory));
   const std::vector<CLI::Option*> layout = add_layout(app, arguments.layout);
   options.insert(options.end(), layout.begin(), layout.end());
   options.push_back(app.add_option("--spacing", arguments.layout.spacing,
@@ -265,7 +273,8 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
           ->add_flag(
               "--classic", arguments.classic,
               "triangles of classic Marching Cubes, with interpolated vertices, for comparison")
-          ->excludes("--memory"));
+          ->excludes("--memory")
+          ->excludes("--capacities"));
   render->callback([&arguments, of_volumes] {
     arguments.kind = kind_of(arguments.input, of_volumes[0]->count() > 0);
     check_kind(arguments, of_volumes);

@@ -26,6 +26,7 @@ struct VolumeArguments {
   double iso = 0;
   Border border = Border::closed;
   std::uint64_t memory = 0;
+  std::vector<std::uint32_t> capacities;  ///< records and holes, or none
   LayoutArguments layout;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -13,8 +14,6 @@ namespace discmc::host {
 namespace {
 
 constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
-// Below this 16-bit indices count all records, and a run on the host is a run on the device.
-constexpr std::uint64_t small_arena = std::uint64_t{1} << 20;
 
 // Counts the lattice edges between an on and an off voxel: classic Marching Cubes puts a vertex on
 // each of them.
@@ -62,44 +61,68 @@ class CrossingCounter {
   std::uint64_t count_ = 0;
 };
 
-// What the index width that goes with so little memory asks for at least. Units: bytes.
+struct Arena {
+  bool has_narrow_indices;
+  std::uint64_t bytes;
+  Capacities capacities;
+};
+
 template <class Normals>
-std::uint64_t least_bytes(const Limits& limits) {
-  const std::uint64_t narrow = minimum_bytes<std::uint16_t, Normals>(limits);
-  return narrow < small_arena ? narrow : minimum_bytes<std::uint32_t, Normals>(limits);
+Arena arena_with(const Limits& limits, const Capacities& capacities) {
+  if (is_valid<std::uint16_t>(capacities))
+    return {true, bytes_for<std::uint16_t, Normals>(limits, capacities), capacities};
+  if (is_valid<std::uint32_t>(capacities))
+    return {false, bytes_for<std::uint32_t, Normals>(limits, capacities), capacities};
+  throw std::invalid_argument("--capacities " + std::to_string(capacities.records) + "," +
+                              std::to_string(capacities.holes) + ": give at least " +
+                              std::to_string(minimum_capacities().records) +
+                              " records, and fewer than 2^31 - 8");
 }
 
-template <class Index, class Normals>
-std::uint64_t used_bytes(const Extractor<Index, Normals>& extractor) {
-  const HighWater high = extractor.high_water();
-  return bytes_for<Index, Normals>(extractor.limits(),
-                                   {high.edges, high.runs, high.rings, high.regions, high.slots});
+template <class Normals>
+Arena arena_of(const Limits& limits, std::uint64_t bytes) {
+  const std::uint64_t least = minimum_bytes<std::uint16_t, Normals>(limits);
+  if (bytes < least)
+    throw std::invalid_argument("--memory " + std::to_string(bytes) +
+                                " is too little for slices of " + std::to_string(limits.width) +
+                                "x" + std::to_string(limits.height) + ": give at least " +
+                                std::to_string(least) + " bytes");
+  if (takes_narrow_indices<Normals>(limits, bytes))
+    return {true, bytes, default_capacities<std::uint16_t, Normals>(limits, bytes)};
+  return {false, bytes, default_capacities<std::uint32_t, Normals>(limits, bytes)};
+}
+
+// What is asked for, or a generous one. Throws where an extractor would refuse.
+template <class Normals>
+Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
+  if (options.capacities) return arena_with<Normals>(limits, *options.capacities);
+  // More than the worst case needs is never touched.
+  const std::uint64_t most = worst_case_bytes<std::uint32_t, Normals>(limits, slices);
+  const std::uint64_t generous =
+      std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
+  return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
 }
 
 template <class Index, class Sample, class Normals>
 Extraction extract_samples(VolumeReader& volume, const Limits& limits,
-                           const ExtractionOptions& options, std::uint64_t memory,
-                           const Sink& sink) {
+                           const ExtractionOptions& options, const Arena& arena, const Sink& sink) {
   const VolumeInfo& info = volume.info();
-  std::vector<std::uint8_t> arena(memory);
+  // Left as it comes: what is never used costs nothing.
+  const std::unique_ptr<std::uint8_t[]> memory(new std::uint8_t[arena.bytes]);
   Extractor<Index, Normals> extractor;
-  if constexpr (Normals::hold_samples) {
+  if constexpr (Normals::holds_samples) {
     const auto spacing = spacing_nm(info.spacing_mm);
     extractor.set_spacing({spacing[0], spacing[1], spacing[2]});
   }
-  const Status started =
-      extractor.start(limits, options.threshold, {arena.data(), arena.size()}, sink);
-  if (started == Status::too_little_memory)
-    throw std::invalid_argument("--memory " + std::to_string(memory) +
-                                " is too little for slices of " + std::to_string(limits.width) +
-                                "x" + std::to_string(limits.height) + ": give at least " +
-                                std::to_string(least_bytes<Normals>(limits)) + " bytes");
+  const Status started = extractor.start(limits, arena.capacities, options.threshold,
+                                         {memory.get(), arena.bytes}, sink);
   if (started != Status::ok) throw std::invalid_argument(text(started));
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
   CrossingCounter crossings(limits, options.threshold);
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    const Pushed pushed = extractor.push(slice.data(), static_cast<std::uint32_t>(slice.size()));
+    const PushResult pushed =
+        extractor.push(slice.data(), static_cast<std::uint32_t>(slice.size()));
     if (pushed.status != Status::ok) throw std::runtime_error(text(pushed.status));
     crossings.add_slice(slice.data());
     if (options.progress) options.progress(z + 1);
@@ -107,23 +130,18 @@ Extraction extract_samples(VolumeReader& volume, const Limits& limits,
   const Status finished = extractor.finish();
   if (finished != Status::ok) throw std::runtime_error(text(finished));
   return {extractor.statistics(), std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2],
-          crossings.count(), memory, used_bytes(extractor)};
+          crossings.count(),      arena.bytes,
+          extractor.bytes_used(), arena.capacities,
+          extractor.high_water()};
 }
 
-// With the memory that is asked for, or a generous one.
 template <class Sample, class Normals>
 Extraction extract_in(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
   const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
-  const std::uint64_t least = 2 * minimum_bytes<std::uint32_t, Normals>(limits);
-  const std::uint64_t most = std::max(worst_case_bytes<std::uint32_t, Normals>(limits), least);
-  const std::uint64_t generous = std::max(std::min(generous_bytes, most), least);
-  // More than the worst case needs is never touched.
-  const std::uint64_t memory =
-      options.memory > 0 ? std::min(options.memory, std::max(most, small_arena)) : generous;
-  return options.memory > 0 && memory < small_arena
-             ? extract_samples<std::uint16_t, Sample, Normals>(volume, limits, options, memory,
-                                                               sink)
-             : extract_samples<std::uint32_t, Sample, Normals>(volume, limits, options, memory,
+  const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
+  return arena.has_narrow_indices
+             ? extract_samples<std::uint16_t, Sample, Normals>(volume, limits, options, arena, sink)
+             : extract_samples<std::uint32_t, Sample, Normals>(volume, limits, options, arena,
                                                                sink);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include <discmc/extractor.hpp>
 #include <discmc/wire.hpp>
@@ -19,8 +20,10 @@ struct ExtractionOptions {
   std::uint64_t memory = 0;
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
-  /// Whether the events tell gradient normals. The arena then also holds three slices.
+  /// Whether the events tell gradient normals. The arena then also holds four slices.
   bool normals = false;
+  /// In place of `memory`: the arena is as large as these need.
+  std::optional<Capacities> capacities{};
 };
 
 struct Extraction {
@@ -29,7 +32,17 @@ struct Extraction {
   std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
   std::uint64_t arena_bytes = 0;       ///< given
   std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by records that were ever in use
+  Capacities capacities{};             ///< that the arena had
+  HighWater high_water{};              ///< of them, the most in use at once
 };
+
+/// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
+/// half a MiB. A scan on the host then is one on a device.
+template <class Normals = NoNormals>
+bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
+  return default_capacities<std::uint16_t, Normals>(limits, memory).records >=
+         default_capacities<std::uint32_t, Normals>(limits, memory).records;
+}
 
 /// The header of a volume's stream.
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
@@ -40,7 +53,7 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header);
 
 /// Reads the volume to its end and gives its surface to the sink, which must not say "not now".
 /// Throws VolumeError as the reader does, std::invalid_argument when the memory is too small (the
-/// text names the minimum).
+/// text names the minimum) or the capacities are not valid.
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink);
 
 }  // namespace discmc::host

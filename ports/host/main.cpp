@@ -16,6 +16,7 @@
 #include "command_line.hpp"
 #include "counts.hpp"
 #include "extraction.hpp"
+#include "growing_joiner.hpp"
 #include "mesh.hpp"
 #include "mesh_reader.hpp"
 #include "output_file.hpp"
@@ -36,13 +37,14 @@ constexpr int exit_failure = 1;
 constexpr int exit_usage = 2;
 constexpr int exit_incomplete = 3;
 
-// Gives every event to the encoder and to the surface.
+// Gives every event to the encoder and, joined, to the surface.
 struct Tee {
   NormalEncoder encoder;
   SurfaceBuilder builder;
+  GrowingJoiner joiner{sink_to(builder)};
   Answer take(const Event& event) {
     if (encoder.take(event) != Answer::taken) return Answer::not_now;
-    return builder.take(event);
+    return joiner.take(event);
   }
 };
 
@@ -93,8 +95,14 @@ std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
 
 ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArguments& arguments,
                                      Progress& progress) {
-  return {stored_threshold(info, arguments.iso), arguments.border, arguments.memory,
-          [&progress](std::uint32_t slices) { progress.show(slices); }};
+  ExtractionOptions options;
+  options.threshold = stored_threshold(info, arguments.iso);
+  options.border = arguments.border;
+  options.memory = arguments.memory;
+  if (!arguments.capacities.empty())
+    options.capacities = Capacities{arguments.capacities[0], arguments.capacities[1]};
+  options.progress = [&progress](std::uint32_t slices) { progress.show(slices); };
+  return options;
 }
 
 void add_normals(const ExtractArguments& arguments, const Surface& surface, Mesh& mesh) {
@@ -162,11 +170,13 @@ struct DecodedStream {
 
 DecodedStream decode_surface(const std::string& path) {
   SurfaceBuilder builder;
+  GrowingJoiner joiner(sink_to(builder));
   Decoder decoder;
-  decode_file(path, sink_to(builder), decoder);
+  decode_file(path, sink_to(joiner), decoder);
+  joiner.finish();
   builder.surface().spacing_mm = spacing_mm(decoder.header());
   StreamReport report = decoder.report();
-  report.lost_regions += builder.incomplete_regions();
+  report.lost_pieces += builder.incomplete_regions();
   return {decoder.header(), report, std::move(builder.surface())};
 }
 
@@ -174,12 +184,12 @@ DecodedStream decode_surface(const std::string& path) {
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
   std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
-            << " packets and " << report.lost_regions << " regions are missing"
+            << " packets and " << report.lost_pieces << " regions or fragments are missing"
             << (report.has_trailer ? "" : ", and its end") << '\n';
   return exit_incomplete;
 }
 
-// A stream from a stream: what was whole, packed anew.
+// A stream from a stream: what was whole, or is now that it is joined, packed anew.
 class Recoder {
  public:
   Recoder(const Decoder& decoder, const ByteOutput& output) : decoder_(decoder), output_(output) {}
@@ -244,7 +254,9 @@ int run_decode(const StreamArguments& arguments) {
     Decoder decoder;
     StreamOutput output(&file.stream());
     Recoder recoder(decoder, output.byte_output());
-    decode_file(arguments.stream, sink_to(recoder), decoder);
+    GrowingJoiner joiner(sink_to(recoder));
+    decode_file(arguments.stream, sink_to(joiner), decoder);
+    joiner.finish();
     recoder.flush();
     report = decoder.report();
   } else {
@@ -281,7 +293,8 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   options.normals = arguments.smooth;
   if (arguments.classic) return classic_mesh(*volume, options);
   SurfaceBuilder builder;
-  extract(*volume, options, sink_to(builder));
+  GrowingJoiner joiner(sink_to(builder));
+  extract(*volume, options, sink_to(joiner));
   builder.surface().spacing_mm = volume->info().spacing_mm;
   return mesh_to_draw(builder.surface(), arguments.smooth);
 }

@@ -29,6 +29,13 @@ std::string ratio(std::uint64_t a, std::uint64_t b) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
+// What there was too little of, if anything.
+std::string shortage(const Extraction& extraction) {
+  if (extraction.statistics.fragments == 0) return {};
+  const bool lacked_holes = extraction.high_water.holes == extraction.capacities.holes;
+  return std::string("memory ran short of records") + (lacked_holes ? " or holes" : "");
+}
+
 }  // namespace
 
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
@@ -48,8 +55,11 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
       ratio(stream_bytes, counts.regions) + " a region");
   row(out, "bytes of arena used", grouped(extraction.arena_bytes_used),
       "of " + grouped(extraction.arena_bytes));
-  row(out, "cuts", grouped(statistics.cuts));
-  row(out, "spills", grouped(statistics.spills));
+  row(out, "  records at most in use", grouped(extraction.high_water.records),
+      "of " + grouped(extraction.capacities.records));
+  row(out, "  holes at most waiting", grouped(extraction.high_water.holes),
+      "of " + grouped(extraction.capacities.holes));
+  row(out, "loose fragments", grouped(statistics.fragments), shortage(extraction));
 }
 
 void write_info(const StreamHeader& header, const StreamReport& report, const Counts& counts,
@@ -71,12 +81,11 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << "four " << counts.four << '\n'
       << "more " << counts.more << '\n'
       << "normals " << counts.normals << '\n'
-      << "cut " << report.totals.cuts << '\n'
-      << "spilled " << report.totals.spills << '\n'
+      << "fragments " << report.totals.fragments << '\n'
       << "skipped_rows " << report.totals.skipped_rows << '\n'
       << "lost_packets " << report.lost_packets << '\n'
       << "damaged_packets " << report.damaged_packets << '\n'
-      << "lost_regions " << report.lost_regions << '\n'
+      << "lost_pieces " << report.lost_pieces << '\n'
       << "bytes " << report.bytes << '\n'
       << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
       << "complete " << (report.is_complete() ? "yes" : "no") << '\n';

@@ -14,58 +14,29 @@ Answer SurfaceBuilder::take(const Event& event) {
     case Event::Kind::region:
       incidence_ = event.incidence;
       rings_.clear();
-      in_fragment_ = false;
       break;
     case Event::Kind::ring:
       rings_.push_back({event.start, {}});
       break;
     case Event::Kind::run:
-      if (in_fragment_)
-        fragment_.push_back({event.run, event.normal});
-      else if (!rings_.empty())
-        rings_.back().sides.push_back({event.run, event.normal});
+      if (!rings_.empty()) rings_.back().sides.push_back({event.run, event.normal});
       break;
     case Event::Kind::region_end:
       end_region();
       break;
     case Event::Kind::fragment:
-      fragment_number_ = event.number;
-      fragment_.clear();
-      in_fragment_ = true;
+      rings_.clear();
       break;
     case Event::Kind::fragment_end:
-      fragments_[fragment_number_] = std::move(fragment_);
-      in_fragment_ = false;
+      ++incomplete_regions_;
       break;
     case Event::Kind::lost:
-      in_fragment_ = false;
-      break;
     case Event::Kind::skipped:
     case Event::Kind::layer:
     case Event::Kind::finish:
       break;
   }
   return Answer::taken;
-}
-
-// Puts sides behind a chain, fragments and the fragments in them in their places. Every fragment is
-// used once, and starts with the normal of its stand-in. False when one is missing.
-bool SurfaceBuilder::append(const std::vector<Side>& sides, std::vector<Side>& whole) {
-  std::vector<Side> waiting(sides.rbegin(), sides.rend());
-  while (!waiting.empty()) {
-    const Side side = waiting.back();
-    waiting.pop_back();
-    if (!side.run.is_fragment()) {
-      whole.push_back(side);
-      continue;
-    }
-    const auto fragment = fragments_.find(side.run.fragment_number());
-    if (fragment == fragments_.end()) return false;
-    waiting.insert(waiting.end(), fragment->second.rbegin(), fragment->second.rend());
-    if (!fragment->second.empty()) waiting.back().normal = side.normal;
-    fragments_.erase(fragment);
-  }
-  return true;
 }
 
 // Whether a chain closes, and within the coordinates that a scan can have: rings are unfolded in
@@ -123,13 +94,11 @@ void SurfaceBuilder::add_simple_rings(const Vertex& start, const std::vector<Sid
 void SurfaceBuilder::end_region() {
   Polygon polygon{incidence_, {}};
   bool is_whole = true;
-  std::vector<Side> sides;
   for (const OpenRing& ring : rings_) {
-    sides.clear();
-    is_whole = append(ring.sides, sides) && is_whole && is_sound(ring.start, sides);
+    is_whole = is_whole && is_sound(ring.start, ring.sides);
     if (!is_whole) continue;
-    add_simple_rings(ring.start, sides, polygon);
-    add_normals(ring.start, sides);
+    add_simple_rings(ring.start, ring.sides, polygon);
+    add_normals(ring.start, ring.sides);
   }
   const auto is_outer = [&](const Ring& ring) {
     return twice_area(incidence_, ring.data(), static_cast<std::uint32_t>(ring.size())) > 0;

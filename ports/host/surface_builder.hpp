@@ -1,9 +1,8 @@
-// A sink that puts a scan together again: regions whole, fragments back in place, rings simple.
+// A sink that puts a scan together again: regions whole, rings simple.
 #ifndef DISCMC_HOST_SURFACE_BUILDER_HPP
 #define DISCMC_HOST_SURFACE_BUILDER_HPP
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include <discmc/sink.hpp>
@@ -12,7 +11,8 @@
 
 namespace discmc::host {
 
-/// Takes events of an extractor or a decoder and always answers "taken".
+/// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
+/// joined before.
 /// Throws std::runtime_error beyond max_links, since a few bytes of a hostile stream can stand for
 /// any number of links.
 class SurfaceBuilder {
@@ -25,7 +25,7 @@ class SurfaceBuilder {
   Surface& surface() { return surface_; }
   const Surface& surface() const { return surface_; }
 
-  /// Regions that could not be put together because a fragment of theirs was lost.
+  /// Regions and loose fragments that could not be made polygons of.
   std::uint64_t incomplete_regions() const { return incomplete_regions_; }
 
  private:
@@ -41,19 +41,14 @@ class SurfaceBuilder {
 
   void end_region();
   bool is_sound(const Vertex& start, const std::vector<Side>& sides);
-  bool append(const std::vector<Side>& sides, std::vector<Side>& whole);
   void add_simple_rings(const Vertex& start, const std::vector<Side>& sides, Polygon& polygon);
   void add_normals(const Vertex& start, const std::vector<Side>& sides);
 
   Surface surface_;
   std::uint64_t incomplete_regions_ = 0;
-  std::uint64_t links_ = 0;                                         // unfolded so far
-  std::unordered_map<std::uint32_t, std::vector<Side>> fragments_;  // sent, not yet put back
+  std::uint64_t links_ = 0;  // unfolded so far
   Incidence incidence_ = no_incidence;
   std::vector<OpenRing> rings_;  // of the region under way
-  std::vector<Side> fragment_;   // under way
-  std::uint32_t fragment_number_ = 0;
-  bool in_fragment_ = false;
 };
 
 }  // namespace discmc::host

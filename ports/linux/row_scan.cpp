@@ -7,26 +7,19 @@
 namespace discmc::device {
 namespace {
 
-constexpr std::uint64_t small_arena = std::uint64_t{1} << 20;
-
 void require(Status status) {
   if (status != Status::ok) throw std::runtime_error(text(status));
-}
-
-std::string least_memory(const Limits& limits) {
-  const std::uint64_t narrow = minimum_bytes<std::uint16_t>(limits);
-  return std::to_string(narrow < small_arena ? narrow : minimum_bytes<std::uint32_t>(limits));
 }
 
 }  // namespace
 
 RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
     : plan_(plan), memory_(plan.options.memory) {
-  if (memory_.size() < small_arena)
+  const Limits limits{plan.volume.dims[0], plan.volume.dims[1], plan.options.border};
+  if (host::takes_narrow_indices(limits, memory_.size()))
     extractor_.emplace<Extractor16>();
   else
     extractor_.emplace<Extractor32>();
-  const Limits limits{plan.volume.dims[0], plan.volume.dims[1], plan.options.border};
   const Status started = std::visit(
       [&](auto& extractor) {
         return extractor.start(limits, plan.options.threshold, {memory_.data(), memory_.size()},
@@ -37,7 +30,7 @@ RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
     throw std::invalid_argument("--memory " + std::to_string(memory_.size()) +
                                 " is too little for slices of " + std::to_string(limits.width) +
                                 "x" + std::to_string(limits.height) + ": give at least " +
-                                least_memory(limits) + " bytes");
+                                std::to_string(minimum_bytes<std::uint16_t>(limits)) + " bytes");
   require(started);
   require(encoder_.start(stream_header(plan.volume, plan.options), output));
 }

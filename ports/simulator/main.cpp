@@ -50,6 +50,7 @@ void require_in_scan(const Options& options, std::uint32_t count) {
   for (const std::uint32_t row : options.scanner.damaged) require("--damage-row", row);
   for (const auto& pause : options.scanner.pauses) require("--pause", pause.first);
   for (const auto& stall : options.listener.stalls) require("--stall", stall.first);
+  if (options.listener.hold_up) require("--hold-up", options.listener.hold_up->row);
   if (options.reset_at != ScannerBehaviour::never) require("--reset-at", options.reset_at);
 }
 

@@ -140,6 +140,19 @@ void add_receiver(CLI::App& app, Options& options) {
       ->group("Receiver");
   add_times(app, "--stall", options.listener.stalls,
             "reads nothing for so long from when the scan is at these rows", "Receiver");
+  // A scanner with credit would wait for the device, and the device for the receiver.
+  app.add_option_function<std::vector<std::uint32_t>>(
+         "--hold-up",
+         [&options](const std::vector<std::uint32_t>& given) {
+           options.listener.hold_up = HoldUp{given[0], given[1]};
+         },
+         "reads nothing from when the scan is at this row until the device has dropped so many "
+         "frames")
+      ->delimiter(',')
+      ->expected(2)
+      ->needs("--no-credit")
+      ->option_text("ROW,FRAMES")
+      ->group("Receiver");
   app.add_option("-o,--output", options.output, "the stream of the last scan, as a .dmc file")
       ->option_text("FILE")
       ->group("Receiver");

@@ -50,8 +50,10 @@ void Scanner::hear(std::uint8_t answer, Clock::time_point now) {
       throw std::runtime_error("the device refuses rows of " + std::to_string(rows_.bytes()) +
                                " bytes: they are not those of its scan.hpp, or it scans already "
                                "and needs a reset");
-    case Answer::taken:
     case Answer::dropped:
+      ++drops_;
+      [[fallthrough]];
+    case Answer::taken:
       credit_ = std::min(credit_ + 1, halves);
       break;
   }

@@ -52,6 +52,8 @@ class Scanner {
   std::uint32_t row_count() const { return end_; }
   /// How often the device began anew after the scan had begun.
   std::uint32_t restarts() const { return restarts_; }
+  /// How many frames the device has dropped, as it answers.
+  std::uint32_t drops() const { return drops_; }
   /// The longest time for which a row was due and had to wait for the device.
   Clock::duration longest_wait() const { return longest_wait_; }
 
@@ -72,6 +74,7 @@ class Scanner {
   std::uint32_t row_ = 0;
   int credit_ = 0;
   std::uint32_t restarts_ = 0;
+  std::uint32_t drops_ = 0;
   Clock::duration longest_wait_{0};
 };
 

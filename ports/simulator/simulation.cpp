@@ -49,8 +49,8 @@ void Simulation::run() {
 
 // Until there is something to read, or to say.
 void Simulation::wait(Clock::time_point now) {
-  const auto until =
-      std::min({scanner_.due(), std::max(listener_.next(), now), now + longest_poll});
+  const auto reads_again = listener_.next() > now ? listener_.next() : Clock::time_point::max();
+  const auto until = std::min({scanner_.due(), reads_again, now + longest_poll});
   const bool reads_stream = listener_.allowed(1, now) > 0;
   const auto rows_events = static_cast<short>(lines_.rows.is_busy() ? POLLIN | POLLOUT : POLLIN);
   pollfd lines[] = {
@@ -82,7 +82,7 @@ void Simulation::hear(Clock::time_point now) {
 }
 
 void Simulation::listen(Clock::time_point now) {
-  listener_.at_row(scanner_.row(), now);
+  listener_.follow(scanner_, now);
   std::uint8_t bytes[4096];
   const std::size_t allowed = listener_.allowed(sizeof bytes, now);
   if (allowed == 0) return;

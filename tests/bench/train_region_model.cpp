@@ -1,6 +1,8 @@
 // Prints the probabilities of region_model.cpp, trained on the streams named on the command line:
 //   train_region_model STREAM.dmc...
-// Every stream counts the same, however long, so that no single scan sets the tone.
+// Every stream counts the same, however long, so that no single scan sets the tone. Take streams of
+// scans with memory to spare, which tell of regions, and of scans in little memory, which tell of
+// loose fragments too.
 #include <discmc/decoder.hpp>
 #include <discmc/record_encoding.hpp>
 
@@ -31,25 +33,25 @@ class Trainer {
     using Kind = discmc::Event::Kind;
     switch (event.kind) {
       case Kind::region:
+        record_.begin(event.incidence);
+        break;
       case Kind::fragment:
-        record_ = discmc::Record{};
-        record_.incidence = event.incidence;
-        record_.is_fragment = event.kind == Kind::fragment;
-        record_.number = event.number;
+        record_.begin_fragment(event.incidence, event.came, event.start);
         break;
       case Kind::ring:
-        if (record_.has_room(discmc::Record::ring_words)) record_.add_ring(event.start);
+        make_room(discmc::Record::ring_words);
+        record_.add_ring(event.start);
         break;
       case Kind::run:
-        if (record_.has_room(1)) record_.add_run(event.run);
+        make_room(1);
+        record_.add_run(event.run);
         break;
       case Kind::region_end:
       case Kind::fragment_end:
         end_record();
         break;
       case Kind::layer:
-        model_.region_follows(false);
-        model_.other_kind(discmc::OtherKind::layer);
+        model_.record_kind(discmc::RecordKind::layer);
         model_.layer(event.slice);
         break;
       default:
@@ -60,33 +62,34 @@ class Trainer {
   const Counts& counts() const { return counts_; }
 
  private:
+  // What does not fit a record is told in parts.
+  void make_room(uint32_t words) {
+    if (record_.has_room(words)) return;
+    encode_part(false);
+    record_.drop(record_.count);
+  }
   void end_record() {
-    if (is_compact())
-      encode_region(model_, record_);
-    else
-      encode_part();
+    if (record_.is_fragment ? !encode_fragment(model_, record_) : !encode_whole_region())
+      encode_part(true);
     if (++records_ % records_a_packet != 0) return;
-    model_.region_follows(false);
-    model_.other_kind(discmc::OtherKind::end);
+    model_.record_kind(discmc::RecordKind::end);
     model_ = discmc::RegionModel<CountingCoder>(CountingCoder{&counts_});
   }
-  bool is_compact() const {
-    if (record_.is_fragment || record_.rings == 0) return false;
-    for (uint32_t first = 0; first < record_.count;) {
-      first += discmc::Record::ring_words;
-      const uint32_t runs = discmc::compact_runs(record_, first);
-      if (runs == 0) return false;
-      first += runs;
-    }
-    return true;
+  // What a region has told that then turned out not to be compact is forgotten.
+  bool encode_whole_region() {
+    const Counts counts = counts_;
+    const discmc::RegionModel<CountingCoder> model = model_;
+    if (encode_region(model_, record_)) return true;
+    counts_ = counts;
+    model_ = model;
+    return false;
   }
-  void encode_part() {
-    model_.region_follows(false);
-    model_.other_kind(discmc::OtherKind::part);
+  void encode_part(bool is_last) {
+    model_.record_kind(discmc::RecordKind::part);
     model_.part(record_);
     for (uint32_t i = 0; i < record_.count;) i += encode_item(model_, record_, i);
     model_.item_kind(discmc::Item::end);
-    model_.end_part(true);
+    model_.end_part(is_last);
   }
 
   static constexpr int records_a_packet = 60;

@@ -1,7 +1,7 @@
 // volume FILE: writes a volume to scan on a board, as that board's scan.hpp says.
 //
 // A body with a tunnel that winds up through it, and some slices of noise in the middle: where the
-// surface is smooth everything merges, where it is not a small memory must spill and cut.
+// surface is smooth regions leave whole, where it is not a small memory sends loose fragments.
 #include <cstdint>
 #include <cstdio>
 #include <fstream>

@@ -232,20 +232,35 @@ TEST_CASE("a table that cannot be written is a failure, and the stream is there"
   CHECK(workshop.run("info v.dmc").code == 0);
 }
 
-TEST_CASE("little memory costs polygons and never the surface") {
+TEST_CASE("little memory costs bytes of the stream and never a polygon") {
   const Workshop workshop;
   const BitVolume volume = discmc::reference::random({16, 16, 16}, 128, 2);
   workshop.write("v.nrrd", volume);
   workshop.done("extract v.nrrd --iso 100 --memory 2M -o whole.dmc");
-  for (const std::string memory : {"1500", "2K", "8KiB", "1MB"}) {
-    workshop.done("extract v.nrrd --iso 100 --memory " + memory + " -o v.dmc");
+  auto whole = workshop.info("whole.dmc");
+  CHECK(whole["fragments"] == "0");
+  for (const std::string options :
+       {"--memory 1500", "--memory 2K", "--capacities 20,0", "--capacities 100,9"}) {
+    const std::string table = workshop.done("extract v.nrrd --iso 100 " + options + " -o v.dmc");
+    CHECK(contains(table, "memory ran short of records"));
     workshop.done("decode v.dmc -o v.stl");
     const Mesh mesh = mesh_of_stl(workshop.read("v.stl"));
     CHECK(check_mesh(mesh).closed());
     CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
-    CHECK((workshop.info("v.dmc")["cut"] == "0") ==
-          (workshop.read("v.dmc") == workshop.read("whole.dmc")));
+    auto pieces = workshop.info("v.dmc");
+    CHECK(std::stoi(pieces["fragments"]) > 0);
+    CHECK(std::stoul(pieces["bytes"]) > std::stoul(whole["bytes"]));
+    workshop.done("decode v.dmc -o joined.dmc");
+    auto joined = workshop.info("joined.dmc");
+    CHECK(joined["fragments"] == "0");
+    for (const char* key : {"regions", "rings", "holes", "links", "corners", "complete"}) {
+      CHECK(pieces[key] == whole[key]);
+      CHECK(joined[key] == whole[key]);
+    }
   }
+  for (const std::string memory : {"64KiB", "1MB"})
+    CHECK(!contains(workshop.done("extract v.nrrd --iso 100 --memory " + memory + " -o v.dmc"),
+                    "ran short"));
   check_failure(workshop.run("extract v.nrrd --iso 100 --memory 100 -o no.dmc"), 1,
                 {"--memory 100 ", "at least "});
 }
@@ -280,6 +295,8 @@ TEST_CASE("wrong usage exits with 2") {
                                 "extract v.nrrd --iso ''",
                                 "extract v.nrrd --iso 1 --memory -5",
                                 "extract v.nrrd --iso 1 --memory 0",
+                                "extract v.nrrd --iso 1 --capacities 9",
+                                "extract v.nrrd --iso 1 --capacities 9,9 --memory 9K",
                                 "extract v.nrrd --iso 1 --memory 99999999999999999999",
                                 "extract v.nrrd --iso 1 -o v.vtk",
                                 "extract v.raw --iso 1 --type u16 --dims 13,12,11 --spacing 0,1,1",

@@ -49,15 +49,15 @@ std::string stream_with_normals() {
   header.spacing_nm[2] = 2000000;
   header.threshold = 1000;
   const discmc::Limits limits{extent, extent};
-  const discmc::Capacities capacities = worst_case_capacities(limits);
-  discmc::reference::Block block(discmc::bytes_for<std::uint32_t, WithNormals>(limits, capacities));
+  const std::uint64_t least = discmc::minimum_bytes<std::uint32_t, WithNormals>(limits);
+  discmc::reference::Block block(least + (std::uint64_t{1} << 20));
   discmc::test::Line line;
   discmc::NormalEncoder encoder;
   discmc::reference::require_ok(encoder.start(header, line.output()));
   discmc::Extractor<std::uint32_t, WithNormals> extractor;
   extractor.set_spacing(header.spacing_nm);
-  discmc::reference::require_ok(extractor.start(limits, capacities, header.threshold,
-                                                block.memory(), discmc::sink_to(encoder)));
+  discmc::reference::require_ok(
+      extractor.start(limits, header.threshold, block.memory(), discmc::sink_to(encoder)));
   std::vector<std::uint16_t> samples;
   for (const int sample : ball().samples) samples.push_back(static_cast<std::uint16_t>(sample));
   discmc::reference::push_all(extractor, samples);

@@ -44,8 +44,8 @@ TEST_CASE("info tells one key and value a line") {
   const std::string stream = write_stream(workshop, "v.dmc");
   auto info = workshop.info("v.dmc");
   for (const char* key : {"dimensions", "spacing", "threshold", "border", "regions", "rings",
-                          "holes", "links", "corners", "three", "four", "more", "cut", "spilled",
-                          "skipped_rows", "lost_packets", "lost_regions", "bytes", "complete"}) {
+                          "holes", "links", "corners", "three", "four", "more", "fragments",
+                          "skipped_rows", "lost_packets", "lost_pieces", "bytes", "complete"}) {
     INFO(key);
     CHECK(info.count(key) == 1);
     CHECK(!info[key].empty());
@@ -74,8 +74,8 @@ TEST_CASE("info counts simple rings and their corners") {
   CHECK(info["corners"] == "96");
   CHECK(info["normals"] == "0");
   workshop.done("extract v.nrrd --iso 100 --normals gradient -o v.dmc");
-  // At the 24 vertices of the box, and where four rings start in the middle of a side.
-  CHECK(workshop.info("v.dmc")["normals"] == "28");
+  // At the vertices of the box.
+  CHECK(workshop.info("v.dmc")["normals"] == "24");
 }
 
 TEST_CASE("decode, info and render read standard input, pipes too") {
@@ -136,7 +136,7 @@ TEST_CASE("of an incomplete stream all that is whole is used, and the exit code 
     CHECK(std::stoi(info["regions"]) < whole);
     if (name == "gap") {
       CHECK(info["lost_packets"] == "1");
-      CHECK(std::stoi(info["regions"]) + std::stoi(info["lost_regions"]) == whole);
+      CHECK(std::stoi(info["regions"]) + std::stoi(info["lost_pieces"]) == whole);
     }
     for (const std::string output : {"o.dmc", "o.stl", "o.obj", "o.ply", "o.jsonl"}) {
       CHECK(workshop.run("decode " + name + ".dmc -o " + output).code == 3);

@@ -1,4 +1,4 @@
-// The surface builder: fragments put back, lost ones counted, sweep rings made simple.
+// The surface builder: lost regions forgotten, sweep rings made simple.
 #include "surface_builder.hpp"
 
 #include <doctest/doctest.h>
@@ -40,9 +40,8 @@ void add_runs(Events& events, const std::vector<Run>& runs) {
   }
 }
 
-void add_fragment(Events& events, std::uint32_t number, const std::vector<Run>& runs) {
+void add_fragment(Events& events, const std::vector<Run>& runs) {
   events.push_back(event(Kind::fragment));
-  events.back().number = number;
   events.back().incidence = up;
   add_runs(events, runs);
   events.push_back(event(Kind::fragment_end));
@@ -107,25 +106,6 @@ void check_same(const SurfaceBuilder& a, const SurfaceBuilder& b) {
   }
 }
 
-// The events of a region with every run of its rings sent before, in fragments within fragments.
-Events in_fragments(const Events& events, std::uint32_t& number) {
-  Events fragments, region;
-  for (const Event& event : events) {
-    if (event.kind != Kind::run) {
-      region.push_back(event);
-      continue;
-    }
-    const bool goes_on = region.back().kind == Kind::run;
-    std::vector<Run> runs = {event.run};
-    if (goes_on) runs.insert(runs.begin(), region.back().run);
-    add_fragment(fragments, number, runs);
-    if (!goes_on) add_runs(region, {Run()});
-    region.back().run = Run::fragment(number++);
-  }
-  fragments.insert(fragments.end(), region.begin(), region.end());
-  return fragments;
-}
-
 }  // namespace
 
 TEST_CASE("a region becomes a polygon with every vertex of its rings") {
@@ -142,82 +122,18 @@ TEST_CASE("a region becomes a polygon with every vertex of its rings") {
   CHECK(area(polygon) == 2 * 6 * 4);
 }
 
-TEST_CASE("fragments are put back where their numbers stand") {
-  Events whole, parts;
-  add_region(whole, {rectangle()});
-  add_fragment(parts, 7, {run(north, 2), run(west, 1)});
-  add_fragment(parts, 3, {run(south, 2)});
-  add_region(parts, {{run(east, 3), Run::fragment(7), run(west, 2), Run::fragment(3)}});
-  const SurfaceBuilder builder = build(parts);
-  check_same(builder, build(whole));
-  CHECK(builder.incomplete_regions() == 0);
-}
-
-TEST_CASE("fragments within fragments are put back however deep they lie") {
-  Events whole, parts;
-  add_region(whole, {{run(east, 50000), run(north), run(west, 50000), run(south)}});
-  add_fragment(parts, 0, {run(east)});
-  for (std::uint32_t i = 1; i < 50000; ++i)
-    add_fragment(parts, i, {Run::fragment(i - 1), run(east)});
-  add_region(parts, {{Run::fragment(49999), run(north), run(west, 50000), run(south)}});
-  const SurfaceBuilder builder = build(parts);
-  check_same(builder, build(whole));
-  CHECK(builder.incomplete_regions() == 0);
-}
-
-TEST_CASE("a surface sent in fragments alone is the surface") {
-  const auto told = events_of(discmc::reference::random({9, 8, 7}, 128, 5));
-  Events whole, parts, region;
-  std::uint32_t number = 0;
-  for (const auto& one : told) {
-    whole.push_back(one.event());
-    region.push_back(one.event());
-    if (one.kind() == Kind::ring || one.kind() == Kind::run || one.kind() == Kind::region) continue;
-    const Events fragments = in_fragments(region, number);
-    parts.insert(parts.end(), fragments.begin(), fragments.end());
-    region.clear();
-  }
-  REQUIRE(number > 1000);
-  const SurfaceBuilder builder = build(parts);
-  CHECK(builder.surface().polygons.size() > 100);
-  check_same(builder, build(whole));
-  CHECK(builder.incomplete_regions() == 0);
-}
-
-TEST_CASE("a region whose fragment is lost is counted and left out, and only that") {
-  Events events, rest;
-  add_fragment(events, 1, {run(north, 2), Run::fragment(0)});  // 0 never came
-  add_region(events, {{run(east, 3), Run::fragment(1), run(south, 2)}});
-  add_region(events, {rectangle()}, {1, 0, 8});
-  add_region(rest, {rectangle()}, {1, 0, 8});
-  const SurfaceBuilder builder = build(events);
-  check_same(builder, build(rest));
-  CHECK(builder.incomplete_regions() == 1);
-}
-
-TEST_CASE("a fragment is put back once") {
-  Events events;
-  const std::vector<Run> ring = {run(east, 3), Run::fragment(1), run(south, 2)};
-  add_fragment(events, 1, {run(north, 2), run(west, 3)});
-  add_region(events, {ring});
-  add_region(events, {ring});
-  const SurfaceBuilder builder = build(events);
-  CHECK(builder.surface().polygons.size() == 1);
-  CHECK(builder.incomplete_regions() == 1);
-}
-
 TEST_CASE("regions and fragments that the decoder reports lost are forgotten") {
   Events events, rest;
   add_region(events, {rectangle(), rectangle()});
   events.back().kind = Kind::lost;
-  add_fragment(events, 4, {run(north, 2)});
+  add_fragment(events, {run(north, 2)});
   events.back().kind = Kind::lost;
   add_region(events, {rectangle()}, {1, 0, 4});
-  add_region(events, {{run(east, 3), Run::fragment(4), run(west, 3), run(south, 2)}});
+  add_fragment(events, {run(north, 2)});
   add_region(rest, {rectangle()}, {1, 0, 4});
   const SurfaceBuilder builder = build(events);
   check_same(builder, build(rest));
-  CHECK(builder.incomplete_regions() == 1);  // the one that needs the fragment
+  CHECK(builder.incomplete_regions() == 1);  // the fragment, which nobody joined
 }
 
 TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {

@@ -18,18 +18,33 @@ inline size_t link_count(const std::vector<Region>& regions) {
   return links;
 }
 
-/// Empty when the regions of a sweep without cuts are `merged`, which is canonical, ring for ring.
+/// Empty when the regions of a sweep that lacks nothing are `merged`, which is canonical, ring for
+/// ring.
 inline std::string unlike_regions(const std::vector<Region>& swept,
                                   const std::vector<Region>& merged) {
   const std::vector<Region> simple = canonical(simple_rings(swept));
   if (simple != merged) return describe_difference(simple, merged);
-  return link_count(swept) == link_count(merged) ? "" : "a slit that no cut accounts for";
+  return link_count(swept) == link_count(merged) ? "" : "a slit";
 }
 
 /// The same for the regions that the paper's Merge finds in a volume.
 inline std::string unlike_merge(const std::vector<Region>& swept, const BitVolume& volume,
                                 bool closed) {
   return unlike_regions(swept, canonical(merge(volume, closed)));
+}
+
+/// Empty when the totals of cells, facets and triangles are those of the volume's cells.
+inline std::string miscounted(const Collector& collector, const BitVolume& volume, bool closed) {
+  uint64_t cells = 0, facets = 0, triangles = 0;
+  for_each_cell(volume, closed, [&](const Vertex&, Configuration configuration) {
+    cells += cell_facts.facets[configuration] > 0;
+    facets += cell_facts.facets[configuration];
+    triangles += cell_facts.classic_triangles[configuration];
+  });
+  const Statistics& statistics = collector.statistics();
+  if (statistics.cells != cells) return "other cells counted";
+  if (statistics.facets != facets) return "other facets counted";
+  return statistics.classic_triangles == triangles ? "" : "other triangles counted";
 }
 
 /// Empty when the regions of a sweep, however cut, make up the surface of the volume: on every

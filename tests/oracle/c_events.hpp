@@ -9,8 +9,8 @@
 namespace discmc::reference {
 
 inline Statistics from_c(const discmc_statistics& s) {
-  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
-          s.cuts,  s.spills, s.skipped_rows};
+  return {s.cells, s.facets, s.classic_triangles, s.regions,
+          s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
 inline RecordedEvent from_c(const discmc_event& event) {
@@ -23,7 +23,6 @@ inline RecordedEvent from_c(const discmc_event& event) {
   same.abandoned = event.abandoned != 0;
   same.normal = {event.normal.u, event.normal.v};
   same.run = Run::from_code(event.run);
-  same.number = event.number;
   same.slice = event.slice;
   same.row = event.row;
   same.start = {event.start.x, event.start.y, event.start.z};
@@ -31,6 +30,15 @@ inline RecordedEvent from_c(const discmc_event& event) {
   if (same.kind == Event::Kind::finish) statistics = from_c(*event.statistics);
   same.statistics = &statistics;
   return RecordedEvent(same);
+}
+
+/// An EventLog as a sink of the C API. Owner: the log must outlive the sink.
+inline discmc_sink c_sink_to(EventLog& log, bool takes_fragments = true) {
+  const auto take = [](void* context, const discmc_event* event) {
+    const Answer answer = static_cast<EventLog*>(context)->take(from_c(*event).event());
+    return static_cast<discmc_answer>(answer);
+  };
+  return {&log, take, static_cast<uint8_t>(takes_fragments)};
 }
 
 }  // namespace discmc::reference

@@ -1,6 +1,7 @@
 #include "collect.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace discmc::reference {
 
@@ -19,18 +20,6 @@ int32_t top(const Region& region) {
   for (const Ring& ring : region.rings)
     for (const Vertex& vertex : ring) z = std::max(z, vertex.z);
   return z;
-}
-
-Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& runs) {
-  Ring ring;
-  for (const Run& run : runs) {
-    const Vertex step = direction_vector(incidence, run.direction());
-    for (uint32_t i = 0; i < run.length(); ++i) {
-      ring.push_back(vertex);
-      vertex = vertex + step;
-    }
-  }
-  return ring;
 }
 
 // Exact: coordinates in x and y fit 16 bits once they start at 0.
@@ -134,30 +123,14 @@ void Collector::begin_ring(const Event& event) {
 void Collector::add_run(const Run& run) {
   require(place_ == Place::ring || place_ == Place::fragment, "a run outside a ring or fragment");
   require(!run.is_empty(), "an empty run");
-  if (run.is_fragment()) {
-    put_back(run.fragment_number());
-  } else {
-    require(run.length() > 0, "a run of no links");
-    require(run.direction() < direction_count(region_.incidence),
-            "a direction that the plane does not have");
-    Run both = last_run_;
-    if (!last_run_.is_empty() && both.absorb(run)) ++split_sides_;
-    runs_.push_back(run);
-    links_ += run.length();
-  }
+  require(run.length() > 0, "a run of no links");
+  require(run.direction() < direction_count(region_.incidence),
+          "a direction that the plane does not have");
+  Run both = last_run_;
+  if (!last_run_.is_empty() && both.absorb(run)) ++split_sides_;
+  runs_.push_back(run);
+  links_ += run.length();
   last_run_ = run;
-}
-
-void Collector::put_back(uint32_t number) {
-  const auto fragment = waiting_.find(number);
-  require(fragment != waiting_.end(), "a fragment that was never sent, or is used twice");
-  require(fragment->second.incidence == region_.incidence, "a fragment of another incidence");
-  std::vector<Run>& runs = fragment->second.runs;
-  if (runs_.empty())
-    runs_ = std::move(runs);
-  else
-    runs_.insert(runs_.end(), runs.begin(), runs.end());
-  waiting_.erase(fragment);
 }
 
 void Collector::end_ring() {
@@ -173,9 +146,9 @@ void Collector::end_region() {
   require(place_ == Place::ring, "a region ends without a ring");
   end_ring();
   const int64_t z = top(region_);
-  const auto slice = static_cast<int64_t>(layers_.size());
-  require(z >= 2 * (slice - 1), "a region that the last layer mark promised to be over");
-  require(z <= 2 * slice, "a region beyond the slices seen");
+  const int64_t last = int64_t{slice()} - 1;  // layer mark
+  require(z >= 2 * last, "a region that the last layer mark promised to be over");
+  require(z <= 2 * (last + 1), "a region beyond the slices seen");
   rings_ += region_.rings.size();
   regions_.push_back(std::move(region_));
   place_ = Place::between;
@@ -185,10 +158,13 @@ void Collector::begin_fragment(const Event& event) {
   require(place_ == Place::between, "a fragment begins inside something else");
   require(takes_fragments_, "a fragment for a sink that takes none");
   require(is_incidence(event.incidence), "a fragment without incidence");
-  require(event.number <= Run::max_fragment, "a fragment number beyond its field");
-  require(numbers_seen_.insert(event.number).second, "a fragment number used twice");
+  require((event.start.x + event.start.y + event.start.z) % 2 != 0,
+          "a fragment starts off the lattice");
+  require(event.came < direction_count(event.incidence),
+          "a fragment that came by a direction that the plane does not have");
   region_ = {event.incidence, {}};
-  number_ = event.number;
+  start_ = event.start;
+  came_ = event.came;
   runs_.clear();
   last_run_ = Run();
   place_ = Place::fragment;
@@ -197,15 +173,13 @@ void Collector::begin_fragment(const Event& event) {
 void Collector::end_fragment() {
   require(place_ == Place::fragment, "a fragment ends that never began");
   require(!runs_.empty(), "a fragment without runs");
-  waiting_[number_] = {region_.incidence, std::move(runs_)};
-  runs_ = {};
-  ++fragments_;
+  loose_.push_back({region_.incidence, start_, came_, runs_});
   place_ = Place::between;
 }
 
 void Collector::add_skipped(const Event& event) {
   require(place_ == Place::between, "a skipped row inside something else");
-  require(event.slice == layers_.size(), "a skipped row of another slice");
+  require(event.slice == slice(), "a skipped row of another slice");
   require(
       skipped_.empty() || skipped_.back().slice < event.slice || skipped_.back().row < event.row,
       "skipped rows out of order");
@@ -214,23 +188,34 @@ void Collector::add_skipped(const Event& event) {
 
 void Collector::add_layer(const Event& event) {
   require(place_ == Place::between, "a layer mark inside something else");
-  require(event.slice == layers_.size(), "a layer mark out of order");
+  require(event.slice == slice(), "a layer mark out of order");
   layers_.push_back({event.slice, regions_.size()});
 }
 
 void Collector::finish(const Event& event) {
   require(place_ == Place::between, "finish inside something else");
-  require(event.slice == layers_.size(), "finish counts other slices than were marked");
+  require(event.slice == slice(), "finish counts other slices than were marked");
   require(event.statistics != nullptr, "finish without statistics");
   statistics_ = *event.statistics;
   was_abandoned_ = event.abandoned;
-  require(waiting_.empty(), "a fragment that no ring uses");
   require(statistics_.regions == regions_.size(), "statistics count other regions");
   require(statistics_.rings == rings_, "statistics count other rings");
   require(statistics_.links == links_, "statistics count other links");
-  require(statistics_.spills == fragments_, "statistics count other spills");
+  require(statistics_.fragments == loose_.size(), "statistics count other fragments");
   require(statistics_.skipped_rows == skipped_.size(), "statistics count other skipped rows");
   place_ = Place::over;
+}
+
+Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& runs) {
+  Ring ring;
+  for (const Run& run : runs) {
+    const Vertex step = direction_vector(incidence, run.direction());
+    for (uint32_t i = 0; i < run.length(); ++i) {
+      ring.push_back(vertex);
+      vertex = vertex + step;
+    }
+  }
+  return ring;
 }
 
 std::vector<Region> simple_rings(const std::vector<Region>& regions) {

@@ -1,7 +1,7 @@
 // A sink for tests: puts the regions of a scan together again and trusts nobody.
 //
 // Every event is checked against the grammar of sink.hpp and against what the events before it
-// promised. Spilled fragments are put back where their numbers stand.
+// promised. Loose fragments are checked and kept, not joined (naive_join.hpp).
 #ifndef DISCMC_TESTS_ORACLE_COLLECT_HPP
 #define DISCMC_TESTS_ORACLE_COLLECT_HPP
 
@@ -9,8 +9,6 @@
 #include <discmc/sink.hpp>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "region.hpp"
@@ -32,10 +30,20 @@ struct SkippedRow {
   bool repeated;
 };
 
+/// A loose fragment.
+struct Fragment {
+  Incidence incidence;
+  Vertex start;
+  Direction came;
+  std::vector<Run> runs;
+};
+
 /// Collects one scan. The regions have sweep rings, in the order in which they came.
 class Collector {
  public:
-  explicit Collector(bool takes_fragments = true) : takes_fragments_(takes_fragments) {}
+  /// first_slice: that is pushed, of a slab.
+  explicit Collector(bool takes_fragments = true, uint32_t first_slice = 0)
+      : takes_fragments_(takes_fragments), first_slice_(first_slice) {}
 
   /// Always answers `taken`. Errors: throws GrammarError.
   Answer take(const Event& event);
@@ -50,22 +58,17 @@ class Collector {
   bool was_abandoned() const { return was_abandoned_; }
   /// Of the finish event. Limit: is_finished().
   const Statistics& statistics() const { return statistics_; }
-  uint64_t fragments() const { return fragments_; }
+  /// In the order in which they came.
+  const std::vector<Fragment>& loose() const { return loose_; }
   /// Neighbouring runs of one direction that could have been one run, in one ring or fragment.
   uint64_t split_sides() const { return split_sides_; }
 
  private:
   enum class Place : uint8_t { between, region, ring, fragment, over };
 
-  struct Fragment {
-    Incidence incidence;
-    std::vector<Run> runs;
-  };
-
   void begin_region(const Event& event);
   void begin_ring(const Event& event);
   void add_run(const Run& run);
-  void put_back(uint32_t number);
   void end_ring();
   void end_region();
   void begin_fragment(const Event& event);
@@ -73,29 +76,33 @@ class Collector {
   void add_skipped(const Event& event);
   void add_layer(const Event& event);
   void finish(const Event& event);
+  /// The slice whose layer mark comes next.
+  uint32_t slice() const { return first_slice_ + static_cast<uint32_t>(layers_.size()); }
 
   Place place_ = Place::between;
   bool takes_fragments_;
+  uint32_t first_slice_;
   Region region_{};
   int32_t plane_ = 0;
   Vertex start_{};
+  Direction came_ = 0;
   bool hole_ = false;
   Run last_run_{};
   std::vector<Run> runs_;  // of the ring or fragment under way
-  uint32_t number_ = 0;
 
-  std::unordered_map<uint32_t, Fragment> waiting_;
-  std::unordered_set<uint32_t> numbers_seen_;
   std::vector<Region> regions_;
+  std::vector<Fragment> loose_;
   std::vector<LayerMark> layers_;
   std::vector<SkippedRow> skipped_;
   Statistics statistics_{};
   bool was_abandoned_ = false;
-  uint64_t fragments_ = 0;
   uint64_t rings_ = 0;
   uint64_t links_ = 0;
   uint64_t split_sides_ = 0;
 };
+
+/// The vertices where the links of runs start.
+Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& runs);
 
 /// The simple rings of regions with sweep rings: every ring is split where a vertex recurs, rings
 /// of two links are dropped, and the outer ring comes first.

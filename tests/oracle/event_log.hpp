@@ -14,9 +14,9 @@
 
 namespace discmc::reference {
 
-inline std::array<uint64_t, 9> counts(const Statistics& s) {
-  return {s.cells, s.facets, s.classic_triangles, s.regions, s.rings, s.links,
-          s.cuts,  s.spills, s.skipped_rows};
+inline std::array<uint64_t, 8> counts(const Statistics& s) {
+  return {s.cells, s.facets, s.classic_triangles, s.regions,
+          s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
 /// Calls add(number) with what an event says: its kind, then the members that its kind names and no
@@ -35,8 +35,7 @@ void for_each_number(const Event& event, Add add) {
       return add_all(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
                      uint64_t{event.normal.v} << 40);
     case Event::Kind::fragment:
-      return add_all(event.number, event.incidence, event.came, event.start.x, event.start.y,
-                     event.start.z);
+      return add_all(event.incidence, event.came, event.start.x, event.start.y, event.start.z);
     case Event::Kind::skipped:
       return add_all(event.slice, event.row, event.repeated);
     case Event::Kind::layer:
@@ -73,8 +72,8 @@ class RecordedEvent {
 
  private:
   // Zeros behind the last. A finish event has the most.
-  std::array<uint64_t, 12> numbers() const {
-    std::array<uint64_t, 12> all{};
+  std::array<uint64_t, 11> numbers() const {
+    std::array<uint64_t, 11> all{};
     size_t count = 0;
     for_each_number(event(), [&](uint64_t number) { all.at(count++) = number; });
     return all;
@@ -128,8 +127,9 @@ class EventLog {
 };
 
 /// The events, put together by a Collector. Errors: throws GrammarError.
-inline Collector collected(const Events& events, bool takes_fragments = true) {
-  Collector collector(takes_fragments);
+inline Collector collected(const Events& events, bool takes_fragments = true,
+                           uint32_t first_slice = 0) {
+  Collector collector(takes_fragments, first_slice);
   for (const RecordedEvent& event : events) (void)collector.take(event.event());
   return collector;
 }

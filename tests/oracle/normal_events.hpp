@@ -3,7 +3,6 @@
 #define DISCMC_TESTS_NORMAL_EVENTS_HPP
 
 #include <discmc/normal.hpp>
-#include <map>
 #include <vector>
 
 #include "gradient.hpp"
@@ -14,59 +13,33 @@ namespace discmc::test {
 /// Of voxels that are no cubes; the y axis is mirrored.
 constexpr int32_t uneven_spacing[3] = {700, -1000, 1500};
 
-/// A run and the normal where it starts; a fragment's first run has that of its stand-in.
-struct Side {
-  Run run;
-  OctahedralNormal normal;
-};
-
-/// Puts spilled fragments back and calls visit(vertex, normal) where a run or a stand-in starts.
+/// Calls visit(vertex, normal) where a run starts, but for the rest of a side that a loose fragment
+/// begins with: there is no corner, and no normal.
 template <class Visit>
 void for_each_start(const Events& events, Visit visit) {
-  std::map<uint32_t, std::vector<Side>> fragments;
-  std::vector<Side> sides;
   Incidence incidence = 0;
-  uint32_t number = 0;
   Vertex vertex{0, 0, 0};
-  const auto end_ring = [&] {
-    std::vector<Side> waiting(sides.rbegin(), sides.rend());
-    while (!waiting.empty()) {
-      const Side side = waiting.back();
-      waiting.pop_back();
-      visit(vertex, side.normal);
-      if (side.run.is_fragment()) {
-        std::vector<Side> inside = fragments.at(side.run.fragment_number());
-        if (inside.front().normal.is_none()) inside.front().normal = side.normal;
-        waiting.insert(waiting.end(), inside.rbegin(), inside.rend());
-        continue;
-      }
-      const Vertex step = direction_vector(incidence, side.run.direction());
-      for (uint32_t i = 0; i < side.run.length(); ++i) vertex = vertex + step;
-    }
-    sides.clear();
-  };
+  bool is_begun = false;  // the fragment, and has no run yet
+  Direction came = 0;
   for (const RecordedEvent& recorded : events) {
     const Event event = recorded.event();
     switch (event.kind) {
       case Event::Kind::region:
         incidence = event.incidence;
         break;
+      case Event::Kind::fragment:
+        incidence = event.incidence;
+        vertex = event.start;
+        is_begun = true;
+        came = event.came;
+        break;
       case Event::Kind::ring:
-        end_ring();
         vertex = event.start;
         break;
       case Event::Kind::run:
-        sides.push_back({event.run, event.normal});
-        break;
-      case Event::Kind::region_end:
-        end_ring();
-        break;
-      case Event::Kind::fragment:
-        number = event.number;
-        break;
-      case Event::Kind::fragment_end:
-        fragments[number] = sides;
-        sides.clear();
+        if (!is_begun || event.run.direction() != came) visit(vertex, event.normal);
+        is_begun = false;
+        vertex = vertex + displacement(incidence, &event.run, 1);
         break;
       default:
         break;

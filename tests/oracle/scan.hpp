@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "collect.hpp"
+#include "event_log.hpp"
 #include "volume.hpp"
 
 namespace discmc::reference {
@@ -51,6 +52,9 @@ struct Plan {
   uint32_t chunk = 0;  ///< samples a push; 0: the whole volume
 };
 
+/// Room for all that the volumes of the tests need, whatever the index: nothing goes out loose.
+constexpr Capacities ample{32759, 32759};
+
 inline Limits limits_of(const BitVolume& volume, Border border) {
   return {volume.width, volume.height, border};
 }
@@ -63,7 +67,7 @@ void push_all(Extractor<Index, Normals>& extractor, const std::vector<Sample>& s
   for (uint32_t at = 0; at < total;) {
     const uint32_t left = total - at;
     const uint32_t count = chunk == 0 || chunk > left ? left : chunk;
-    const Pushed pushed = extractor.push(samples.data() + at, count);
+    const PushResult pushed = extractor.push(samples.data() + at, count);
     at += pushed.samples;
     if (pushed.status != Status::ok && pushed.status != Status::more)
       throw std::runtime_error(text(pushed.status));
@@ -97,7 +101,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan,
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
 }
 
-/// The same with the default split of a number of bytes.
+/// The same with the default capacities of a number of bytes.
 template <class Index, class Receiver>
 void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, uint64_t bytes,
                Block::Kind kind = Block::Kind::guarded) {
@@ -110,12 +114,38 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, ui
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
 }
 
-/// The regions of a volume, in sweep rings, with as much memory as any volume of its size needs.
+/// The regions of a volume, in sweep rings, in ample memory.
 template <class Index>
 Collector scan(const BitVolume& volume, const Plan& plan = {}) {
   Collector collector(plan.takes_fragments);
-  scan_into<Index>(collector, volume, plan, worst_case_capacities(limits_of(volume, plan.border)));
+  scan_into<Index>(collector, volume, plan, ample);
   return collector;
+}
+
+/// Scans a volume in slabs of some slices, the last of them maybe thinner, each in memory of some
+/// bytes beyond the minimum. Errors: as scan_into().
+template <class Index>
+std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32_t slices,
+                                  uint64_t spare, const EventLog::Refuses& refuses = {}) {
+  std::vector<Collector> scans;
+  const size_t slice = size_t{volume.width} * volume.height;
+  for (uint32_t first = 0; first < volume.depth; first += slices) {
+    const uint32_t end = std::min(first + slices, volume.depth);
+    Limits limits = limits_of(volume, border);
+    limits.slab = {first, first > 0, end < volume.depth};
+    const uint32_t from = first > 0 ? first - 1 : 0;
+    const uint32_t to = end < volume.depth ? end + 1 : end;
+    Block block(minimum_bytes<Index>(limits) + spare);
+    EventLog log(refuses);
+    Extractor<Index> extractor;
+    require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+    push_all(extractor,
+             std::vector<uint8_t>(volume.on.data() + from * slice, volume.on.data() + to * slice));
+    finish_all(extractor);
+    if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
+    scans.push_back(collected(log.events, true, from));
+  }
+  return scans;
 }
 
 }  // namespace discmc::reference

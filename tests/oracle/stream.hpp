@@ -51,7 +51,7 @@ inline Events events_of(const reference::BitVolume& volume, const Capacities& ca
 }
 
 inline Events events_of(const reference::BitVolume& volume, const reference::Plan& plan = {}) {
-  return events_of(volume, worst_case_capacities(reference::limits_of(volume, plan.border)), plan);
+  return events_of(volume, reference::ample, plan);
 }
 
 inline StreamHeader header_of(const reference::BitVolume& volume, Border border = Border::closed) {
@@ -118,7 +118,7 @@ Bytes encode(const Events& events, const StreamHeader& header = any_header(),
 
 // ---- decoding ----
 
-struct Arrival {
+struct Received {
   Events events;
   StreamReport report;
   StreamHeader header;
@@ -126,7 +126,7 @@ struct Arrival {
 };
 
 /// Decodes `chunk` bytes at a time (0: all at once), with a sink that may refuse every event once.
-inline Arrival decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
+inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
   EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Decoder decoder;
   reference::require_ok(decoder.start(sink_to(log)));
@@ -160,26 +160,34 @@ inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
   return result;
 }
 
-/// The complete regions among the events of a decoder. Errors: throws when the events break the
-/// grammar of sink.hpp, `lost` included.
-inline std::vector<Events> regions_of(const Events& events) {
+/// The complete regions and loose fragments among the events of a decoder. Errors: throws when the
+/// events break the grammar of sink.hpp, `lost` included.
+inline std::vector<Events> pieces_of(const Events& events) {
   using Kind = Event::Kind;
-  enum class Place { between, region, ring, runs, fragment, over } place = Place::between;
+  enum class Place {
+    between,
+    region,
+    ring,
+    runs,
+    fragment,
+    fragment_runs,
+    over
+  } place = Place::between;
   const auto require = [](bool holds) {
     if (!holds) throw reference::GrammarError("events in an order that the grammar does not have");
   };
-  std::vector<Events> regions;
+  std::vector<Events> pieces;
   Events open;
   uint32_t directions = 0;
   for (const RecordedEvent& recorded : events) {
     const Event event = recorded.event();
-    const bool in_chain = place == Place::ring || place == Place::runs || place == Place::fragment;
+    const bool in_ring = place == Place::ring || place == Place::runs;
+    const bool in_fragment = place == Place::fragment || place == Place::fragment_runs;
     require(place != Place::over);
     if (recorded.is(Kind::run)) {
-      require(in_chain && !event.run.is_empty());
-      if (!event.run.is_fragment())
-        require(event.run.length() > 0 && event.run.direction() < directions);
-      if (place == Place::ring) place = Place::runs;
+      require(in_ring || in_fragment);
+      require(event.run.length() > 0 && event.run.direction() < directions);
+      place = in_ring ? Place::runs : Place::fragment_runs;
     } else if (recorded.is(Kind::ring)) {
       require(place == Place::region || place == Place::runs);
       require(event.hole == (place == Place::runs));
@@ -189,7 +197,7 @@ inline std::vector<Events> regions_of(const Events& events) {
       require(place == Place::runs);
       place = Place::between;
     } else if (recorded.is(Kind::fragment_end)) {
-      require(place == Place::fragment);
+      require(place == Place::fragment_runs);
       place = Place::between;
     } else if (recorded.is(Kind::lost)) {
       require(place != Place::between);
@@ -202,12 +210,16 @@ inline std::vector<Events> regions_of(const Events& events) {
       if (recorded.is(Kind::finish)) place = Place::over;
       if (place == Place::region || place == Place::fragment)
         directions = direction_count(event.incidence);
+      if (place == Place::fragment) {
+        require((event.start.x ^ event.start.y ^ event.start.z) & 1);
+        require(event.came < directions);
+      }
       open.clear();
     }
     open.push_back(recorded);
-    if (recorded.is(Kind::region_end)) regions.push_back(open);
+    if (recorded.is(Kind::region_end) || recorded.is(Kind::fragment_end)) pieces.push_back(open);
   }
-  return regions;
+  return pieces;
 }
 
 // ---- packets ----
@@ -215,15 +227,15 @@ inline std::vector<Events> regions_of(const Events& events) {
 struct Packet {
   uint8_t kind = 0;
   uint8_t number = 0;
-  uint16_t regions = 0;
+  uint16_t pieces = 0;
   Bytes payload;
 
   bool is(wire::PacketKind which) const { return kind == static_cast<uint8_t>(which); }
 };
 
 inline Bytes frame_of(const Packet& packet) {
-  Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.regions),
-              static_cast<uint8_t>(packet.regions >> 8)};
+  Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.pieces),
+              static_cast<uint8_t>(packet.pieces >> 8)};
   for (const uint8_t byte : packet.payload) frame.push_back(byte);
   const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
   for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
@@ -240,7 +252,7 @@ inline Packet packet_of(Bytes frame) {
   Packet packet;
   packet.kind = frame[1];
   packet.number = frame[2];
-  packet.regions = static_cast<uint16_t>(frame[3] | frame[4] << 8);
+  packet.pieces = static_cast<uint16_t>(frame[3] | frame[4] << 8);
   packet.payload.assign(frame.begin() + 5, frame.begin() + static_cast<std::ptrdiff_t>(plain) - 3);
   return packet;
 }
@@ -286,8 +298,7 @@ class Payload {
 
   /// Ends the records and the code. Errors: throws when they do not fit.
   Bytes finish() {
-    model.region_follows(false);
-    model.other_kind(OtherKind::end);
+    model.record_kind(RecordKind::end);
     return close();
   }
   /// The same without a word of an end.

@@ -40,13 +40,17 @@ class Script {
     ++totals_.regions;
     return add(of(Event::Kind::region_end));
   }
-  Script& fragment(Incidence incidence, uint32_t number) {
+  Script& fragment(Incidence incidence, Vertex start, Direction came) {
     Event event = of(Event::Kind::fragment);
     event.incidence = incidence;
-    event.number = number;
+    event.start = start;
+    event.came = came;
     return add(event);
   }
-  Script& fragment_end() { return add(of(Event::Kind::fragment_end)); }
+  Script& fragment_end() {
+    ++totals_.fragments;
+    return add(of(Event::Kind::fragment_end));
+  }
   Script& lost() { return add(of(Event::Kind::lost)); }
   Script& skipped(uint32_t slice, uint32_t row, bool repeated) {
     Event event = of(Event::Kind::skipped);
@@ -103,7 +107,19 @@ inline void add_ragged_region(Script& script, Chance& chance, uint32_t runs, uin
   script.region_end();
 }
 
-/// Rings, regions and fragments that no packet holds, with runs and numbers at their limits.
+/// One loose fragment of random runs, of up to `most` links, anywhere.
+inline void add_ragged_fragment(Script& script, Chance& chance, uint32_t runs, uint32_t most) {
+  const auto incidence = static_cast<Incidence>(chance.below(no_incidence));
+  const uint32_t directions = direction_count(incidence);
+  const auto x = static_cast<int32_t>(chance.next()), y = static_cast<int32_t>(chance.next());
+  const auto z = static_cast<int32_t>(chance.next());
+  script.fragment(incidence, {x, y, (z & ~1) | ((x ^ y ^ 1) & 1)},
+                  static_cast<Direction>(chance.below(directions)));
+  for (uint32_t i = 0; i < runs; ++i) add_run(script, chance, directions, most);
+  script.fragment_end();
+}
+
+/// Rings, regions and fragments that no packet holds, with runs and coordinates at their limits.
 inline Events monstrous_events() {
   Script script;
   Chance chance(11);
@@ -112,18 +128,9 @@ inline Events monstrous_events() {
       add_ragged_region(script, chance, runs, most);
       script.layer(runs);
     }
-  for (const uint32_t number : {0U, 1U, 77U, Run::max_fragment, 5U}) {
-    script.fragment(static_cast<Incidence>(number % 13), number);
-    const uint32_t count = direction_count(static_cast<Incidence>(number % 13));
-    for (uint32_t i = 0; i < 200; ++i) {
-      add_run(script, chance, count, 70000);
-      if (i % 50 == 7) script.run(Run::fragment(chance.below(Run::max_fragment)));
-    }
-    script.fragment_end();
-  }
-  script.region(up).ring({0, 0, 1});
-  for (uint32_t i = 0; i < 300; ++i) script.run(Run::fragment(chance.below(Run::max_fragment)));
-  script.region_end();
+  for (const uint32_t runs : {1U, 2U, 60U, 91U, 92U, 93U, 96U, 500U})
+    for (const uint32_t most : {1U, 70000U, Run::max_length})
+      add_ragged_fragment(script, chance, runs, most);
   script.region(up).square({-3, -5, 1}, 65535).square({1, 1, 1}, 65536, true).region_end();
   script.region(up).square({-3, -5, 1}, 65535).square({1, 1, 1}, 1, true).region_end();
   script.skipped(3, 2, true).skipped(UINT32_MAX - 1, UINT32_MAX - 1, false);
@@ -141,16 +148,15 @@ inline reference::BitVolume sieve(uint32_t side) {
 /// A scan in which rows do not come, and which is abandoned after so many rows (0: it is not).
 inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows_until_abandoned) {
   const Limits limits = reference::limits_of(volume, Border::closed);
-  const Capacities capacities = worst_case_capacities(limits);
-  reference::Block block(bytes_for<uint32_t>(limits, capacities));
+  reference::Block block(bytes_for<uint32_t>(limits, reference::ample));
   EventLog log;
   Extractor32 extractor;
-  reference::require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  reference::require_ok(extractor.start(limits, reference::ample, 1, block.memory(), sink_to(log)));
   const uint32_t rows = volume.height * volume.depth;
   const bool is_abandoned = rows_until_abandoned > 0;
   for (uint32_t row = 0; row < (is_abandoned ? rows_until_abandoned : rows); ++row) {
     const uint8_t* samples = volume.on.data() + size_t{row} * volume.width;
-    const Pushed pushed = row % 5 == 2   ? extractor.skip_row(Substitute::off)
+    const PushResult pushed = row % 5 == 2   ? extractor.skip_row(Substitute::off)
                           : row % 7 == 3 ? extractor.skip_row(Substitute::previous_row)
                                          : extractor.push(samples, volume.width);
     reference::require_ok(pushed.status);
@@ -159,11 +165,70 @@ inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows
   return log.events;
 }
 
-/// So little room for runs that most of them leave as fragments.
-inline Capacities spilling_capacities(const reference::BitVolume& volume) {
-  Capacities capacities = worst_case_capacities(reference::limits_of(volume, Border::closed));
-  capacities.runs = minimum_capacities().runs;
-  return capacities;
+/// A ring as loose fragments of `most` runs. A cut leaves the last link of a run to what follows.
+inline void add_loose_ring(Script& script, Incidence incidence, Vertex start,
+                           const std::vector<Run>& runs, size_t most) {
+  Vertex at = start;
+  script.fragment(incidence, at, runs.back().direction());
+  for (size_t i = 0; i < runs.size(); ++i) {
+    const Direction direction = runs[i].direction();
+    const bool is_cut = (i + 1) % most == 0;
+    const uint32_t left = is_cut && runs[i].length() > 1 ? 1 : 0;
+    const Run run = Run::straight(direction, runs[i].length() - left);
+    script.run(run);
+    at = at + displacement(incidence, &run, 1);
+    if (is_cut && (left > 0 || i + 1 < runs.size()))
+      script.fragment_end().fragment(incidence, at, direction);
+    if (left == 0) continue;
+    script.run(direction, left);
+    at = at + direction_vector(incidence, direction);
+  }
+  script.fragment_end();
+}
+
+/// The events of a scan whose regions are sent in loose fragments where a ring has more than `most`
+/// runs.
+inline Events with_loose_fragments(const Events& events, size_t most) {
+  struct Chain {
+    Vertex start;
+    std::vector<Run> runs;
+  };
+  Events result, region;
+  std::vector<Chain> rings;
+  Statistics totals{};
+  for (const RecordedEvent& told : events) {
+    const Event event = told.event();
+    if (told.is(Event::Kind::finish)) {
+      totals.links = event.statistics->links;
+      totals.skipped_rows = event.statistics->skipped_rows;
+      Event finish = event;
+      finish.statistics = &totals;
+      result.emplace_back(finish);
+      continue;
+    }
+    region.push_back(told);
+    if (told.is(Event::Kind::ring)) rings.push_back({event.start, {}});
+    if (told.is(Event::Kind::run)) rings.back().runs.push_back(event.run);
+    if (told.is(Event::Kind::region) || told.is(Event::Kind::ring) || told.is(Event::Kind::run))
+      continue;
+    if (std::any_of(rings.begin(), rings.end(),
+                    [most](const Chain& ring) { return ring.runs.size() > most; })) {
+      const Incidence incidence = region.front().event().incidence;
+      Script script;
+      for (size_t i = rings.size(); i-- > 0;)  // the outer ring last
+        add_loose_ring(script, incidence, rings[i].start, rings[i].runs, most);
+      region = script.events;
+    }
+    for (const RecordedEvent& one : region) {
+      totals.regions += one.is(Event::Kind::region_end);
+      totals.rings += one.is(Event::Kind::ring);
+      totals.fragments += one.is(Event::Kind::fragment_end);
+    }
+    result.insert(result.end(), region.begin(), region.end());
+    region.clear();
+    rings.clear();
+  }
+  return result;
 }
 
 inline Sample sample_of(const std::string& name, const reference::BitVolume& volume,
@@ -191,12 +256,14 @@ inline std::vector<Sample> samples() {
       sample_of("a sieve, whose regions have many holes", sieve(45)),
       sample_of("a long wire, all of it one run", box({3000, 3, 3}, {1, 1, 1}, {2998, 1, 1})),
   };
-  all.push_back({"a ball in hardly any memory: cuts", header_of(round),
+  all.push_back({"a ball in hardly any memory", header_of(round),
                  events_of(round, minimum_capacities())});
   all.push_back(
-      {"noise with fragments", header_of(noise), events_of(noise, spilling_capacities(noise))});
-  all.push_back({"a spiral with fragments", header_of(winding),
-                 events_of(winding, spilling_capacities(winding))});
+      {"noise in loose fragments", header_of(noise), with_loose_fragments(events_of(noise), 3)});
+  all.push_back({"a spiral in loose fragments", header_of(winding),
+                 with_loose_fragments(events_of(winding), 5)});
+  all.push_back({"a spiral in long loose fragments", header_of(winding),
+                 with_loose_fragments(events_of(winding), 150)});
   all.push_back({"rows that never came", header_of(noise), events_with_gaps(noise, 0)});
   all.push_back({"an abandoned scan", header_of(noise), events_with_gaps(noise, 47)});
   all.push_back({"monstrous records", any_header(), monstrous_events()});

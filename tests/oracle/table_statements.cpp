@@ -210,129 +210,6 @@ bool states_the_facts(const FacetTables& facets, int configuration) {
          facets.facts.enclosed[configuration] == enclosed(facets, configuration);
 }
 
-// ---- patches ----
-
-bool is_partition(const PatchTable& table) {
-  if (table.first(0) != 0 || table.first(configurations) != PatchTable::total) return false;
-  for (int c = 0; c < configurations; ++c) {
-    const uint32_t first = table.first(c);
-    const uint32_t end = table.first(c + 1);
-    if (end > PatchTable::total || first > end || end - first > uint32_t{cell_bounds.patches})
-      return false;
-  }
-  return true;
-}
-
-bool counts_distinct_patches(const PatchTable& table) {
-  int patches = 0;
-  int bytes = 0;
-  for (int i = 0; i < PatchTable::counts; ++i) {
-    patches += table.of_count[i];
-    bytes += table.of_count[i] * (2 + Patch::min_links + i);
-  }
-  return patches == PatchTable::distinct && bytes == sizeof(table.patch);
-}
-
-// Links run from point to point of the cell, in the places where they lie, and back to the start.
-bool is_closed_ring_in_its_places(const Patch& patch) {
-  Point from = patch.start;
-  for (int i = 0; i < patch.count; ++i) {
-    if (!is_surface_point(from)) return false;
-    if (patch.direction(i) >= direction_count(patch.incidence)) return false;
-    const Point to = point_after(from, link_of(patch.incidence, patch.direction(i)));
-    if (!is_surface_point(to)) return false;
-    const int face = face_of(from, to);
-    if (patch.place(i) != (face == faces ? spoke : 2 * face + place_in_face(from, to)))
-      return false;
-    from = to;
-  }
-  return from == patch.start;
-}
-
-bool is_of_its_kind(const Patch& patch) {
-  bool has_spoke = false;
-  for (int i = 0; i < patch.count; ++i) has_spoke = has_spoke || patch.place(i) == spoke;
-  return has_spoke == (patch.kind == Patch::Kind::sectors);
-}
-
-bool begins_ahead(const Patch& patch) {
-  for (int i = 0; i < patch.count; ++i)
-    if (is_ahead(patch.place(i))) return is_ahead(patch.place(0));
-  return true;
-}
-
-const char* broken(const Patch& patch) {
-  if (!is_incidence(patch.incidence) || patch.kind > Patch::Kind::sectors)
-    return "a patch has an incidence and a kind";
-  if (!is_closed_ring_in_its_places(patch))
-    return "a patch is a closed ring, and each link is where its place says";
-  if (!is_of_its_kind(patch)) return "sectors, and no other patch, have spokes";
-  if (!begins_ahead(patch)) return "a patch with a link ahead begins with one";
-  return nullptr;
-}
-
-LinkList links_of(const Patch& patch) {
-  LinkList links;
-  Point from = patch.start;
-  for (int i = 0; i < patch.count; ++i) {
-    const Point to = point_after(from, link_of(patch.incidence, patch.direction(i)));
-    links.add({from, to});
-    from = to;
-  }
-  links.sort();
-  return links;
-}
-
-// The facets of one configuration and incidence.
-struct PlaneFacets {
-  uint32_t count = 0;
-  LinkList links;
-};
-
-using Planes = std::array<PlaneFacets, incidence_codes>;
-
-const Planes& planes_of(int configuration) {
-  static const std::vector<Planes> all = [] {
-    std::vector<Planes> planes(configurations);
-    for (size_t c = 0; c < configurations; ++c) {
-      for (int i = facet_table.first[c]; i < facet_table.first[c + 1]; ++i) {
-        const Facet facet = facet_table.facet[i];
-        PlaneFacets& plane = planes[c].at(incidence_of(facet));
-        ++plane.count;
-        plane.links.add(facet_rings.ring[facet].point, facet_rings.ring[facet].count);
-      }
-      for (PlaneFacets& plane : planes[c]) plane.links.sort();
-    }
-    return planes;
-  }();
-  return all[static_cast<size_t>(configuration)];
-}
-
-bool has_a_patch_for_its_facets(const PatchTable& table, int configuration) {
-  const Planes& planes = planes_of(configuration);
-  uint32_t incidences = 0;
-  for (uint32_t i = table.first(configuration); i < table.first(configuration + 1); ++i) {
-    const Patch patch = table.at(i);
-    const PlaneFacets& plane = planes.at(patch.incidence);
-    if ((incidences >> patch.incidence & 1) != 0) return false;
-    incidences |= uint32_t{1} << patch.incidence;
-    if (plane.count != patch.facets() || !(plane.links == links_of(patch))) return false;
-  }
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    if ((incidences >> incidence & 1) != (planes.at(incidence).count > 0)) return false;
-  return true;
-}
-
-bool tells_the_links_below(const PatchTable& table, int configuration) {
-  int found = 0;
-  for (uint32_t i = table.first(configuration); i < table.first(configuration + 1); ++i) {
-    const Patch patch = table.at(i);
-    for (int l = 0; l < patch.count; ++l)
-      if (patch.place(l) / 2 == face_below) found |= 1 << patch.place(l) % 2;
-  }
-  return table.below[configuration & 15] == found;
-}
-
 }  // namespace
 
 const char* broken(const LinkTable& links) {
@@ -362,25 +239,6 @@ const char* broken(const FacetTables& facets) {
   return nullptr;
 }
 
-const char* broken(const PatchTable& patches) {
-  if (!is_partition(patches)) return "every patch belongs to a configuration";
-  if (!counts_distinct_patches(patches)) return "222 distinct patches of 3 to 6 links";
-  for (const uint8_t index : patches.index)
-    if (index >= PatchTable::distinct) return "an index names one of the distinct patches";
-  // Each of the distinct patches once: PatchTable::at() finds them by index.
-  PatchTable all = patches;
-  for (size_t i = 0; i < PatchTable::distinct; ++i) all.index[i] = static_cast<uint8_t>(i);
-  for (uint32_t i = 0; i < PatchTable::distinct; ++i)
-    if (const char* statement = broken(all.at(i))) return statement;
-  for (int c = 0; c < configurations; ++c)
-    if (!has_a_patch_for_its_facets(patches, c))
-      return "a cell has a patch for the facets of each plane";
-  for (int c = 0; c < configurations; ++c)
-    if (!tells_the_links_below(patches, c))
-      return "the lower corners tell the links on the face below";
-  return nullptr;
-}
-
 FacetTables facet_tables() {
   return {facet_table, facet_rings, cell_facts};
 }
@@ -393,9 +251,9 @@ ModelTable model_table() {
 
 // Other numbers are another format: a new wire::version, new golden files, a new WIRE.md.
 const char* broken(const ModelTable& model) {
-  const uint32_t version_1 = 0x7A3F2617;
-  return crc32(model.of, context::count) == version_1 ? nullptr
-                                                      : "the probabilities are those of version 1";
+  const uint32_t version_2 = 0x57D21155;
+  return crc32(model.of, context::count) == version_2 ? nullptr
+                                                      : "the probabilities are those of version 2";
 }
 
 }  // namespace discmc::reference

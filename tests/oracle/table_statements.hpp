@@ -5,7 +5,6 @@
 #define DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
 
 #include <discmc/facet_table.hpp>
-#include <discmc/patch_table.hpp>
 #include <discmc/region_model.hpp>
 
 namespace discmc::reference {
@@ -29,8 +28,6 @@ ModelTable model_table();
 /// The first statement that a table breaks, in words, or nullptr. Any bytes may be in the table.
 const char* broken(const LinkTable& links);
 const char* broken(const FacetTables& facets);
-/// Patches are held against the library's facets.
-const char* broken(const PatchTable& patches);
 const char* broken(const ModelTable& model);
 
 }  // namespace discmc::reference

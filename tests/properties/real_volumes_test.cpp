@@ -1,16 +1,14 @@
-// Real scans, where there are any: the environment variable DISCMC_DATA names a folder with volumes
-// and, beside each, a JSON file of the same name that gives "file" and "iso", a list of thresholds
-// on stored samples. Without it these tests say so and pass.
+// Real scans, where there are any: the environment variable DISCMC_DATA names a folder as
+// described_volumes.hpp describes it. Without it these tests say so and pass.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
-#include "oracle/agreement.hpp"
+#include "host/described_volumes.hpp"
+#include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/stream.hpp"
 #include "volume.hpp"
 
 using namespace discmc;
@@ -20,44 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Scan {
-  fs::path file;
-  std::vector<int32_t> thresholds;
-};
-
-// What follows "key": up to the end of the value; the files are flat but for the list.
-std::string value_of(const std::string& json, const std::string& key) {
-  const size_t at = json.find('"' + key + '"');
-  if (at == std::string::npos) return {};
-  const size_t begin = json.find(':', at) + 1;
-  const size_t first = json.find_first_not_of(" \n\r\t", begin);
-  if (json[first] == '[') return json.substr(first + 1, json.find(']', first) - first - 1);
-  if (json[first] == '"') return json.substr(first + 1, json.find('"', first + 1) - first - 1);
-  return json.substr(first, json.find_first_of(",}", first) - first);
-}
-
-Scan read_description(const fs::path& file) {
-  std::ifstream stream(file);
-  const std::string json{std::istreambuf_iterator<char>(stream), {}};
-  Scan scan{file.parent_path() / value_of(json, "file"), {}};
-  std::string list = value_of(json, "iso");
-  std::replace(list.begin(), list.end(), ',', ' ');
-  std::istringstream thresholds(list);
-  for (int32_t threshold = 0; thresholds >> threshold;) scan.thresholds.push_back(threshold);
-  return scan;
-}
-
-std::vector<Scan> scans() {
-  std::vector<Scan> scans;
+std::vector<host::DescribedVolume> scans() {
   const char* folder = std::getenv("DISCMC_DATA");
   if (folder == nullptr) {
     MESSAGE("skipped: DISCMC_DATA names no folder with volumes");
-    return scans;
+    return {};
   }
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".json") scans.push_back(read_description(entry.path()));
-  std::sort(scans.begin(), scans.end(),
-            [](const Scan& a, const Scan& b) { return a.file < b.file; });
+  const auto scans = host::described_volumes(folder);
   CHECK_MESSAGE(!scans.empty(), "no description of a volume in ", folder);
   return scans;
 }
@@ -117,41 +84,69 @@ Collector sweep(const fs::path& file, int32_t threshold, Border border, uint64_t
   return collector;
 }
 
+// An encoder in front of nothing, and what it was told.
+class StreamSize {
+ public:
+  explicit StreamSize(const BitVolume& volume) {
+    require_ok(encoder_.start(test::header_of(volume), {nullptr, take_all}));
+  }
+  Answer take(const Event& event) {
+    fragments_ += event.kind == Event::Kind::fragment;
+    return encoder_.take(event);
+  }
+  uint64_t bytes() const { return encoder_.bytes(); }
+  uint64_t fragments() const { return fragments_; }
+
+ private:
+  static size_t take_all(void*, const uint8_t*, size_t count) { return count; }
+  Encoder encoder_;
+  uint64_t fragments_ = 0;
+};
+
+StreamSize stream_size(const BitVolume& volume, uint64_t bytes) {
+  StreamSize size(volume);
+  scan_into<uint16_t>(size, volume, {}, bytes);
+  return size;
+}
+
 // The CT head of the known answers, or an empty path.
 fs::path ct_head() {
-  for (const Scan& scan : scans())
+  for (const host::DescribedVolume& scan : scans())
     if (scan.file.stem() == "cthead") return scan.file;
   MESSAGE("skipped: no volume named cthead");
   return {};
 }
 
 constexpr int32_t skin = 500;
+constexpr uint64_t kib = 1024;
 constexpr Border borders[] = {Border::closed, Border::open};
 
 }  // namespace
 
 TEST_CASE("real volumes are swept as the paper merges them, at every threshold") {
-  for (const Scan& scan : scans())
+  for (const host::DescribedVolume& scan : scans())
     for (const int32_t threshold : scan.thresholds) {
       const BitVolume volume = read(scan.file, threshold);
       for (const Border border : borders) {
+        const bool closed = border == Border::closed;
         CAPTURE(scan.file.string());
         CAPTURE(threshold);
         const Collector collector = sweep<uint32_t>(scan.file, threshold, border, 64 << 20);
-        CHECK(collector.statistics().cuts == 0);
-        CHECK(unlike_merge(collector.regions(), volume, border == Border::closed) == "");
+        CHECK(collector.loose().empty());
+        CHECK(unlike_merge(collector.regions(), volume, closed) == "");
+        CHECK(miscounted(collector, volume, closed) == "");
       }
     }
 }
 
-TEST_CASE("the CT head's skin gives the known counts without a cut in 256 kB") {
+TEST_CASE("the CT head's skin gives the known counts, and nothing loose, in 96 KiB") {
   const fs::path file = ct_head();
   if (file.empty()) return;
   for (const Border border : borders) {
     const bool closed = border == Border::closed;
-    const Collector collector = sweep<uint16_t>(file, skin, border, 262144 - 256);
+    const Collector collector = sweep<uint16_t>(file, skin, border, 96 * kib - sizeof(Extractor16));
+    CHECK(collector.loose().empty());
     const Statistics& statistics = collector.statistics();
-    CHECK(statistics.cuts == 0);
     CHECK(statistics.classic_triangles == (closed ? 633688 : 608680));
     CHECK(statistics.facets == (closed ? 848514 : 804551));
     CHECK(statistics.regions == (closed ? 62384 : 61407));
@@ -162,31 +157,71 @@ TEST_CASE("the CT head's skin gives the known counts without a cut in 256 kB") {
   }
 }
 
-TEST_CASE("the CT head's skin in 64 kB has at most a quarter more regions, and the same surface") {
+TEST_CASE("the CT head's skin takes few more bytes in little memory") {
   const fs::path file = ct_head();
   if (file.empty()) return;
   const BitVolume volume = read(file, skin);
-  for (const Border border : borders) {
-    const bool closed = border == Border::closed;
-    const Collector collector = sweep<uint16_t>(file, skin, border, 65536 - 256);
-    MESSAGE("regions ", collector.regions().size(), ", cuts ", collector.statistics().cuts,
-            ", spills ", collector.statistics().spills);
-    CHECK(collector.regions().size() * 4 <= (closed ? 62384 : 61407) * 5);
-    CHECK(unlike_surface(collector.regions(), volume, closed) == "");
+  const auto whole = static_cast<double>(stream_size(volume, 256 * kib).bytes());
+  const auto in = [&](uint64_t memory) {
+    const uint64_t bytes = memory * kib - sizeof(Extractor16);
+    return static_cast<double>(stream_size(volume, bytes).bytes()) / whole;
+  };
+  CHECK(in(64) <= 1.1);
+  CHECK(in(48) <= 1.25);
+  CHECK(in(32) <= 1.95);
+  CHECK(in(24) <= 2.6);
+}
+
+TEST_CASE("real volumes come out the same in any memory, once loose fragments are joined") {
+  for (const host::DescribedVolume& scan : scans()) {
+    if (scan.thresholds.empty()) continue;
+    const BitVolume volume = read(scan.file, scan.thresholds[0]);
+    const std::vector<Region> merged = merge(volume, true);
+    const uint64_t least = minimum_bytes<uint16_t>(limits_of(volume, Border::closed));
+    for (const uint64_t extra : {0U, 1000U, 10000U, 40000U}) {
+      CAPTURE(scan.file.string());
+      CAPTURE(extra);
+      Collector loose, sealed(false);
+      scan_into<uint16_t>(loose, volume, {}, least + extra);
+      CHECK(unlike_joined({loose}, merged) == "");
+      CHECK(miscounted(loose, volume, true) == "");
+      scan_into<uint16_t>(sealed, volume, {Border::closed, false}, least + extra);
+      CHECK(unlike_surface(sealed.regions(), volume, true) == "");
+      CHECK(miscounted(sealed, volume, true) == "");
+    }
   }
 }
 
-TEST_CASE("real volumes keep their surface in very little memory") {
-  for (const Scan& scan : scans()) {
+TEST_CASE("slabs of real volumes join to the whole") {
+  for (const host::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
-    for (const uint64_t extra : {0U, 1000U, 10000U}) {
-      const uint64_t bytes = minimum_bytes<uint16_t>(limits_of(volume, Border::closed)) + extra;
-      const Collector collector =
-          sweep<uint16_t>(scan.file, scan.thresholds[0], Border::closed, bytes);
+    for (const Border border : borders) {
+      const std::vector<Region> merged = merge(volume, border == Border::closed);
+      for (const uint32_t slices : {1U, 2U, 3U, 7U}) {
+        CAPTURE(scan.file.string());
+        CAPTURE(slices);
+        const auto slabs = scan_slabs<uint32_t>(volume, border, slices, 1 << 20);
+        CHECK(unlike_joined(slabs, merged) == "");
+      }
+    }
+  }
+}
+
+TEST_CASE("more memory never makes more loose fragments or bytes of a real volume") {
+  for (const host::DescribedVolume& scan : scans()) {
+    if (scan.thresholds.empty()) continue;
+    const BitVolume volume = read(scan.file, scan.thresholds[0]);
+    uint64_t bytes = minimum_bytes<uint16_t>(limits_of(volume, Border::closed));
+    StreamSize before = stream_size(volume, bytes);
+    while (before.fragments() > 0 && bytes < 256 * kib) {
+      bytes += 2 * kib;
       CAPTURE(scan.file.string());
-      CAPTURE(extra);
-      CHECK(unlike_surface(collector.regions(), volume, true) == "");
+      CAPTURE(bytes);
+      const StreamSize size = stream_size(volume, bytes);
+      CHECK(size.bytes() <= before.bytes() + before.bytes() / 10000);
+      CHECK(size.fragments() <= before.fragments() + before.fragments() / 10000);
+      before = size;
     }
   }
 }

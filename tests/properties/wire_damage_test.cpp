@@ -14,21 +14,21 @@ namespace {
 
 // Decodes with the grammar checked, and encodes again what came of it: an encoder must take
 // whatever a decoder delivers, and tell it unchanged.
-Arrival survive(const Bytes& bytes, size_t portion = 0) {
-  const Arrival arrival = decode(bytes, portion);
-  const std::vector<Events> regions = regions_of(arrival.events);
-  CHECK(regions.size() == arrival.report.regions);
+Received survive(const Bytes& bytes, size_t portion = 0) {
+  const Received arrival = decode(bytes, portion);
+  const std::vector<Events> pieces = pieces_of(arrival.events);
+  CHECK(pieces.size() == arrival.report.regions + arrival.report.fragments);
   const Bytes again = encode(arrival.events);
   for (const Bytes& frame : frames_of(again)) CHECK(frame.size() <= wire::max_frame);
-  CHECK(regions_of(decode(again).events) == regions);
+  CHECK(pieces_of(decode(again).events) == pieces);
   return arrival;
 }
 
-// Whether `part` is what is left of `whole` when regions are taken out.
+// Whether `part` is what is left of `whole` when pieces are taken out.
 bool is_subsequence(const std::vector<Events>& part, const std::vector<Events>& whole) {
   size_t at = 0;
-  for (const Events& region : part) {
-    while (at < whole.size() && whole[at] != region) ++at;
+  for (const Events& piece : part) {
+    while (at < whole.size() && whole[at] != piece) ++at;
     if (at++ == whole.size()) return false;
   }
   return true;
@@ -58,8 +58,9 @@ std::vector<Sample> small_samples() {
   Script script;
   Chance chance(3);
   add_ragged_region(script, chance, 150, 1000);
-  script.fragment(up, 3).run(1, 2).fragment_end().layer(1).region(up).ring({1, 0, 0});
-  script.run(Run::fragment(3)).region_end().skipped(2, 0, true).layer(2);
+  script.fragment(up, {1, 0, 0}, 3).run(1, 2).fragment_end().layer(1);
+  add_ragged_fragment(script, chance, 100, 1000);
+  script.skipped(2, 0, true).layer(2);
   std::vector<Sample> small{{"parts and marks", any_header(), script.finish().events}};
   for (const Sample& sample : samples())
     if (encode(sample.events, sample.header).size() < 1000) small.push_back(sample);
@@ -73,18 +74,18 @@ TEST_CASE("a flipped bit anywhere is noticed, and costs only what was in its pac
   for (const Sample& sample : small_samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
-    const std::vector<Events> sent = regions_of(sample.events);
+    const std::vector<Events> sent = pieces_of(sample.events);
     for (size_t bit = 0; bit < 8 * stream.size(); ++bit) {
       CAPTURE(bit);
       Bytes flipped = stream;
       flipped[bit / 8] = static_cast<uint8_t>(flipped[bit / 8] ^ 1 << bit % 8);
-      const Arrival arrival = decode(flipped);
+      const Received arrival = decode(flipped);
       REQUIRE_FALSE(arrival.report.is_complete());
       CHECK(arrival.report.damaged_packets >= 1);
-      const std::vector<Events> arrived = regions_of(arrival.events);
+      const std::vector<Events> arrived = pieces_of(arrival.events);
       REQUIRE(is_subsequence(arrived, sent));
       if (arrival.report.has_trailer)
-        REQUIRE(arrival.report.lost_regions == sent.size() - arrived.size());
+        REQUIRE(arrival.report.lost_pieces == sent.size() - arrived.size());
     }
   }
 }
@@ -94,7 +95,7 @@ TEST_CASE("a burst of errors anywhere is noticed") {
   for (const Sample& sample : small_samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
-    const std::vector<Events> sent = regions_of(sample.events);
+    const std::vector<Events> sent = pieces_of(sample.events);
     for (int round = 0; round < 2000; ++round) {
       Bytes burst = stream;
       const uint32_t at = chance.below(static_cast<uint32_t>(burst.size()));
@@ -102,9 +103,9 @@ TEST_CASE("a burst of errors anywhere is noticed") {
           std::min(at + 1 + chance.below(300), static_cast<uint32_t>(burst.size()));
       for (uint32_t i = at; i < end; ++i) burst[i] = chance.below(4) == 0 ? 0 : chance.byte();
       if (burst == stream) continue;
-      const Arrival arrival = decode(burst);
+      const Received arrival = decode(burst);
       CHECK_FALSE(arrival.report.is_complete());
-      CHECK(is_subsequence(regions_of(arrival.events), sent));
+      CHECK(is_subsequence(pieces_of(arrival.events), sent));
     }
   }
 }
@@ -112,7 +113,7 @@ TEST_CASE("a burst of errors anywhere is noticed") {
 TEST_CASE("random bytes are no stream") {
   Chance chance(2);
   for (int round = 0; round < 2000; ++round) {
-    const Arrival arrival = survive(random_bytes(chance, chance.below(1500)), chance.below(5));
+    const Received arrival = survive(random_bytes(chance, chance.below(1500)), chance.below(5));
     CHECK(arrival.events.empty());
     CHECK(arrival.report.packets == 0);
   }
@@ -126,9 +127,9 @@ TEST_CASE("random payloads under a correct checksum end, and break no rule") {
     for (uint8_t number = 0; number < 8; ++number) {
       const Bytes payload = random_bytes(chance, chance.below(wire::max_payload + 1));
       const uint8_t kind = chance.below(5) == 0 ? chance.byte() : 2;
-      const auto regions = static_cast<uint16_t>(chance.below(3) == 0 ? chance.next() : 0);
+      const auto pieces = static_cast<uint16_t>(chance.below(3) == 0 ? chance.next() : 0);
       const Bytes frame =
-          frame_of({kind, chance.below(4) == 0 ? chance.byte() : number, regions, payload});
+          frame_of({kind, chance.below(4) == 0 ? chance.byte() : number, pieces, payload});
       stream.insert(stream.end(), frame.begin(), frame.end());
     }
     events += survive(stream).events.size();
@@ -149,7 +150,7 @@ TEST_CASE("changed packets under a correct checksum end, and break no rule") {
         Packet packet = packet_of(frame);
         if (chance.below(2) == 0) mutate(chance, packet.payload);
         if (chance.below(12) == 0) packet.number = chance.byte();
-        if (chance.below(12) == 0) packet.regions = static_cast<uint16_t>(chance.next());
+        if (chance.below(12) == 0) packet.pieces = static_cast<uint16_t>(chance.next());
         if (chance.below(20) == 0) packet.kind = static_cast<uint8_t>(chance.below(5));
         frame = frame_of(packet);
       }
@@ -164,7 +165,7 @@ TEST_CASE("hostile payloads that cost next to nothing a decision still end") {
     // All ones or all zeros steer the decoder along the likeliest or least likely decisions.
     Bytes payload(wire::max_payload, chance.below(2) == 0 ? 0xFF : 0);
     for (uint32_t i = chance.below(6); i > 0; --i) payload[chance.below(8)] = chance.byte();
-    const Arrival arrival = survive(frame_of({2, 0, 0, payload}));
+    const Received arrival = survive(frame_of({2, 0, 0, payload}));
     CHECK(arrival.events.size() < 400000);
   }
 }
@@ -173,7 +174,7 @@ TEST_CASE("frames of every length with a correct checksum are safe, too long one
   Chance chance(6);
   for (size_t count = 0; count <= wire::max_payload + 1; ++count)
     for (uint8_t kind = 0; kind < 5; ++kind) {
-      const Arrival arrival = survive(frame_of({kind, 0, 0, random_bytes(chance, count)}));
+      const Received arrival = survive(frame_of({kind, 0, 0, random_bytes(chance, count)}));
       CHECK(arrival.report.packets + arrival.report.damaged_packets >= 1);
       if (count > wire::max_payload) CHECK(arrival.report.packets == 0);
     }

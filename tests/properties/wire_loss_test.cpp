@@ -1,4 +1,4 @@
-// What a lossy link does to a stream: every loss is counted exactly, and no region comes out wrong.
+// What a lossy link does to a stream: every loss is counted exactly, and nothing comes out wrong.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using wire::PacketKind;
 
 namespace {
 
-// A stream in frames, and between which of them each of its regions lies.
+// A stream in frames, and between which of them each of its regions and fragments lies.
 struct Sent {
   struct Span {
     size_t first, last;
@@ -28,33 +28,34 @@ struct Sent {
     Span span{};
     for (size_t i = 0; i < frames.size(); ++i)
       for (const RecordedEvent& recorded : brought[i]) {
-        if (recorded.is(Kind::region)) span = {i, i, {}};
+        if (recorded.is(Kind::region) || recorded.is(Kind::fragment)) span = {i, i, {}};
         span.events.push_back(recorded);
         span.last = i;
-        if (recorded.is(Kind::region_end)) regions.push_back(span);
+        if (recorded.is(Kind::region_end) || recorded.is(Kind::fragment_end))
+          pieces.push_back(span);
       }
   }
 
   std::vector<Bytes> frames;
   std::vector<Events> brought;
-  std::vector<Span> regions;
+  std::vector<Span> pieces;
 };
 
 // What must arrive of the frames kept, and what the report must say.
-void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Arrival& arrival) {
+void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Received& arrival) {
   std::vector<Events> expected;
-  for (const Sent::Span& span : sent.regions)
+  for (const Sent::Span& span : sent.pieces)
     if (std::all_of(is_kept.begin() + static_cast<std::ptrdiff_t>(span.first),
                     is_kept.begin() + static_cast<std::ptrdiff_t>(span.last) + 1,
                     [](bool kept) { return kept; }))
       expected.push_back(span.events);
-  CHECK(regions_of(arrival.events) == expected);
-  CHECK(arrival.report.regions == expected.size());
+  CHECK(pieces_of(arrival.events) == expected);
+  CHECK(arrival.report.regions + arrival.report.fragments == expected.size());
   const auto kept = static_cast<uint64_t>(std::count(is_kept.begin(), is_kept.end(), true));
   CHECK(arrival.report.packets == kept);
   CHECK(arrival.report.is_complete() == (kept == is_kept.size()));
   if (!is_kept.back()) return;  // nobody can tell what was to come
-  CHECK(arrival.report.lost_regions == sent.regions.size() - expected.size());
+  CHECK(arrival.report.lost_pieces == sent.pieces.size() - expected.size());
   if (arrival.report.has_header) CHECK(arrival.report.lost_packets == is_kept.size() - kept);
 }
 
@@ -79,9 +80,9 @@ Events long_events(uint32_t regions) {
   Chance chance(5);
   for (uint32_t i = 0; i < regions; ++i) {
     if (i % 9 == 4) {
-      script.fragment(up, i);
-      for (uint32_t run = 0; run < 150; ++run) script.run(run % 8, 1 + chance.below(999));
-      script.fragment_end();
+      add_ragged_fragment(script, chance, 150, 1000);
+      for (uint32_t fragment = 0; fragment < i; fragment += 9)
+        add_ragged_fragment(script, chance, 3, 5);
     }
     add_ragged_region(script, chance, i % 5 == 0 ? 300 : 30, 1000);
     if (i % 3 == 0) script.layer(i);
@@ -105,9 +106,9 @@ std::vector<Bytes> packets_of_one_region(uint32_t regions) {
   return frames_of(line.bytes);
 }
 
-bool is_known(const Sent& sent, const Events& region) {
-  return std::any_of(sent.regions.begin(), sent.regions.end(),
-                     [&](const Sent::Span& span) { return span.events == region; });
+bool is_known(const Sent& sent, const Events& piece) {
+  return std::any_of(sent.pieces.begin(), sent.pieces.end(),
+                     [&](const Sent::Span& span) { return span.events == piece; });
 }
 
 const Sent& long_stream() {
@@ -117,7 +118,7 @@ const Sent& long_stream() {
 
 }  // namespace
 
-TEST_CASE("any one packet that is dropped is counted, and only its regions are missing") {
+TEST_CASE("any one packet that is dropped is counted, and only what it held is missing") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Sent sent(sample.events, sample.header);
@@ -153,33 +154,38 @@ TEST_CASE("of one huge region no 256 packets can be missing unnoticed") {
   for (const size_t count : {256U, 257U, 300U, 512U}) check_without(sent, 67, count);
 }
 
-TEST_CASE("of more packets dropped before the trailer the regions are still counted") {
+TEST_CASE("of more packets dropped before the trailer the pieces are still counted") {
   const Sent& sent = long_stream();
   for (size_t count = 128; count < sent.frames.size() - 1; count += 13) {
     std::vector<Bytes> kept(sent.frames.begin(),
                             sent.frames.end() - static_cast<std::ptrdiff_t>(count) - 1);
     kept.push_back(sent.frames.back());
-    const Arrival arrival = decode(joined(kept));
-    CHECK(arrival.report.lost_regions + arrival.report.regions == sent.regions.size());
+    const Received arrival = decode(joined(kept));
+    CHECK(arrival.report.lost_pieces + arrival.report.regions + arrival.report.fragments ==
+          sent.pieces.size());
     CHECK_FALSE(arrival.report.is_complete());
     CHECK(arrival.report.lost_packets % 256 == count % 256);
   }
 }
 
-TEST_CASE("of any number of regions lost before the trailer it tells exactly how many") {
+TEST_CASE("of any number of pieces lost before the trailer it tells exactly how many") {
   std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
   REQUIRE(frames.size() == 2);
-  for (const uint32_t regions : {1U, 32767U, 32768U, 40000U, 65535U, 65536U, 1000000U}) {
-    Packet trailer = packet_of(frames[1]);
-    trailer.regions = static_cast<uint16_t>(regions);
-    // After the slices, the flag and three totals.
-    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(regions);
-    frames[1] = frame_of(trailer);
-    const Arrival arrival = decode(joined(frames));
-    CHECK(arrival.report.totals.regions == regions);
-    CHECK(arrival.report.lost_regions == regions);
-    CHECK_FALSE(arrival.report.is_complete());
-  }
+  for (const uint32_t regions : {0U, 1U, 32767U, 32768U, 40000U, 65535U, 65536U, 1000000U})
+    for (const uint32_t fragments : {1U, 32768U, 70000U}) {
+      Packet trailer = packet_of(frames[1]);
+      trailer.pieces = static_cast<uint16_t>(regions + fragments);
+      // After the slices and the flag; the fragments are the seventh total.
+      uint8_t* const totals = trailer.payload.data() + 4 + 1;
+      wire::ByteWriter(totals + 3 * 8).put_long(regions);
+      wire::ByteWriter(totals + 6 * 8).put_long(fragments);
+      frames[1] = frame_of(trailer);
+      const Received arrival = decode(joined(frames));
+      CHECK(arrival.report.totals.regions == regions);
+      CHECK(arrival.report.totals.fragments == fragments);
+      CHECK(arrival.report.lost_pieces == regions + fragments);
+      CHECK_FALSE(arrival.report.is_complete());
+    }
 }
 
 TEST_CASE("a listener that joins late knows what was before him") {
@@ -188,7 +194,7 @@ TEST_CASE("a listener that joins late knows what was before him") {
     check_without(sent, 0, first);
 }
 
-TEST_CASE("a late listener hears all from the first packet on, whatever its count of regions") {
+TEST_CASE("a late listener hears all from the first packet on, whatever its count of pieces") {
   const Sample sample = samples()[4];
   for (const uint32_t before : {1U, 32767U, 32768U, 65000U}) {
     CAPTURE(before);
@@ -197,13 +203,13 @@ TEST_CASE("a late listener hears all from the first packet on, whatever its coun
     frames.pop_back();
     for (Bytes& frame : frames) {
       Packet packet = packet_of(frame);
-      packet.regions = static_cast<uint16_t>(packet.regions + before);
+      packet.pieces = static_cast<uint16_t>(packet.pieces + before);
       frame = frame_of(packet);
     }
-    const Arrival arrival = decode(joined(frames));
+    const Received arrival = decode(joined(frames));
     CHECK(arrival.report.packets == frames.size());
-    CHECK(arrival.report.lost_regions == before);
-    CHECK(regions_of(arrival.events) == regions_of(sample.events));
+    CHECK(arrival.report.lost_pieces == before);
+    CHECK(pieces_of(arrival.events) == pieces_of(sample.events));
   }
 }
 
@@ -232,7 +238,7 @@ TEST_CASE("packets that come twice are delivered once") {
       const Bytes& old = sent.frames[i - back];
       stream.insert(stream.end(), old.begin(), old.end());
     }
-    const Arrival arrival = decode(stream);
+    const Received arrival = decode(stream);
     check_arrival(sent, all, arrival);
     CHECK(arrival.report.repeated_packets > 80);
   }
@@ -251,7 +257,7 @@ TEST_CASE("of packets that change places the later one is kept, the other counte
                   frames.begin() + static_cast<std::ptrdiff_t>(i + apart) + 1);
       std::vector<bool> is_kept(frames.size(), true);
       is_kept[i] = false;
-      const Arrival arrival = decode(joined(frames));
+      const Received arrival = decode(joined(frames));
       check_arrival(sent, is_kept, arrival);
       CHECK(arrival.report.repeated_packets == 1);
     }
@@ -279,8 +285,8 @@ TEST_CASE("two different streams spliced give regions of one or the other, never
                     second.frames.end());
       // A region in parts may be open at the cut; if the numbers go on there, nobody can tell.
       if (static_cast<uint8_t>(from - cut) == 0) continue;
-      for (const Events& region : regions_of(decode(joined(frames)).events))
-        CHECK((is_known(first, region) || is_known(second, region)));
+      for (const Events& piece : pieces_of(decode(joined(frames)).events))
+        CHECK((is_known(first, piece) || is_known(second, piece)));
     }
 }
 
@@ -303,19 +309,19 @@ TEST_CASE(
       for (uint32_t i = chance.below(longest + 1); i > 0 && b < second.frames.size(); --i)
         frames.push_back(second.frames[b++]);
     }
-    const Arrival arrival = decode(joined(frames));
-    const std::vector<Events> regions = regions_of(arrival.events);
+    const Received arrival = decode(joined(frames));
+    const std::vector<Events> regions = pieces_of(arrival.events);
     for (const Events& region : regions)
       CHECK((is_known(first, region) || is_known(second, region)));
     if (!arrival.report.is_complete()) continue;
-    CHECK((regions == regions_of(round.events) || regions == regions_of(noise.events)));
+    CHECK((regions == pieces_of(round.events) || regions == pieces_of(noise.events)));
   }
 }
 
 TEST_CASE("losses are counted beyond 65,536 packets and regions") {
   const Sent sent(packets_of_one_region(66500));
   REQUIRE(sent.frames.size() > 66500);
-  REQUIRE(sent.regions.size() == 66500);
+  REQUIRE(sent.pieces.size() == 66500);
   std::vector<bool> is_kept(sent.frames.size(), true);
   for (size_t i = 777; i + 2 < is_kept.size(); i += 1111) is_kept[i] = false;
   std::fill_n(is_kept.begin() + 65400, 300, false);

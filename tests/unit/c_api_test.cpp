@@ -2,7 +2,6 @@
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
-#include <cstring>
 #include <discmc/discmc.hpp>
 #include <string_view>
 #include <vector>
@@ -10,15 +9,19 @@
 #include "oracle/c_events.hpp"
 
 using namespace discmc;
+using reference::c_sink_to;
+using reference::counts;
 using reference::EventLog;
-using reference::RecordedEvent;
+using reference::from_c;
 
 namespace {
 
 constexpr uint32_t width = 21, height = 17, depth = 13;
 constexpr int32_t threshold = 100;
+constexpr Limits closed{width, height};
+constexpr Limits open{width, height, Border::open};
 
-// Blobs and noise, so that there are holes, cuts and spills.
+// Blobs and noise, so that there are holes, and too much for little memory.
 template <class Sample>
 std::vector<Sample> make_samples() {
   std::vector<Sample> samples(width * height * depth);
@@ -32,129 +35,107 @@ std::vector<Sample> make_samples() {
   return samples;
 }
 
-// A log as a sink in C.
-discmc_answer take_in_c(void* log, const discmc_event* event) {
-  const Answer answer = static_cast<EventLog*>(log)->take(reference::from_c(*event).event());
-  return static_cast<discmc_answer>(answer);
-}
-
 EventLog::Refuses refuses_every(uint64_t nth) {
   return [nth](uint64_t offer) { return nth != 0 && offer % nth == nth - 1; };
 }
 
-// The functions of one width of index, under one name.
-struct Index16 {
-  using Object = discmc_extractor16;
-  using Checkpoint = discmc_extractor16_checkpoint;
-  using Cpp = Extractor16;
-  static constexpr auto start = discmc_extractor16_start;
-  static constexpr auto resume = discmc_extractor16_resume;
-  static constexpr auto finish = discmc_extractor16_finish;
-  static constexpr auto skip_row = discmc_extractor16_skip_row;
-  static constexpr auto save = discmc_extractor16_save;
-  static constexpr auto restore = discmc_extractor16_restore;
-  static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
-    return discmc_extractor16_push_u8(o, s, n, 1);
-  }
-  static discmc_pushed push(Object* o, const uint16_t* s, uint32_t n) {
-    return discmc_extractor16_push_u16(o, s, n, 1);
-  }
-  static discmc_pushed push(Object* o, const int16_t* s, uint32_t n) {
-    return discmc_extractor16_push_i16(o, s, n, 1);
-  }
-};
-struct Index32 {
-  using Object = discmc_extractor32;
-  using Checkpoint = discmc_extractor32_checkpoint;
-  using Cpp = Extractor32;
-  static constexpr auto start = discmc_extractor32_start;
-  static constexpr auto resume = discmc_extractor32_resume;
-  static constexpr auto finish = discmc_extractor32_finish;
-  static constexpr auto skip_row = discmc_extractor32_skip_row;
-  static constexpr auto save = discmc_extractor32_save;
-  static constexpr auto restore = discmc_extractor32_restore;
-  static discmc_pushed push(Object* o, const uint8_t* s, uint32_t n) {
-    return discmc_extractor32_push_u8(o, s, n, 1);
-  }
-  static discmc_pushed push(Object* o, const uint16_t* s, uint32_t n) {
-    return discmc_extractor32_push_u16(o, s, n, 1);
-  }
-  static discmc_pushed push(Object* o, const int16_t* s, uint32_t n) {
-    return discmc_extractor32_push_i16(o, s, n, 1);
-  }
-};
+discmc_push_result push(discmc_extractor* extractor, const uint8_t* samples, uint32_t count) {
+  return discmc_extractor_push_u8(extractor, samples, count, 1);
+}
+discmc_push_result push(discmc_extractor* extractor, const uint16_t* samples, uint32_t count) {
+  return discmc_extractor_push_u16(extractor, samples, count, 1);
+}
+discmc_push_result push(discmc_extractor* extractor, const int16_t* samples, uint32_t count) {
+  return discmc_extractor_push_i16(extractor, samples, count, 1);
+}
 
-template <class Index>
-bool succeeds(typename Index::Object& extractor, discmc_status status) {
-  while (status == DISCMC_MORE) status = Index::resume(&extractor);
+bool succeeds(discmc_extractor& extractor, discmc_status status) {
+  while (status == DISCMC_MORE) status = discmc_extractor_resume(&extractor);
   return status == DISCMC_OK;
 }
-template <class Extractor>
-bool succeeds(Extractor& extractor, Status status) {
+bool succeeds(Extractor16& extractor, Status status) {
   while (status == Status::more) status = extractor.resume();
   return status == Status::ok;
 }
 
+discmc_limits limits_in_c(const Limits& limits) {
+  return {limits.width,
+          limits.height,
+          static_cast<uint8_t>(limits.border),
+          {limits.slab.first, limits.slab.continues_below, limits.slab.continues_above}};
+}
+
+bool are_equal(const discmc_capacities& c, const Capacities& cpp) {
+  return c.records == cpp.records && c.holes == cpp.holes;
+}
+
 // A scan whose row 40 never comes, and that goes on from a checkpoint at row 60, elsewhere.
-template <class Index, class Sample>
-void scan_in_c(const std::vector<Sample>& samples, uint8_t border, size_t bytes,
-               discmc_sink& sink) {
+template <class Sample>
+void scan_in_c(const std::vector<Sample>& samples, const Limits& limits, size_t bytes,
+               const discmc_sink& sink) {
   std::vector<uint8_t> memory(bytes), other_memory(bytes);
-  typename Index::Object first = {}, second = {};
-  typename Index::Object* extractor = &first;
-  const discmc_limits limits = {width, height, border};
-  REQUIRE(succeeds<Index>(first, Index::start(&first, &limits, nullptr, threshold,
-                                              {memory.data(), memory.size()}, &sink)));
+  discmc_extractor first = {}, second = {};
+  discmc_extractor* extractor = &first;
+  const discmc_limits c_limits = limits_in_c(limits);
+  REQUIRE(succeeds(first, discmc_extractor_start(&first, &c_limits, nullptr, threshold,
+                                                 {memory.data(), memory.size()}, &sink)));
   for (uint32_t row = 0; row < height * depth; ++row) {
     if (row == 60) {
-      typename Index::Checkpoint checkpoint;
-      REQUIRE(Index::save(&first, &checkpoint) == DISCMC_OK);
+      discmc_extractor_checkpoint checkpoint;
+      REQUIRE(discmc_extractor_save(&first, &checkpoint) == DISCMC_OK);
       memory.swap(other_memory);
-      REQUIRE(Index::restore(&second, &checkpoint, {memory.data(), bytes}, &sink) ==
+      REQUIRE(discmc_extractor_restore(&second, &checkpoint, {memory.data(), bytes}, &sink) ==
               DISCMC_BAD_CHECKPOINT);
       std::copy(other_memory.begin(), other_memory.end(), memory.begin());
-      REQUIRE(Index::restore(&second, &checkpoint, {memory.data(), bytes}, &sink) == DISCMC_OK);
+      REQUIRE(discmc_extractor_restore(&second, &checkpoint, {memory.data(), bytes}, &sink) ==
+              DISCMC_OK);
       std::fill(other_memory.begin(), other_memory.end(), uint8_t{0xFF});
       extractor = &second;
     }
-    const discmc_pushed pushed =
-        row == 40 ? Index::skip_row(extractor, DISCMC_PREVIOUS_ROW)
-                  : Index::push(extractor, samples.data() + size_t{row} * width, width);
-    REQUIRE(pushed.samples == width);
-    REQUIRE(succeeds<Index>(*extractor, pushed.status));
+    const discmc_push_result result =
+        row == 40 ? discmc_extractor_skip_row(extractor, DISCMC_PREVIOUS_ROW)
+                  : push(extractor, samples.data() + size_t{row} * width, width);
+    REQUIRE(result.samples == width);
+    REQUIRE(succeeds(*extractor, result.status));
   }
-  REQUIRE(succeeds<Index>(*extractor, Index::finish(extractor)));
+  REQUIRE(succeeds(*extractor, discmc_extractor_finish(extractor)));
 }
 
-template <class Index, class Sample>
-void scan_in_cpp(const std::vector<Sample>& samples, Border border, size_t bytes,
+template <class Sample>
+void scan_in_cpp(const std::vector<Sample>& samples, const Limits& limits, size_t bytes,
                  const Sink& sink) {
   std::vector<uint8_t> memory(bytes);
-  typename Index::Cpp extractor;
-  REQUIRE(succeeds(extractor, extractor.start({width, height, border}, threshold,
-                                              {memory.data(), memory.size()}, sink)));
+  Extractor16 extractor;
+  REQUIRE(succeeds(extractor,
+                   extractor.start(limits, threshold, {memory.data(), memory.size()}, sink)));
   for (uint32_t row = 0; row < height * depth; ++row) {
-    const Pushed pushed = row == 40 ? extractor.skip_row(Substitute::previous_row)
-                                    : extractor.push(samples.data() + size_t{row} * width, width);
-    REQUIRE(succeeds(extractor, pushed.status));
+    const PushResult result = row == 40
+                                  ? extractor.skip_row(Substitute::previous_row)
+                                  : extractor.push(samples.data() + size_t{row} * width, width);
+    REQUIRE(succeeds(extractor, result.status));
   }
   REQUIRE(succeeds(extractor, extractor.finish()));
 }
 
-template <class Index, class Sample>
-void check_scans() {
+uint64_t loose_fragments(const EventLog& log) {
+  return log.events.back().event().statistics->fragments;
+}
+
+template <class Sample>
+void check_scans(const Limits& limits, bool takes_fragments = true) {
   const std::vector<Sample> samples = make_samples<Sample>();
-  for (const Border border : {Border::closed, Border::open})
-    for (const size_t bytes : {size_t{2000}, size_t{6000}, size_t{200000}})
-      for (const uint32_t nth : {0U, 3U}) {
-        CAPTURE(bytes);
-        EventLog in_c(refuses_every(nth)), in_cpp;
-        discmc_sink sink = {&in_c, take_in_c, 1};
-        scan_in_c<Index>(samples, static_cast<uint8_t>(border), bytes, sink);
-        scan_in_cpp<Index>(samples, border, bytes, sink_to(in_cpp));
-        CHECK(in_c.events.size() > 100);
-        CHECK(in_c.events == in_cpp.events);
-      }
+  const size_t least = minimum_bytes<uint16_t>(limits);
+  for (const size_t bytes : {least, least + 600, least + 200000})
+    for (const uint32_t nth : {0U, 3U}) {
+      CAPTURE(bytes);
+      EventLog in_c(refuses_every(nth)), in_cpp;
+      scan_in_c(samples, limits, bytes, c_sink_to(in_c, takes_fragments));
+      scan_in_cpp(samples, limits, bytes, sink_to(in_cpp, takes_fragments));
+      CHECK(in_c.events.size() > 100);
+      CHECK(in_c.events == in_cpp.events);
+      // Otherwise little memory has not been tried.
+      if (bytes == least) CHECK((loose_fragments(in_c) > 100) == takes_fragments);
+    }
 }
 
 size_t write_bytes(void* context, const uint8_t* bytes, size_t count) {
@@ -169,8 +150,7 @@ std::vector<uint8_t> stream_in_c(const std::vector<uint8_t>& samples) {
   const discmc_stream_header header = {width,     height,       depth, {1000, -2000, 3000},
                                        threshold, DISCMC_CLOSED};
   REQUIRE(discmc_encoder_start(&encoder, &header, {&stream, write_bytes}) == DISCMC_OK);
-  discmc_sink sink = {&encoder, discmc_encoder_take, 1};
-  scan_in_c<Index16>(samples, DISCMC_CLOSED, 6000, sink);
+  scan_in_c(samples, closed, 6000, {&encoder, discmc_encoder_take, 1});
   CHECK(discmc_encoder_bytes(&encoder) == stream.size());
   CHECK(discmc_encoder_flush(&encoder) == 1);
   return stream;
@@ -179,19 +159,42 @@ std::vector<uint8_t> stream_in_c(const std::vector<uint8_t>& samples) {
 }  // namespace
 
 TEST_CASE("a scan through C makes the same events, whatever the samples, the memory, the sink") {
-  check_scans<Index16, uint8_t>();
-  check_scans<Index16, uint16_t>();
-  check_scans<Index16, int16_t>();
-  check_scans<Index32, uint8_t>();
-  check_scans<Index32, uint16_t>();
-  check_scans<Index32, int16_t>();
+  for (const Limits& limits : {closed, open}) {
+    check_scans<uint8_t>(limits);
+    check_scans<uint16_t>(limits);
+    check_scans<int16_t>(limits);
+  }
 }
 
 TEST_CASE("a sink that takes no fragments is given none, through C as well") {
+  check_scans<uint8_t>(closed, false);
   EventLog log;
-  discmc_sink sink = {&log, take_in_c, 0};
-  scan_in_c<Index16>(make_samples<uint8_t>(), DISCMC_CLOSED, 3000, sink);
-  for (const RecordedEvent& recorded : log.events) CHECK_FALSE(recorded.is(Event::Kind::fragment));
+  scan_in_c(make_samples<uint8_t>(), closed, minimum_bytes<uint16_t>(closed),
+            c_sink_to(log, false));
+  for (const auto& recorded : log.events) CHECK_FALSE(recorded.is(Event::Kind::fragment));
+}
+
+TEST_CASE("a slab is scanned through C as in C++") {
+  for (const Slab& slab : {Slab{0, false, true}, Slab{7, true, true}, Slab{7, true, false}}) {
+    const Limits limits{width, height, Border::closed, slab};
+    CAPTURE(slab.continues_below);
+    CAPTURE(slab.continues_above);
+    check_scans<uint8_t>(limits);
+    const discmc_limits c_limits = limits_in_c(limits);
+    std::vector<uint8_t> memory(6000);
+    const discmc_memory all = {memory.data(), memory.size()};
+    EventLog log;
+    const discmc_sink whole_regions = c_sink_to(log, false), any = c_sink_to(log);
+    discmc_extractor extractor = {};
+    CHECK(discmc_extractor_start(&extractor, &c_limits, nullptr, threshold, all, &whole_regions) ==
+          DISCMC_BAD_SINK);
+    REQUIRE(discmc_extractor_start(&extractor, &c_limits, nullptr, threshold, all, &any) ==
+            DISCMC_OK);
+    const discmc_slab told = discmc_extractor_limits(&extractor).slab;
+    CHECK(told.first == slab.first);
+    CHECK((told.continues_below != 0) == slab.continues_below);
+    CHECK((told.continues_above != 0) == slab.continues_above);
+  }
 }
 
 TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the same events") {
@@ -201,12 +204,12 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   Encoder encoder;
   REQUIRE(encoder.start({width, height, depth, {1000, -2000, 3000}, threshold},
                         {&expected, write_bytes}) == Status::ok);
-  scan_in_cpp<Index16>(samples, Border::closed, 6000, sink_to(encoder));
+  scan_in_cpp(samples, closed, 6000, sink_to(encoder));
   CHECK(stream == expected);
 
   EventLog in_c(refuses_every(5)), in_cpp;
   discmc_decoder decoder = {};
-  const discmc_sink sink = {&in_c, take_in_c, 1};
+  const discmc_sink sink = c_sink_to(in_c);
   REQUIRE(discmc_decoder_start(&decoder, &sink) == DISCMC_OK);
   for (size_t done = 0; done < stream.size();) {
     const discmc_decoded decoded =
@@ -215,10 +218,10 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   }
   while (discmc_decoder_finish(&decoder) == DISCMC_MORE) {
   }
-  Decoder reference;
-  REQUIRE(reference.start(sink_to(in_cpp)) == Status::ok);
-  REQUIRE(reference.push(stream.data(), stream.size()).status == Status::ok);
-  REQUIRE(reference.finish() == Status::ok);
+  Decoder decoder_cpp;
+  REQUIRE(decoder_cpp.start(sink_to(in_cpp)) == Status::ok);
+  REQUIRE(decoder_cpp.push(stream.data(), stream.size()).status == Status::ok);
+  REQUIRE(decoder_cpp.finish() == Status::ok);
   CHECK(in_c.events == in_cpp.events);
 
   const discmc_stream_report report = discmc_decoder_report(&decoder);
@@ -226,9 +229,10 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   CHECK(report.has_trailer == 1);
   CHECK(report.bytes == stream.size());
   CHECK(report.slices == depth);
-  CHECK(report.regions == reference.report().regions);
+  CHECK(report.regions == decoder_cpp.report().regions);
+  CHECK(report.fragments == decoder_cpp.report().fragments);
   CHECK(report.totals.skipped_rows == 1);
-  CHECK(report.totals.links == reference.report().totals.links);
+  CHECK(counts(from_c(report.totals)) == counts(decoder_cpp.report().totals));
   const discmc_stream_header header = discmc_decoder_header(&decoder);
   CHECK(header.width == width);
   CHECK(header.height == height);
@@ -267,24 +271,24 @@ TEST_CASE("a stream goes on from a checkpoint through C") {
 }
 
 TEST_CASE("what a start refuses it refuses through C, and an object of zeros is not started") {
-  discmc_extractor16 extractor = {};
+  discmc_extractor extractor = {};
   discmc_decoder decoder = {};
   discmc_encoder encoder = {};
   EventLog log;
-  discmc_sink sink = {&log, take_in_c, 1};
+  discmc_sink sink = c_sink_to(log);
   const discmc_sink none = {};
   std::vector<uint8_t> memory(2000);
   const discmc_memory all = {memory.data(), memory.size()};
   const discmc_memory little = {memory.data(), 100};
-  const discmc_limits good = {9, 9, DISCMC_CLOSED};
-  const discmc_limits bad = {0, 9, DISCMC_CLOSED};
-  const discmc_capacities too_few = {1, 1, 1, 1, 1};
+  const discmc_limits good = {9, 9, DISCMC_CLOSED, {}};
+  const discmc_limits bad = {0, 9, DISCMC_CLOSED, {}};
+  const discmc_capacities too_few = {1, 1}, too_many = {1000, 0};
   const uint8_t samples[9] = {};
-  CHECK(discmc_extractor16_push_u8(&extractor, samples, 9, 1).status == DISCMC_NOT_STARTED);
-  CHECK(discmc_extractor16_resume(&extractor) == DISCMC_NOT_STARTED);
-  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_NOT_STARTED);
-  CHECK(discmc_extractor16_abandon(&extractor) == DISCMC_NOT_STARTED);
-  CHECK(discmc_extractor16_reset(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor_push_u8(&extractor, samples, 9, 1).status == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor_resume(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor_finish(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor_abandon(&extractor) == DISCMC_NOT_STARTED);
+  CHECK(discmc_extractor_reset(&extractor) == DISCMC_NOT_STARTED);
   CHECK(discmc_decoder_push(&decoder, samples, 9).status == DISCMC_NOT_STARTED);
   CHECK(discmc_decoder_start(&decoder, &none) == DISCMC_BAD_SINK);
   const discmc_stream_header header = {0, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
@@ -294,53 +298,54 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
   const discmc_stream_header small = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
   CHECK(discmc_encoder_start(&waiting, &small, {nullptr, is_busy}) == DISCMC_OK);
   CHECK(discmc_encoder_flush(&waiting) == 0);
-  CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, 1, all, &sink) == DISCMC_BAD_LIMITS);
-  CHECK(discmc_extractor16_start(&extractor, &good, nullptr, 1, all, &none) == DISCMC_BAD_SINK);
-  CHECK(discmc_extractor16_start(&extractor, &good, &too_few, 1, all, &sink) ==
+  CHECK(discmc_extractor_start(&extractor, &bad, nullptr, 1, all, &sink) == DISCMC_BAD_LIMITS);
+  CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &none) == DISCMC_BAD_SINK);
+  CHECK(discmc_extractor_start(&extractor, &good, &too_few, 1, all, &sink) ==
         DISCMC_BAD_CAPACITIES);
-  CHECK(discmc_extractor16_start(&extractor, &good, nullptr, 1, little, &sink) ==
+  CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, little, &sink) ==
         DISCMC_TOO_LITTLE_MEMORY);
-  REQUIRE(discmc_extractor16_start(&extractor, &good, nullptr, 1, all, &sink) == DISCMC_OK);
-  CHECK(discmc_extractor16_push_u8(&extractor, samples, 4, 1).samples == 4);
-  CHECK(discmc_extractor16_push_bits(&extractor, samples).status == DISCMC_ROW_IN_PROGRESS);
-  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_SLICE_IN_PROGRESS);
-  CHECK(discmc_extractor16_abandon(&extractor) == DISCMC_OK);
-  CHECK(discmc_extractor16_push_u8(&extractor, samples, 9, 1).status == DISCMC_FINISHED);
-  CHECK(discmc_extractor16_reset(&extractor) == DISCMC_OK);
+  CHECK(discmc_extractor_start(&extractor, &good, &too_many, 1, all, &sink) ==
+        DISCMC_TOO_LITTLE_MEMORY);
+  CHECK(discmc_extractor_bytes_used(&extractor) == 0);
+  REQUIRE(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &sink) == DISCMC_OK);
+  CHECK(discmc_extractor_push_u8(&extractor, samples, 4, 1).samples == 4);
+  CHECK(discmc_extractor_push_bits(&extractor, samples).status == DISCMC_ROW_IN_PROGRESS);
+  CHECK(discmc_extractor_finish(&extractor) == DISCMC_SLICE_IN_PROGRESS);
+  CHECK(discmc_extractor_abandon(&extractor) == DISCMC_OK);
+  CHECK(discmc_extractor_push_u8(&extractor, samples, 9, 1).status == DISCMC_FINISHED);
+  CHECK(discmc_extractor_reset(&extractor) == DISCMC_OK);
 }
 
 TEST_CASE("an extractor tells of itself through C what it tells in C++") {
-  std::vector<uint8_t> memory(6000);
+  std::vector<uint8_t> memory(6000), memory_of_cpp(6000);
   EventLog log;
-  discmc_sink sink = {&log, take_in_c, 1};
-  const discmc_limits limits = {width, height, DISCMC_OPEN};
-  discmc_extractor32 extractor = {};
-  REQUIRE(discmc_extractor32_start(&extractor, &limits, nullptr, threshold,
-                                   {memory.data(), memory.size()}, &sink) == DISCMC_OK);
+  const discmc_sink sink = c_sink_to(log);
+  const discmc_limits limits = limits_in_c(open);
+  discmc_extractor extractor = {};
+  REQUIRE(discmc_extractor_start(&extractor, &limits, nullptr, threshold,
+                                 {memory.data(), memory.size()}, &sink) == DISCMC_OK);
+  Extractor16 same;
+  REQUIRE(same.start(open, threshold, {memory_of_cpp.data(), memory_of_cpp.size()}, sink_to(log)) ==
+          Status::ok);
   const std::vector<int16_t> samples = make_samples<int16_t>();
   const uint32_t count = width * height * 2 + width * 3;
-  REQUIRE(discmc_extractor32_push_i16(&extractor, samples.data(), count, 1).samples == count);
-  CHECK(discmc_extractor32_slices(&extractor) == 2);
-  CHECK(discmc_extractor32_rows(&extractor) == 3);
+  REQUIRE(discmc_extractor_push_i16(&extractor, samples.data(), count, 1).samples == count);
+  REQUIRE(same.push(samples.data(), count).samples == count);
+  CHECK(discmc_extractor_slices(&extractor) == 2);
+  CHECK(discmc_extractor_rows(&extractor) == 3);
   const uint8_t bits[3] = {0xFF, 0xFF, 0x1F};
-  CHECK(discmc_extractor32_push_bits(&extractor, bits).samples == width);
-  CHECK(discmc_extractor32_rows(&extractor) == 4);
-  CHECK(discmc_extractor32_limits(&extractor).border == DISCMC_OPEN);
-  CHECK(discmc_extractor32_limits(&extractor).width == width);
-  const discmc_capacities split = discmc_default_capacities32(&limits, memory.size());
-  CHECK(discmc_extractor32_capacities(&extractor).runs == split.runs);
-  CHECK(discmc_extractor32_capacities(&extractor).slots == split.slots);
-  CHECK(discmc_extractor32_bytes_used(&extractor) <= memory.size());
-  CHECK(discmc_bytes_for32(&limits, &split) <= memory.size());
-  CHECK(discmc_extractor32_statistics(&extractor).cells > 0);
-  CHECK(discmc_extractor32_high_water(&extractor).edges > 0);
-
-  discmc_extractor16 narrow = {};
-  REQUIRE(discmc_extractor16_start(&narrow, &limits, nullptr, threshold,
-                                   {memory.data(), memory.size()}, &sink) == DISCMC_OK);
-  CHECK(discmc_extractor16_limits(&narrow).width == width);
-  CHECK(discmc_extractor16_capacities(&narrow).runs ==
-        discmc_default_capacities16(&limits, memory.size()).runs);
+  CHECK(discmc_extractor_push_bits(&extractor, bits).samples == width);
+  REQUIRE(same.push_bits(bits).samples == width);
+  CHECK(discmc_extractor_rows(&extractor) == 4);
+  CHECK(discmc_extractor_limits(&extractor).border == DISCMC_OPEN);
+  CHECK(discmc_extractor_limits(&extractor).width == width);
+  CHECK(discmc_extractor_limits(&extractor).height == height);
+  CHECK(are_equal(discmc_extractor_capacities(&extractor), same.capacities()));
+  CHECK(discmc_extractor_bytes_used(&extractor) == same.bytes_used());
+  CHECK(counts(from_c(discmc_extractor_statistics(&extractor))) == counts(same.statistics()));
+  CHECK(discmc_extractor_high_water(&extractor).records == same.high_water().records);
+  CHECK(discmc_extractor_high_water(&extractor).holes == same.high_water().holes);
+  CHECK(same.high_water().records > 0);
 }
 
 TEST_CASE(
@@ -349,135 +354,78 @@ TEST_CASE(
   const std::vector<uint8_t> samples(9, 200);
   std::vector<uint8_t> memory(4000);
   const discmc_memory all = {memory.data(), memory.size()};
-  const discmc_limits limits = {3, 3, DISCMC_CLOSED};
+  const discmc_limits limits = {3, 3, DISCMC_CLOSED, {}};
   EventLog log, other;
-  discmc_extractor16 extractor = {};
-  discmc_sink sink = {&log, take_in_c, 1};
-  REQUIRE(discmc_extractor16_start(&extractor, &limits, nullptr, threshold, all, &sink) ==
-          DISCMC_OK);
+  discmc_extractor extractor = {};
+  discmc_sink sink = c_sink_to(log);
+  REQUIRE(discmc_extractor_start(&extractor, &limits, nullptr, threshold, all, &sink) == DISCMC_OK);
   sink = {};
-  const discmc_limits bad = {0, 3, DISCMC_CLOSED};
-  const discmc_sink to_other = {&other, take_in_c, 1};
-  CHECK(discmc_extractor16_start(&extractor, &bad, nullptr, threshold, all, &to_other) ==
+  const discmc_limits bad = {0, 3, DISCMC_CLOSED, {}};
+  const discmc_sink to_other = c_sink_to(other);
+  CHECK(discmc_extractor_start(&extractor, &bad, nullptr, threshold, all, &to_other) ==
         DISCMC_BAD_LIMITS);
-  CHECK(discmc_extractor16_push_u8(&extractor, samples.data(), 9, 1).status == DISCMC_OK);
-  CHECK(discmc_extractor16_finish(&extractor) == DISCMC_OK);
+  CHECK(discmc_extractor_push_u8(&extractor, samples.data(), 9, 1).status == DISCMC_OK);
+  CHECK(discmc_extractor_finish(&extractor) == DISCMC_OK);
   CHECK(log.events.size() > 26);
   CHECK(other.events.empty());
 }
 
 namespace {
 
-// What c_api.cpp relies on.
-template <class Object>
-bool begins_as_zeros() {
-  alignas(Object) static unsigned char place[sizeof(Object)];
-  static const unsigned char zeros[sizeof(Object)] = {};
-  new (place) Object;
-  return std::memcmp(place, zeros, sizeof(Object)) == 0;
-}
-
-}  // namespace
-
-TEST_CASE("storage of zeros is an extractor or an encoder as it begins") {
-  CHECK(begins_as_zeros<Extractor16>());
-  CHECK(begins_as_zeros<Extractor32>());
-  CHECK(begins_as_zeros<Encoder>());
-}
-
-namespace {
-
-bool are_equal(const discmc_capacities& c, const Capacities& cpp) {
-  return c.edges == cpp.edges && c.runs == cpp.runs && c.rings == cpp.rings &&
-         c.regions == cpp.regions && c.slots == cpp.slots;
-}
-
-bool are_equal(const uint64_t (&c)[5], const Capacities& cpp) {
-  return c[0] == cpp.edges && c[1] == cpp.runs && c[2] == cpp.rings && c[3] == cpp.regions &&
-         c[4] == cpp.slots;
-}
-
 bool are_equal(const discmc_vertex& c, const Vertex& cpp) {
   return c.x == cpp.x && c.y == cpp.y && c.z == cpp.z;
 }
 
-// The functions and constants of one width of index, under one name.
-struct Sizes16 {
-  using Type = uint16_t;
-  static constexpr auto bytes_for = discmc_bytes_for16;
-  static constexpr auto minimum_bytes = discmc_minimum_bytes16;
-  static constexpr auto worst_case_bytes = discmc_worst_case_bytes16;
-  static constexpr auto default_capacities = discmc_default_capacities16;
-};
-struct Sizes32 {
-  using Type = uint32_t;
-  static constexpr auto bytes_for = discmc_bytes_for32;
-  static constexpr auto minimum_bytes = discmc_minimum_bytes32;
-  static constexpr auto worst_case_bytes = discmc_worst_case_bytes32;
-  static constexpr auto default_capacities = discmc_default_capacities32;
-};
-
-template <class Sizes>
 void check_sizes(const Limits& limits) {
-  using Index = typename Sizes::Type;
-  constexpr uint32_t i = sizeof(Index);
   const uint32_t w = limits.width, h = limits.height;
-  const auto b = static_cast<uint8_t>(limits.border);
-  const discmc_limits in_c = {w, h, b};
-  const uint64_t least = minimum_bytes<Index>(limits);
-  REQUIRE(Sizes::minimum_bytes(&in_c) == least);
-  REQUIRE(DISCMC_MINIMUM_BYTES_(i, w, h, b) == least);
-  REQUIRE(Sizes::worst_case_bytes(&in_c) == worst_case_bytes<Index>(limits));
-  REQUIRE(DISCMC_WORST_CASE_BYTES_(i, w, h, b) == worst_case_bytes<Index>(limits));
+  const discmc_limits c_limits = limits_in_c(limits);
+  const uint64_t least = minimum_bytes<uint16_t>(limits);
+  REQUIRE(discmc_minimum_bytes(&c_limits) == least);
+  REQUIRE(DISCMC_MINIMUM_BYTES(w, h) == least);
   for (uint64_t bytes = 0; bytes < uint64_t{1} << 50; bytes = bytes * 7 / 3 + least / 2) {
-    const Capacities split = default_capacities<Index>(limits, bytes);
-    const discmc_capacities split_in_c = Sizes::default_capacities(&in_c, bytes);
-    REQUIRE(are_equal(split_in_c, split));
-    const uint64_t as_constants[] = DISCMC_DEFAULT_CAPACITIES_(i, w, h, b, bytes);
-    REQUIRE(are_equal(as_constants, split));
-    REQUIRE(Sizes::bytes_for(&in_c, &split_in_c) == bytes_for<Index>(limits, split));
-    REQUIRE(DISCMC_BYTES_FOR_(i, w, h, b, split.edges, split.runs, split.rings, split.regions,
-                              split.slots) == bytes_for<Index>(limits, split));
+    const Capacities capacities = default_capacities<uint16_t>(limits, bytes);
+    const discmc_capacities c_capacities = discmc_default_capacities(&c_limits, bytes);
+    REQUIRE(are_equal(c_capacities, capacities));
+    const uint64_t as_constants[] = DISCMC_DEFAULT_CAPACITIES(w, h, bytes);
+    REQUIRE(as_constants[0] == capacities.records);
+    REQUIRE(as_constants[1] == capacities.holes);
+    REQUIRE(discmc_bytes_for(&c_limits, &c_capacities) == bytes_for<uint16_t>(limits, capacities));
+    REQUIRE(DISCMC_BYTES_FOR(w, h, capacities.records) == bytes_for<uint16_t>(limits, capacities));
   }
 }
 
 }  // namespace
 
-TEST_CASE("sizes are the same in C, as functions and as constants") {
-  const uint32_t extents[] = {1,  2,  3,  7,   30,  31,  32,  33,   62,    63,
-                              64, 65, 95, 100, 255, 256, 513, 4095, 32765, 32766};
+TEST_CASE("sizes are the same in C, as functions and as constants, whatever the border and slab") {
+  const uint32_t extents[] = {1,  2,  3,  7,   29,  30,  31,  32,   33,    59,   60,
+                              63, 64, 65, 100, 255, 256, 513, 4095, 32759, 32766};
   for (const uint32_t w : extents)
-    for (const uint32_t h : extents)
-      for (const Border border : {Border::closed, Border::open}) {
-        CAPTURE(w);
-        CAPTURE(h);
-        const Limits limits{w, h, border};
-        check_sizes<Sizes16>(limits);
-        check_sizes<Sizes32>(limits);
-        const auto b = static_cast<uint8_t>(border);
-        const discmc_limits in_c = {w, h, b};
-        const uint64_t worst[] = DISCMC_WORST_CASE_CAPACITIES(w, h, b);
-        REQUIRE(are_equal(worst, worst_case_capacities(limits)));
-        REQUIRE(are_equal(discmc_worst_case_capacities(&in_c), worst_case_capacities(limits)));
-      }
+    for (const uint32_t h : extents) {
+      CAPTURE(w);
+      CAPTURE(h);
+      check_sizes({w, h, Border::closed});
+      check_sizes({w, h, Border::open});
+      check_sizes({w, h, Border::closed, {3, true, true}});
+    }
   const discmc_capacities least = DISCMC_MINIMUM_CAPACITIES;
   CHECK(are_equal(least, minimum_capacities()));
   CHECK(are_equal(discmc_minimum_capacities(), minimum_capacities()));
 }
 
 TEST_CASE("limits and capacities are valid in C when they are in C++") {
-  const discmc_limits largest = {1, DISCMC_MAX_EXTENT, DISCMC_OPEN};
-  const discmc_limits too_large = {1, DISCMC_MAX_EXTENT + 1, DISCMC_OPEN};
-  CHECK(discmc_limits_are_valid(&largest) == 1);
-  CHECK(discmc_limits_are_valid(&too_large) == 0);
-  const discmc_capacities too_few = {1, 34, 11, 5, 1};
-  const discmc_capacities many = {40000, 34, 11, 40000, 1};
-  const discmc_capacities enough = {40, 34, 11, 40, 1};
-  CHECK(discmc_capacities_are_valid16(&enough) == 1);
-  CHECK(discmc_capacities_are_valid16(&too_few) == 0);
-  CHECK(discmc_capacities_are_valid32(&too_few) == 0);
-  CHECK(discmc_capacities_are_valid16(&many) == 0);
-  CHECK(discmc_capacities_are_valid32(&many) == 1);
+  const discmc_limits largest = {1, DISCMC_MAX_EXTENT, DISCMC_OPEN, {}};
+  const discmc_limits too_large = {1, DISCMC_MAX_EXTENT + 1, DISCMC_OPEN, {}};
+  const discmc_limits upper_slab = {1, 1, DISCMC_OPEN, {5, 1, 0}};
+  const discmc_limits from_nowhere = {1, 1, DISCMC_OPEN, {5, 0, 1}};
+  CHECK(discmc_limits_is_valid(&largest) == 1);
+  CHECK(discmc_limits_is_valid(&too_large) == 0);
+  CHECK(discmc_limits_is_valid(&upper_slab) == 1);
+  CHECK(discmc_limits_is_valid(&from_nowhere) == 0);
+  for (const uint32_t records : {0U, 3U, 4U, 5U, 32758U, 32759U, 32760U, 65535U, UINT32_MAX}) {
+    CAPTURE(records);
+    const discmc_capacities capacities = {records, 0};
+    CHECK((discmc_capacities_is_valid(&capacities) == 1) == is_valid<uint16_t>({records, 0}));
+  }
 }
 
 TEST_CASE("every status has the text that it has in C++") {
@@ -499,11 +447,8 @@ TEST_CASE("chains and polygons are the same through C") {
                                           {opposite_direction(up, back), 3U}})
     runs.push_back(discmc_run_straight(direction, length));
   const auto count = static_cast<uint32_t>(runs.size());
-  CHECK(discmc_run_is_fragment(runs[1]) == 0);
   CHECK(discmc_run_direction(runs[1]) == right);
   CHECK(discmc_run_length(runs[1]) == 2);
-  CHECK(discmc_run_is_fragment(Run::fragment(9).code()) == 1);
-  CHECK(discmc_run_fragment_number(Run::fragment(9).code()) == 9);
   CHECK(discmc_normal(up).z == 1);
   CHECK(discmc_direction_count(up) == 8);
   CHECK(discmc_direction_vector(up, back).y == 2);
@@ -539,7 +484,6 @@ TEST_CASE("chains and polygons are the same through C") {
 }
 
 TEST_CASE("runs are taken in through C as well") {
-  CHECK(discmc_run_fragment(DISCMC_RUN_MAX_FRAGMENT) == Run::fragment(Run::max_fragment).code());
   discmc_run side = discmc_run_straight(2, 3);
   CHECK(discmc_run_absorb(&side, discmc_run_straight(2, 4)) == 1);
   CHECK(discmc_run_length(side) == 7);

@@ -63,22 +63,10 @@ TEST_CASE("a run knows its direction and length, up to the longest") {
       const Run run = Run::straight(direction, length);
       CHECK(run.direction() == direction);
       CHECK(run.length() == length);
-      CHECK_FALSE(run.is_fragment());
       CHECK_FALSE(run.is_empty());
       CHECK(Run::from_code(run.code()) == run);
     }
   CHECK(Run().is_empty());
-}
-
-TEST_CASE("a fragment stands in for runs under any number, and is no run") {
-  for (const uint32_t number : {0U, 1U, 77U, Run::max_fragment}) {
-    const Run run = Run::fragment(number);
-    CHECK(run.is_fragment());
-    CHECK(run.fragment_number() == number);
-    CHECK_FALSE(run.is_empty());
-    CHECK(Run::from_code(run.code()) == run);
-    CHECK(run != Run::straight(0, 1));
-  }
 }
 
 TEST_CASE("a run takes in another of its direction while its field has room") {
@@ -95,16 +83,6 @@ TEST_CASE("a run takes in another of its direction while its field has room") {
   Run longest = Run::straight(7, Run::max_length);
   CHECK_FALSE(longest.absorb(Run::straight(7, Run::max_length)));
   CHECK(longest == Run::straight(7, Run::max_length));
-}
-
-TEST_CASE("fragments are never taken in and take nothing in") {
-  // A number whose lower bits look like a run of the same direction.
-  Run fragment = Run::fragment(Run::straight(3, 5).code());
-  CHECK_FALSE(fragment.absorb(Run::straight(3, 1)));
-  Run run = Run::straight(3, 5);
-  CHECK_FALSE(run.absorb(fragment));
-  CHECK(run == Run::straight(3, 5));
-  CHECK_FALSE(fragment.absorb(fragment));
 }
 
 TEST_CASE("an empty run does not swallow the first links of direction 0 of a chain") {

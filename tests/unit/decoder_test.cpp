@@ -23,14 +23,14 @@ Bytes stream_of(const std::vector<Bytes>& payloads) {
   return stream;
 }
 
-// The frame of a header that comes after so many packets and regions.
-Bytes header_after(uint32_t packets, uint64_t regions) {
+// The frame of a header that comes after so many packets and pieces.
+Bytes header_after(uint32_t packets, uint64_t pieces) {
   Packet header = packet_of(stream_of({}));
   header.number = static_cast<uint8_t>(packets);
-  header.regions = static_cast<uint16_t>(regions);
+  header.pieces = static_cast<uint16_t>(pieces);
   wire::ByteWriter counts(header.payload.data() + header.payload.size() - 12);
   counts.put(packets, 4);
-  counts.put_long(regions);
+  counts.put_long(pieces);
   return frame_of(header);
 }
 
@@ -43,22 +43,20 @@ Bytes payload_of(Tell tell) {
 
 template <class Model>
 void tell_layer(Model& model, uint32_t slice) {
-  model.region_follows(false);
-  model.other_kind(OtherKind::layer);
+  model.record_kind(RecordKind::layer);
   model.layer(slice);
 }
 
 // A part of a region across z or of a fragment; its items follow.
 template <class Model>
 void begin_part(Model& model, bool continues, bool is_fragment = false, Incidence incidence = up,
-                uint32_t number = 6) {
-  model.region_follows(false);
-  model.other_kind(OtherKind::part);
+                Direction came = 6) {
+  model.record_kind(RecordKind::part);
   Record record;
   record.incidence = incidence;
   record.continues = continues;
   record.is_fragment = is_fragment;
-  record.number = number;
+  record.came = came;
   model.part(record);
 }
 
@@ -72,7 +70,7 @@ void tell_run(Model& model, Direction direction, uint32_t length) {
 template <class Model>
 void tell_ring(Model& model, bool further) {
   model.item_kind(Item::ring);
-  model.start({1, 0, 0}, further);
+  model.start({1, 0, 0}, further ? Chain::further : Chain::first);
 }
 
 template <class Model>
@@ -83,12 +81,22 @@ void end_part(Model& model, bool is_last) {
 
 template <class Model>
 void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
-  model.region_follows(true);
+  model.record_kind(RecordKind::region);
   model.incidence(incidence);
   model.ring_count(1);
-  model.start({1, 0, 0}, false);
+  model.start({1, 0, 0}, Chain::first);
   model.parallelogram(false);
   model.run_count(runs);
+}
+
+// A whole fragment of so many runs; its directions and lengths follow.
+template <class Model>
+void begin_fragment(Model& model, Chain order, uint32_t runs, Incidence incidence = up) {
+  model.record_kind(RecordKind::fragment);
+  model.incidence(incidence);
+  model.order(order);
+  model.start({1, 0, 0}, order);
+  model.fragment_run_count(runs);
 }
 
 // A region across z that goes on in a packet to come.
@@ -128,7 +136,7 @@ Bytes frame_at(uint32_t number, const Bytes& payload, uint16_t regions = 0) {
 // A payload of one part, told by hand and unreadable, between two marks.
 template <class Tell>
 void check_unreadable(Tell tell) {
-  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+  const Received arrival = decode(stream_of({payload_of([&](auto& model) {
     tell_layer(model, 1);
     tell(model);
     tell_layer(model, 2);
@@ -253,10 +261,10 @@ TEST_CASE("a decoder that is started again counts from the first packet on") {
   CHECK(decoder.report().repeated_packets == 0);
 }
 
-TEST_CASE("half of the counts of regions, and of the numbers, lie behind") {
-  const auto is_taken = [](uint8_t number, uint16_t regions) {
+TEST_CASE("half of the counts of pieces, and of the numbers, lie behind") {
+  const auto is_taken = [](uint8_t number, uint16_t pieces) {
     Bytes stream = stream_of({});
-    const Bytes frame = frame_of({records_kind, number, regions, payload_of([](auto&) {})});
+    const Bytes frame = frame_of({records_kind, number, pieces, payload_of([](auto&) {})});
     stream.insert(stream.end(), frame.begin(), frame.end());
     const StreamReport report = decode(stream).report;
     CHECK(report.packets + report.repeated_packets == 2);
@@ -274,7 +282,7 @@ TEST_CASE("a lost region is counted when the next packet arrives, not by the tra
   const Bytes heard =
       joined({stream_of({}), frame_of({records_kind, 2, 3, payload_of([](auto&) {})})});
   CHECK(decode(heard).report.lost_packets == 1);
-  CHECK(decode(heard).report.lost_regions == 3);
+  CHECK(decode(heard).report.lost_pieces == 3);
 }
 
 TEST_CASE("a trailer that tells of fewer regions than came counts none of them as lost") {
@@ -282,14 +290,14 @@ TEST_CASE("a trailer that tells of fewer regions than came counts none of them a
   std::vector<Bytes> frames = frames_of(encode(square));
   REQUIRE(frames.size() == 3);
   Packet trailer = packet_of(frames[2]);
-  trailer.regions = 0;
+  trailer.pieces = 0;
   // After the slices, the flag and three totals.
   wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(0);
   frames[2] = frame_of(trailer);
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.has_trailer);
   CHECK(report.regions == 1);
-  CHECK(report.lost_regions == 0);
+  CHECK(report.lost_pieces == 0);
   CHECK_FALSE(report.is_complete());
 }
 
@@ -319,7 +327,7 @@ TEST_CASE("a region may fill a record with parallelograms to the last word") {
   script.region(up);
   for (uint32_t ring = 0; ring < rings; ++ring)
     script.square({1, 4 * static_cast<int32_t>(ring), 0}, 2, ring > 0);
-  const Arrival arrival = decode(encode(script.region_end().finish().events));
+  const Received arrival = decode(encode(script.region_end().finish().events));
   CHECK(arrival.events == script.events);
   CHECK(arrival.report.damaged_packets == 0);
 }
@@ -330,7 +338,7 @@ TEST_CASE("a header of another stream that lies behind does not replace the firs
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).finish().events));
   frames.pop_back();  // the trailer, after which nothing is heard
   frames.push_back(frames_of(encode(Script().finish().events, other)).front());
-  const Arrival arrival = decode(joined(frames));
+  const Received arrival = decode(joined(frames));
   CHECK(arrival.header.width == any_header().width);
   CHECK(arrival.report.repeated_packets == 1);
 }
@@ -347,7 +355,7 @@ TEST_CASE("a later header tells in full how many packets and regions came before
         decode(joined({stream_of({}), header_after(before.packets, before.regions)})).report;
     CHECK(report.packets == 2);
     CHECK(report.lost_packets == before.packets - 1);
-    CHECK(report.lost_regions == before.regions);
+    CHECK(report.lost_pieces == before.regions);
   }
 }
 
@@ -356,7 +364,7 @@ TEST_CASE(
   // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
   for (const bool gap_is_seen : {false, true}) {
     const uint32_t number = gap_is_seen ? 258 : 257;
-    const Arrival arrival =
+    const Received arrival =
         decode(joined({stream_of({}), frame_at(number, first_payload()),
                        header_after(number + 1, 0), frame_at(number + 2, last_payload())}));
     Script expected = first_part();
@@ -392,7 +400,7 @@ TEST_CASE("a header that tells of a gap ends what is open, though a gap lay befo
   for (const Gap gap : {Gap{1, 0}, Gap{255, 0}, Gap{256, 1}, Gap{512, 2}}) {
     CAPTURE(gap.packets);
     const uint32_t number = 5;
-    const Arrival arrival = decode(joined(
+    const Received arrival = decode(joined(
         {stream_of({}), frame_at(number, first_payload()),
          header_after(number + 1 + gap.packets, gap.regions),
          frame_at(number + 2 + gap.packets, last_payload(), static_cast<uint16_t>(gap.regions))}));
@@ -408,13 +416,13 @@ TEST_CASE("a header counts as lost what neither came before it nor was known to 
     const StreamReport report =
         decode(joined({frames[0], frames[1], header_after(2, before)})).report;
     CHECK(report.regions == 1);
-    CHECK(report.lost_regions == (before < 1 ? 0 : before - 1));
+    CHECK(report.lost_pieces == (before < 1 ? 0 : before - 1));
   }
 }
 
 TEST_CASE("who hears no header tells a packet that comes again all the same") {
   const Bytes frame = frame_at(200, payload_of([](auto& model) { tell_layer(model, 3); }));
-  const Arrival arrival = decode(joined({frame, frame}));
+  const Received arrival = decode(joined({frame, frame}));
   CHECK(arrival.events == Script().layer(3).events);
   CHECK(arrival.report.lost_packets == 200);
   CHECK(arrival.report.repeated_packets == 1);
@@ -437,42 +445,84 @@ TEST_CASE("the shortest and the longest of packets are packets, a longer one is 
 }
 
 TEST_CASE("a region does not go on behind a packet that cannot be read") {
-  const Bytes unreadable = payload_of([](auto& model) {
-    model.region_follows(false);
-    model.other_kind(static_cast<OtherKind>(6));
-  });
+  const Bytes unreadable =
+      payload_of([](auto& model) { model.record_kind(static_cast<RecordKind>(8)); });
   CHECK(decode(stream_of({first_payload(), unreadable, last_payload()})).events ==
         first_part().lost().events);
 }
 
-TEST_CASE("the longest run and the last fragment number are read, in parts") {
-  const Arrival arrival = decode(stream_of({payload_of([](auto& model) {
+TEST_CASE("the longest run is read, in parts and in a fragment") {
+  const Received arrival = decode(stream_of({payload_of([](auto& model) {
     begin_part(model, false);
     tell_ring(model, false);
     tell_run(model, 0, Run::max_length);
-    model.item_kind(Item::fragment);
-    model.fragment_number(Run::max_fragment, true);
     end_part(model, true);
+    begin_fragment(model, Chain::fragment, 1);
+    model.direction(0);
+    model.direction(2);
+    model.length(Run::max_length);
   })}));
   const Events expected = Script()
                               .region(up)
                               .ring({1, 0, 0})
-                              .run(Run::straight(0, Run::max_length))
-                              .run(Run::fragment(Run::max_fragment))
+                              .run(0, Run::max_length)
                               .region_end()
+                              .fragment(up, {1, 0, 0}, 0)
+                              .run(2, Run::max_length)
+                              .fragment_end()
                               .events;
   CHECK(arrival.events == expected);
 }
 
-TEST_CASE("a part whose beginning is lost counts a region, a fragment does not") {
+TEST_CASE("a fragment told from its end begins where its runs lead back to") {
+  const auto fragment = [](Chain order) {
+    const bool is_forward = order == Chain::fragment;
+    return decode(stream_of({payload_of([&](auto& model) {
+             begin_fragment(model, order, 2);
+             for (const uint32_t link : {0U, 1U, 2U}) {
+               const uint32_t told = is_forward ? link : 2 - link;
+               model.direction(static_cast<Direction>(2 + 2 * told));  // 2, 4, 6
+               if (told > 0) model.length(10 * told);
+             }
+           })}))
+        .events;
+  };
+  CHECK(fragment(Chain::fragment) ==
+        Script().fragment(up, {1, 0, 0}, 2).run(4, 10).run(6, 20).fragment_end().events);
+  const Vertex back = direction_vector(up, 4) + direction_vector(up, 6) + direction_vector(up, 6);
+  const Vertex start{1 - 10 * back.x, -10 * back.y, 0};
+  CHECK(fragment(Chain::backwards) ==
+        Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
+}
+
+TEST_CASE("a fragment may fill a record to the last word, and one run more is refused") {
+  constexpr uint32_t most = Record::max_words - Record::ring_words;
+  for (const Chain order : {Chain::fragment, Chain::backwards})
+    for (const uint32_t runs : {most, most + 1, most + 5, UINT32_MAX - 3, UINT32_MAX}) {
+      const Received arrival = decode(stream_of({payload_of([&](auto& model) {
+        begin_fragment(model, order, runs);
+        if (order == Chain::fragment) model.direction(6);
+        for (uint32_t i = 0; i < most; ++i) {
+          model.direction(static_cast<Direction>(i % 4));
+          model.length(1);
+        }
+        if (order == Chain::backwards) model.direction(6);
+      })}));
+      CHECK(pieces_of(arrival.events).size() == (runs == most ? 1 : 0));
+      CHECK(arrival.report.fragments == (runs == most ? 1 : 0));
+      CHECK(arrival.report.damaged_packets == (runs == most ? 0 : 1));
+    }
+}
+
+TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region") {
   for (const bool is_fragment : {false, true}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_part(model, true, is_fragment);
       tell_run(model, 0, 2);
       end_part(model, true);
     })}));
     CHECK(arrival.events.empty());
-    CHECK(arrival.report.lost_regions == (is_fragment ? 0 : 1));
+    CHECK(arrival.report.lost_pieces == 1);
   }
 }
 
@@ -490,14 +540,14 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
         whole += brought[frame++].size();
       }
       if (count % step != 0 && count != from && count + 1 != stream.size()) continue;
-      const Arrival cut =
+      const Received cut =
           decode({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(count)});
       Events expected(sample.events.begin(),
                       sample.events.begin() + static_cast<std::ptrdiff_t>(whole));
       const bool was_open = cut.events.size() > whole && cut.events.back().is(Kind::lost);
       if (was_open) expected.push_back(cut.events.back());
       REQUIRE(cut.events == expected);
-      CHECK(regions_of(cut.events).size() == cut.report.regions);
+      CHECK(pieces_of(cut.events).size() == cut.report.regions + cut.report.fragments);
       CHECK_FALSE(cut.report.is_complete());
       CHECK_FALSE(cut.report.abandoned);
       CHECK(cut.report.slices == 0);
@@ -533,7 +583,7 @@ TEST_CASE("noise before, between and after the frames does no harm") {
     noisy.insert(noisy.end(), 1 + chance.below(3), 0);
     noisy.insert(noisy.end(), frame.begin(), frame.end());
   }
-  const Arrival arrival = decode(noisy);
+  const Received arrival = decode(noisy);
   CHECK(arrival.events == sample.events);
   CHECK(arrival.report.is_complete());
   CHECK(arrival.report.damaged_packets == damaged);
@@ -541,16 +591,18 @@ TEST_CASE("noise before, between and after the frames does no harm") {
 
 TEST_CASE("an unknown version is told and nothing of it is delivered") {
   const Sample sample = samples()[2];
-  std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
-  Packet header = packet_of(frames[0]);
-  header.payload[3] = 2;
-  header.payload.resize(40, 0x55);
-  frames[0] = frame_of(header);
-  const Arrival arrival = decode(joined(frames));
-  CHECK(arrival.status == Status::wrong_version);
-  CHECK(arrival.events.empty());
-  CHECK_FALSE(arrival.report.has_header);
-  CHECK(arrival.report.packets == 0);
+  for (const uint8_t version : Bytes{0, 1, 3, 255}) {
+    std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    Packet header = packet_of(frames[0]);
+    header.payload[3] = version;
+    header.payload.resize(40, 0x55);
+    frames[0] = frame_of(header);
+    const Received arrival = decode(joined(frames));
+    CHECK(arrival.status == Status::wrong_version);
+    CHECK(arrival.events.empty());
+    CHECK_FALSE(arrival.report.has_header);
+    CHECK(arrival.report.packets == 0);
+  }
 }
 
 TEST_CASE("headers that make no sense are no headers") {
@@ -559,7 +611,7 @@ TEST_CASE("headers that make no sense are no headers") {
     Packet packet = packet_of(frame);
     packet.payload.resize(size);
     if (at < size) packet.payload[at] = value;
-    const Arrival arrival = decode(frame_of(packet));
+    const Received arrival = decode(frame_of(packet));
     CHECK(arrival.report.packets + arrival.report.damaged_packets == 1);
     return !arrival.report.has_header && arrival.report.damaged_packets == 1;
   };
@@ -577,7 +629,7 @@ TEST_CASE("what a longer header says behind its end counts for nothing") {
   const StreamReport report = decode(frame_of(packet)).report;
   CHECK(report.packets == 1);
   CHECK(report.lost_packets == 0);
-  CHECK(report.lost_regions == 0);
+  CHECK(report.lost_pieces == 0);
 }
 
 TEST_CASE("a trailer that is too short is none; one that tells of more regions counts these lost") {
@@ -587,10 +639,10 @@ TEST_CASE("a trailer that is too short is none; one that tells of more regions c
   for (const uint32_t lost : {0U, 3U, 0x7FFFU, 0x8000U, 0x8001U, 65536U, 1000000U}) {
     // After the slices, the flag and three totals.
     wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1 + lost);
-    trailer.regions = static_cast<uint16_t>(1 + lost);
+    trailer.pieces = static_cast<uint16_t>(1 + lost);
     const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
     CHECK(report.has_trailer);
-    CHECK(report.lost_regions == lost);
+    CHECK(report.lost_pieces == lost);
     CHECK(report.lost_packets == 0);
   }
   trailer.payload.pop_back();
@@ -605,14 +657,14 @@ TEST_CASE("packets of unknown kinds are skipped and lose nothing") {
   uint8_t number = 0;
   for (const Bytes& frame : frames_of(encode(sample.events, sample.header))) {
     Packet packet = packet_of(frame);
-    const Packet stranger{static_cast<uint8_t>(number % 2 == 0 ? 4 : 255), number, packet.regions,
+    const Packet stranger{static_cast<uint8_t>(number % 2 == 0 ? 4 : 255), number, packet.pieces,
                           Bytes(number % 99, 0xC3)};
     if (number > 0) frames.push_back(frame_of(stranger));
     if (number > 0) ++number;
     packet.number = number++;
     frames.push_back(frame_of(packet));
   }
-  const Arrival arrival = decode(joined(frames));
+  const Received arrival = decode(joined(frames));
   CHECK(arrival.events == sample.events);
   CHECK(arrival.report.is_complete());
 }
@@ -621,15 +673,14 @@ TEST_CASE("extension records are skipped") {
   const Bytes payload = payload_of([](auto& model) {
     for (const uint32_t bytes : {0U, 1U, 5U, 100U}) {
       tell_layer(model, bytes);
-      model.region_follows(false);
-      model.other_kind(OtherKind::extension);
+      model.record_kind(RecordKind::extension);
       model.plain_bits(8, 0xEE);
       model.plain_bits(8, bytes);
       for (uint32_t i = 0; i < bytes; ++i) model.plain_bits(8, i * 37 & 0xFF);
     }
     tell_layer(model, 101);
   });
-  const Arrival arrival = decode(stream_of({payload}));
+  const Received arrival = decode(stream_of({payload}));
   CHECK(arrival.events == Script().layer(0).layer(1).layer(5).layer(100).layer(101).events);
   CHECK(arrival.report.damaged_packets == 0);
 }
@@ -701,55 +752,55 @@ TEST_CASE("records that break the grammar are refused") {
     tell_ring(model, false);
     tell_run(model, 0, 2);
     model.item_kind(Item::ring);
-    model.start({1, 0, 2}, true);
+    model.start({1, 0, 2}, Chain::further);
     end_part(model, true);
   });
   check_unreadable([](auto& model) {  // a region without a ring
     begin_part(model, false);
     end_part(model, true);
   });
-  check_unreadable([](auto& model) {  // a ring in a fragment
+  check_unreadable([](auto& model) {  // a second ring in a fragment
     begin_part(model, false, true);
     tell_ring(model, false);
     tell_run(model, 0, 2);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // a direction that the plane does not have
-    begin_part(model, false, false, incidence_of({1, 1, 0}));
-    tell_ring(model, false);
-    tell_run(model, 5, 2);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // a run too long
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 0, Run::max_length + 1);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // a fragment of such a number
-    model.region_follows(false);
-    model.other_kind(OtherKind::part);
-    Record record;
-    record.incidence = up;
-    record.is_fragment = true;
-    record.number = Run::max_fragment + 1;
-    model.part(record);
+    tell_ring(model, true);
     tell_run(model, 0, 2);
     end_part(model, true);
   });
-  check_unreadable([](auto& model) {  // a number that no fragment can have
-    begin_part(model, false);
-    tell_ring(model, false);
-    model.item_kind(Item::fragment);
-    model.fragment_number(Run::max_fragment + 1, true);
+  check_unreadable([](auto& model) {  // a fragment without a start
+    begin_part(model, false, true);
+    tell_run(model, 0, 2);
     end_part(model, true);
   });
-  check_unreadable([](auto& model) {  // a kind that version 1 does not have
-    model.region_follows(false);
-    model.other_kind(static_cast<OtherKind>(6));
+  check_unreadable([](auto& model) {  // a fragment that came by a direction the plane does not have
+    begin_part(model, false, true, incidence_of({1, 1, 0}), 4);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // the same of a whole one
+    begin_fragment(model, Chain::fragment, 1, incidence_of({1, 1, 0}));
+    model.direction(4);
+    model.direction(0);
+    model.length(1);
+  });
+  check_unreadable([](auto& model) {  // and of its run
+    begin_fragment(model, Chain::backwards, 1, incidence_of({1, 1, 0}));
+    model.direction(7);
+    model.length(1);
+    model.direction(0);
+  });
+  check_unreadable([](auto& model) {  // a run of a fragment too long
+    begin_fragment(model, Chain::fragment, 1);
+    model.direction(4);
+    model.direction(0);
+    model.length(Run::max_length + 1);
+  });
+  check_unreadable([](auto& model) {  // a kind that version 2 does not have
+    model.record_kind(static_cast<RecordKind>(8));
   });
   check_unreadable([](auto& model) {  // a region of 0 rings, by a count that wraps
-    model.region_follows(true);
+    model.record_kind(RecordKind::region);
     model.incidence(up);
     model.ring_count(0);
   });
@@ -817,11 +868,11 @@ TEST_CASE("records that break the grammar are refused") {
     model.length(max_compact_length + 1);
   });
   check_unreadable([](auto& model) {  // a second ring that no record has room for
-    model.region_follows(true);
+    model.record_kind(RecordKind::region);
     model.incidence(up);
     model.ring_count(2);
     for (const uint32_t runs : {2U, Record::max_words}) {
-      model.start({1, 0, 0}, runs > 2);
+      model.start({1, 0, 0}, runs > 2 ? Chain::further : Chain::first);
       model.parallelogram(false);
       model.run_count(runs);
       model.direction(0);
@@ -849,10 +900,7 @@ TEST_CASE(
     "a stream with a packet that cannot be read is not complete, even if no region is missing") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   Packet packet = packet_of(frames[1]);
-  packet.payload = payload_of([](auto& model) {
-    model.region_follows(false);
-    model.other_kind(static_cast<OtherKind>(6));
-  });
+  packet.payload = payload_of([](auto& model) { model.record_kind(static_cast<RecordKind>(8)); });
   frames[1] = frame_of(packet);
   CHECK_FALSE(decode(joined(frames)).report.is_complete());
 }
@@ -863,14 +911,14 @@ TEST_CASE("a part that goes on with nothing ends what is open, and is all that i
     tell_run(model, 0, 2);
     end_part(model, true);
   };
-  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+  const Received arrival = decode(stream_of({payload_of([&](auto& model) {
     tell_first_part(model);
     tell_stray(model);
     tell_last_part(model);
     tell_layer(model, 5);
   })}));
   CHECK(arrival.events == first_part().lost().layer(5).events);
-  CHECK(arrival.report.lost_regions == 2);
+  CHECK(arrival.report.lost_pieces == 2);
   CHECK(arrival.report.damaged_packets == 0);
 }
 
@@ -887,15 +935,15 @@ TEST_CASE("a stream in which a region is lost is not complete, though as many ca
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.regions == report.totals.regions);
   CHECK(report.lost_packets == 0);
-  CHECK(report.lost_regions == 1);
+  CHECK(report.lost_pieces == 1);
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a part of another incidence, kind or number does not go on with what is open") {
+TEST_CASE("a part of another incidence or kind does not go on with what is open") {
   for (const bool is_fragment : {false, true})
     for (const Incidence incidence : {up, Incidence{0}}) {
       if (!is_fragment && incidence == up) continue;
-      const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+      const Received arrival = decode(stream_of({payload_of([&](auto& model) {
         begin_part(model, false);
         tell_ring(model, false);
         end_part(model, false);
@@ -909,7 +957,7 @@ TEST_CASE("a part of another incidence, kind or number does not go on with what 
 
 TEST_CASE("two runs there and back are told in full up to the longest compact run") {
   for (const uint32_t length : {1U, max_compact_length}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_compact_ring(model, 2);
       model.direction(0);
       model.direction(4);
@@ -923,7 +971,7 @@ TEST_CASE("two runs there and back are told in full up to the longest compact ru
 TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
   constexpr uint32_t longest = Record::max_words - Record::ring_words;
   for (const uint32_t runs : {longest, longest + 1, longest + 2, longest + 3, longest + 4}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_compact_ring(model, runs);
       for (uint32_t i = 0; i + 2 < runs; ++i) {
         model.direction(i % 2 == 0 ? 0 : 2);
@@ -932,45 +980,67 @@ TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
       model.direction(4);
       model.direction(6);
     })}));
-    CHECK(regions_of(arrival.events).size() == (runs == longest ? 1 : 0));
+    CHECK(pieces_of(arrival.events).size() == (runs == longest ? 1 : 0));
     CHECK(arrival.report.damaged_packets == (runs == longest ? 0 : 1));
   }
 }
 
-TEST_CASE("a part of fragment 0 does not go on with a region, whose number would be 0") {
-  const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
-    tell_first_part(model);
-    begin_part(model, true, true, up, 0);
-    tell_run(model, 2, 3);
-    end_part(model, true);
-  })}));
-  CHECK(arrival.events == first_part().lost().events);
-}
-
-TEST_CASE("a part of another fragment does not go on with the one that is open") {
-  for (const uint32_t number : {6U, 7U}) {
-    const Arrival arrival = decode(stream_of({payload_of([&](auto& model) {
-      begin_part(model, false, true);
+TEST_CASE("a fragment in parts goes on with its own parts, and with no other fragment's") {
+  for (const bool is_same : {true, false}) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_part(model, false, true, up, 5);
+      tell_ring(model, false);
       tell_run(model, 0, 2);
       end_part(model, false);
-      begin_part(model, true, true, up, number);
+      begin_part(model, true, true, is_same ? up : Incidence{0});
       tell_run(model, 2, 3);
       end_part(model, true);
     })}));
     Script expected;
-    expected.fragment(up, 6).run(0, 2);
-    if (number == 6)
+    expected.fragment(up, {1, 0, 0}, 5).run(0, 2);
+    if (is_same)
       expected.run(2, 3).fragment_end();
     else
       expected.lost();
     CHECK(arrival.events == expected.events);
+    CHECK(arrival.report.fragments == (is_same ? 1 : 0));
+    CHECK(arrival.report.lost_pieces == (is_same ? 0 : 1));
   }
+}
+
+TEST_CASE("a fragment has no second ring, nor in a part that goes on") {
+  const Received arrival = decode(stream_of({payload_of([&](auto& model) {
+    begin_part(model, false, true, up, 5);
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    end_part(model, false);
+    begin_part(model, true, true);
+    tell_ring(model, true);
+    tell_run(model, 2, 3);
+    end_part(model, true);
+  })}));
+  CHECK(arrival.events == Script().fragment(up, {1, 0, 0}, 5).run(0, 2).lost().events);
+  CHECK(arrival.report.damaged_packets == 1);
+}
+
+TEST_CASE("a stream whose trailer counts another number of fragments is not complete") {
+  const Events one = Script().fragment(up, {1, 0, 0}, 2).run(2, 2).fragment_end().finish().events;
+  std::vector<Bytes> frames = frames_of(encode(one));
+  REQUIRE(decode(joined(frames)).report.is_complete());
+  Packet trailer = packet_of(frames.back());
+  // After the slices and the flag; a region in the place of the fragment.
+  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1);
+  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 6 * 8).put_long(0);
+  frames.back() = frame_of(trailer);
+  const StreamReport report = decode(joined(frames)).report;
+  CHECK(report.lost_pieces == 0);
+  CHECK_FALSE(report.is_complete());
 }
 
 TEST_CASE("a header that arrives behind its packets is the first all the same") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   std::swap(frames[0], frames[1]);
-  const Arrival arrival = decode(joined(frames));
+  const Received arrival = decode(joined(frames));
   CHECK(arrival.report.has_header);
   CHECK(arrival.report.repeated_packets == 1);
   CHECK(arrival.header.width == any_header().width);
@@ -1020,13 +1090,13 @@ TEST_CASE("a mark that the sink does not take is kept for it") {
 
 TEST_CASE("a payload that ends before its records do is refused") {
   const Bytes whole = payload_of([](auto& model) {
-    for (uint32_t slice = 0; slice < 200; ++slice) tell_layer(model, slice * 3);
+    for (uint32_t slice = 0; slice < 150; ++slice) tell_layer(model, slice * 3);
   });
   for (size_t count = 0; count < whole.size(); ++count) {
     const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
-    const Arrival arrival = decode(stream_of({part}));
-    CHECK(arrival.events.size() <= 200);
-    (void)regions_of(arrival.events);
+    const Received arrival = decode(stream_of({part}));
+    CHECK(arrival.events.size() <= 150);
+    (void)pieces_of(arrival.events);
   }
 }
 
@@ -1038,7 +1108,7 @@ TEST_CASE("a part may fill a record to the last word, and one word more is refus
     end_part(model, true);
   };
   constexpr uint32_t most = Record::max_words - Record::ring_words;
-  const Arrival full =
+  const Received full =
       decode(stream_of({payload_of([&](auto& model) { tell_part(model, most); })}));
   CHECK(full.report.regions == 1);
   CHECK(full.events.size() == 1 + 1 + most + 1);
@@ -1068,7 +1138,7 @@ TEST_CASE("nothing is delivered after the trailer") {
   Bytes two = stream;
   const Bytes second = encode(other.events, other.header);
   two.insert(two.end(), second.begin(), second.end());
-  const Arrival arrival = decode(two);
+  const Received arrival = decode(two);
   CHECK(arrival.events == sample.events);
   CHECK(arrival.report.is_complete());
   CHECK(arrival.report.repeated_packets == frames_of(second).size());

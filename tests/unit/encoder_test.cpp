@@ -45,18 +45,19 @@ TEST_CASE("a stream that cannot be told is refused") {
   CHECK(encoder.start(any_header(), line.output()) == Status::ok);
 }
 
-TEST_CASE("every packet is numbered, short enough, and counts the regions before it") {
+TEST_CASE("every packet is numbered, short enough, and counts the pieces before it") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
     const std::vector<Events> brought = events_by_frame(frames);
-    size_t regions = 0;
+    size_t pieces = 0;
     for (size_t i = 0; i < frames.size(); ++i) {
       CHECK(frames[i].size() <= wire::max_frame);
       const Packet packet = packet_of(frames[i]);
       CHECK(packet.number == static_cast<uint8_t>(i));
-      CHECK(packet.regions == static_cast<uint16_t>(regions));
-      for (const RecordedEvent& recorded : brought[i]) regions += recorded.is(Kind::region_end);
+      CHECK(packet.pieces == static_cast<uint16_t>(pieces));
+      for (const RecordedEvent& recorded : brought[i])
+        pieces += recorded.is(Kind::region_end) || recorded.is(Kind::fragment_end);
     }
     CHECK(packet_of(frames.front()).is(PacketKind::header));
     CHECK(packet_of(frames.back()).is(PacketKind::trailer));
@@ -84,7 +85,7 @@ TEST_CASE("the header comes again after every 64 packets of records, with the co
     CHECK(packets[i].payload.size() == wire::header_payload);
     wire::ByteReader counts(packets[i].payload.data() + wire::header_payload - 12, 12);
     CHECK(counts.get(4) == i);
-    CHECK(counts.get(8) == packets[i].regions);
+    CHECK(counts.get(8) == packets[i].pieces);
   }
 }
 
@@ -251,11 +252,7 @@ TEST_CASE("records of every length end a packet at every fill without overrunnin
       Chance chance(lead);
       for (uint32_t i = 0; i < 6; ++i) {
         add_ragged_region(script, chance, 2 + lead, 2);
-        if (is_fragment) {
-          script.fragment(up, chance.below(Run::max_fragment));
-          for (uint32_t run = 0; run < lead % 7; ++run) script.run(0, 1 + chance.below(99999));
-          script.fragment_end();
-        }
+        if (is_fragment) add_ragged_fragment(script, chance, 1 + lead, 99999);
         script.skipped(UINT32_MAX - 1, chance.below(9), false).layer(i);
       }
       const Events events = script.finish().events;
@@ -265,14 +262,28 @@ TEST_CASE("records of every length end a packet at every fill without overrunnin
     }
 }
 
-TEST_CASE("fragments without runs, in any number, stay within their packets") {
+TEST_CASE(
+    "a fragment is told in as few bytes from its end as from its start, when that is nearer") {
+  const auto bytes = [](bool is_end_near) {
+    Script script;
+    const Vertex near{1, 0, 0}, far{1, 0, 60};
+    script.region(up).square(near, 2).region_end();
+    const Incidence side = incidence_of({0, 1, 0});
+    const Direction rising = 4;  // (0, 0, 2)
+    const Direction along = is_end_near ? opposite_direction(side, rising) : rising;
+    script.fragment(side, is_end_near ? far : near, along).run(along, 30).fragment_end();
+    return encode(script.finish().events).size();
+  };
+  CHECK(bytes(true) <= bytes(false) + 1);
+}
+
+TEST_CASE("a fragment without runs does harm to nothing but its packet") {
   Script script;
-  Chance chance(1);
-  for (uint32_t i = 0; i < 2000; ++i)
-    script.fragment(static_cast<Incidence>(i % 13), chance.below(Run::max_fragment)).fragment_end();
-  const Bytes stream = encode(script.finish().events);
-  for (const Bytes& frame : frames_of(stream)) CHECK(frame.size() <= wire::max_frame);
-  CHECK(decode(stream).events == script.events);
+  script.fragment(up, {1, 0, 0}, 0).fragment_end();
+  const Received arrival = decode(encode(script.layer(1).finish().events));
+  CHECK(pieces_of(arrival.events).empty());
+  CHECK(arrival.report.damaged_packets == 1);
+  CHECK(arrival.report.has_trailer);
 }
 
 TEST_CASE("a region that is lost before its end is told as lost, whatever follows") {
@@ -285,10 +296,10 @@ TEST_CASE("a region that is lost before its end is told as lost, whatever follow
       script.lost();
       if (follower == 1) script.layer(7);
       if (follower == 2) script.region(up).square({1, 0, 0}, 2).region_end();
-      if (follower == 3) script.fragment(up, 1).run(2, 2).fragment_end();
+      if (follower == 3) script.fragment(up, {1, 0, 0}, 1).run(2, 2).fragment_end();
       const Events events = script.finish().events;
-      const Arrival arrival = decode(encode(events));
-      CHECK(regions_of(arrival.events) == regions_of(events));
+      const Received arrival = decode(encode(events));
+      CHECK(pieces_of(arrival.events) == pieces_of(events));
       CHECK(arrival.events.back() == events.back());
     }
 }
@@ -313,8 +324,8 @@ TEST_CASE("a region whose first run is in no ring does harm to nothing but its p
   for (const Vertex& start : {Vertex{1, 0, 0}, Vertex{1, 0, 8}}) {
     Script script;
     script.region(up).run(0, 2).ring(start).run(0, 2).run(4, 3).region_end();
-    const Arrival arrival = decode(encode(script.layer(1).finish().events));
-    CHECK(regions_of(arrival.events).empty());
+    const Received arrival = decode(encode(script.layer(1).finish().events));
+    CHECK(pieces_of(arrival.events).empty());
     CHECK(arrival.report.damaged_packets == 1);
     CHECK(arrival.report.has_trailer);
   }

@@ -120,7 +120,7 @@ TEST_CASE("the last sample is the last that is read, whatever the stride") {
     const std::vector<uint16_t> samples = samples_of<uint16_t>(volume, 7, 0, stride);
     Bench<uint16_t> bench(limits_of(volume, Border::closed), 7);
     for (uint32_t at = 0; at < 30;) {
-      const Pushed pushed = bench.extractor.push(samples.data() + at * stride, 1, stride);
+      const PushResult pushed = bench.extractor.push(samples.data() + at * stride, 1, stride);
       at += pushed.samples;
     }
     finish_all(bench.extractor);
@@ -155,9 +155,7 @@ TEST_CASE("widths on either side of a word's end are swept as the paper merges t
         const EventLog log = plain_scan(volume, border);
         CAPTURE(width);
         CAPTURE(density);
-        const Collector collector = collected(log.events);
-        CHECK(collector.statistics().cuts == 0);
-        CHECK(unlike_merge(collector.regions(), volume, border == Border::closed) == "");
+        CHECK(unlike_merge(collected(log.events).regions(), volume, border == Border::closed) == "");
       }
 }
 
@@ -168,7 +166,7 @@ TEST_CASE("rows of bits give the same events as samples, whatever the bits beyon
       Bench<uint16_t> bench(limits_of(volume, border));
       for (size_t row = 0; row < 12; ++row) {
         const std::vector<uint8_t> bits = bits_of(volume, row);
-        const Pushed pushed = bench.extractor.push_bits(bits.data());
+        const PushResult pushed = bench.extractor.push_bits(bits.data());
         CHECK(pushed.status == Status::ok);
         CHECK(pushed.samples == width);
       }
@@ -194,7 +192,7 @@ TEST_CASE("a skipped row is off or as the row before it, across slices too, and 
         const bool repeats = kind == 2;
         std::fill_n(samples, width, uint8_t{0});
         if (repeats && row > 0) std::copy_n(samples - width, width, samples);
-        const Pushed pushed =
+        const PushResult pushed =
             bench.extractor.skip_row(repeats ? Substitute::previous_row : Substitute::off);
         CHECK(pushed.samples == width);
         skipped.push_back({row / 3, row % 3, repeats});
@@ -277,9 +275,8 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
   };
   const BitVolume volume = random({12, 10, 4}, 150, 3);
   const Limits limits = limits_of(volume, Border::closed);
-  Capacities few = worst_case_capacities(limits);
   for (const uint32_t more : {20U, 150U}) {
-    few.runs = minimum_capacities().runs + more;
+    const Capacities few{minimum_capacities().records + more, more / 4};
     EventLog expected;
     scan_into<uint16_t>(expected, volume, {}, few);
     for (int taken = 0; taken < 400; taken += 3) {

@@ -10,8 +10,6 @@ using namespace discmc::reference;
 
 namespace {
 
-constexpr uint64_t ample = 1 << 18;
-
 // Does nothing with what it is given; counts the regions.
 struct Counter {
   uint64_t regions = 0;
@@ -27,8 +25,7 @@ struct Counter {
 
 EventLog events_of(const BitVolume& volume) {
   EventLog log;
-  scan_into<uint32_t>(log, volume, {},
-                      minimum_bytes<uint32_t>(limits_of(volume, Border::closed)) + ample);
+  scan_into<uint32_t>(log, volume, {}, ample);
   return log;
 }
 
@@ -50,15 +47,12 @@ void check_refused_starts() {
   CHECK(extractor.start(good, 1, {memory.data, least - 1}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {memory.data, 0}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {nullptr, 1 << 16}, sink) == Status::too_little_memory);
-  uint32_t Capacities::*const pools[] = {&Capacities::edges, &Capacities::runs, &Capacities::rings,
-                                         &Capacities::regions, &Capacities::slots};
-  for (const auto pool : pools) {
-    Capacities capacities = minimum_capacities();
-    --(capacities.*pool);
-    CHECK(extractor.start(good, capacities, 1, memory, sink) == Status::bad_capacities);
-    capacities.*pool = UINT32_MAX;
-    CHECK(extractor.start(good, capacities, 1, memory, sink) == Status::bad_capacities);
-  }
+  for (const uint32_t records : {minimum_capacities().records - 1, UINT32_MAX})
+    CHECK(extractor.start(good, {records, 0}, 1, memory, sink) == Status::bad_capacities);
+  for (const Slab& slab : {Slab{1, false, false}, Slab{0, true, false}})
+    CHECK(extractor.start({8, 8, {}, slab}, 1, memory, sink) == Status::bad_limits);
+  const Limits slab{8, 8, {}, {0, false, true}};
+  CHECK(extractor.start(slab, 1, memory, sink_to(log, false)) == Status::bad_sink);
   CHECK(extractor.start({32766, 32766}, 1, memory, sink) == Status::too_little_memory);
   // The memory is as it was.
   Block untouched(1 << 16);
@@ -171,43 +165,6 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
   CHECK(log.events == events_of(volume).events);
 }
 
-TEST_CASE("cuts are told while the scan goes on, and of the next scan anew") {
-  const BitVolume volume = random({9, 8, 7}, 128, 1);
-  const Limits limits = limits_of(volume, Border::closed);
-  Counter counter;
-  Block block(minimum_bytes<uint16_t>(limits));
-  Extractor16 extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), sink_to(counter)));
-  CHECK(extractor.statistics().cuts == 0);
-  push_all(extractor, volume.on);
-  const uint64_t cuts = extractor.statistics().cuts;
-  CHECK(cuts > 0);
-  require_ok(extractor.reset());
-  CHECK(extractor.statistics().cuts == 0);
-  CHECK(extractor.high_water().edges == 0);
-  push_all(extractor, volume.on);
-  CHECK(extractor.statistics().cuts == cuts);
-}
-
-TEST_CASE("a reset forgets the holes of regions that were open") {
-  const BitVolume volume = random({20, 20, 3}, 235, 3);
-  const Limits limits = limits_of(volume, Border::closed);
-  Capacities capacities = worst_case_capacities(limits);
-  capacities.rings = CellReserve::rings + 8;
-  Block block(bytes_for<uint16_t>(limits, capacities));
-  Counter counter;
-  Extractor16 extractor;
-  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(counter)));
-  uint64_t cuts = 0;
-  for (int scan = 0; scan < 5; ++scan) {
-    push_all(extractor, volume.on);
-    if (scan == 0) cuts = extractor.statistics().cuts;
-    CHECK(extractor.statistics().cuts == cuts);
-    require_ok(extractor.reset());
-  }
-  CHECK(cuts > 0);
-}
-
 TEST_CASE("a scan without slices is an empty one") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{1, 1, 0}, Size{5, 3, 0}}) {
@@ -241,7 +198,7 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
       std::vector<uint8_t> period(slice * 4, 0);
       std::fill_n(period.begin() + slice, 2 * slice - 1, uint8_t{1});
       Counter counter;
-      Block block(minimum_bytes<uint16_t>(limits) + 2000);
+      Block block(minimum_bytes<uint16_t>(limits) + 8000);
       Extractor16 extractor;
       require_ok(extractor.start(limits, 1, block.memory(), sink_to(counter)));
       std::vector<uint64_t> regions;
@@ -252,7 +209,6 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
       finish_all(extractor);
       CHECK(extractor.slices() == 100000);
       CHECK(counter.layers == 100000);
-      CHECK(extractor.statistics().cuts == 0);
       for (size_t i = 2; i < regions.size(); ++i)
         CHECK(regions[i] - regions[i - 1] == regions[2] - regions[1]);
       if (border == Border::closed) CHECK(counter.top > 2 * 99990);
@@ -262,16 +218,13 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
 TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a few bytes") {
   const Limits limits{3, 3};
   EventLog log;
-  Block block(minimum_bytes<uint16_t>(limits) + 2000);
+  Block block(minimum_bytes<uint16_t>(limits) + 8000);
   Extractor16 extractor;
   require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
   const std::vector<uint8_t> slice(9, 1);
   for (uint32_t i = 0; i < 100000; ++i) require_ok(extractor.push(slice.data(), 9).status);
   finish_all(extractor);
-  const Collector collector = collected(log.events);
-  CHECK(collector.statistics().cuts == 0);
-  CHECK(collector.statistics().spills == 0);
-  CHECK(collector.regions().size() == 26);
+  CHECK(collected(log.events).regions().size() == 26);
 }
 
 TEST_CASE("extractors of either index width work side by side") {
@@ -307,16 +260,61 @@ TEST_CASE("memory that begins anywhere will do") {
   const Limits limits = limits_of(volume, Border::closed);
   const EventLog expected = events_of(volume);
   for (size_t offset = 0; offset < 4; ++offset) {
-    const size_t bytes = worst_case_bytes<uint16_t>(limits);
+    const size_t bytes = bytes_for<uint16_t>(limits, ample);
     std::vector<uint8_t> memory(bytes + offset + 8, 0x5A);
     EventLog log;
     Extractor16 extractor;
-    require_ok(extractor.start(limits, worst_case_capacities(limits), 1,
-                               {memory.data() + offset, bytes}, sink_to(log)));
+    require_ok(extractor.start(limits, ample, 1, {memory.data() + offset, bytes}, sink_to(log)));
     push_all(extractor, volume.on);
     finish_all(extractor);
     CHECK(log.events == expected.events);
-    CHECK(extractor.bytes_used() == bytes);
     CHECK(std::count(memory.end() - 8, memory.end(), uint8_t{0x5A}) == 8);
+  }
+}
+
+TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been touched") {
+  const BitVolume volume = random({9, 8, 7}, 100, 1);
+  const Limits limits = limits_of(volume, Border::closed);
+  const size_t bytes = bytes_for<uint16_t>(limits, ample);
+  std::vector<uint8_t> memory(bytes, 0x5A);
+  EventLog log;
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, ample, 1, {memory.data(), bytes}, sink_to(log)));
+  size_t used = extractor.bytes_used();
+  CHECK(used <= minimum_bytes<uint16_t>(limits));
+  for (const uint8_t sample : volume.on) {
+    require_ok(extractor.push(&sample, 1).status);
+    CHECK(extractor.bytes_used() >= used);
+    used = extractor.bytes_used();
+  }
+  finish_all(extractor);
+  used = extractor.bytes_used();
+  CHECK(used == bytes_for<uint16_t>(limits, {extractor.high_water().records, 0}));
+  CHECK(std::count(memory.begin() + static_cast<ptrdiff_t>(used), memory.end(), uint8_t{0x5A}) ==
+        static_cast<ptrdiff_t>(bytes - used));
+  require_ok(extractor.reset());
+  CHECK(extractor.bytes_used() < used);
+}
+
+TEST_CASE("the high-water marks lie within the capacities, and are all that a scan needs") {
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const BitVolume volume = random({12, 9, 7}, 60 + 10 * static_cast<uint32_t>(seed), seed);
+    const Limits limits = limits_of(volume, Border::closed);
+    const auto scan_in = [&](const Capacities& capacities, EventLog& log) {
+      Block block(bytes_for<uint16_t>(limits, capacities));
+      Extractor16 extractor;
+      require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+      push_all(extractor, volume.on);
+      finish_all(extractor);
+      CHECK(extractor.capacities().records == capacities.records);
+      CHECK(extractor.high_water().records <= capacities.records);
+      CHECK(extractor.high_water().holes <= capacities.holes);
+      return extractor.high_water();
+    };
+    EventLog in_ample, in_few;
+    const HighWater needed = scan_in(ample, in_ample);
+    CHECK(needed.records > 50);
+    (void)scan_in({needed.records / 2, needed.holes / 2}, in_few);
+    CHECK(collected(in_few.events).loose().size() > 0);
   }
 }

@@ -56,6 +56,8 @@ Record record_with(Incidence incidence) {
   return record;
 }
 
+constexpr Chain chains[] = {Chain::first, Chain::further, Chain::fragment, Chain::backwards};
+
 bool is_odd(const Vertex& vertex) {
   return ((vertex.x ^ vertex.y ^ vertex.z) & 1) != 0;
 }
@@ -67,45 +69,46 @@ TEST_CASE("every probability of the model is usable, and every context has one")
   CHECK(sizeof(region_model) == context::count);
 }
 
-TEST_CASE("the probabilities are those of version 1") {
-  CHECK(wire::version == 1);
+TEST_CASE("the probabilities are those of version 2") {
+  CHECK(wire::version == 2);
   CHECK(reference::broken(reference::model_table()) == nullptr);
 }
 
 // Golden files hold few far steps: a context beyond the first ones of a number is seen here.
-TEST_CASE("steps and lengths of every size are told as version 1 tells them") {
+TEST_CASE("steps and lengths of every size are told as version 2 tells them") {
   Bytes bytes(UINT16_MAX);
   RegionModel<test::WritingCoder> model(test::WritingCoder{{bytes.data(), bytes.size()}});
   for_each_incidence([&](Incidence incidence) {
     model.incidence(incidence);
     for (int bits = 0; bits < 31; ++bits) {
       const int32_t far = int32_t{1} << bits;
-      model.start({far, -far, 1}, bits % 3 == 0);
-      model.start({-far, 2, far - 1}, bits % 2 == 0);
+      model.start({far, -far, 1}, chains[bits % 4]);
+      model.start({-far, 2, far - 1}, chains[(bits / 4 + incidence) % 4]);
       model.run_count(static_cast<uint32_t>(far) + 1);
       for (uint32_t i = 0; i < 6; ++i) {
         model.direction(static_cast<Direction>((bits + 5 * static_cast<int>(i)) % 4));
         model.length(i < 4 ? i + 1 : static_cast<uint32_t>(far));
       }
-      model.fragment_number(static_cast<uint32_t>(far), bits % 2 == 0);
+      model.fragment_run_count(static_cast<uint32_t>(far));
     }
     model.layer(incidence);
   });
   bytes.resize(model.coder().range.finish());
-  CHECK(bytes.size() == 41950);
-  CHECK(crc32(bytes.data(), bytes.size()) == 0x45D51FA9);
+  CHECK(bytes.size() == 46731);
+  CHECK(crc32(bytes.data(), bytes.size()) == 0x766833AA);
 }
 
-TEST_CASE("small steps, and every direction after every other, are told as version 1 tells them") {
+TEST_CASE("small steps, and every direction after every other, are told as version 2 tells them") {
   Bytes bytes(UINT16_MAX);
   RegionModel<test::WritingCoder> model(test::WritingCoder{{bytes.data(), bytes.size()}});
   for_each_incidence([&](Incidence incidence) {
     model.incidence(incidence);
     Vertex at{0, 0, 1};
     for (int step = -4; step <= 4; ++step)
-      for (const bool further : {false, true}) {
+      for (const Chain chain : chains) {
         at = at + Vertex{2 * step, step, -step};
-        model.start(at, further);
+        model.order(chain);
+        model.start(at, chain);
         for (Direction i = 0; i < direction_count(incidence); ++i)
           for (Direction j = 0; j < direction_count(incidence); ++j) {
             model.direction(i);
@@ -114,8 +117,8 @@ TEST_CASE("small steps, and every direction after every other, are told as versi
       }
   });
   bytes.resize(model.coder().range.finish());
-  CHECK(bytes.size() == 18062);
-  CHECK(crc32(bytes.data(), bytes.size()) == 0x0E60167A);
+  CHECK(bytes.size() == 38025);
+  CHECK(crc32(bytes.data(), bytes.size()) == 0xF1513CAF);
 }
 
 TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
@@ -174,23 +177,6 @@ TEST_CASE("bits without a context come back") {
       expected);
 }
 
-TEST_CASE("differences over all of 32 bits come back, as fragment numbers and as coordinates") {
-  Values expected;
-  for (const int32_t value : coordinates()) {
-    expected.push_back(static_cast<uint32_t>(value));
-    expected.push_back(static_cast<uint32_t>(-int64_t{value}));
-  }
-  check_round_trip(
-      [&](auto& model, bool writes) {
-        Values coded;
-        for (const int64_t value : expected)
-          coded.push_back(model.fragment_number(writes ? static_cast<uint32_t>(value) : 0,
-                                                coded.size() % 2 == 1));
-        return coded;
-      },
-      expected);
-}
-
 TEST_CASE("every incidence comes back after every other") {
   Values expected;
   for_each_incidence([&](Incidence a) {
@@ -230,9 +216,9 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
         Values coded;
         Incidence incidence = 0;
         for (const Vertex& start : starts) {
-          const bool further = start.y % 3 == 0;
+          const Chain chain = chains[static_cast<uint32_t>(start.y) % 4];
           model.incidence(writes ? incidence : no_incidence);
-          const Vertex told = model.start(writes ? start : Vertex{0, 0, 0}, further);
+          const Vertex told = model.start(writes ? start : Vertex{0, 0, 0}, chain);
           coded.insert(coded.end(), {told.x, told.y, told.z});
           incidence = incidence == 25 ? 0 : static_cast<Incidence>(incidence + 1);
           if (incidence == no_incidence) ++incidence;
@@ -243,10 +229,10 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
       expected);
 }
 
-TEST_CASE("directions come back after every other direction, in first and in further rings") {
+TEST_CASE("directions come back after every other direction, in every kind of chain") {
   for_each_incidence([&](Incidence incidence) {
     const uint32_t count = direction_count(incidence);
-    for (const bool further : {false, true}) {
+    for (const Chain chain : chains) {
       Values expected;
       for (uint32_t a = 0; a < count; ++a)
         for (uint32_t b = 0; b < count; ++b) expected.insert(expected.end(), {a, b, b, a});
@@ -254,7 +240,7 @@ TEST_CASE("directions come back after every other direction, in first and in fur
           [&](auto& model, bool writes) {
             Values coded;
             model.incidence(writes ? incidence : no_incidence);
-            model.start(writes ? Vertex{1, 0, 0} : Vertex{0, 0, 0}, further);
+            model.start(writes ? Vertex{1, 0, 0} : Vertex{0, 0, 0}, chain);
             for (const int64_t direction : expected) {
               coded.push_back(model.direction(writes ? static_cast<Direction>(direction) : 0));
               model.length(1);
@@ -266,23 +252,48 @@ TEST_CASE("directions come back after every other direction, in first and in fur
   });
 }
 
-TEST_CASE("kinds, items and parts come back") {
-  const Values expected{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 1, 0, 9, 26, 0, 1, 4};
+TEST_CASE("kinds come back, in whatever state of the packet") {
+  constexpr uint32_t kinds = static_cast<uint32_t>(RecordKind::layer) + 8;  // reserved ones as well
+  Values expected;
+  for (int state = 0; state < 5; ++state)
+    for (uint32_t kind = 0; kind < kinds; ++kind) expected.push_back(kind);
   check_round_trip(
       [&](auto& model, bool writes) {
         Values coded;
-        for (uint32_t kind = 0; kind < 8; ++kind)
-          coded.push_back(
-              static_cast<int64_t>(model.other_kind(static_cast<OtherKind>(writes ? kind : 0))));
-        for (uint32_t kind = 0; kind < 4; ++kind)
+        const auto all_kinds = [&] {
+          for (uint32_t kind = 0; kind < kinds; ++kind)
+            coded.push_back(static_cast<int64_t>(
+                model.record_kind(static_cast<RecordKind>(writes ? kind : kinds - 1))));
+        };
+        model.incidence(writes ? Incidence{4} : no_incidence);
+        all_kinds();
+        for (const Chain chain : {Chain::first, Chain::fragment, Chain::further}) {
+          model.start({1, 0, 0}, chain);
+          all_kinds();
+        }
+        model.layer(0);
+        all_kinds();
+        return coded;
+      },
+      expected);
+}
+
+TEST_CASE("orders, items and parts come back") {
+  const Values expected{2, 3, 0, 1, 2, 1, 0, 26, 5, 0, 1, 4};
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        Values coded;
+        for (const Chain order : {Chain::fragment, Chain::backwards})
+          coded.push_back(static_cast<int64_t>(model.order(writes ? order : Chain::fragment)));
+        for (uint32_t kind = 0; kind < 3; ++kind)
           coded.push_back(
               static_cast<int64_t>(model.item_kind(static_cast<Item>(writes ? kind : 0))));
         Record fragment = record_with(writes ? Incidence{26} : no_incidence);
         fragment.is_fragment = writes;
-        fragment.number = writes ? 9 : 0;
+        fragment.came = writes ? 5 : 0;
         model.part(fragment);
-        coded.insert(coded.end(), {fragment.is_fragment, fragment.continues, fragment.number,
-                                   fragment.incidence});
+        coded.insert(coded.end(),
+                     {fragment.is_fragment, fragment.continues, fragment.incidence, fragment.came});
         Record region = record_with(writes ? Incidence{4} : no_incidence);
         region.continues = writes;
         model.part(region);
@@ -290,6 +301,31 @@ TEST_CASE("kinds, items and parts come back") {
         return coded;
       },
       expected);
+}
+
+// Backwards, a chain is told in the turns that it makes forwards.
+TEST_CASE("a chain told backwards costs about what it costs forwards") {
+  struct Meter {
+    double* bits;
+    bool bit(uint32_t context, bool bit) {
+      const double one = region_model[context] / 256.0;
+      *bits -= std::log2(bit ? one : 1 - one);
+      return bit;
+    }
+  };
+  const auto cost = [](Chain order, const std::vector<Direction>& directions) {
+    double bits = 0;
+    RegionModel<Meter> model(Meter{&bits});
+    model.incidence(0);
+    model.start({1, 0, 0}, order);
+    model.direction(directions[0]);
+    bits = 0;
+    for (size_t i = 1; i < directions.size(); ++i) model.direction(directions[i]);
+    return bits;
+  };
+  CHECK(cost(Chain::fragment, {0, 1, 2, 3}) ==
+        doctest::Approx(cost(Chain::backwards, {3, 2, 1, 0})));
+  CHECK(cost(Chain::fragment, {0, 1, 2, 3}) < cost(Chain::fragment, {3, 2, 1, 0}));
 }
 
 TEST_CASE("a ring is closed by any two directions and lengths, and by nothing else") {
@@ -335,12 +371,14 @@ TEST_CASE("the ends of a part and of a packet take no more than their reserves")
     return sum;
   };
   // A byte less than the encoder's reserves of 4 bytes each, for the closing byte.
-  for (const uint32_t after_mark : {0U, 1U})
-    CHECK(cost(context::region_follows + after_mark, false) +
-              tree(context::other_kind, 3, static_cast<uint32_t>(OtherKind::end)) <=
+  constexpr uint32_t end =
+      static_cast<uint32_t>(RecordKind::end) - static_cast<uint32_t>(RecordKind::layer);
+  for (uint32_t before = 0; before < 5; ++before)
+    CHECK(cost(context::region_follows + before, false) +
+              cost(context::fragment_follows + before, false) + tree(context::other_kind, 3, end) <=
           24);
   for (const bool is_last : {false, true})
-    CHECK(tree(context::item_kind, 2, static_cast<uint32_t>(Item::end)) +
+    CHECK(cost(context::item_kind, false) + cost(context::item_kind + 1, false) +
               cost(context::part_kind + 2, is_last) <=
           24);
 }

@@ -2,6 +2,8 @@
 #ifndef DISCMC_PORTS_SCAN_HPP
 #define DISCMC_PORTS_SCAN_HPP
 
+#include <stddef.h>
+
 #include <discmc/limits.hpp>
 
 namespace scan {

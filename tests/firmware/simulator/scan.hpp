@@ -1,6 +1,9 @@
 // What the simulator's firmware scans: little, for a UART in QEMU moves some 30 kB a second.
+// Its memory runs short, so that loose fragments come too.
 #ifndef DISCMC_PORTS_SCAN_HPP
 #define DISCMC_PORTS_SCAN_HPP
+
+#include <stddef.h>
 
 #include <discmc/limits.hpp>
 
@@ -11,7 +14,7 @@ constexpr discmc::Limits limits{32, 32};
 constexpr uint32_t depth = 12;               // slices; the receiver is told
 constexpr int32_t spacing_nm[] = {0, 0, 0};  // not known
 constexpr int32_t threshold = 128;
-constexpr size_t arena_bytes = 8 * 1024;
+constexpr size_t arena_bytes = 3 * 1024;
 
 }  // namespace scan
 

@@ -3,15 +3,16 @@
 #include <string>
 
 #include "oracle/agreement.hpp"
-#include "oracle/scan.hpp"
 
 namespace discmc::prove {
 
 namespace {
 
-// Hardly more than the most that a block needs, so that a record that is not given back is a cut or
-// a spill in another block, and either is a flaw.
-constexpr Capacities capacities{40, 168, 13, 40, 32};
+// So many that nothing is ever sent for lack of them.
+constexpr Capacities capacities{512, 8};
+
+// The most that a block needs at once. A record that is not given back is one more in some block.
+constexpr uint32_t most_records = 107;
 
 // One block in so many shows that the reference is right: with the paper's Merge. A prime, so that
 // all values of all rows are among them.
@@ -58,7 +59,8 @@ void BlockProver::take_rows(uint32_t row) {
 
 void BlockProver::save(Saved& saved) const {
   saved.extractor = extractor_;
-  saved.memory = memory_;
+  const auto end = static_cast<std::ptrdiff_t>(extractor_.bytes_used());
+  saved.memory.assign(memory_.begin(), memory_.begin() + end);
   saved.sum = check_.sum();
   saved.forest = forest_.mark();
 }
@@ -135,10 +137,10 @@ void BlockProver::check_block() {
 // What is wrong with the block's surface, or nullptr.
 const char* BlockProver::flaw() const {
   const RegionCheck::Sum& sum = check_.sum();
-  if (extractor_.statistics().cuts != 0) return "a cut, for which there is no need";
   if (sum.unpaired != 0) return "an inner link that is used in one direction only";
   if (sum.fingerprint != forest_.fingerprint()) return "other regions than the facets make";
   if (sum.links != forest_.links()) return "a boundary with a slit";
+  if (extractor_.high_water().records > most_records) return "a record that is not given back";
   return nullptr;
 }
 

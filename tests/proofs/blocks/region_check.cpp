@@ -68,7 +68,7 @@ Answer RegionCheck::take(const Event& event) {
     case Event::Kind::finish:
       break;
     default:
-      require(false, "a spill, for which there is no need");
+      require(false, "a fragment, for which there is no need");
   }
   return Answer::taken;
 }
@@ -83,7 +83,7 @@ void RegionCheck::begin_ring(const Event& event) {
 }
 
 void RegionCheck::add_run(Run run) {
-  require(!run.is_fragment() && run.direction() < direction_count(incidence_), "a run of no links");
+  require(run.direction() < direction_count(incidence_), "a run of no links");
   const Link link = link_of(incidence_, run.direction());
   const Vertex moment = cross(Lattice::vertex(at_), link_vector(link));
   area_ += static_cast<int32_t>(run.length()) * dot(normal(incidence_), moment);

@@ -1,4 +1,4 @@
-// Flash: the table, an extractor of 8-bit samples and an encoder that is its sink: a scanner.
+// Flash: an extractor of 8-bit samples and an encoder that is its sink: a scanner.
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 

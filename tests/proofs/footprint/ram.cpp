@@ -7,9 +7,7 @@
 using namespace discmc;
 
 #define DISCMC_OBJECT(Class) uint8_t object_##Class[sizeof(Class)];
-#define DISCMC_ARENA(size)                                     \
-  uint8_t least_##size[minimum_bytes<uint16_t>({size, size})]; \
-  uint8_t worst_##size[worst_case_bytes<uint32_t>({size, size})];
+#define DISCMC_ARENA(size) uint8_t least_##size[minimum_bytes<uint16_t>({size, size})];
 
 extern "C" {
 DISCMC_OBJECT(Extractor16)

@@ -10,10 +10,11 @@
 using namespace discmc;
 
 // All of it fits the 16 KiB of a small microcontroller.
-constexpr Limits wide{256, 256};
+constexpr Limits wide{256, 32};
+constexpr uint32_t wide_slices = 16;
 constexpr Limits ball{48, 48};
 static uint8_t memory[11 * 1024];
-static_assert(sizeof memory >= minimum_bytes<uint16_t>(wide), "the least for 256 x 256 voxels");
+static_assert(sizeof memory >= minimum_bytes<uint16_t>(wide), "or the scan does not start");
 static Extractor16 extractor;
 static Encoder encoder;
 
@@ -55,9 +56,9 @@ static bool scan(const Limits& limits, uint32_t slices,
       row[x] = sample(static_cast<int32_t>(x), static_cast<int32_t>(i % limits.height),
                       static_cast<int32_t>(i / limits.height));
     count_on();
-    const Pushed pushed = extractor.push(row, limits.width);
+    const Status status = extractor.push(row, limits.width).status;
     count_off();
-    if (pushed.status != Status::ok) return false;
+    if (status != Status::ok) return false;
   }
   count_tell();
   return extractor.finish() == Status::ok;
@@ -102,8 +103,8 @@ static bool count_normals(Normal (*make)(const LongVector&), int32_t z) {
 
 int main() {
   // In this order instructions.awk reads the counts.
-  bool good = scan<uint8_t>(wide, 2, outside, no_sink) &&
-              scan<uint16_t>(wide, 2, outside, no_sink) &&
+  bool good = scan<uint8_t>(wide, wide_slices, outside, no_sink) &&
+              scan<uint16_t>(wide, wide_slices, outside, no_sink) &&
               scan<uint8_t>(ball, ball.width, outside, no_sink) &&
               scan<uint8_t>(ball, ball.width, inside_ball, no_sink);
   const StreamHeader header{ball.width, ball.height, ball.width, {}, threshold};
@@ -112,13 +113,13 @@ int main() {
   good = good && count_normals(octahedral, 0) && count_normals(octahedral, 1) &&
          count_normals(unit, 0) && count_normals(unit, 1);
   const Statistics statistics = extractor.statistics();
-  report("wide_voxels", wide.width * wide.height * 2);
+  report("wide_voxels", wide.width * wide.height * wide_slices);
   report("normals", normals);
   report("cells", statistics.cells);
   report("facets", statistics.facets);
   report("regions", statistics.regions);
   report("links", statistics.links);
-  report("cuts", statistics.cuts);
+  report("fragments", statistics.fragments);
   report("stream_bytes", encoder.bytes());
   board::stop(good);
 }

@@ -82,7 +82,7 @@ class Hash {
 };
 
 Hash golden;
-uint32_t scans, events, cuts, spills;
+uint32_t scans, events, fragments;
 
 // A sink that hashes the members that an event's kind names.
 class EventHash {
@@ -105,8 +105,11 @@ class EventHash {
         add(event.normal.v);
         break;
       case Event::Kind::fragment:
-        add(event.number);
         add(event.incidence);
+        add(event.came);
+        add(static_cast<uint32_t>(event.start.x));
+        add(static_cast<uint32_t>(event.start.y));
+        add(static_cast<uint32_t>(event.start.z));
         break;
       case Event::Kind::skipped:
         add(event.slice);
@@ -187,11 +190,10 @@ struct Setting {
   Capacities capacities;
   bool takes_fragments;
 };
-// The least; memory for a part, which is answered by spills or by cuts; and for most of it.
-constexpr Setting settings[] = {{minimum_capacities(), true},
-                                {{32, 80, 12, 24, 40}, true},
-                                {{32, 120, 12, 24, 40}, false},
-                                {{104, 180, 16, 70, 130}, true}};
+// The least; memory for a part, which is answered by loose fragments, or cell by cell; and for most
+// of it.
+constexpr Setting settings[] = {
+    {minimum_capacities(), true}, {{100, 4}, true}, {{200, 0}, false}, {{400, 30}, true}};
 constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
 
 uint8_t memory[bytes_for<uint32_t>(sizes[0], settings[3].capacities)];
@@ -201,7 +203,7 @@ template <class Index, class Sample, class Normals = NoNormals>
 class Scan {
  public:
   bool start(const Limits& limits, const Setting& setting) {
-    if constexpr (Normals::hold_samples) extractor_.set_spacing({1, -2, 3});
+    if constexpr (Normals::holds_samples) extractor_.set_spacing({1, -2, 3});
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
            is_done(extractor_.start(limits, setting.capacities, on_from, memory_of(memory),
@@ -213,7 +215,7 @@ class Scan {
     const auto value = [&](uint32_t x) { return volume({static_cast<int32_t>(x), y, z}); };
     switch (y % 4) {
       case 1: {
-        if (Normals::hold_samples) return push_samples(value, 7, 1);
+        if (Normals::holds_samples) return push_samples(value, 7, 1);
         uint8_t bits[(width + 7) / 8] = {};
         for (uint32_t x = 0; x < width; ++x)
           if (value(x) >= threshold) bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | 1 << x % 8);
@@ -234,8 +236,7 @@ class Scan {
   bool end(bool abandons) {
     const Status status = abandons ? extractor_.abandon() : extractor_.finish();
     if (!is_done(status) || !wire_between.finish()) return false;
-    cuts += static_cast<uint32_t>(extractor_.statistics().cuts);
-    spills += static_cast<uint32_t>(extractor_.statistics().spills);
+    fragments += static_cast<uint32_t>(extractor_.statistics().fragments);
     return true;
   }
 
@@ -246,7 +247,7 @@ class Scan {
   }
 
   bool push_bits([[maybe_unused]] const uint8_t* bits) {
-    if constexpr (Normals::hold_samples)
+    if constexpr (Normals::holds_samples)
       return false;
     else
       return is_done(extractor_.push_bits(bits).status);
@@ -258,7 +259,7 @@ class Scan {
     for (uint32_t x = 0; x < width; ++x) row[x * stride] = sample_of<Sample>(value(x));
     for (uint32_t x = 0; x < width;) {
       const uint32_t left = width - x;
-      const Pushed pushed =
+      const PushResult pushed =
           extractor_.push(row + x * stride, left < portion ? left : portion, stride);
       if (!is_done(pushed.status)) return false;
       x += pushed.samples;
@@ -324,8 +325,7 @@ int main() {
   const bool good = scan_all();
   board::report("scans", scans);
   board::report("events", events);
-  board::report("cuts", cuts);
-  board::report("spills", spills);
+  board::report("fragments", fragments);
   board::report("hash_high", static_cast<uint32_t>(golden.value() >> 32));
   board::report("hash_low", static_cast<uint32_t>(golden.value()));
   board::stop(good);

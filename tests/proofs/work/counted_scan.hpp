@@ -27,8 +27,7 @@ struct Work {
   uint64_t most = 0;         ///< blocks of a push
   uint64_t blocks = 0;       ///< of all calls
   uint64_t cells = 0;
-  uint64_t cuts = 0;
-  uint64_t spills = 0;
+  uint64_t fragments = 0;
 };
 
 /// Scans a volume row by row. Errors: throws what the extractor reports.
@@ -59,8 +58,7 @@ class CountedScan {
     const uint64_t most = work_.most;
     count(sweep_of(volume_.depth, 0, limits_.cell_rows()), [&] { return extractor_.finish(); });
     work_.most = most;
-    work_.cuts = extractor_.statistics().cuts;
-    work_.spills = extractor_.statistics().spills;
+    work_.fragments = extractor_.statistics().fragments;
     return work_;
   }
 

@@ -85,7 +85,7 @@ std::vector<Room> rooms(const Limits& limits) {
 
 bool check_hostile_volumes() {
   std::printf("%-26s %-7s %-23s %12s %10s %9s %6s\n", "volume", "border", "memory", "most a push",
-              "a cell", "of bound", "cuts");
+              "a cell", "of bound", "fragments");
   bool holds = true;
   for (const Hostile& hostile : hostile_volumes())
     for (const Border border : {Border::closed, Border::open}) {
@@ -95,9 +95,9 @@ bool check_hostile_volumes() {
         const uint64_t a_cell = work.blocks / std::max<uint64_t>(work.cells, 1);
         std::printf("%-26s %-7s %-23s %12" PRIu64 " %10" PRIu64 " %8.1f%% %6" PRIu64 "\n",
                     hostile.name, border == Border::closed ? "closed" : "open", room.name,
-                    work.most, work.cells > 0 ? a_cell : 0, 100 * work.most_of_bound, work.cuts);
-        const bool may_cut = std::strcmp(room.name, "worst case") != 0;
-        holds = holds && work.most_of_bound <= 1 && (may_cut || work.cuts == 0);
+                    work.most, work.cells > 0 ? a_cell : 0, 100 * work.most_of_bound,
+                    work.fragments);
+        holds = holds && work.most_of_bound <= 1;
       }
     }
   return holds;

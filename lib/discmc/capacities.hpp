@@ -1,0 +1,109 @@
+// How many bytes a scan needs, and how many records they hold: all of it known at compile time.
+#ifndef DISCMC_CAPACITIES_HPP
+#define DISCMC_CAPACITIES_HPP
+
+#include <discmc/arena.hpp>
+#include <discmc/intake.hpp>
+#include <discmc/trace/sector_table.hpp>
+
+namespace discmc {
+
+/// What there is room for. A shortage costs bytes of the stream, never regions: what has no room is
+/// sent as loose fragments.
+struct Capacities {
+  uint32_t records;  ///< of 8 bytes (16-bit indices, no normals) each: an end that waits, up to
+                     ///< three corners of a fragment, or half a hole that waits
+  uint32_t holes;    ///< that wait for the ring around them; a bound on work, in the records above
+};
+
+namespace sizing {
+
+/// The lists in which holes are found.
+constexpr uint32_t hole_lists = 16;
+
+constexpr uint32_t lesser(uint32_t a, uint32_t b) {
+  return a < b ? a : b;
+}
+
+/// Bytes of one record.
+template <class Index, class Normals>
+constexpr uint32_t record_bytes = sizeof(Index) == 4 ? 16 : Normals::holds_samples ? 14 : 8;
+
+/// Words of a bit for each row of cells, in two layers: those that were cut off.
+constexpr uint32_t sealed_words(const Limits& limits) {
+  return 2 * (limits.height / 32 + 1);
+}
+
+/// The most records that a cell may come to need: an end and a run for each link of its patches.
+constexpr uint32_t records_a_cell = 2 * 17;
+
+}  // namespace sizing
+
+constexpr Capacities minimum_capacities() {
+  return {4, 0};
+}
+
+/// Capacities with which no volume of so many slices ever sends anything loose, or cuts anything
+/// off where the sink takes no fragments. Far more than real volumes need. A number beyond what can
+/// be counted comes out as the greatest.
+constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
+  const uint64_t cells = uint64_t{limits.width + 1} * (limits.height + 1);
+  const uint64_t most = UINT32_MAX / sizing::records_a_cell;
+  const uint64_t all = slices < most / cells ? cells * (slices + 1) : most;
+  const uint32_t records = static_cast<uint32_t>(all) * sizing::records_a_cell;
+  return {records, records};
+}
+
+/// The bytes that a scan with these limits and capacities takes from the caller's memory.
+/// Index, Normals, here and below: as of the Extractor.
+template <class Index, class Normals = NoNormals>
+constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
+  return Normals::bytes_for(limits) +
+         Arena::bytes_of(trace::row_words(limits.width) * trace::bit_rows(limits.height),
+                         sizeof(uint32_t)) +
+         Arena::bytes_of(sizing::sealed_words(limits), sizeof(uint32_t)) +
+         Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
+         Arena::bytes_of(sizing::hole_lists, sizeof(Index)) +
+         Arena::bytes_of(capacities.records, sizing::record_bytes<Index, Normals>) +
+         Arena::alignment - 1;
+}
+
+/// Whether an index of this width can count the records.
+template <class Index>
+constexpr bool is_valid(const Capacities& capacities) {
+  constexpr uint32_t most = static_cast<Index>(~Index{0}) / 2 - 8;
+  return capacities.records >= minimum_capacities().records && capacities.records <= most;
+}
+
+/// The least memory with which a scan works: the surface comes out right, in loose fragments of a
+/// few links, or cell by cell where the sink takes none.
+template <class Index, class Normals = NoNormals>
+constexpr uint64_t minimum_bytes(const Limits& limits) {
+  return bytes_for<Index, Normals>(limits, minimum_capacities());
+}
+
+/// The memory for worst_case_capacities(). Limit: they are valid.
+template <class Index, class Normals = NoNormals>
+constexpr uint64_t worst_case_bytes(const Limits& limits, uint32_t slices) {
+  return bytes_for<Index, Normals>(limits, worst_case_capacities(limits, slices));
+}
+
+/// The capacities that a number of bytes has room for: as many records as fit, of which holes may
+/// use an eighth. More bytes never make less of anything. Bytes below minimum_bytes() give the
+/// minimum.
+template <class Index, class Normals = NoNormals>
+constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
+  const Capacities least = minimum_capacities();
+  const uint64_t taken = minimum_bytes<Index, Normals>(limits) + Arena::alignment;
+  const uint64_t spare = bytes > taken ? bytes - taken : 0;
+  constexpr uint32_t most = static_cast<Index>(~Index{0}) / 2 - 8;
+  // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
+  const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) /
+                              sizing::record_bytes<Index, Normals>;
+  const uint32_t records = least.records + sizing::lesser(affordable, most - least.records);
+  return {records, records / 16};
+}
+
+}  // namespace discmc
+
+#endif

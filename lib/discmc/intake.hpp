@@ -1,0 +1,73 @@
+// Where samples come in: they become rows of bits, and may be kept for normals.
+//
+// An extractor without normals has nothing to keep: this intake thresholds samples as they come.
+// That of GradientNormals keeps them and lets rows wait (gradient_normals.hpp).
+#ifndef DISCMC_INTAKE_HPP
+#define DISCMC_INTAKE_HPP
+
+#include <discmc/normal.hpp>
+#include <discmc/trace/bit_rows.hpp>
+
+namespace discmc {
+
+/// What came of samples, or of a row that never came: a row of bits, or none yet.
+struct Arrival {
+  bool is_row = false;
+  bool is_skipped = false;   ///< the samples of that row never came
+  bool is_repeated = false;  ///< and the row before stands in for them
+};
+
+/// What a run carries of the normal where it starts when nobody wants normals.
+struct NoNormal {};
+
+/// For an extractor that makes no normals.
+class NoNormals {
+ public:
+  static constexpr bool holds_samples = false;
+  static constexpr uint32_t type = 0;  ///< tells extractors apart: see CheckpointHead
+  using Normal = NoNormal;
+
+  static constexpr uint64_t bytes_for(const Limits&) { return 0; }
+  void start(Arena&, const Limits&) {}
+  void clear() {}
+
+  /// Where the samples that arrive are.
+  uint32_t column(const trace::BitRows& rows) const { return rows.column(); }
+  uint32_t rows(const trace::BitRows& rows) const { return rows.rows(); }
+  uint32_t slices(const trace::BitRows& rows) const { return rows.slices(); }
+
+  /// Appends samples to the row that arrives. Limit: count <= width - column().
+  template <class Sample>
+  Arrival append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
+                 int32_t threshold) {
+    rows.append(samples, count, stride, threshold);
+    if (!rows.row_is_complete()) return {};
+    rows.next_row();
+    return {true, false, false};
+  }
+  /// A row never came. Limit: column() == 0.
+  Arrival skip(trace::BitRows& rows, bool is_repeated, int32_t) {
+    if (is_repeated)
+      rows.repeat();
+    else
+      rows.fill_off();
+    rows.next_row();
+    return {true, true, is_repeated};
+  }
+  /// No more samples come: what the slice lacks is off. Limit: holds_rows().
+  Arrival drain(trace::BitRows& rows, int32_t) {
+    rows.fill_off();
+    rows.next_row();
+    return {true, false, false};
+  }
+  /// Whether a slice is under way.
+  bool holds_rows(const trace::BitRows& rows) const {
+    return rows.rows() > 0 || rows.column() > 0;
+  }
+
+  NoNormal normal_at(const Vertex&) const { return {}; }
+};
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,177 @@
+#include <discmc/trace/bit_rows.hpp>
+#include <discmc/trace/threshold.hpp>
+#include <discmc/trace/vector_threshold.hpp>
+
+namespace discmc::trace {
+
+namespace {
+
+// column / 30, without a division: right for columns below 74,898.
+constexpr uint32_t word_of(uint32_t column) {
+  return column * 34953 >> 20;
+}
+
+static_assert(word_of(29) == 0 && word_of(30) == 1 && word_of(Limits::max_extent) == 1092 &&
+                  word_of(30 * 1092) == 1092 && word_of(30 * 1092 - 1) == 1091,
+              "a multiplication stands for the division");
+
+// Bits that can be placed at once, in two words at most.
+constexpr uint32_t most_placed = 28;
+
+}  // namespace
+
+void BitRows::start(Arena& arena, const Limits& limits) {
+  words_ = row_words(limits.width);
+  ring_rows_ = bit_rows(limits.height) - 1;
+  width_ = limits.width;
+  height_ = limits.height;
+  ring_ = arena.take<uint32_t>(words_ * ring_rows_);
+  off_ = arena.take<uint32_t>(words_);
+}
+
+void BitRows::clear() {
+  for (uint32_t i = 0; i < words_; ++i) off_[i] = 0;
+  place_ = 0;
+  column_ = 0;
+  rows_ = 0;
+  slices_ = 0;
+}
+
+// The row that arrived `back` rows ago; the one that arrives for 0.
+uint32_t* BitRows::row_before(uint32_t back) const {
+  const uint32_t place = place_ >= back ? place_ - back : place_ + ring_rows_ - back;
+  return ring_ + size_t{place} * words_;
+}
+
+// The place of a row that arrives still holds the oldest row, in use until the sweep has caught
+// up: it is wiped when the first sample comes, not before.
+uint32_t* BitRows::arriving() {
+  uint32_t* const words = row_before(0);
+  const uint32_t* const end = words + words_;
+  if (column_ == 0)
+    for (uint32_t* word = words; word != end; ++word) *word = 0;
+  return words;
+}
+
+// Turns voxels on: bit i is that of column_ + i. A word begins with the copy of the last column of
+// the word before, and so these two overlap in two columns. Limit: bits < 2^28.
+void BitRows::place(uint32_t* words, uint32_t bits) const {
+  const uint32_t word = word_of(column_);
+  const uint32_t bit = column_ - word * columns_per_word + 2;  // 2 to 31
+  words[word] |= bits << bit;
+  const uint32_t beyond = bits << 1 >> (31 - bit);
+  if (beyond != 0 && word + 1 < words_) words[word + 1] |= beyond;
+}
+
+// Bit i of word k stands for sample 30 * k - 2 + i of the row. So a word is one comparison of 32
+// samples: its own ones, or, where some of these are not in the portion, the nearest that are.
+// Limit: count >= 32.
+template <class Sample>
+void BitRows::append_windows(uint32_t* words, const Sample* samples, uint32_t count,
+                             int32_t threshold) const {
+  constexpr int32_t step = columns_per_word;
+  const VectorThreshold<Sample> on(threshold);
+  const uint32_t* const end = words + words_;
+  const Sample* const last = samples + (count - on.lanes);
+  const uint32_t word = word_of(column_);
+  words += word;
+  int32_t own = static_cast<int32_t>(word * columns_per_word - 2) - static_cast<int32_t>(column_);
+  for (; own < 0; own += step) *words++ |= on.reached(samples) << -own;
+  samples += own;
+  for (; samples <= last; samples += step) *words++ = on.reached(samples);
+  for (own = static_cast<int32_t>(samples - last); own < 32 && words != end; own += step)
+    *words++ = on.reached(last) >> own;
+}
+
+template <class Sample>
+void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold) {
+  if (count == 0) return;
+  uint32_t* const words = arriving();
+  if constexpr (has_vectors) {
+    if (stride == 1 && count >= VectorThreshold<Sample>::lanes) {
+      append_windows(words, samples, count, threshold);
+      column_ += count;
+      return;
+    }
+  }
+  const Threshold<Sample> on(threshold);
+  // Where the last samples were on, the next are most likely not off all of them.
+  bool may_be_off = true;
+  while (count > 0) {
+    uint32_t taken = 0;
+    uint32_t bits = 0;
+    if (stride == 1 && count >= on.lanes && on.reads_words(samples)) {
+      if (may_be_off) taken = on.leading_off(samples, count);
+      if (taken == 0) {
+        taken = (count < most_placed ? count : most_placed) / on.lanes * on.lanes;
+        bits = on.words_reached(samples, taken);
+        may_be_off = bits == 0;
+      }
+    } else {
+      const uint32_t most = stride == 1 ? on.samples_to_word(samples) : most_placed;
+      for (; taken < most && taken < count; ++taken)
+        bits |= static_cast<uint32_t>(on.reached(samples[size_t{taken} * stride])) << taken;
+    }
+    if (bits != 0) place(words, bits);
+    column_ += taken;
+    count -= taken;
+    if (count > 0) samples += size_t{taken} * stride;
+  }
+}
+
+template void BitRows::append(const uint8_t*, uint32_t, uint32_t, int32_t);
+template void BitRows::append(const uint16_t*, uint32_t, uint32_t, int32_t);
+template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
+
+void BitRows::append_bits(const uint8_t* bits) {
+  uint32_t* const words = arriving();
+  for (; column_ < width_; column_ += 8) {
+    const uint32_t left = width_ - column_;
+    const uint32_t count = left < 8 ? left : 8;
+    place(words, *bits++ & ((uint32_t{1} << count) - 1));
+    if (count < 8) break;
+  }
+  column_ = width_;
+}
+
+void BitRows::repeat() {
+  const bool first_of_all = rows_ == 0 && slices_ == 0;
+  const uint32_t* const before = first_of_all ? off_ : row_before(1);
+  uint32_t* const words = arriving();
+  for (uint32_t i = 0; i < words_; ++i) words[i] = before[i];
+  column_ = width_;
+}
+
+void BitRows::fill_off() {
+  arriving();
+  column_ = width_;
+}
+
+void BitRows::next_row() {
+  if (++place_ == ring_rows_) place_ = 0;
+  ++rows_;
+  column_ = 0;
+}
+
+void BitRows::next_slice() {
+  rows_ = 0;
+  ++slices_;
+}
+
+RowBlock BitRows::around(int32_t y) const {
+  RowBlock block;
+  // Rows arrive slice by slice: so many rows ago came row y - 1 of the slice that arrives, of the
+  // one before it, and of the one before that.
+  uint32_t back = rows_ + 1 - static_cast<uint32_t>(y);
+  for (uint32_t k = 3; k-- > 0; back += height_) {
+    const uint32_t there = slices_ + k < 2 ? 0 : k == 2 ? rows_ : height_;
+    for (uint32_t j = 0; j < 3; ++j) {
+      // Beyond the height for a row before the first.
+      const uint32_t at = static_cast<uint32_t>(y) + j - 1;
+      block.row[k][j] = at < there ? row_before(back - j) : off_;
+    }
+  }
+  return block;
+}
+
+}  // namespace discmc::trace

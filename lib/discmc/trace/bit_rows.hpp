@@ -1,0 +1,104 @@
+// Rows of bits: one bit a voxel, of the three slices that a sweep looks at.
+//
+// The voxels of a row stand in columns from 1 on; columns 0 and width + 1 are the halo, which is
+// off. A word holds 30 columns and, so that the neighbours of each are in the same word, a copy of
+// the last column before and of the first one after:
+//
+//     bit      31   30 ......... 1   0
+//     word k   30k + 30   30k + 29 ... 30k   30k - 1
+//
+// A ring of 2 * height + 3 rows suffices: while row y of a slice is swept, row y - 1 of the slice
+// below and row y + 1 of the slice above are the oldest and the newest in use.
+#ifndef DISCMC_TRACE_BIT_ROWS_HPP
+#define DISCMC_TRACE_BIT_ROWS_HPP
+
+#include <discmc/arena.hpp>
+#include <discmc/limits.hpp>
+
+namespace discmc::trace {
+
+constexpr uint32_t columns_per_word = 30;
+
+/// Words of a row of bits: those of columns 0 to width.
+constexpr uint32_t row_words(uint32_t width) {
+  return width / columns_per_word + 1;
+}
+/// Rows in the ring, and one that is all off.
+constexpr uint32_t bit_rows(uint32_t height) {
+  return 2 * height + 4;
+}
+
+/// The bits of a word's own columns.
+constexpr uint32_t own_columns = 0x7FFFFFFE;
+
+/// Of them, those whose voxel and the next one lie in the volume.
+constexpr uint32_t inner_columns(uint32_t word, uint32_t width) {
+  uint32_t columns = word == 0 ? own_columns - 2 : own_columns;
+  if (word == width / columns_per_word) columns &= (uint32_t{2} << width % columns_per_word) - 1;
+  return columns;
+}
+
+/// The nine rows around a row of voxels: [z - 1, z, z + 1][y - 1, y, y + 1].
+struct RowBlock {
+  const uint32_t* row[3][3];
+};
+
+/// The rows of the slice that arrives and of the two before it.
+class BitRows {
+ public:
+  /// Takes row_words() * bit_rows() words from the arena and writes nothing there; clear() does.
+  void start(Arena& arena, const Limits& limits);
+  void clear();
+
+  /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples
+  /// from one to the next. Limit: count <= width - column(). Cost: where 32 are consecutive and
+  /// there are vectors, about an instruction a sample, whatever it is; without them one or two far
+  /// below the threshold and 5 to 15 else, and the same or more where they are not consecutive.
+  template <class Sample>
+  void append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold);
+  /// Fills the whole row from bits, eight voxels a byte, the first in bit 0. Limit: column() == 0.
+  void append_bits(const uint8_t* bits);
+  /// Fills the rest of the row with off voxels.
+  void fill_off();
+  /// Fills the whole row with the row before it (off for the first of all). Limit: column() == 0.
+  void repeat();
+
+  uint32_t column() const { return column_; }
+  bool row_is_complete() const { return column_ == width_; }
+  /// Ends the row that arrives and begins the next one of the slice.
+  void next_row();
+
+  uint32_t words() const { return words_; }
+  /// Rows of the arriving slice that are complete (0 to height), and slices that are.
+  uint32_t rows() const { return rows_; }
+  uint32_t slices() const { return slices_; }
+  /// The slice that arrived is complete: it is the middle one while the next arrives.
+  void next_slice();
+
+  /// The rows around row y (-1 to height - 1) of the slice before the one that arrives. What lies
+  /// outside the volume or has not arrived is off.
+  RowBlock around(int32_t y) const;
+
+ private:
+  uint32_t* row_before(uint32_t back) const;
+  uint32_t* arriving();
+  void place(uint32_t* words, uint32_t bits) const;
+  template <class Sample>
+  void append_windows(uint32_t* words, const Sample* samples, uint32_t count,
+                      int32_t threshold) const;
+
+  uint32_t* ring_ = nullptr;
+  uint32_t* off_ = nullptr;
+  uint32_t words_ = 0;
+  uint32_t ring_rows_ = 0;
+  uint32_t width_ = 0;
+  uint32_t height_ = 0;
+  uint32_t place_ = 0;  // of the row that arrives, in the ring
+  uint32_t column_ = 0;
+  uint32_t rows_ = 0;
+  uint32_t slices_ = 0;
+};
+
+}  // namespace discmc::trace
+
+#endif

@@ -1,0 +1,337 @@
+// What the functions of extractor.hpp do: included where Extractor is instantiated.
+#ifndef DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
+#define DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
+
+#include <discmc/extractor.hpp>
+
+namespace discmc {
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::start(const Limits& limits, int32_t threshold, Memory memory,
+                                        const Sink& sink) {
+  return start(limits, default_capacities<Index, Normals>(limits, memory.bytes), threshold, memory,
+               sink);
+}
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::start(const Limits& limits, const Capacities& capacities,
+                                        int32_t threshold, Memory memory, const Sink& sink) {
+  static_assert(sizeof(trace::Record<Index, Normal>) == sizing::record_bytes<Index, Normals>,
+                "what is said of the size of a record is true");
+  const bool is_slab = limits.slab.continues_below || limits.slab.continues_above;
+  if (!limits.is_valid()) return Status::bad_limits;
+  if (!is_valid<Index>(capacities)) return Status::bad_capacities;
+  if (sink.take == nullptr || (is_slab && !sink.takes_fragments)) return Status::bad_sink;
+  state_ = State::idle;
+  // Member by member: what lies between them in the caller's is not for a checkpoint.
+  limits_.width = limits.width;
+  limits_.height = limits.height;
+  limits_.border = limits.border;
+  limits_.slab.first = limits.slab.first;
+  limits_.slab.continues_below = limits.slab.continues_below;
+  limits_.slab.continues_above = limits.slab.continues_above;
+  capacities_ = capacities;
+  sink_ = sink;
+  threshold_ = threshold;
+  if (!lay_out(memory)) return Status::too_little_memory;
+  state_ = State::scanning;
+  return reset();
+}
+
+// Says what lies where in the memory, and writes nothing there. False when it has no room. The
+// records come last, so that those never used are behind all that is in use.
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::lay_out(Memory memory) {
+  Arena arena(memory);
+  intake_.start(arena, limits_);
+  rows_.start(arena, limits_);
+  sealing_.start(arena.take<uint32_t>(sizing::sealed_words(limits_)), limits_,
+                 !sink_.takes_fragments);
+  auto* const queues = arena.take<trace::Queue<Index>>(trace::queue_count);
+  auto* const holes = arena.take<Index>(sizing::hole_lists);
+  fixed_bytes_ = arena.is_exhausted() ? 0 : arena.used();
+  auto* const records = arena.take<trace::Record<Index, Normal>>(capacities_.records);
+  sweep_.chains().start(records, capacities_.records, queues, sink_.takes_fragments);
+  sweep_.delivery().start(holes, sizing::hole_lists, capacities_.holes, sink_.takes_fragments);
+  memory_ = arena.is_exhausted() ? Memory{} : memory;
+  return !arena.is_exhausted();
+}
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::reset() {
+  if (state_ == State::idle) return Status::not_started;
+  intake_.clear();
+  rows_.clear();
+  sealing_.clear();
+  sweep_.clear();
+  statistics_ = Statistics{};
+  state_ = State::scanning;
+  abandoned_ = false;
+  skip_untold_ = false;
+  row_stage_ = RowStage::none;
+  swept_rows_ = 0;
+  return Status::ok;
+}
+
+template <class Index, class Normals>
+size_t Extractor<Index, Normals>::bytes_used() const {
+  if (state_ == State::idle) return 0;
+  return fixed_bytes_ + size_t{high_water().records} * sizeof(trace::Record<Index, Normal>);
+}
+
+// ---- what the caller gives ----
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::ready_for_samples() {
+  if (state_ == State::idle) return Status::not_started;
+  if (state_ != State::scanning) return Status::finished;
+  if (!work()) return Status::more;
+  if (slices() >= Limits::max_slices - limits_.slab.first) return Status::too_deep;
+  return Status::ok;
+}
+
+template <class Index, class Normals>
+template <class Sample>
+PushResult Extractor<Index, Normals>::push(const Sample* samples, uint32_t count,
+                                           uint32_t stride) {
+  PushResult result{ready_for_samples(), 0};
+  while (result.status == Status::ok && result.samples < count) {
+    const uint32_t room = limits_.width - intake_.column(rows_);
+    const uint32_t left = count - result.samples;
+    const uint32_t taken = left < room ? left : room;
+    note(intake_.append(rows_, samples + size_t{result.samples} * stride, taken, stride,
+                        threshold_));
+    result.samples += taken;
+    const bool is_last = result.samples == count;
+    result.status = is_last ? resume() : ready_for_samples();
+  }
+  return result;
+}
+
+template <class Index, class Normals>
+PushResult Extractor<Index, Normals>::push_row_of_bits(const uint8_t* bits) {
+  const Status status = ready_for_samples();
+  if (status != Status::ok) return {status, 0};
+  if (rows_.column() != 0) return {Status::row_in_progress, 0};
+  rows_.append_bits(bits);
+  rows_.next_row();
+  return {resume(), limits_.width};
+}
+
+template <class Index, class Normals>
+PushResult Extractor<Index, Normals>::skip_row(Substitute substitute) {
+  const Status status = ready_for_samples();
+  if (status != Status::ok) return {status, 0};
+  if (intake_.column(rows_) != 0) return {Status::row_in_progress, 0};
+  note(intake_.skip(rows_, substitute == Substitute::previous_row, threshold_));
+  return {resume(), limits_.width};
+}
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::resume() {
+  if (state_ == State::idle) return Status::not_started;
+  return work() ? Status::ok : Status::more;
+}
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::finish() {
+  if (state_ == State::scanning) {
+    const bool is_between_slices = rows() == 0 || rows() == limits_.height;
+    if (!is_between_slices || intake_.column(rows_) != 0) return Status::slice_in_progress;
+    state_ = State::finishing;
+  }
+  return resume();
+}
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::abandon() {
+  if (state_ == State::scanning) {
+    state_ = State::finishing;
+    abandoned_ = true;
+  }
+  return resume();
+}
+
+// A row of bits whose samples never came is told before it is swept.
+template <class Index, class Normals>
+void Extractor<Index, Normals>::note(const Arrival& arrival) {
+  if (!arrival.is_skipped) return;
+  skip_repeated_ = arrival.is_repeated;
+  skip_untold_ = true;
+  ++statistics_.skipped_rows;
+}
+
+// ---- checkpoints ----
+
+// Whether the sink has refused something that is due.
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::is_suspended() const {
+  return skip_untold_ || row_stage_ != RowStage::none || rows_.rows() == limits_.height ||
+         state_ == State::finishing;
+}
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::save(Checkpoint<Extractor>& checkpoint) const {
+  if (state_ == State::idle) return Status::not_started;
+  if (is_suspended()) return Status::more;
+  Extractor& image = checkpoint.object;
+  image = *this;
+  // Addresses are of no use to whoever restores it.
+  image.sink_ = {nullptr, nullptr, sink_.takes_fragments};
+  image.lay_out({});
+  image.fixed_bytes_ = fixed_bytes_;
+  image.memory_ = {nullptr, memory_.bytes};
+  checkpoint.seal({memory_.data, bytes_used()});
+  return Status::ok;
+}
+
+template <class Index, class Normals>
+Status Extractor<Index, Normals>::restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
+                                          const Sink& sink) {
+  const Extractor& image = checkpoint.object;
+  if (memory.data == nullptr) return Status::too_little_memory;
+  if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
+  if (sink.take == nullptr || sink.takes_fragments != image.sink_.takes_fragments)
+    return Status::bad_sink;
+  if (memory.bytes < bytes_for<Index, Normals>(image.limits_, image.capacities_))
+    return Status::too_little_memory;
+  *this = image;
+  sink_ = sink;
+  lay_out(memory);
+  return Status::ok;
+}
+
+// ---- the sweep ----
+
+// Does all that the rows at hand allow. False when the sink said "not now".
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::work() {
+  if (state_ == State::finished) return true;
+  for (;;) {
+    if (skip_untold_) {
+      if (!tell(Event::Kind::skipped)) return false;
+      skip_untold_ = false;
+    }
+    if (!sweep_ready_rows()) return false;
+    if (rows_.rows() == limits_.height && !end_slice()) return false;
+    if (state_ == State::scanning) return true;
+    if (intake_.holds_rows(rows_))
+      note(intake_.drain(rows_, threshold_));
+    else if (swept_rows_ == ready_rows())
+      return end_scan();
+  }
+}
+
+// The slice that is swept: the one before the slice that arrives, counted as slices are pushed.
+template <class Index, class Normals>
+int32_t Extractor<Index, Normals>::middle_slice() const {
+  return static_cast<int32_t>(rows_.slices()) - 1;
+}
+
+// Whether no slice follows the one that is swept.
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::is_last_slice() const {
+  return state_ == State::finishing && !intake_.holds_rows(rows_);
+}
+
+// Rows of the slice that is swept whose neighbours are there. Those of a closed border begin with
+// the row before the first.
+template <class Index, class Normals>
+uint32_t Extractor<Index, Normals>::ready_rows() const {
+  const bool is_closed = limits_.border == Border::closed;
+  const int32_t first = limits_.slab.continues_below ? 1 : is_closed ? -1 : 0;
+  if (middle_slice() < first) return 0;
+  if (is_last_slice()) {
+    // Nothing has come up to the slice above a slab that has no slices.
+    if (limits_.slab.continues_above && middle_slice() == first) return 0;
+    return limits_.height + (is_closed ? 1 : 0);
+  }
+  const uint32_t arrived = rows_.rows();
+  if (arrived == limits_.height) return limits_.height + (is_closed ? 1 : 0);
+  return is_closed || arrived == 0 ? arrived : arrived - 1;
+}
+
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::sweep_ready_rows() {
+  const uint32_t ready = ready_rows();
+  for (; swept_rows_ < ready; ++swept_rows_)
+    if (!sweep_row()) return false;
+  return true;
+}
+
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::sweep_row() {
+  const bool is_open = limits_.border == Border::open;
+  const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
+  trace::SweptRow row{};
+  row.rows = rows_.around(y);
+  row.y = y;
+  row.z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
+          (limits_.slab.continues_below ? 1 : 0);
+  row.is_above_slab = is_last_slice() && limits_.slab.continues_above;
+  const bool has_back = !is_open || y + 1 < static_cast<int32_t>(limits_.height);
+  const bool has_above = !row.is_above_slab && !(is_open && is_last_slice());
+  if (row_stage_ == RowStage::none) {
+    const bool has_cells = has_back && has_above;
+    if (has_cells) sealing_.begin_row(row.rows, y, sweep_.chains().spare());
+    sweep_.chains().lose_below(limits_.slab.continues_below && middle_slice() == 1);
+    row_stage_ = has_cells ? RowStage::sealed_cells : RowStage::vertices;
+  }
+  if (row_stage_ == RowStage::sealed_cells) {
+    if (!sealing_.deliver(row.rows, y, row.z, sink_, statistics_)) return false;
+    row_stage_ = RowStage::vertices;
+  }
+  // Rows of cells around the row of voxels: [z - 1, z][y - 1, y].
+  const bool has_front = !is_open || y > 0;
+  const bool has_below = !is_open || middle_slice() > 0;
+  const bool is_absent[2][2] = {
+      {!has_below || !has_front || sealing_.is_sealed(y - 1, true),
+       !has_below || !has_back || sealing_.is_sealed(y, true)},
+      {!has_above || !has_front || sealing_.is_sealed(y - 1, false),
+       !has_above || !has_back || sealing_.is_sealed(y, false)}};
+  row.set_absent(is_absent);
+  row.axes = 1U | (has_back ? 2U : 0U) | (has_above ? 4U : 0U);
+  if (!sweep_.sweep(row, rows_.words(), {is_open, limits_.width}, intake_, sink_, statistics_))
+    return false;
+  const bool is_last_row = y + 1 == static_cast<int32_t>(limits_.height);
+  if (has_below && has_front && y >= 0) sealing_.end_front(row.rows, y);
+  if (has_below && has_back && is_last_row) sealing_.end_back(row.rows, y);
+  row_stage_ = RowStage::none;
+  return true;
+}
+
+// Offers an event that tells of rows and slices.
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::tell(Event::Kind kind) {
+  const uint32_t below = limits_.slab.continues_below ? 1 : 0;
+  const Statistics totals = statistics();
+  Event event{};
+  event.kind = kind;
+  event.slice = rows_.slices() + limits_.slab.first - below;
+  event.row = rows_.rows() - 1;
+  event.repeated = skip_repeated_;
+  event.abandoned = abandoned_;
+  event.statistics = &totals;
+  return sink_.take(sink_.context, event) == Answer::taken;
+}
+
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::end_slice() {
+  if (!tell(Event::Kind::layer)) return false;
+  rows_.next_slice();
+  sealing_.end_slice();
+  swept_rows_ = 0;
+  return true;
+}
+
+template <class Index, class Normals>
+bool Extractor<Index, Normals>::end_scan() {
+  if (!sweep_.settle_holes(sink_, statistics_)) return false;
+  if (!tell(Event::Kind::finish)) return false;
+  state_ = State::finished;
+  return true;
+}
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,471 @@
+// Fragments grow at the vertices that chains pass, join, and close to rings.
+#ifndef DISCMC_TRACE_FRAGMENTS_HPP
+#define DISCMC_TRACE_FRAGMENTS_HPP
+
+#include <discmc/trace/passes.hpp>
+#include <discmc/trace/queues.hpp>
+#include <discmc/trace/run_list.hpp>
+
+namespace discmc::trace {
+
+/// The coordinate that tells a link's place on its line, and how far a link goes along it.
+struct LinkStep {
+  uint8_t axis;
+  bool is_back;
+  uint8_t shift;  ///< a link takes 1 << shift half-steps
+};
+struct LinkSteps {
+  LinkStep of[link_codes];
+};
+namespace derive {
+constexpr LinkSteps link_steps() {
+  LinkSteps steps{};
+  for (Link link = 0; link < link_codes; ++link) {
+    const Vertex v = link_vector(link);
+    const int axis = v.x != 0 ? 0 : v.y != 0 ? 1 : 2;
+    const int part = axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+    steps.of[link] = {static_cast<uint8_t>(axis), part < 0,
+                      static_cast<uint8_t>(part == 2 || part == -2 ? 1 : 0)};
+  }
+  return steps;
+}
+}  // namespace derive
+inline constexpr LinkSteps link_steps = derive::link_steps();
+
+/// How many links lead from one coordinate to another, which lies ahead by less than Side::modulus.
+inline uint32_t links_between(int32_t from, int32_t to, Link link) {
+  const LinkStep step = link_steps.of[link];
+  const int32_t way = step.is_back ? from - to : to - from;
+  return (static_cast<uint32_t>(way) & (Side::modulus - 1)) >> step.shift;
+}
+
+inline int32_t coordinate(const Vertex& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// A side that starts, or stops, at a corner.
+inline Side side_at(const Vertex& corner, Link link, Direction direction) {
+  return Side(direction, coordinate(corner, link_steps.of[link].axis));
+}
+/// How many links lead from a side's corner to a vertex, and from a vertex to a side's corner.
+inline uint32_t links_from(Side side, const Vertex& to, Link link) {
+  return links_between(side.coordinate(), coordinate(to, link_steps.of[link].axis), link);
+}
+inline uint32_t links_to(Side side, const Vertex& from, Link link) {
+  return links_between(coordinate(from, link_steps.of[link].axis), side.coordinate(), link);
+}
+
+/// v moved along a link. Coordinates wrap.
+inline Vertex moved(const Vertex& v, Link link, uint32_t times) {
+  const Vertex step = link_vector(link);
+  const auto add = [times](int32_t from, int32_t by) {
+    return static_cast<int32_t>(static_cast<uint32_t>(from) + static_cast<uint32_t>(by) * times);
+  };
+  return {add(v.x, step.x), add(v.y, step.y), add(v.z, step.z)};
+}
+inline Vertex moved_back(const Vertex& v, Link link, uint32_t times) {
+  return moved(v, link, 0 - times);
+}
+
+/// A chain that leaves the pool: a closed ring, or a loose fragment.
+template <class Index>
+struct Outgoing {
+  enum class Kind : uint8_t { none, ring, fragment };
+  Kind kind = Kind::none;
+  Incidence incidence = 0;
+  Direction came = 0;  // of a fragment
+  Index last = no_record;
+  Vertex start{0, 0, 0};
+};
+
+/// Index and Normal as of the records.
+template <class Index, class Normal>
+class Fragments {
+ public:
+  using Records = Pool<Record<Index, Normal>, Index>;
+  using Lists = RunLists<Index, Normal>;
+
+  /// The least capacity with which a scan works.
+  static constexpr uint32_t least_capacity = 4;
+  /// With as many records left no fragment is sent early.
+  static constexpr uint32_t plenty = 1024;
+  /// So many records, or half of all, are kept from ends that wait for the next slice.
+  static constexpr uint32_t most_kept = 80;
+
+  /// sends: a shortage of records sends loose fragments; without it there must be none.
+  void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues, bool sends) {
+    records_.start(records, capacity);
+    queues_.start(queues);
+    sends_ = sends;
+    kept_for_slice_ = capacity / 2 < most_kept ? capacity / 2 : most_kept;
+  }
+  void clear() {
+    records_.clear();
+    queues_.clear();
+    outgoing_.kind = Outgoing<Index>::Kind::none;
+    is_below_lost_ = false;
+  }
+
+  /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
+  /// normals.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
+  template <class Normals>
+  void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
+
+  /// At a vertex of the slice above a slab: the chains that come up to it end there, and those that
+  /// go down from it begin below, loose. Limits and cost as take().
+  void end_at(const Pass& pass, const Vertex& vertex);
+  void begin_below(const Pass& pass, const Vertex& vertex);
+
+  /// Whether what comes from below is another slab's.
+  void lose_below(bool is_lost) { is_below_lost_ = is_lost; }
+
+  bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
+  Outgoing<Index> take_outgoing() {
+    const Outgoing<Index> out = outgoing_;
+    outgoing_.kind = Outgoing<Index>::Kind::none;
+    return out;
+  }
+  Records& records() { return records_; }
+  const Records& records() const { return records_; }
+  /// Records that may be taken without more ado.
+  uint32_t spare() const { return queues_.spare(records_); }
+
+ private:
+  using EndRecord = End<Index, Normal>;
+  using Slot = typename Lists::Slot;
+
+  EndRecord& end(Index index) { return records_[index].end; }
+  static Direction direction(const Pass& pass, Link link) {
+    return sector_table.direction[pass.incidence][link];
+  }
+
+  // The last corner of a chain on its way out, and whether the pass has completed a run.
+  struct Way {
+    Vertex corner;
+    bool has_new_runs;
+  };
+
+  template <class Normals>
+  Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  Index new_tail(const Pass& pass, const Vertex& vertex, Index mate);
+  template <class Normals>
+  void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
+  void turn(const Pass& pass, Index tail, Link came, const Vertex& corner, Link onwards,
+            Normal normal);
+  void turn_back(const Pass& pass, Index begin, Link onwards, const Vertex& corner, Link came,
+                 Normal normal);
+  void leave(const Pass& pass, const Way& way, Index tail);
+  void lose_tail(const Pass& pass, const Way& way, Index tail);
+  void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
+  void join(const Pass& pass, const Way& way, Index tail, Index begin);
+  void wire(Index begin, Index tail, Index list);
+
+  Index pop(uint8_t queue) {
+    const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
+    return is_lost ? Index{no_record} : queues_.pop(records_, queue);
+  }
+  // Ends of links that stay within the slice are the last to be lost: they leave it soon.
+  bool admits(uint8_t queue) const {
+    return spare() >= 6 + (queue >= first_rising_queue ? kept_for_slice_ : 0) || !sends_;
+  }
+  bool should_send(Index list, Index other = no_record) const {
+    return spare() < plenty && sends_ && is_long(list, other);
+  }
+  bool is_long(Index list, Index other) const;
+  Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
+  void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
+
+  bool sends_ = false;
+  bool is_below_lost_ = false;
+  uint32_t kept_for_slice_ = 0;  // from ends that wait for the next slice
+  Outgoing<Index> outgoing_;
+  Records records_;
+  Queues<Index, Normal> queues_;
+};
+
+// ---- implementation ----
+
+template <class Index, class Normal>
+template <class Normals>
+void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
+                                    const Normals& normals) {
+  Index begin = no_record;  // of the fragment that goes on from here
+  if (!pass.goes_ahead) begin = pop(pass.out);
+  Index tail = no_record;
+  const bool is_corner = pass.came != pass.first;
+  if (pass.comes_from_ahead) {
+    if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
+    tail = begin_fragment(pass, vertex, normals);
+  } else {
+    tail = pop(pass.in);
+  }
+  Way way{vertex, false};
+  if (!pass.comes_from_ahead) {
+    if (tail == no_record) {
+      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)));
+      if (is_corner) end(tail).set_normal(normals.normal_at(vertex));
+    } else if (is_corner || links_from(end(tail).side, vertex, pass.came) >= Side::longest) {
+      turn(pass, tail, pass.came, vertex, pass.first,
+           is_corner ? normals.normal_at(vertex) : Normal{});
+      way.has_new_runs = true;
+    }
+  }
+  if (pass.second != pass.first) {
+    way = {moved(vertex, pass.first, 1), true};
+    turn(pass, tail, pass.first, way.corner, pass.second, normals.normal_at(way.corner));
+  }
+  if (pass.goes_ahead)
+    leave(pass, way, tail);
+  else if (begin != no_record)
+    join(pass, way, tail, begin);
+  else
+    lose_tail(pass, way, tail);
+}
+
+// ---- how a chain comes to the vertex ----
+
+// A tail that starts here.
+template <class Index, class Normal>
+Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex, Index mate) {
+  const Index tail = records_.take();
+  EndRecord& record = end(tail);
+  record.mate = mate;
+  record.last = no_record;
+  record.side = side_at(vertex, pass.first, direction(pass, pass.first));
+  record.set_normal({});
+  return tail;
+}
+
+template <class Index, class Normal>
+template <class Normals>
+Index Fragments<Index, Normal>::begin_fragment(const Pass& pass, const Vertex& vertex,
+                                               const Normals& normals) {
+  const Direction came = direction(pass, pass.came);
+  Index begin = no_record;
+  if (admits(pass.in)) {
+    begin = records_.take();
+    queues_.push(records_, pass.in, begin);
+  } else {
+    queues_.push_lost(records_, pass.in);
+  }
+  const Index tail = new_tail(pass, vertex, begin != no_record ? begin : loose_end<Index>(came));
+  if (pass.came != pass.first) end(tail).set_normal(normals.normal_at(vertex));
+  if (begin == no_record) return tail;
+  EndRecord& record = end(begin);
+  record.mate = tail;
+  record.last = no_record;
+  record.side = side_at(vertex, pass.came, came);
+  return tail;
+}
+
+// A chain that comes from ahead goes on as a fragment that has waited for it.
+template <class Index, class Normal>
+template <class Normals>
+void Fragments<Index, Normal>::lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin,
+                                              const Normals& normals) {
+  Vertex corner = vertex;
+  bool has_new_runs = false;
+  if (pass.second != pass.first) {
+    corner = moved(vertex, pass.first, 1);
+    turn_back(pass, begin, pass.second, corner, pass.first, normals.normal_at(corner));
+    has_new_runs = true;
+  }
+  const bool is_corner = pass.came != pass.first;
+  const bool is_waiting = admits(pass.in);
+  if (is_corner || !is_waiting ||
+      links_to(end(begin).side, vertex, pass.first) >= Side::longest) {
+    corner = vertex;
+    turn_back(pass, begin, pass.first, vertex, pass.came,
+              is_corner ? normals.normal_at(vertex) : Normal{});
+    has_new_runs = true;
+  }
+  EndRecord& record = end(begin);
+  const Index tail = record.mate;
+  const Index list = is_loose(tail) ? record.last : end(tail).last;
+  if (is_waiting) {
+    queues_.push(records_, pass.in, begin);
+    if (has_new_runs && should_send(list)) send(pass, begin, tail, list, corner);
+    return;
+  }
+  queues_.push_lost(records_, pass.in);
+  records_.give(begin);
+  const Index loose = loose_end<Index>(direction(pass, pass.came));
+  if (is_loose(tail) || should_send(list)) return send(pass, loose, tail, list, vertex);
+  end(tail).mate = loose;
+}
+
+// ---- corners ----
+
+// The side under way at a tail ends at a corner, and the next begins.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::turn(const Pass& pass, Index tail, Link came, const Vertex& corner,
+                                    Link onwards, Normal normal) {
+  EndRecord& record = end(tail);
+  Slot run;
+  run.run = short_run(record.side.direction(), links_from(record.side, corner, came));
+  run.set_normal(record.normal());
+  Lists::append(records_, record.last, run);
+  record.side = side_at(corner, onwards, direction(pass, onwards));
+  record.set_normal(normal);
+}
+
+// The side under way at a begin starts at a corner, and the one before it ends.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onwards,
+                                         const Vertex& corner, Link came, Normal normal) {
+  EndRecord& record = end(begin);
+  Slot run;
+  run.run = short_run(record.side.direction(), links_to(record.side, corner, onwards));
+  run.set_normal(normal);
+  Lists::prepend(records_, is_loose(record.mate) ? record.last : end(record.mate).last, run);
+  record.side = side_at(corner, came, direction(pass, came));
+}
+
+// ---- how it goes on ----
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::leave(const Pass& pass, const Way& way, Index tail) {
+  if (!admits(pass.out)) {
+    queues_.push_lost(records_, pass.out);
+    return lose_tail(pass, way, tail);
+  }
+  queues_.push(records_, pass.out, tail);
+  const EndRecord& record = end(tail);
+  if (way.has_new_runs && should_send(record.last))
+    send(pass, record.mate, tail, record.last,
+         begin_of(pass.incidence, record.last, way.corner));
+}
+
+// The fragment ends loose at the next vertex.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Way& way, Index tail) {
+  Vertex next = moved(way.corner, pass.second, 1);
+  if (pass.has_centroid && pass.second == pass.first) next = moved(next, pass.second, 1);
+  end_tail(pass, tail, pass.second, next);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along,
+                                        const Vertex& vertex) {
+  turn(pass, tail, along, vertex, along, {});
+  const EndRecord record = end(tail);
+  records_.give(tail);
+  if (is_loose(record.mate) || should_send(record.last))
+    return send(pass, record.mate, loose_end<Index>(), record.last,
+                begin_of(pass.incidence, record.last, vertex));
+  wire(record.mate, loose_end<Index>(), record.last);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::end_at(const Pass& pass, const Vertex& vertex) {
+  if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
+  const Index tail = queues_.pop(records_, pass.in);
+  if (tail != no_record) end_tail(pass, tail, pass.came, vertex);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& vertex) {
+  if (pass.goes_ahead || pass.out < first_rising_queue) return;
+  const Index begin = queues_.pop(records_, pass.out);
+  if (begin == no_record) return;
+  Vertex next = moved(vertex, pass.first, 1);
+  if (pass.has_centroid) next = moved(next, pass.second, 1);
+  if (links_to(end(begin).side, next, pass.second) > 0)
+    turn_back(pass, begin, pass.second, next, pass.second, {});
+  const EndRecord record = end(begin);
+  records_.give(begin);
+  const Index list = is_loose(record.mate) ? record.last : end(record.mate).last;
+  const Index loose = loose_end<Index>(direction(pass, pass.second));
+  if (list != no_record && (is_loose(record.mate) || should_send(list)))
+    return send(pass, loose, record.mate, list, next);
+  if (!is_loose(record.mate)) end(record.mate).mate = loose;
+}
+
+// The fragment goes on as one that has waited, or closes.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::join(const Pass& pass, const Way& way, Index tail, Index begin) {
+  const EndRecord after = end(begin);
+  const uint32_t links = links_to(after.side, way.corner, pass.second);
+  const Vertex corner = moved(way.corner, pass.second, links);
+  EndRecord before = end(tail);
+  Index list = before.mate == begin     ? Index{no_record}
+               : is_loose(after.mate) ? after.last
+                                      : end(after.mate).last;
+  Slot run;
+  run.run = short_run(after.side.direction(), links_from(before.side, corner, pass.second));
+  run.set_normal(before.normal());
+  Vertex start = moved_back(corner, pass.second, length_of(run.run));
+  if (before.last == no_record && list != no_record)
+    Lists::prepend(records_, list, run);
+  else
+    Lists::append(records_, before.last, run);
+  records_.give(tail);
+  records_.give(begin);
+  if (before.mate == begin) {
+    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, before.last, corner};
+    return;
+  }
+  const bool is_sent =
+      (is_loose(before.mate) && is_loose(after.mate)) || should_send(before.last, list);
+  if (is_sent && before.last != no_record) start = begin_of(pass.incidence, before.last, corner);
+  const Index joined = Lists::concatenate(records_, before.last, list);
+  if (is_sent) return send(pass, before.mate, after.mate, joined, start);
+  wire(before.mate, after.mate, joined);
+}
+
+// Makes the two ends of a fragment name each other, and one of them its runs.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::wire(Index begin, Index tail, Index list) {
+  if (!is_loose(begin)) {
+    end(begin).mate = tail;
+    end(begin).last = is_loose(tail) ? list : Index{no_record};
+  }
+  if (!is_loose(tail)) {
+    end(tail).mate = begin;
+    end(tail).last = list;
+  }
+}
+
+// ---- short of records ----
+
+// The fewer records are left, the shorter a fragment may be to be sent as it stands; with none left
+// any is, and gives back what the pass has taken.
+template <class Index, class Normal>
+bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
+  const uint32_t left = spare();
+  if (left < 4) return true;
+  const uint32_t most = left / 16;
+  return Lists::records_up_to(records_, list, most) +
+             Lists::records_up_to(records_, other, most) > most;
+}
+
+// Where a list of runs begins that ends at a vertex.
+template <class Index, class Normal>
+Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index list,
+                                          const Vertex& end) const {
+  Vertex at = end;
+  const RunCursor<Index, Normal> first(records_, list);
+  RunCursor<Index, Normal> cursor = first;
+  do {
+    const Run run = long_run(cursor.run(records_));
+    at = moved_back(at, link_of(incidence, run.direction()), run.length());
+    cursor.advance(records_);
+  } while (cursor != first);
+  return at;
+}
+
+// Sends the runs of a fragment; what waits of it then begins or ends where they do.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, Index list,
+                                    const Vertex& start) {
+  const Direction came =
+      is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
+  outgoing_ = {Outgoing<Index>::Kind::fragment, pass.incidence, came, list, start};
+  const Direction last = direction_of(Lists::last_run(records_, list));
+  wire(begin, loose_end<Index>(), no_record);
+  wire(loose_end<Index>(last), tail, no_record);
+}
+
+}  // namespace discmc::trace
+
+#endif

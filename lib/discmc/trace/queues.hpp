@@ -1,0 +1,130 @@
+// Ends wait in queues, first in, first out: one for each kind of link and way of the chain.
+//
+// An end that finds no room is lost, but its place in the queue is not: lost ends are counted, in
+// the queue itself while nothing else waits in it, else in a record of the queue. A queue that ends
+// with an end has one record of the pool reserved for that.
+#ifndef DISCMC_TRACE_QUEUES_HPP
+#define DISCMC_TRACE_QUEUES_HPP
+
+#include <discmc/pool.hpp>
+#include <discmc/trace/records.hpp>
+#include <discmc/trace/sector_table.hpp>
+
+namespace discmc::trace {
+
+/// The first and the last record of a queue. Without records it is the number of lost ends, with
+/// the top bit of `head` set, or nothing.
+template <class Index>
+struct Queue {
+  Index head, tail;
+};
+
+template <class Index, class Normal>
+class Queues {
+ public:
+  using Records = Pool<Record<Index, Normal>, Index>;
+
+  void start(Queue<Index>* queues) { queues_ = queues; }
+  void clear() {
+    for (int i = 0; i < queue_count; ++i) queues_[i].head = no_record;
+    reserved_ = 0;
+  }
+
+  /// Records that are free for anything else than counting lost ends.
+  uint32_t spare(const Records& records) const { return records.available() - reserved_; }
+
+  /// Puts an end behind what waits. Limit: spare() >= 2.
+  void push(Records& records, uint8_t number, Index end) {
+    Queue<Index>& queue = queues_[number];
+    records[end].linked.next = no_record;
+    if (queue.head == no_record) {
+      queue.head = end;
+      ++reserved_;
+    } else if (is_count(queue)) {
+      const Index lost = new_count(records, count_of(queue));
+      records[lost].linked.next = end;
+      queue.head = lost;
+      ++reserved_;
+    } else {
+      Record<Index, Normal>& last = records[queue.tail];
+      if (last.end.mate == no_record) ++reserved_;
+      last.linked.next = end;
+    }
+    queue.tail = end;
+  }
+
+  /// Puts a lost end behind what waits.
+  void push_lost(Records& records, uint8_t number) {
+    Queue<Index>& queue = queues_[number];
+    if (queue.head == no_record) return set_count(queue, 1);
+    if (is_count(queue)) return set_count(queue, count_of(queue) + 1);
+    End<Index, Normal>& last = records[queue.tail].end;
+    if (last.mate == no_record) return set_lost(last, lost_of(last) + 1);
+    --reserved_;
+    const Index lost = new_count(records, 1);
+    last.next = lost;
+    queue.tail = lost;
+  }
+
+  /// Takes out what has waited longest: an end, or no_record for one that was lost.
+  Index pop(Records& records, uint8_t number) {
+    Queue<Index>& queue = queues_[number];
+    const Index head = queue.head;
+    if (is_count(queue)) {
+      set_count(queue, count_of(queue) - 1);
+      return no_record;
+    }
+    End<Index, Normal>& end = records[head].end;
+    if (end.mate == no_record) {
+      pop_lost(records, queue);
+      return no_record;
+    }
+    queue.head = end.next;
+    if (end.next == no_record) --reserved_;
+    return head;
+  }
+
+ private:
+  static constexpr Index top = static_cast<Index>(Index{1} << (8 * sizeof(Index) - 1));
+  static constexpr bool is_narrow = sizeof(Index) == sizeof(uint16_t);
+
+  static bool is_count(const Queue<Index>& queue) { return (queue.head & top) != 0; }
+  static uint32_t count_of(const Queue<Index>& queue) {
+    return is_narrow ? uint32_t{queue.head & (top - 1U)} << 16 | queue.tail : queue.tail;
+  }
+  static void set_count(Queue<Index>& queue, uint32_t count) {
+    queue.head = count == 0 ? Index{no_record}
+                            : static_cast<Index>(top | (is_narrow ? count >> 16 : 0));
+    queue.tail = static_cast<Index>(count);
+  }
+
+  static uint32_t lost_of(const End<Index, Normal>& end) {
+    return is_narrow ? uint32_t{end.last} | static_cast<uint32_t>(end.side.bits()) << 16 : end.last;
+  }
+  static void set_lost(End<Index, Normal>& end, uint32_t count) {
+    end.last = static_cast<Index>(count);
+    if (is_narrow) end.side.set_bits(static_cast<uint16_t>(count >> 16));
+  }
+  Index new_count(Records& records, uint32_t count) {
+    const Index lost = records.take();
+    records[lost].end.next = no_record;
+    records[lost].end.mate = no_record;
+    set_lost(records[lost].end, count);
+    return lost;
+  }
+  void pop_lost(Records& records, Queue<Index>& queue) {
+    const Index lost = queue.head;
+    End<Index, Normal>& end = records[lost].end;
+    const uint32_t count = lost_of(end) - 1;
+    if (count > 0) return set_lost(end, count);
+    queue.head = end.next;
+    records.give(lost);
+  }
+
+  Queue<Index>* queues_ = nullptr;
+  uint32_t reserved_ = 0;
+};
+
+}  // namespace discmc::trace
+
+#endif

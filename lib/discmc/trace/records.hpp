@@ -1,0 +1,141 @@
+// What a tracer keeps in its pool: ends that wait, the runs of fragments, and holes.
+//
+// A fragment is a piece of a chain whose two ends wait for the vertices where it goes on. Its tail
+// is where the chain goes, its begin where the chain comes from. The side under way at either end
+// has no length yet: an end knows where it starts (tail) or stops (begin), and its direction. The
+// sides between are runs, in a circular list of records named by its last, which the tail holds, or
+// the begin where the tail is loose. So a fragment of k corners has k - 1 runs.
+#ifndef DISCMC_TRACE_RECORDS_HPP
+#define DISCMC_TRACE_RECORDS_HPP
+
+#include <discmc/chain.hpp>
+#include <discmc/intake.hpp>
+
+namespace discmc::trace {
+
+/// A normal, or nothing where nobody wants any.
+template <class Normal>
+struct NormalPart {
+  Normal normal_;
+  Normal normal() const { return normal_; }
+  void set_normal(Normal normal) { normal_ = normal; }
+};
+template <>
+struct NormalPart<NoNormal> {
+  NoNormal normal() const { return {}; }
+  void set_normal(NoNormal) {}
+};
+
+/// A direction, and the place of a corner on the line along it: the coordinate that the link
+/// changes, in half-steps modulo 8,192.
+class Side {
+ public:
+  static constexpr uint32_t modulus = 0x2000;
+  /// A side is broken off at this length, so that two which join have a place that is not
+  /// ambiguous. Units: links, of up to two half-steps.
+  static constexpr uint32_t longest = modulus / 4 - 4;
+
+  Side() = default;
+  Side(Direction direction, int32_t coordinate)
+      : code_(static_cast<uint16_t>((static_cast<uint32_t>(coordinate) & (modulus - 1)) << 3 |
+                                    direction)) {}
+  Direction direction() const { return code_ & 7; }
+  int32_t coordinate() const { return code_ >> 3; }
+
+  uint16_t bits() const { return code_; }
+  void set_bits(uint16_t bits) { code_ = bits; }
+
+ private:
+  uint16_t code_;
+};
+
+/// A straight side of known length in two bytes: direction, and 1 to 8,191 links. 0 is none.
+using ShortRun = uint16_t;
+
+constexpr ShortRun short_run(Direction direction, uint32_t length) {
+  return static_cast<ShortRun>(length << 3 | direction);
+}
+constexpr Direction direction_of(ShortRun run) {
+  return run & 7;
+}
+constexpr uint32_t length_of(ShortRun run) {
+  return uint32_t{run} >> 3;
+}
+constexpr Run long_run(ShortRun run) {
+  return Run::straight(direction_of(run), length_of(run));
+}
+
+/// In place of the other end of a fragment, where that end is loose: this mark, and for a begin the
+/// direction of the link before it in the lowest bits.
+template <class Index>
+constexpr Index loose_end(Direction came = 0) {
+  return static_cast<Index>(static_cast<Index>(~Index{7}) | came);
+}
+template <class Index>
+constexpr bool is_loose(Index mate) {
+  return mate >= loose_end<Index>();
+}
+
+/// Every record begins with the next one of its list, and of the pool's free list.
+template <class Index>
+struct Linked {
+  Index next;
+};
+
+/// An end that waits. Where the mate is no_record it is a number of ends that found no room.
+template <class Index, class Normal>
+struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal where the side starts
+  Side side;
+  Index mate;  // the fragment's other end, or is_loose()
+  Index last;  // of the fragment's runs
+};
+
+/// Up to three runs of a fragment, in order; those not in use are 0 and may stand before or behind.
+template <class Index, class Normal>
+struct RunRecord : Linked<Index> {
+  static constexpr int slots = 3;
+  struct Slot : NormalPart<Normal> {
+    ShortRun run;
+  };
+  Slot slot[slots];
+};
+
+/// A hole that waits for the ring around it: two records.
+template <class Index>
+struct Hole : Linked<Index> {
+  Index last;  // of its runs
+  Index start;  // the other record
+  Incidence incidence;
+  uint8_t is_marked;  // to be delivered next
+};
+template <class Index>
+struct HoleStart {
+  uint16_t part[4];  // x, y, lower and upper half of z
+
+  void set(const Vertex& v) {
+    const uint32_t z = static_cast<uint32_t>(v.z);
+    const uint32_t parts[] = {static_cast<uint32_t>(v.x), static_cast<uint32_t>(v.y), z, z >> 16};
+    for (int i = 0; i < 4; ++i) part[i] = static_cast<uint16_t>(parts[i]);
+  }
+  Vertex get() const {
+    // Coordinates in a slice are -1 to 65,531.
+    const auto wide = [](uint16_t value) {
+      return value == 0xFFFF ? -1 : static_cast<int32_t>(value);
+    };
+    return {wide(part[0]), wide(part[1]),
+            static_cast<int32_t>(uint32_t{part[2]} | uint32_t{part[3]} << 16)};
+  }
+};
+
+template <class Index, class Normal>
+union Record {
+  Linked<Index> linked;
+  End<Index, Normal> end;
+  RunRecord<Index, Normal> runs;
+  Hole<Index> hole;
+  HoleStart<Index> hole_start;
+};
+
+}  // namespace discmc::trace
+
+#endif

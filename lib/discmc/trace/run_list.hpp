@@ -1,0 +1,134 @@
+// Lists of runs: circular, named by their last record, three runs a record.
+#ifndef DISCMC_TRACE_RUN_LIST_HPP
+#define DISCMC_TRACE_RUN_LIST_HPP
+
+#include <discmc/pool.hpp>
+#include <discmc/trace/records.hpp>
+
+namespace discmc::trace {
+
+/// What can be done to the lists of a pool. An empty list is no_record.
+template <class Index, class Normal>
+struct RunLists {
+  using Records = Pool<Record<Index, Normal>, Index>;
+  using Slot = typename RunRecord<Index, Normal>::Slot;
+  static constexpr int slots = RunRecord<Index, Normal>::slots;
+
+  /// Puts a run behind the others. Cost: a record at most.
+  static void append(Records& records, Index& last, const Slot& run) {
+    if (last != no_record) {
+      Slot* const slot = records[last].runs.slot;
+      if (slot[2].run == 0) {
+        slot[slot[1].run == 0 ? 1 : 2] = run;
+        return;
+      }
+    }
+    last = add_record(records, last, 0, run);
+  }
+
+  /// Puts a run before the others. Cost: a record at most.
+  static void prepend(Records& records, Index& last, const Slot& run) {
+    if (last == no_record) {
+      last = add_record(records, last, 2, run);
+      return;
+    }
+    Slot* const slot = records[records[last].linked.next].runs.slot;
+    if (slot[0].run == 0)
+      slot[slot[1].run == 0 ? 1 : 0] = run;
+    else
+      add_record(records, last, 2, run);
+  }
+
+  /// The last run. Limit: not empty.
+  static ShortRun last_run(const Records& records, Index last) {
+    const Slot* const slot = records[last].runs.slot;
+    return slot[2].run != 0 ? slot[2].run : slot[1].run != 0 ? slot[1].run : slot[0].run;
+  }
+
+  /// Makes one list of two, which are then void.
+  static Index concatenate(Records& records, Index first, Index second) {
+    if (first == no_record) return second;
+    if (second == no_record) return first;
+    const Index head = records[first].linked.next;
+    records[first].linked.next = records[second].linked.next;
+    records[second].linked.next = head;
+    return second;
+  }
+
+  /// Gives all records of a list back. Cost: a step a record.
+  static void give(Records& records, Index last) {
+    if (last == no_record) return;
+    for (Index index = records[last].linked.next;;) {
+      const Index next = records[index].linked.next;
+      records.give(index);
+      if (index == last) return;
+      index = next;
+    }
+  }
+
+  /// How many records a list has, if not more than `most`, else a larger number.
+  /// Cost: at most `most` steps and one.
+  static uint32_t records_up_to(const Records& records, Index last, uint32_t most) {
+    uint32_t count = 0;
+    if (last == no_record) return count;
+    Index index = last;
+    do {
+      index = records[index].linked.next;
+      ++count;
+    } while (index != last && count <= most);
+    return count;
+  }
+
+ private:
+  // A record behind the last and before the first.
+  static Index add_record(Records& records, Index last, int place, const Slot& run) {
+    const Index index = records.take();
+    RunRecord<Index, Normal>& record = records[index].runs;
+    for (Slot& slot : record.slot) slot.run = 0;
+    record.slot[place] = run;
+    if (last == no_record) {
+      record.next = index;
+    } else {
+      record.next = records[last].linked.next;
+      records[last].linked.next = index;
+    }
+    return index;
+  }
+};
+
+/// A place in a list, from run to run and round again.
+template <class Index, class Normal>
+class RunCursor {
+ public:
+  using Records = Pool<Record<Index, Normal>, Index>;
+  using Slot = typename RunRecord<Index, Normal>::Slot;
+
+  RunCursor() = default;
+  /// At the first run of a list. Limit: not empty.
+  RunCursor(const Records& records, Index last) : record_(records[last].linked.next) {
+    if (run(records) == 0) advance(records);
+  }
+
+  const Slot& slot(const Records& records) const { return records[record_].runs.slot[slot_]; }
+  ShortRun run(const Records& records) const { return slot(records).run; }
+  void advance(const Records& records) {
+    do {
+      if (++slot_ < RunLists<Index, Normal>::slots) continue;
+      slot_ = 0;
+      record_ = records[record_].linked.next;
+    } while (run(records) == 0);
+  }
+
+  bool operator==(const RunCursor& other) const {
+    return record_ == other.record_ && slot_ == other.slot_;
+  }
+  bool operator!=(const RunCursor& other) const { return !(*this == other); }
+
+ private:
+  Index record_ = no_record;
+  uint8_t slot_ = 0;
+};
+
+}  // namespace discmc::trace
+
+#endif

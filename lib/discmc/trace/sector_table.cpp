@@ -1,0 +1,315 @@
+#include <discmc/trace/loop_facets.hpp>
+#include <discmc/trace/sector_table.hpp>
+
+namespace discmc::trace {
+
+namespace {
+
+// Vectors along the axis of an edge and the two that follow it, turned to those of the volume.
+constexpr Vertex from_axis_frame(int axis, const Vertex& v) {
+  return axis == 0 ? v : axis == 1 ? Vertex{v.z, v.x, v.y} : Vertex{v.y, v.z, v.x};
+}
+
+constexpr Vertex quarter_turns(Vertex v, int count) {
+  for (; count > 0; --count) v = {v.x, -v.z, v.y};
+  return v;
+}
+
+// ---- the order of visits ----
+
+// A vertex is visited with the voxel below it on its axis: voxels in the order z, y, x, and at each
+// its edges in the order x, y, z.
+constexpr bool is_visited_before(const Vertex& a, const Vertex& b) {
+  const int by_voxel[] = {(a.z >> 1) - (b.z >> 1), (a.y >> 1) - (b.y >> 1),
+                          (a.x >> 1) - (b.x >> 1), ((a.y & 1) + 2 * (a.z & 1)) -
+                                                       ((b.y & 1) + 2 * (b.z & 1))};
+  for (const int difference : by_voxel)
+    if (difference != 0) return difference < 0;
+  return false;
+}
+
+constexpr bool is_in_next_slice(const Vertex& a, const Vertex& b) {
+  return a.z >> 1 != b.z >> 1;
+}
+
+// ---- edges of a cell ----
+
+struct EdgeNumbers {
+  Point point[cell_edges];
+  CellEdge number[point_codes];
+};
+
+constexpr EdgeNumbers number_edges() {
+  EdgeNumbers edges{};
+  int count = 0;
+  for (Point point = 0; point < point_codes; ++point) {
+    const Vertex at = position(point);
+    if (at.x > 2 || at.y > 2) continue;
+    if ((at.x == 1) + (at.y == 1) + (at.z == 1) != 1) continue;
+    int place = count++;
+    for (; place > 0 && is_visited_before(at, position(edges.point[place - 1])); --place)
+      edges.point[place] = edges.point[place - 1];
+    edges.point[place] = point;
+  }
+  for (int i = 0; i < cell_edges; ++i) edges.number[edges.point[i]] = static_cast<CellEdge>(i);
+  return edges;
+}
+
+constexpr EdgeNumbers edges = number_edges();
+
+// The edge of the cell in a quadrant that the same edge of quadrant 0 becomes when it is turned.
+constexpr CellEdge turned_edge(CellEdge edge, int quadrant) {
+  Vertex at = quarter_turns(position(edges.point[edge]), quadrant);
+  if (quadrant == 1 || quadrant == 2) at.y += 2;
+  if (quadrant >= 2) at.z += 2;
+  return edges.number[point_at(at)];
+}
+
+// ---- the loop through a vertex ----
+
+// The configuration of the cell in quadrant 0 of an edge along x.
+constexpr Configuration configuration_of(int lower_is_on, int lines) {
+  return static_cast<Configuration>((lower_is_on != 0 ? 1 : 2) | (lines & 3) << 2 |
+                                    (lines >> 2 & 3) << 6 | (lines >> 4) << 4);
+}
+
+struct VertexLoop {
+  LoopFacets facets;
+  int index;   // of the vertex in the loop
+  int points;  // of all loops of the cell
+};
+
+constexpr VertexLoop loop_at_vertex(Configuration configuration) {
+  const Point vertex = point_at({1, 0, 0});
+  const Loops loops = derive::loops(configuration);
+  VertexLoop found{};
+  for (int l = 0; l < loops.count; ++l) {
+    found.points += loops.loop[l].count;
+    for (int i = 0; i < loops.loop[l].count; ++i) {
+      if (loops.loop[l].point[i] != vertex) continue;
+      found.facets = facets_of(loops.loop[l]);
+      found.index = i;
+    }
+  }
+  return found;
+}
+
+// Where the line of a heading lies, seen along the axis.
+constexpr Vertex line_at(int heading) {
+  return quarter_turns(heading % 2 == 0 ? Vertex{0, 1, 0} : Vertex{0, 1, 1}, heading / 2);
+}
+
+constexpr uint8_t heading_of(Incidence incidence) {
+  const Vertex n = normal(incidence);
+  for (uint8_t heading = 0; heading < no_heading; ++heading)
+    if (line_at(heading).y == n.y && line_at(heading).z == n.z) return heading;
+  return no_heading;
+}
+
+constexpr uint32_t turned_heading(uint32_t heading, int quadrant) {
+  return heading == no_heading ? heading : (heading + 2 * static_cast<uint32_t>(quadrant)) % 8;
+}
+
+constexpr Sector sector_of(int quadrant, int lower_is_on, int lines) {
+  const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
+  const LoopFacets& facets = vertex.facets;
+  const int i = vertex.index;
+  const Incidence before = facets.behind(i - 1);
+  const Incidence after = facets.behind(i);
+  const Incidence first = lower_is_on != 0 ? after : before;
+  const Incidence second = lower_is_on != 0 ? before : after;
+  const uint32_t headings = turned_heading(heading_of(first), quadrant) |
+                            turned_heading(heading_of(second), quadrant) << 4;
+  if (before == after) return Sector(headings, 0, 0);
+  // The facets before the vertex end at its spoke: their chain leaves it for where they begin.
+  int begin = i - 1;
+  while (facets.behind(begin - 1) == before) --begin;
+  // The facets after it begin there: their chain comes from where they end.
+  int end = i + 1;
+  while (facets.behind(end) == after) ++end;
+  const CellEdge from = edges.number[facets.loop.point[facets.wrap(end)]];
+  const CellEdge to = edges.number[facets.loop.point[facets.wrap(begin)]];
+  return Sector(headings, turned_edge(from, quadrant), turned_edge(to, quadrant));
+}
+
+// ---- queues ----
+
+// Numbers queues, those within a slice first.
+struct QueueNumbers {
+  int level = 0;
+  int rising = first_rising_queue;
+  constexpr uint8_t take(int count, bool is_rising) {
+    int& next = is_rising ? rising : level;
+    next += count;
+    return static_cast<uint8_t>(next - count);
+  }
+};
+
+constexpr void add_spoke_queues(SectorTable& table, QueueNumbers& numbers) {
+  bool is_used[cell_edges][cell_edges] = {};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+      for (const auto& lower : table.sector)
+        for (const Sector& sector : lower[quadrant]) {
+          if (!sector.has_spoke()) continue;
+          const CellEdge own = table.axis[axis].own_edge[quadrant];
+          is_used[own][table.axis[axis].edge[sector.to()]] = true;
+          is_used[table.axis[axis].edge[sector.from()]][own] = true;
+        }
+  for (int from = 0; from < cell_edges; ++from)
+    for (int to = 0; to < cell_edges; ++to)
+      if (is_used[from][to])
+        table.queue[from][to] = numbers.take(
+            1, is_in_next_slice(position(edges.point[from]), position(edges.point[to])));
+}
+
+constexpr Vertex face_vector(int quadrant, int turn) {
+  const Vertex across = quarter_turns({0, 1, 0}, quadrant);
+  return turn == 0 ? across + across : across + Vertex{turn == 1 ? -1 : 1, 0, 0};
+}
+
+constexpr Vertex lowest_on_axis(int axis) {
+  return from_axis_frame(axis, {1, 0, 0});
+}
+
+// The same link begins at either of its vertices: the earlier one names it.
+constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& begin, Link link) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const auto& of_quadrant : table.axis[axis].face_ray)
+      for (const FaceRay& ray : of_quadrant)
+        if (lowest_on_axis(axis) == begin && ray.link == link && ray.is_ahead) return ray.queue;
+  return queue_count;
+}
+
+// A vertex moved by whole cells to where the edges of the cell at the origin begin.
+constexpr Vertex moved_to_origin(const Vertex& v) {
+  return {v.x & 1, v.y & 1, v.z & 1};
+}
+
+constexpr void add_face_rays(SectorTable& table, QueueNumbers& numbers) {
+  // First those ahead, which number the queues, then those behind, which find them.
+  for (int pass = 0; pass < 2; ++pass)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+        for (int turn = 0; turn < 3; ++turn) {
+          FaceRay& ray = table.axis[axis].face_ray[quadrant][turn];
+          const Vertex here = lowest_on_axis(axis);
+          const Vertex vector = from_axis_frame(axis, face_vector(quadrant, turn));
+          const Vertex there = here + vector;
+          ray.link = derive::link_of(links, vector);
+          ray.is_ahead = is_visited_before(here, there);
+          if (ray.is_ahead && pass == 0)
+            ray.queue = numbers.take(2, is_in_next_slice(here, there));
+          if (!ray.is_ahead && pass == 1)
+            ray.queue =
+                queue_of_face_link(table, moved_to_origin(there), opposite_link(ray.link));
+        }
+}
+
+// Which way the link on a face goes from a vertex, by the bits of the other line on that face: on
+// corners are separated.
+constexpr uint8_t face_turn_of(int lower_is_on, int line) {
+  const bool lower = (line & 1) != 0, upper = (line & 2) != 0;
+  const bool here = lower_is_on != 0;
+  if (lower != upper && lower == here) return 0;
+  // The link cuts off one corner of the middle line: the one on, or where both others are on, the
+  // one off.
+  const bool is_upper_cut_off = lower && upper ? here : !here;
+  return is_upper_cut_off ? 2 : 1;
+}
+
+constexpr AxisTable derive_axis(int axis) {
+  AxisTable table{};
+  for (CellEdge edge = 0; edge < cell_edges; ++edge)
+    table.edge[edge] = edges.number[point_at(from_axis_frame(axis, position(edges.point[edge])))];
+  for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+    table.own_edge[quadrant] =
+        table.edge[turned_edge(edges.number[point_at({1, 0, 0})], quadrant)];
+  for (int lower = 0; lower < 2; ++lower)
+    for (uint8_t heading = 0; heading <= no_heading; ++heading) {
+      Vertex n = heading == no_heading ? Vertex{0, 0, 0} : line_at(heading);
+      n.x = lower != 0 ? 1 : -1;
+      table.incidence[lower][heading] = incidence_of(from_axis_frame(axis, n));
+    }
+  return table;
+}
+
+constexpr SectorTable derive_table() {
+  SectorTable table{};
+  for (int lower = 0; lower < 2; ++lower)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+      for (int lines = 0; lines < 64; ++lines)
+        table.sector[lower][quadrant][lines] = sector_of(quadrant, lower, lines);
+  for (int axis = 0; axis < 3; ++axis) table.axis[axis] = derive_axis(axis);
+  for (int edge = 0; edge < cell_edges; ++edge)
+    table.inwards[edge] =
+        derive::link_of(links, position(centroid) - position(edges.point[edge]));
+  for (int lower = 0; lower < 2; ++lower)
+    for (int line = 0; line < 4; ++line) table.face_turn[lower][line] = face_turn_of(lower, line);
+  for (int i = 0; i < incidence_codes; ++i)
+    for (Link link = 0; link < link_codes; ++link)
+      table.direction[i][link] =
+          i == no_incidence ? no_direction : direction_of(static_cast<Incidence>(i), link);
+  QueueNumbers numbers;
+  add_face_rays(table, numbers);
+  add_spoke_queues(table, numbers);
+  return table;
+}
+
+constexpr SectorTable derived = derive_table();
+
+constexpr bool queues_are_distinct() {
+  int users[queue_count] = {};
+  for (const AxisTable& axis : derived.axis)
+    for (const auto& of_quadrant : axis.face_ray)
+      for (const FaceRay& ray : of_quadrant)
+        for (int way = 0; way < 2 && ray.is_ahead; ++way) ++users[ray.queue + way];
+  for (const auto& from : derived.queue)
+    for (const uint8_t queue : from) users[queue] += queue != 0;
+  for (const int count : users)
+    if (count != 1) return false;
+  return true;
+}
+
+// ---- counts ----
+
+constexpr uint32_t part_of(int lower_is_on, int lines) {
+  const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
+  const uint32_t points = vertex.facets.loop.count;
+  const uint32_t cell = CountParts::cell / static_cast<uint32_t>(vertex.points);
+  const uint32_t facet = vertex.facets.is_fan ? CountParts::facet : CountParts::facet / points;
+  const uint32_t triangle = CountParts::triangle * (points - 2) / points;
+  return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
+}
+
+struct CountsDerived {
+  CountParts parts;
+  int kinds;
+};
+
+constexpr CountsDerived derive_counts() {
+  CountsDerived counts{};
+  for (int lower = 0; lower < 2; ++lower)
+    for (int lines = 0; lines < 64; ++lines) {
+      const uint32_t part = part_of(lower, lines);
+      int kind = 0;
+      while (kind < counts.kinds && counts.parts.part[kind] != part) ++kind;
+      counts.parts.part[kind] = part;
+      if (kind == counts.kinds) ++counts.kinds;
+      counts.parts.kind[lower][lines] = static_cast<uint8_t>(kind);
+    }
+  return counts;
+}
+
+constexpr CountsDerived derived_counts = derive_counts();
+
+static_assert(derived_counts.kinds <= 32, "every kind has its place");
+
+static_assert(queues_are_distinct(), "18 kinds of links on faces, and 108 ways by a centroid");
+
+}  // namespace
+
+const SectorTable sector_table = derived;
+const CountParts count_parts = derived_counts.parts;
+
+}  // namespace discmc::trace

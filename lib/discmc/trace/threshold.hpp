@@ -1,0 +1,142 @@
+// Comparing samples with a threshold, a word of them at a time: 4 lanes of 8 bits or 2 of 16.
+//
+// Most rows of most scans are off, and their samples are far below the threshold. So blocks of
+// words that are off are passed by first, which takes a load and an instruction a word.
+#ifndef DISCMC_TRACE_THRESHOLD_HPP
+#define DISCMC_TRACE_THRESHOLD_HPP
+
+#include <discmc/compiler.hpp>
+
+namespace discmc {
+
+/// Compares all lanes of a word, as unsigned numbers, with a level.
+template <uint32_t lane_bits>
+class LaneThreshold {
+ public:
+  static constexpr uint32_t half = uint32_t{1} << (lane_bits - 1);
+  static constexpr uint32_t ones = lane_bits == 8 ? 0x01010101 : 0x00010001;
+  static constexpr uint32_t tops = ones * half;
+
+#if defined(__ARM_FEATURE_SIMD32)
+  /// Limit: level <= 2 * half, which no lane reaches.
+  explicit LaneThreshold(uint32_t level)
+      : level_(level * ones), answer_(level < 2 * half ? tops : 0) {}
+
+  /// The top bits of the lanes that reach the level.
+  uint32_t reached(uint32_t word) const {
+    return select(word, level_, answer_, 0);
+  }
+
+  /// No lane of `a` or `b` is more than that of the bound: here it is the larger one.
+  static uint32_t bound(uint32_t a, uint32_t b) {
+    return select(a, b, a, b);
+  }
+
+ private:
+  // The lanes of `yes` where those of `a` are not less than those of `b`, else those of `no`: the
+  // subtraction leaves a flag a lane, by which bytes are selected.
+  static uint32_t select(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
+    uint32_t lanes;
+    __asm__("usub%c5 %0, %1, %2\n\tsel %0, %3, %4"
+            : "=&r"(lanes)
+            : "r"(a), "r"(b), "r"(yes), "r"(no), "i"(lane_bits)
+            : "cc");
+    return lanes;
+  }
+
+  uint32_t level_;
+  uint32_t answer_;
+#else
+  /// Limit: level <= 2 * half, which no lane reaches.
+  explicit LaneThreshold(uint32_t level)
+      : flip_(level > half ? ~uint32_t{0} : 0),
+        addend_((level > half ? level - half : half - level) * ones) {}
+
+  /// The top bits of the lanes that reach the level. A level of at most half is reached when the
+  /// top bit is set, or comes to be when half - level is added to the rest: without a carry into
+  /// the next lane. Above that the complement is compared, and the answer is its complement.
+  uint32_t reached(uint32_t word) const {
+    const uint32_t lanes = word ^ flip_;
+    return ((lanes | ((lanes & ~tops) + addend_)) ^ flip_) & tops;
+  }
+
+  /// No lane of `a` or `b` is more than that of the bound: the bitwise or is not less than either.
+  static uint32_t bound(uint32_t a, uint32_t b) {
+    return a | b;
+  }
+
+ private:
+  uint32_t flip_;
+  uint32_t addend_;
+#endif
+};
+
+/// A threshold of any value for samples of type uint8_t, uint16_t or int16_t.
+template <class Sample>
+class Threshold {
+ public:
+  static constexpr uint32_t lanes = sizeof(uint32_t) / sizeof(Sample);
+
+  explicit Threshold(int32_t threshold)
+      : threshold_(threshold),
+        lanes_(static_cast<uint32_t>(threshold < least              ? 0
+                                     : threshold > least + 2 * half ? 2 * half
+                                                                    : threshold - least)) {}
+
+  bool reached(Sample sample) const { return int32_t{sample} >= threshold_; }
+
+  /// Whether words of samples can be read here, the first sample lowest.
+  static bool reads_words(const Sample* samples) {
+    return is_little_endian && reinterpret_cast<uintptr_t>(samples) % sizeof(uint32_t) == 0;
+  }
+
+  /// Samples from here to where the next word begins, at least one.
+  static uint32_t samples_to_word(const Sample* samples) {
+    return lanes - reinterpret_cast<uintptr_t>(samples) / sizeof(Sample) % lanes;
+  }
+
+  /// How many samples from the first on are known to be off: whole blocks of eight words. Blocks
+  /// with samples of many values near the threshold are not recognised. Limit:
+  /// reads_words(samples).
+  uint32_t leading_off(const Sample* samples, uint32_t count) const {
+    const Sample* at = samples;
+    for (; count >= 8 * lanes; count -= 8 * lanes, at += 8 * lanes) {
+      uint32_t most = word_at(at);
+#pragma GCC unroll 8
+      for (uint32_t word = 1; word < 8; ++word)
+        most = Lanes::bound(most, word_at(at + word * lanes));
+      if (lanes_.reached(most) != 0) break;
+    }
+    return static_cast<uint32_t>(at - samples);
+  }
+
+  /// Bit i: whether samples[i] is on. Limit: reads_words(samples), count <= 32, whole words.
+  uint32_t words_reached(const Sample* samples, uint32_t count) const {
+    // Multiplies the top bits of the lanes into the topmost bits of the word.
+    constexpr uint32_t gather = lanes == 4 ? 1 | 1 << 7 | 1 << 14 | 1 << 21 : 1 | 1 << 15;
+    uint32_t bits = 0;
+    for (const Sample* end = samples + count; end != samples;) {
+      end -= lanes;
+      bits = bits << lanes | lanes_.reached(word_at(end)) * gather >> (32 - lanes);
+    }
+    return bits;
+  }
+
+ private:
+  using Lanes = LaneThreshold<8 * sizeof(Sample)>;
+  static constexpr int32_t half = Lanes::half;
+  static constexpr int32_t least = Sample(-1) < 0 ? -half : 0;
+
+  // Samples as unsigned numbers of the same order.
+  static uint32_t word_at(const Sample* samples) {
+    const uint32_t word = aligned_word(samples);
+    return least < 0 ? word ^ Lanes::tops : word;
+  }
+
+  int32_t threshold_;
+  Lanes lanes_;
+};
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,35 @@
+#include "growing_joiner.hpp"
+
+#include <stdexcept>
+
+namespace discmc::host {
+
+GrowingJoiner::GrowingJoiner(const Sink& sink, std::uint64_t bytes)
+    : sink_(sink), bytes_(bytes), memory_(new std::uint8_t[bytes]) {
+  const Sink joined{this, [](void* context, const Event& event) {
+                      return static_cast<GrowingJoiner*>(context)->pass(event);
+                    }};
+  const Status started = joiner_.start({memory_.get(), bytes_}, joined, InputOrder::sweep);
+  if (started != Status::ok) throw std::invalid_argument(text(started));
+}
+
+void GrowingJoiner::finish() {
+  // It may have been short of memory: then the next one was not.
+  static_cast<void>(joiner_.finish());
+  if (next_) next_->finish();
+}
+
+Answer GrowingJoiner::pass(const Event& event) {
+  if (event.kind == Event::Kind::fragment && !next_ && !is_unmatched())
+    next_ = std::make_unique<GrowingJoiner>(sink_, 4 * bytes_);
+  return next_ ? next_->take(event) : sink_.take(sink_.context, event);
+}
+
+// Whether the fragment that comes out has no partner. Else the joiner is short of memory.
+bool GrowingJoiner::is_unmatched() {
+  const std::uint64_t before = unmatched_;
+  unmatched_ = joiner_.report().unmatched;
+  return unmatched_ > before;
+}
+
+}  // namespace discmc::host

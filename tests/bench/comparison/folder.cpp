@@ -1,0 +1,40 @@
+#include "host/described_volumes.hpp"
+#include "volume.hpp"  // of the host port
+#include "volumes.hpp"
+
+namespace discmc::bench {
+
+namespace {
+
+template <class Sample>
+std::vector<Sample> read_all(host::VolumeReader& reader) {
+  const host::VolumeInfo& info = reader.info();
+  const size_t slice = info.slice_bytes() / sizeof(Sample);
+  std::vector<Sample> samples(slice * info.dims[2]);
+  for (uint32_t z = 0; z < info.dims[2]; ++z) reader.read_slice(samples.data() + z * slice);
+  return samples;
+}
+
+Samples read_samples(host::VolumeReader& reader) {
+  if (reader.info().type == host::SampleType::u8) return read_all<uint8_t>(reader);
+  if (reader.info().type == host::SampleType::u16) return read_all<uint16_t>(reader);
+  return read_all<int16_t>(reader);
+}
+
+}  // namespace
+
+std::vector<Volume> volumes_in(const std::filesystem::path& folder) {
+  std::vector<Volume> volumes;
+  for (const host::DescribedVolume& description : host::described_volumes(folder)) {
+    const auto reader = host::open_volume(description.file);
+    const auto& dims = reader->info().dims;
+    const Samples samples = read_samples(*reader);
+    for (const int32_t threshold : description.thresholds)
+      volumes.push_back(
+          {description.file.stem().stem().string() + " at " + std::to_string(threshold), dims[0],
+           dims[1], dims[2], threshold, samples});
+  }
+  return volumes;
+}
+
+}  // namespace discmc::bench

@@ -1,0 +1,26 @@
+// What was measured, as tables in Markdown.
+#ifndef DISCMC_TESTS_BENCH_COMPARISON_REPORT_HPP
+#define DISCMC_TESTS_BENCH_COMPARISON_REPORT_HPP
+
+#include <vector>
+
+#include "measure.hpp"
+
+namespace discmc::bench {
+
+/// Where a contender stands among the results of a surface, the simplifiers last.
+enum Place : size_t { counting, polygons, stream, flying_edges_3d, first_simplifier };
+
+/// Where a contender stands among the results of an empty volume.
+enum PlaceOfEmpty : size_t { empty_plain_pass, empty_vector_pass, empty_counting };
+
+/// Nanoseconds an active cell; how many times as long the others take, with geometric means; and
+/// what came out.
+void print_surfaces(const std::vector<Measurement>& measurements);
+
+/// Empty volumes: nanoseconds a voxel, and how many times as long as a pass discmc takes.
+void print_empty(const std::vector<Measurement>& measurements);
+
+}  // namespace discmc::bench
+
+#endif

@@ -1,0 +1,64 @@
+// The volumes that are benchmarked: generated ones, and those of a folder.
+#ifndef DISCMC_TESTS_BENCH_COMPARISON_VOLUME_HPP
+#define DISCMC_TESTS_BENCH_COMPARISON_VOLUME_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace discmc::bench {
+
+/// x runs fastest, then y, then z.
+using Samples = std::variant<std::vector<uint8_t>, std::vector<uint16_t>, std::vector<int16_t>>;
+
+/// A volume in memory and the threshold of its surface: a voxel is on where its sample is >= it.
+struct Volume {
+  std::string name;
+  uint32_t width, height, depth;
+  int32_t threshold;
+  Samples samples;
+
+  size_t voxels() const { return size_t{width} * height * depth; }
+};
+
+/// A ball with smooth samples around its surface; its radius is 120 in 256 voxels.
+Volume ball(uint32_t extent);
+
+/// Triply periodic, smooth and curved everywhere; periods of 32 voxels.
+Volume gyroid(uint32_t extent);
+
+/// Random samples, each the sum of the 5x5x5 around it: bumps and holes at the smallest scale that
+/// scans have. Integers alone, so that it is the same on every machine.
+Volume smooth_noise(uint32_t extent);
+
+/// Every second voxel: as many active cells as there can be, and nothing to merge.
+Volume checkerboard(uint32_t extent);
+
+/// No voxel is on. Sample: uint8_t or uint16_t.
+template <class Sample>
+Volume empty(uint32_t extent) {
+  const size_t voxels = size_t{extent} * extent * extent;
+  return {"empty " + std::to_string(extent) + "^3, " + std::to_string(8 * sizeof(Sample)) + " bits",
+          extent,
+          extent,
+          extent,
+          128,
+          std::vector<Sample>(voxels)};
+}
+
+/// 1 for a voxel that is on, else 0.
+std::vector<uint8_t> voxels_on(const Volume& volume);
+
+/// Cells between eight voxels of which some are on and some off.
+uint64_t active_cells(const Volume& volume);
+
+/// Every volume of the folder that has a JSON file beside it, {"file": "head.nrrd", "iso": [500]},
+/// at each of its thresholds. Throws host::VolumeError when one cannot be read.
+std::vector<Volume> volumes_in(const std::filesystem::path& folder);
+
+}  // namespace discmc::bench
+
+#endif

@@ -1,0 +1,80 @@
+// Joins loose fragments by looking each follower up in a map: what any other way must agree with.
+#ifndef DISCMC_TESTS_ORACLE_NAIVE_JOIN_HPP
+#define DISCMC_TESTS_ORACLE_NAIVE_JOIN_HPP
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "agreement.hpp"
+#include "collect.hpp"
+
+namespace discmc::reference {
+
+/// The rings that loose fragments make up, each as a region of its own; a hole's has a negative
+/// area. Errors: throws GrammarError when a fragment has no follower, or two fragments one.
+inline std::vector<Region> join(const std::vector<Fragment>& loose) {
+  using End = std::tuple<int32_t, int32_t, int32_t, Incidence, Direction>;
+  const auto end_at = [](const Vertex& vertex, Incidence incidence, Direction came) {
+    return End{vertex.x, vertex.y, vertex.z, incidence, came};
+  };
+  std::map<End, const Fragment*> by_start;
+  for (const Fragment& fragment : loose)
+    if (!by_start.emplace(end_at(fragment.start, fragment.incidence, fragment.came), &fragment)
+             .second)
+      throw GrammarError("two loose fragments begin with one link");
+  std::vector<Region> rings;
+  while (!by_start.empty()) {
+    Region ring{by_start.begin()->second->incidence, {{}}};
+    auto next = by_start.begin();
+    const Fragment* const first = next->second;
+    for (;;) {
+      const Fragment& fragment = *next->second;
+      by_start.erase(next);
+      const Ring part = vertices_of(fragment.incidence, fragment.start, fragment.runs);
+      ring.rings[0].insert(ring.rings[0].end(), part.begin(), part.end());
+      const Direction last = fragment.runs.back().direction();
+      const End end = end_at(part.back() + direction_vector(fragment.incidence, last),
+                             fragment.incidence, last);
+      if (end == end_at(first->start, first->incidence, first->came)) break;
+      next = by_start.find(end);
+      if (next == by_start.end()) throw GrammarError("a loose fragment that nothing follows");
+    }
+    rings.push_back(ring);
+  }
+  return rings;
+}
+
+/// The simple rings of regions, each as a region of its own, canonical.
+inline std::vector<Region> single_rings(const std::vector<Region>& regions) {
+  std::vector<Region> rings;
+  for (const Region& region : simple_rings(regions))
+    for (const Ring& ring : region.rings) rings.push_back({region.incidence, {ring}});
+  return canonical(std::move(rings));
+}
+
+/// The rings of all that was collected, of one scan or of one slab each, canonical.
+/// Errors: as join().
+inline std::vector<Region> joined_rings(const std::vector<Collector>& scans) {
+  std::vector<Region> rings;
+  std::vector<Fragment> loose;
+  for (const Collector& scan : scans) {
+    rings.insert(rings.end(), scan.regions().begin(), scan.regions().end());
+    loose.insert(loose.end(), scan.loose().begin(), scan.loose().end());
+  }
+  for (const Region& ring : join(loose)) rings.push_back(ring);
+  return single_rings(rings);
+}
+
+/// Empty when what was collected joins to the rings of `merged`.
+inline std::string unlike_joined(const std::vector<Collector>& scans,
+                                 const std::vector<Region>& merged) {
+  const std::vector<Region> rings = joined_rings(scans);
+  const std::vector<Region> expected = single_rings(merged);
+  return rings == expected ? "" : describe_difference(rings, expected);
+}
+
+}  // namespace discmc::reference
+
+#endif

@@ -1,0 +1,98 @@
+# page.awk RECORD PAGE: prints the page with what it shows of the record put between its marks
+#   <!-- footprint: NAME -->  and  <!-- end -->
+# NAME is a group of the record, which becomes a table, or `compilers`, or `summary`. The record has a
+# figure a line: group, name, column, value, with tabs between them; rows and columns of a table come
+# in the order of their first mention.
+
+BEGIN { FS = "\t" }
+
+# 1234567.8 as 1,234,567.8
+function grouped(number,    whole, rest) {
+  whole = number
+  sub(/[.].*/, "", whole)
+  rest = substr(number, length(whole) + 1)
+  for (; length(whole) > 3; whole = substr(whole, 1, length(whole) - 3))
+    rest = "," substr(whole, length(whole) - 2) rest
+  return whole rest
+}
+
+function fail(why) {
+  print FILENAME ": " why > "/dev/stderr"
+  failed = 1
+  exit 1
+}
+
+function figure(group, name, column) {
+  if (!((group, name, column) in value)) fail("no figure '" group ", " name ", " column "'")
+  return value[group, name, column]
+}
+
+# The first element of a list (names, heads) is empty.
+function print_table(group,    names, rows, heads, columns, i, c, text, rule) {
+  rows = split(names_of[group], names, FS)
+  columns = split(heads_of[group], heads, FS)
+  text = "| |"
+  rule = "|---|"
+  for (c = 2; c <= columns; c++) {
+    text = text " " heads[c] " |"
+    rule = rule "--:|"
+  }
+  print text
+  print rule
+  for (i = 2; i <= rows; i++) {
+    text = "| " names[i] " |"
+    for (c = 2; c <= columns; c++) text = text " " grouped(figure(group, names[i], heads[c])) " |"
+    print text
+  }
+}
+
+function print_summary(    target) {
+  target = "Cortex-M4 -Os"
+  print "A scanner on a Cortex-M4, compiled with `-Os`, takes " \
+    grouped(figure("Flash", "scanner: the three above", target)) " bytes of flash, " \
+    grouped(figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes")) \
+    " bytes of RAM for its two"
+  print "objects, an arena of at least " grouped(figure("Arena", "64x64", "least")) \
+    " bytes for slices of 64x64 voxels (256x256: " grouped(figure("Arena", "256x256", "least")) \
+    "), and at most"
+  print grouped(figure("Stack", "Extractor16 into an Encoder", target)) \
+    " bytes of stack. Extraction costs " \
+    grouped(figure("Instructions", "an active cell: extraction", target)) \
+    " instructions an active cell. [lib/FOOTPRINT.md](lib/FOOTPRINT.md) has"
+  print "other processors, and says how this is measured."
+}
+
+# ---- the record ----
+
+FNR == NR && /^# / {
+  compilers = compilers (compilers ? " and " : "") substr($0, 3)
+  next
+}
+
+FNR == NR {
+  if (!(($1, "name", $2) in seen)) names_of[$1] = names_of[$1] FS $2
+  if (!(($1, "head", $3) in seen)) heads_of[$1] = heads_of[$1] FS $3
+  seen[$1, "name", $2] = seen[$1, "head", $3] = 1
+  value[$1, $2, $3] = $4
+  next
+}
+
+# ---- the page ----
+
+/^<!-- end -->$/ { inside = 0 }
+!inside { print }
+
+/^<!-- footprint: .* -->$/ {
+  inside = 1
+  marks++
+  name = substr($0, 17, length($0) - 20)
+  if (name == "compilers") print "Compilers: " compilers "."
+  else if (name == "summary") print_summary()
+  else if (name in names_of) print_table(name)
+  else fail("no figures named '" name "'")
+}
+
+END {
+  if (failed) exit 1
+  if (!marks || inside) fail("no mark, or one without an end")
+}

@@ -1,0 +1,305 @@
+// Rows of bits against the definition: which bit stands for which voxel, copies and halo and all,
+// however the samples come, and what lies around a row while later ones overwrite the oldest.
+#include <doctest/doctest.h>
+#include <discmc/trace/bit_rows.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "oracle/volume.hpp"
+
+using namespace discmc;
+using reference::BitVolume;
+
+namespace {
+
+constexpr uint32_t boundary_widths[] = {1,  2,  3,  27, 28, 29, 30, 31, 32, 33,  57,  58,  59, 60,
+                                        61, 62, 63, 88, 89, 90, 91, 92, 93, 119, 120, 121, 150};
+
+// Bit rows in memory of exactly their size.
+struct Rows : trace::BitRows {
+  std::vector<uint32_t> memory;
+
+  explicit Rows(const Limits& limits)
+      : memory(size_t{trace::row_words(limits.width)} * trace::bit_rows(limits.height),
+               0xDEADBEEF) {
+    // The vector is aligned, so what the arena sets aside for that is not needed.
+    Arena arena({memory.data(), sizeof(uint32_t) * memory.size() + Arena::alignment - 1});
+    start(arena, limits);
+    REQUIRE_FALSE(arena.is_exhausted());
+    clear();
+  }
+};
+
+// Compares all bits of a row: bit i of word k is column 30k - 1 + i, and voxel x is column x + 1.
+template <class IsOn>
+void check_row(const uint32_t* row, uint32_t width, IsOn is_on) {
+  for (uint32_t bit = 0; bit < 32 * trace::row_words(width); ++bit) {
+    const int32_t x = static_cast<int32_t>(bit / 32 * 30 + bit % 32) - 2;
+    const bool expected = x >= 0 && x < static_cast<int32_t>(width) && is_on(x);
+    if ((row[bit / 32] >> bit % 32 & 1) != expected)
+      FAIL("voxel ", x, " of ", width, " is ", !expected, " in bit ", bit % 32, " of word ",
+           bit / 32);
+  }
+}
+
+// The same for the first row of all, which must be complete.
+template <class IsOn>
+void check_first_row(const Rows& rows, uint32_t width, IsOn is_on) {
+  CHECK(rows.row_is_complete());
+  check_row(rows.memory.data(), width, is_on);
+}
+
+template <class Sample>
+void check_comparison(const std::vector<Sample>& samples, int32_t threshold) {
+  CAPTURE(threshold);
+  const auto width = static_cast<uint32_t>(samples.size());
+  Rows rows({width, 1, Border::closed});
+  rows.append(samples.data(), width, 1, threshold);
+  check_first_row(rows, width,
+                  [&](int32_t x) { return int32_t{samples[static_cast<size_t>(x)]} >= threshold; });
+}
+
+void check_around(const Rows& rows, const BitVolume& volume, int32_t y, int32_t z) {
+  const trace::RowBlock block = rows.around(y);
+  for (int32_t k = 0; k < 3; ++k)
+    for (int32_t j = 0; j < 3; ++j)
+      check_row(block.row[k][j], volume.width,
+                [&](int32_t x) { return volume.at(x, y + j - 1, z + k - 1); });
+}
+
+// The rows that can be swept now that `count` rows of slice z are there, and could not before:
+// around older ones rows are being overwritten.
+void check_newest(const Rows& rows, const BitVolume& volume, uint32_t count, int32_t z) {
+  const auto newest = static_cast<int32_t>(count) - 2;
+  check_around(rows, volume, newest, z - 1);
+  if (count == volume.height) check_around(rows, volume, newest + 1, z - 1);
+}
+
+constexpr int32_t thresholds_at_ends[] = {
+    INT32_MIN, INT32_MIN + 1, -32769, -32768, -32767, -1,    0,     1,
+    32767,     32768,         32769,  65535,  65536,  65537, 98304, INT32_MAX};
+
+}  // namespace
+
+TEST_CASE("a word holds 30 columns and a copy of the one before and the one after") {
+  const std::vector<uint8_t> on(90, 1);
+  Rows rows({90, 1, Border::closed});
+  rows.append(on.data(), 90, 1, 1);
+  REQUIRE(rows.words() == 4);
+  CHECK(rows.memory[0] == 0xFFFFFFFC);  // the halo and no column before it
+  CHECK(rows.memory[1] == 0xFFFFFFFF);
+  CHECK(rows.memory[2] == 0xFFFFFFFF);
+  CHECK(rows.memory[3] == 0x00000003);  // columns 89 and 90, then the halo
+}
+
+TEST_CASE("the rows around every row are those of the volume, halo and all") {
+  for (const uint32_t width : boundary_widths)
+    for (const uint32_t height : {1U, 2U, 3U, 5U}) {
+      const BitVolume volume = reference::random({width, height, 5}, 128, width * 8 + height);
+      Rows rows({width, height, Border::closed});
+      // After the last slice comes one that is off.
+      for (int32_t z = 0; z <= 5; ++z) {
+        for (uint32_t y = 0; y < height; ++y) {
+          CHECK(rows.rows() == y);
+          if (z < 5)
+            rows.append(&volume.on[volume.index(0, y, z)], width, 1, 1);
+          else
+            rows.fill_off();
+          CHECK(rows.row_is_complete());
+          rows.next_row();
+          // No samples: the oldest row, whose place the next one takes, is still in use.
+          if (y + 1 < height) rows.append(volume.on.data(), 0, 1, 1);
+          check_newest(rows, volume, y + 1, z);
+        }
+        rows.next_slice();
+      }
+      CHECK(rows.slices() == 6);
+    }
+}
+
+TEST_CASE("rows that have not arrived are off") {
+  const std::vector<uint8_t> on(40, 1);
+  Rows rows({40, 3, Border::closed});
+  const auto is_on = [](const uint32_t* row) { return row[1] != 0; };
+  for (uint32_t i = 0; i < 3 * 3; ++i) {
+    if (rows.rows() == 3) rows.next_slice();
+    rows.append(on.data(), 40, 1, 1);
+    rows.next_row();
+    const trace::RowBlock block = rows.around(static_cast<int32_t>(rows.rows()) - 1);
+    CHECK(is_on(block.row[2][1]));
+    CHECK_FALSE(is_on(block.row[2][2]));
+    CHECK(is_on(block.row[1][1]) == (rows.slices() >= 1));
+    CHECK(is_on(block.row[0][1]) == (rows.slices() >= 2));
+  }
+}
+
+TEST_CASE("a row of the greatest width") {
+  constexpr uint32_t width = Limits::max_extent;
+  std::mt19937 random(1);
+  std::vector<uint16_t> samples(width);
+  for (uint16_t& sample : samples) sample = static_cast<uint16_t>(random());
+  check_comparison(samples, 0x8000);
+  // And in two portions, of which one is short.
+  for (const uint32_t first : {1U, width - 1}) {
+    Rows rows({width, 1, Border::closed});
+    rows.append(samples.data(), first, 1, 0x8000);
+    rows.append(samples.data() + first, width - first, 1, 0x8000);
+    check_first_row(rows, width,
+                    [&](int32_t x) { return samples[static_cast<size_t>(x)] >= 0x8000; });
+  }
+}
+
+TEST_CASE("a row may arrive in any portions") {
+  for (const uint32_t width : boundary_widths)
+    for (uint32_t chunk = 1; chunk < 70; ++chunk) {
+      const BitVolume volume = reference::random({width, 1, 1}, 128, chunk);
+      Rows rows({width, 1, Border::closed});
+      for (uint32_t at = 0; at < width; at += chunk) {
+        const uint32_t count = chunk < width - at ? chunk : width - at;
+        CHECK(rows.column() == at);
+        // Beside the portion lies the opposite of what belongs there.
+        std::vector<uint8_t> portion(count + 2);
+        for (uint32_t i = 0; i < count + 2; ++i) {
+          const bool is_on = volume.at(int64_t{at} + i - 1, 0, 0);
+          portion[i] = is_on == (i > 0 && i <= count);
+        }
+        rows.append(&portion[1], count, 1, 1);
+        rows.append(&portion[1], 0, 1, 1);
+      }
+      check_first_row(rows, width, [&](int32_t x) { return volume.at(x, 0, 0); });
+    }
+}
+
+TEST_CASE("a row of bits is the same as its samples") {
+  for (const uint32_t width : boundary_widths) {
+    const BitVolume volume = reference::random({width, 1, 1}, 128, width);
+    std::vector<uint8_t> bits((width + 7) / 8, 0);
+    for (uint32_t x = 0; x < width; ++x)
+      bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | volume.on[x] << x % 8);
+    // What lies beyond the row in the last byte does not matter.
+    if (width % 8 != 0) bits.back() = static_cast<uint8_t>(bits.back() | 0xFFU << width % 8);
+    Rows rows({width, 1, Border::closed});
+    rows.append_bits(bits.data());
+    check_first_row(rows, width, [&](int32_t x) { return volume.at(x, 0, 0); });
+  }
+}
+
+TEST_CASE("fill_off keeps what has come, repeat takes the row before, of the last slice too") {
+  for (const uint32_t width : boundary_widths) {
+    BitVolume volume = reference::random({width, 2, 2}, 160, width);
+    Rows rows({width, 2, Border::closed});
+    const uint32_t half = width / 2;
+    // Row 0: half of it came; row 1: the same again; next slice: again, then none at all.
+    rows.append(volume.on.data(), half, 1, 1);
+    rows.fill_off();
+    std::fill_n(volume.on.begin() + half, width - half, uint8_t{0});
+    CHECK(rows.row_is_complete());
+    rows.next_row();
+    rows.repeat();
+    CHECK(rows.row_is_complete());
+    rows.next_row();
+    std::copy_n(volume.on.begin(), width, volume.on.begin() + width);
+    check_newest(rows, volume, 2, 0);
+    rows.next_slice();
+    rows.repeat();
+    rows.next_row();
+    rows.fill_off();
+    rows.next_row();
+    std::copy_n(volume.on.begin(), width, volume.on.begin() + 2 * width);
+    std::fill_n(volume.on.begin() + 3 * width, width, uint8_t{0});
+    check_newest(rows, volume, 2, 1);
+  }
+}
+
+TEST_CASE("the very first row repeats the nothing before it, after clear too") {
+  const std::vector<uint8_t> on(40, 1);
+  const BitVolume off({40, 2, 1});
+  Rows rows({40, 2, Border::closed});
+  for (int round = 0; round < 2; ++round) {
+    rows.repeat();
+    rows.next_row();
+    check_newest(rows, off, 1, 0);
+    for (int i = 0; i < 5; ++i) {
+      if (rows.rows() == 2) rows.next_slice();
+      rows.append(on.data(), 40, 1, 1);
+      rows.next_row();
+    }
+    rows.append(on.data(), 7, 1, 1);
+    rows.clear();
+    CHECK(rows.column() == 0);
+    CHECK(rows.rows() == 0);
+    CHECK(rows.slices() == 0);
+  }
+}
+
+TEST_CASE("every sample of 8 bits compares with every threshold, whatever lies beside it") {
+  for (int32_t threshold = -1; threshold <= 257; ++threshold)
+    for (uint32_t lane = 0; lane < 4; ++lane)
+      for (const uint8_t beside : {uint8_t{0}, uint8_t{255}}) {
+        std::vector<uint8_t> samples(4 * 256, beside);
+        for (uint32_t value = 0; value < 256; ++value)
+          samples[4 * value + lane] = static_cast<uint8_t>(value);
+        check_comparison(samples, threshold);
+      }
+}
+
+TEST_CASE_TEMPLATE("samples of 16 bits compare with the thresholds at the ends of all ranges",
+                   Sample, uint16_t, int16_t) {
+  for (const int32_t threshold : thresholds_at_ends)
+    for (const uint32_t odd : {0U, 1U})
+      for (const uint32_t beside : {0U, 0x7FFFU, 0x8000U, 0xFFFFU})
+        for (uint32_t begin = 0; begin < 0x10000; begin += 0x2000) {
+          std::vector<Sample> samples(2 * 0x2000, static_cast<Sample>(beside));
+          for (uint32_t i = 0; i < 0x2000; ++i)
+            samples[2 * i + odd] = static_cast<Sample>(begin + i);
+          check_comparison(samples, threshold);
+        }
+}
+
+TEST_CASE_TEMPLATE("a row of equal samples is on as a whole or off as a whole", Sample, uint8_t,
+                   uint16_t, int16_t) {
+  for (int32_t threshold = -1; threshold <= 257; ++threshold)
+    for (int32_t value = 0; value < 256; ++value)
+      check_comparison(std::vector<Sample>(64, static_cast<Sample>(value)), threshold);
+  for (const int32_t threshold : thresholds_at_ends)
+    for (const uint32_t value : {0U, 1U, 0x7FFEU, 0x7FFFU, 0x8000U, 0x8001U, 0xFFFEU, 0xFFFFU})
+      check_comparison(std::vector<Sample>(64, static_cast<Sample>(value)), threshold);
+}
+
+TEST_CASE_TEMPLATE("samples may lie anywhere in memory and go anywhere in a row", Sample, uint8_t,
+                   uint16_t, int16_t) {
+  constexpr uint32_t width = 200;
+  std::mt19937 random(1);
+  for (uint32_t place = 0; place < sizeof(uint32_t); ++place)
+    for (uint32_t column = 0; column < 32; ++column)
+      for (uint32_t count = 0; count <= 130; ++count)
+        for (uint32_t stride = 1; stride <= 3; ++stride) {
+          // Not a sample more than are read, so that sanitizers notice.
+          const uint32_t span = count == 0 ? 0 : (count - 1) * stride + 1;
+          const auto memory = std::make_unique<Sample[]>(place + span);
+          Sample* const samples = memory.get() + place;
+          // Often many in turn are alike.
+          const uint32_t rarity = 1 + random() % 64;
+          const bool most = random() % 2 != 0;
+          for (uint32_t i = 0; i < span; ++i)
+            samples[i] = (random() % rarity == 0) != most ? Sample{100} : Sample{99};
+
+          const std::vector<uint8_t> off(column, 0);
+          Rows rows({width, 1, Border::closed});
+          rows.append(off.data(), column, 1, 1);
+          rows.append(samples, count, stride, 100);
+          CHECK(rows.column() == column + count);
+          rows.fill_off();
+          CAPTURE(place);
+          CAPTURE(column);
+          CAPTURE(count);
+          CAPTURE(stride);
+          check_first_row(rows, width, [&](int32_t x) {
+            const uint32_t i = static_cast<uint32_t>(x) - column;
+            return i < count && samples[i * stride] >= 100;
+          });
+        }
+}

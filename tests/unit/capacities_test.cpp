@@ -1,0 +1,165 @@
+// Capacities: known at compile time, what they promise is enough, and what cannot be is refused.
+#include <doctest/doctest.h>
+
+#include <discmc/capacities.hpp>
+
+#include "oracle/scan.hpp"
+
+using namespace discmc;
+
+namespace {
+
+// As firmware would write it: the memory's size is a constant.
+constexpr Limits small{64, 48};
+uint8_t default_memory[minimum_bytes<uint16_t>(small) + 16384];
+uint8_t worst_memory[worst_case_bytes<uint32_t>({8, 8, Border::open}, 8)];
+uint8_t explicit_memory[bytes_for<uint16_t>(small, {100, 20})];
+
+constexpr uint32_t extents[] = {1,   2,   3,   7,    8,    9,    30,    31,    32,   33,  34,
+                                62,  63,  64,  65,   100,  127,  128,   129,   255,  256, 257,
+                                511, 512, 513, 1000, 2048, 4095, 10000, 32765, 32766};
+
+bool at_most(const Capacities& a, const Capacities& b) {
+  return a.records <= b.records && a.holes <= b.holes;
+}
+
+template <class Check>
+void for_each_limits(Check check) {
+  for (const uint32_t width : extents)
+    for (const uint32_t height : extents)
+      for (const Border border : {Border::closed, Border::open}) {
+        CAPTURE(width);
+        CAPTURE(height);
+        check(Limits{width, height, border});
+      }
+}
+
+template <class Index, class Normals = NoNormals>
+void check_defaults(const Limits& limits, uint64_t bytes) {
+  const Capacities capacities = default_capacities<Index, Normals>(limits, bytes);
+  CAPTURE(bytes);
+  REQUIRE(bytes_for<Index, Normals>(limits, capacities) <= bytes);
+  REQUIRE(is_valid<Index>(capacities));
+  REQUIRE(at_most(minimum_capacities(), capacities));
+}
+
+// Each more than the last, up to the end of 64 bits.
+template <class Index>
+void check_defaults_of_many_sizes(const Limits& limits) {
+  const uint64_t least = minimum_bytes<Index>(limits);
+  Capacities before = minimum_capacities();
+  for (uint64_t extra = 0; extra < uint64_t{1} << 40; extra = extra * 3 / 2 + 7) {
+    check_defaults<Index>(limits, least + extra);
+    const Capacities capacities = default_capacities<Index>(limits, least + extra);
+    REQUIRE(at_most(before, capacities));
+    before = capacities;
+  }
+  check_defaults<Index>(limits, UINT64_MAX);
+}
+
+template <class Index>
+Status start_with(const Limits& limits, const Capacities& capacities, size_t bytes) {
+  reference::Collector collector;
+  reference::Block block(bytes);
+  Extractor<Index> extractor;
+  const Status status = extractor.start(limits, capacities, 1, block.memory(), collector.sink());
+  CHECK(block.is_intact());
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("memory whose size was known at compile time starts a scan") {
+  reference::Collector collector;
+  const Sink sink = collector.sink();
+  Extractor16 extractor;
+  Extractor32 wide;
+  CHECK(extractor.start(small, 1, memory_of(default_memory), sink) == Status::ok);
+  CHECK(extractor.start(small, {100, 20}, 1, memory_of(explicit_memory), sink) == Status::ok);
+  constexpr Limits open{8, 8, Border::open};
+  CHECK(wide.start(open, worst_case_capacities(open, 8), 1, memory_of(worst_memory), sink) ==
+        Status::ok);
+}
+
+TEST_CASE("the default capacities fit in the bytes given, whatever those and the limits are") {
+  for_each_limits([](const Limits& limits) {
+    check_defaults_of_many_sizes<uint16_t>(limits);
+    check_defaults_of_many_sizes<uint32_t>(limits);
+  });
+}
+
+TEST_CASE("the default capacities fit in every single number of bytes") {
+  for (const uint32_t width : {1U, 2U, 31U, 100U})
+    for (uint64_t extra = 0; extra < 5000; ++extra) {
+      const Limits limits{width, 5, extra % 2 == 0 ? Border::closed : Border::open};
+      check_defaults<uint16_t>(limits, minimum_bytes<uint16_t>(limits) + extra);
+      check_defaults<uint32_t>(limits, minimum_bytes<uint32_t>(limits) + extra);
+      using Normals = GradientNormals<uint16_t>;
+      check_defaults<uint16_t, Normals>(limits, minimum_bytes<uint16_t, Normals>(limits) + extra);
+    }
+}
+
+TEST_CASE("hardly a byte is left over by the default capacities") {
+  for (uint64_t extra = 0; extra < 5000; ++extra) {
+    const uint64_t bytes = minimum_bytes<uint16_t>(small) + extra;
+    const Capacities capacities = default_capacities<uint16_t>(small, bytes);
+    const uint64_t left = bytes - bytes_for<uint16_t>(small, capacities);
+    CHECK(left < 8 + Arena::alignment);
+  }
+}
+
+TEST_CASE("fewer bytes than the minimum give the minimum") {
+  const Capacities least = minimum_capacities();
+  for (const uint64_t bytes : {uint64_t{0}, uint64_t{1}, minimum_bytes<uint16_t>(small)}) {
+    CHECK(at_most(default_capacities<uint16_t>(small, bytes), least));
+    CHECK(at_most(least, default_capacities<uint16_t>(small, bytes)));
+  }
+}
+
+TEST_CASE("exactly the bytes asked for are enough, wherever they begin, and one less is refused") {
+  for (const uint32_t width : {1U, 2U, 31U, 32U, 64U})
+    for (const uint32_t height : {1U, 2U, 9U})
+      for (const Border border : {Border::closed, Border::open}) {
+        const Limits limits{width, height, border};
+        const Capacities odd{35, 13};
+        for (const Capacities& capacities : {minimum_capacities(), reference::ample, odd}) {
+          const uint64_t narrow = bytes_for<uint16_t>(limits, capacities);
+          CHECK(start_with<uint16_t>(limits, capacities, narrow) == Status::ok);
+          CHECK(start_with<uint16_t>(limits, capacities, narrow - 1) == Status::too_little_memory);
+          const uint64_t wide = bytes_for<uint32_t>(limits, capacities);
+          CHECK(start_with<uint32_t>(limits, capacities, wide) == Status::ok);
+          CHECK(start_with<uint32_t>(limits, capacities, wide - 1) == Status::too_little_memory);
+        }
+      }
+}
+
+TEST_CASE("fewer records than the minimum, or more than an index counts, are refused") {
+  const Capacities least = minimum_capacities();
+  CHECK(is_valid<uint16_t>(least));
+  CHECK(is_valid<uint32_t>(least));
+  CHECK_FALSE(is_valid<uint16_t>({least.records - 1, 0}));
+  CHECK_FALSE(is_valid<uint32_t>({least.records - 1, 0}));
+  CHECK(is_valid<uint16_t>({32759, 0}));
+  CHECK_FALSE(is_valid<uint16_t>({32760, 0}));
+  CHECK(is_valid<uint32_t>({0x7FFFFFF7, 0}));
+  CHECK_FALSE(is_valid<uint32_t>({0x7FFFFFF8, 0}));
+  CHECK(is_valid<uint16_t>({32759, UINT32_MAX}));
+  CHECK(start_with<uint16_t>(small, {32760, 0}, 1 << 20) == Status::bad_capacities);
+  CHECK(start_with<uint16_t>(small, {least.records - 1, 0}, 1 << 20) == Status::bad_capacities);
+}
+
+TEST_CASE("the minimum lies below the worst case, and more slices need no less") {
+  for_each_limits([](const Limits& limits) {
+    const Capacities one = worst_case_capacities(limits, 1);
+    CHECK(at_most(minimum_capacities(), one));
+    CHECK(at_most(one, worst_case_capacities(limits, 2)));
+    CHECK(at_most(worst_case_capacities(limits, 2), worst_case_capacities(limits, UINT32_MAX)));
+    CHECK(minimum_bytes<uint16_t>(limits) <= minimum_bytes<uint32_t>(limits));
+    CHECK(minimum_bytes<uint16_t>(limits) <= worst_case_bytes<uint16_t>(limits, 1));
+  });
+}
+
+TEST_CASE("a scan of 256 x 256 voxels works in 20 KiB, one of 64 x 64 in 2.5 KiB") {
+  CHECK(minimum_bytes<uint16_t>({256, 256}) <= 20 * 1024);
+  CHECK(minimum_bytes<uint16_t>({64, 64}) <= 2560);
+}
