@@ -28,7 +28,7 @@ struct Scenario {
   test::Chance chance;
 };
 
-JoinerCapacities read_little_memory(Input& input) {
+JoinCapacities read_little_memory(Input& input) {
   const uint32_t fragments = 1 + input.byte();
   return {fragments, 1 + input.word() % 1000};
 }

@@ -7,6 +7,7 @@
 // is copied member by member.
 #include <discmc/discmc.h>
 
+#include <discmc/c_sink.hpp>
 #include <discmc/discmc.hpp>
 
 using namespace discmc;
@@ -94,40 +95,8 @@ StreamHeader cpp(const discmc_stream_header& from) {
           from.threshold, static_cast<Border>(from.border)};
 }
 
-// An object that offers its events to a C sink, of which it keeps a copy. The object calls a
-// function of a C++ type, which calls the C function.
-template <class Object>
-struct SinkAdapter {
-  Object object;
-  void* context;
-  discmc_answer (*take)(void* context, const discmc_event* event);
-
-  // start(sink): starts the object. When it fails, the sink of the last start stays.
-  template <class Start>
-  discmc_status start_to(const discmc_sink& sink, Start start) {
-    const Status status =
-        start(Sink{this, sink.take == nullptr ? nullptr : offer, sink.takes_fragments != 0});
-    if (status == Status::ok) {
-      context = sink.context;
-      take = sink.take;
-    }
-    return c(status);
-  }
-
-  static Answer offer(void* adapter, const Event& event) {
-    const SinkAdapter& to = *static_cast<const SinkAdapter*>(adapter);
-    return static_cast<Answer>(to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
-  }
-};
 using ExtractorAdapter = SinkAdapter<Extractor16>;
 using DecoderAdapter = SinkAdapter<Decoder>;
-
-template <class Object, class Storage>
-constexpr bool has_size = sizeof(Object) <= sizeof(Storage) &&
-                          sizeof(Storage) <= sizeof(Object) + sizeof(Object) / 10;
-template <class Object, class Storage>
-constexpr bool fits = has_size<Object, Storage>&& __is_trivially_copyable(Object) &&
-                      alignof(Object) <= alignof(Storage);
 
 static_assert(fits<ExtractorAdapter, discmc_extractor> && fits<Encoder, discmc_encoder> &&
                   fits<DecoderAdapter, discmc_decoder>,

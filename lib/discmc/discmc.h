@@ -405,6 +405,61 @@ DISCMC_NODISCARD discmc_status discmc_decoder_finish(discmc_decoder* decoder);
 discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder);
 discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder);
 
+/* ---- the joiner (joiner.hpp) ---- */
+
+/* What is known of the order in which events come: that of one sweep, or fragments in any order, of
+ * one stream or several. */
+enum { DISCMC_SWEEP_ORDER, DISCMC_ANY_ORDER };
+
+/* How much a joiner has room for. Limit: at least 1 of each. */
+typedef struct discmc_join_capacities {
+  uint32_t fragments; /* chains not closed yet, and rings that wait; Limit: 2^28 */
+  uint32_t runs;      /* of all of them; Limit: 2^32 - 2 */
+} discmc_join_capacities;
+
+/* What a joiner has done since its start. */
+typedef struct discmc_join_report {
+  uint64_t fragments; /* that came */
+  uint64_t invalid;   /* of them: left out, for an incidence, direction or run that is none */
+  uint64_t regions;   /* delivered, their outer rings joined of fragments */
+  uint64_t rings;     /* joined of fragments and delivered in any region */
+  uint64_t unmatched; /* left over in the end, or their place was taken: what was lost */
+  uint64_t passed;    /* chains passed on for lack of memory */
+} discmc_join_report;
+
+typedef struct discmc_joiner {
+  uint64_t opaque[(sizeof(void*) == 8 ? 336 : 288) / 8];
+} discmc_joiner;
+
+/* The bytes that a joiner takes, the least, and the default split of a number of bytes. sizes.h has
+ * the same as constants: DISCMC_JOINER_BYTES_FOR(), DISCMC_JOINER_MINIMUM_BYTES and, for
+ * `const discmc_join_capacities c = `, DISCMC_JOINER_DEFAULT_CAPACITIES(). */
+uint64_t discmc_joiner_bytes_for(const discmc_join_capacities* capacities);
+uint64_t discmc_joiner_minimum_bytes(void);
+discmc_join_capacities discmc_joiner_default_capacities(uint64_t bytes);
+
+/* Begins anew. capacities: may be null, for the default split of the memory. memory: Owner: the
+ * caller, for as long as events are taken. order: DISCMC_SWEEP_ORDER or DISCMC_ANY_ORDER. Errors:
+ * DISCMC_BAD_SINK, DISCMC_BAD_CAPACITIES, DISCMC_TOO_LITTLE_MEMORY; then nothing has changed. */
+DISCMC_NODISCARD discmc_status discmc_joiner_start(discmc_joiner* joiner,
+                                                   const discmc_join_capacities* capacities,
+                                                   discmc_memory memory, const discmc_sink* sink,
+                                                   uint8_t order);
+
+/* Takes an event; joiner points to a discmc_joiner, so that this is the `take` of a sink whose
+ * context is one: {&joiner, discmc_joiner_take, 1}. Any events are safe. */
+discmc_answer discmc_joiner_take(void* joiner, const discmc_event* event);
+
+/* Tells that no event follows, and delivers what waits. DISCMC_MORE: the sink said "not now", call
+ * again. Errors: DISCMC_NOT_STARTED; DISCMC_TOO_LITTLE_MEMORY when memory was short at any time:
+ * then the sink got fragments that another joiner can join. */
+DISCMC_NODISCARD discmc_status discmc_joiner_finish(discmc_joiner* joiner);
+
+discmc_join_report discmc_joiner_report(const discmc_joiner* joiner);
+discmc_join_capacities discmc_joiner_capacities(const discmc_joiner* joiner);
+/* The most that was held at once. */
+discmc_join_capacities discmc_joiner_high_water(const discmc_joiner* joiner);
+
 /* ---- the lattice (lattice.hpp) ---- */
 
 /* An incidence is a signed normal as a number, 13 + x + 3 y + 9 z for components -1, 0 or 1; it

@@ -11,6 +11,8 @@
 //   encoder.hpp           a sink that writes the stream (wire.hpp, WIRE.md)
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
+//   joiner.hpp            loose fragments of one stream or several in, regions out
+//     held_chains.hpp, waiting_chains.hpp, waiting_table.hpp, region_holes.hpp, plane.hpp
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
@@ -24,6 +26,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/facet_table.hpp>
+#include <discmc/joiner.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
 

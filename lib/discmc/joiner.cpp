@@ -21,11 +21,11 @@ Status Joiner::start(Memory memory, const Sink& sink, InputOrder order) {
   return start(default_capacities(memory.bytes), memory, sink, order);
 }
 
-Status Joiner::start(const JoinerCapacities& capacities, Memory memory, const Sink& sink,
+Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
                      InputOrder order) {
   if (sink.take == nullptr) return Status::bad_sink;
-  if (capacities.fragments < 1 || capacities.fragments > JoinerCapacities::max_fragments ||
-      capacities.runs < 1 || capacities.runs > JoinerCapacities::max_runs)
+  if (capacities.fragments < 1 || capacities.fragments > JoinCapacities::max_fragments ||
+      capacities.runs < 1 || capacities.runs > JoinCapacities::max_runs)
     return Status::bad_capacities;
   if (memory.data == nullptr || memory.bytes < bytes_for(capacities))
     return Status::too_little_memory;

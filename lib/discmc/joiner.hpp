@@ -36,7 +36,7 @@ enum class InputOrder : uint8_t {
 };
 
 /// How much a joiner has room for. Limit: at least 1 of each.
-struct JoinerCapacities {
+struct JoinCapacities {
   static constexpr uint32_t max_fragments = uint32_t{1} << 28;
   static constexpr uint32_t max_runs = UINT32_MAX - 1;
 
@@ -45,7 +45,7 @@ struct JoinerCapacities {
 };
 
 /// What a joiner has done since its start.
-struct JoinerReport {
+struct JoinReport {
   uint64_t fragments = 0;  ///< that came
   uint64_t invalid = 0;    ///< of them: left out, for an incidence, direction or run that is none
   uint64_t regions = 0;    ///< delivered, their outer rings joined of fragments
@@ -71,19 +71,19 @@ struct JoinerReport {
 class Joiner {
  public:
   /// The bytes that a joiner takes from the caller's memory, and the least.
-  static constexpr uint64_t bytes_for(const JoinerCapacities& capacities) {
+  static constexpr uint64_t bytes_for(const JoinCapacities& capacities) {
     return WaitingChains::bytes_for(capacities.fragments, capacities.runs) + Arena::alignment - 1;
   }
   static constexpr uint64_t minimum_bytes() { return bytes_for({1, 1}); }
 
   /// The default split of a number of bytes: eight runs for every fragment, in 192 bytes.
-  static constexpr JoinerCapacities default_capacities(uint64_t bytes) {
+  static constexpr JoinCapacities default_capacities(uint64_t bytes) {
     // In 32 bits: no 64-bit division on small machines.
     const uint64_t units = bytes < Arena::alignment ? 0 : (bytes - (Arena::alignment - 1)) >> 6;
     const uint32_t affordable = static_cast<uint32_t>(units < UINT32_MAX ? units : UINT32_MAX) / 3;
     if (affordable == 0) return {1, 1};
     const uint32_t fragments =
-        affordable < JoinerCapacities::max_fragments ? affordable : JoinerCapacities::max_fragments;
+        affordable < JoinCapacities::max_fragments ? affordable : JoinCapacities::max_fragments;
     return {fragments, 8 * fragments};
   }
 
@@ -91,7 +91,7 @@ class Joiner {
   /// events are taken. Errors: bad_sink, too_little_memory; then nothing has changed.
   [[nodiscard]] Status start(Memory memory, const Sink& sink, InputOrder order);
   /// The same with capacities of one's own. Errors: also bad_capacities.
-  [[nodiscard]] Status start(const JoinerCapacities& capacities, Memory memory, const Sink& sink,
+  [[nodiscard]] Status start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
                              InputOrder order);
 
   /// Takes an event; nothing before start(). What it completes has been delivered once it is taken.
@@ -102,10 +102,10 @@ class Joiner {
   /// too_little_memory when memory was short at any time, though all is done that can be.
   [[nodiscard]] Status finish();
 
-  const JoinerReport& report() const { return report_; }
-  JoinerCapacities capacities() const { return capacities_; }
+  const JoinReport& report() const { return report_; }
+  JoinCapacities capacities() const { return capacities_; }
   /// The most that was held at once.
-  JoinerCapacities high_water() const { return {chains().high_water(), chains().run_high_water()}; }
+  JoinCapacities high_water() const { return {chains().high_water(), chains().run_high_water()}; }
 
  private:
   bool accept(const Event& event);
@@ -145,8 +145,8 @@ class Joiner {
   WaitingChains waiting_;
   RegionHoles region_;  // of the region that passes or is delivered, as far as the sink has it
   Sink sink_{nullptr, nullptr, false};
-  JoinerCapacities capacities_{0, 0};
-  JoinerReport report_{};
+  JoinCapacities capacities_{0, 0};
+  JoinReport report_{};
   InputOrder order_ = InputOrder::sweep;
   bool is_short_ = false;  // of memory: everything is passed on
 

@@ -28,7 +28,7 @@ class RegionHoles {
   void add_run(Run run, HeldChains& chains);
   bool is_within_another(uint32_t hole, const WaitingChains& waiting) const;
 
-  Incidence incidence_ = no_incidence;
+  Incidence incidence_ = 0;
   bool has_point_ = false;
   uint32_t first_ = no_record;  // of the holes on the plane
   Vertex at_{};                 // where the ring under way has got to

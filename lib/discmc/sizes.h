@@ -29,6 +29,17 @@
         DISCMC_DEFAULT_RECORDS_(width, height, bytes) / 16 \
   }
 
+/* The bytes that a joiner with room for so many fragments and runs takes, the least, and an
+ * initialiser of a discmc_join_capacities: the default split of a number of bytes. */
+#define DISCMC_JOINER_BYTES_FOR(fragments, runs) \
+  (3 + UINT64_C(96) * (fragments) + UINT64_C(12) * (runs))
+#define DISCMC_JOINER_MINIMUM_BYTES DISCMC_JOINER_BYTES_FOR(1, 1)
+#define DISCMC_JOINER_DEFAULT_CAPACITIES(bytes)                            \
+  {                                                                        \
+    DISCMC_JOIN_UNITS_(bytes) == 0 ? 1 : DISCMC_JOIN_UNITS_(bytes),        \
+        DISCMC_JOIN_UNITS_(bytes) == 0 ? 1 : 8 * DISCMC_JOIN_UNITS_(bytes) \
+  }
+
 /* ---- how they come about ---- */
 
 #define DISCMC_RECORD_BYTES_ UINT64_C(8)
@@ -49,5 +60,13 @@
            DISCMC_MOST_RECORDS_ - DISCMC_MINIMUM_RECORDS_                           \
        ? DISCMC_MINIMUM_RECORDS_ + DISCMC_AFFORDABLE_RECORDS_(width, height, bytes) \
        : DISCMC_MOST_RECORDS_)
+
+/* A fragment with eight runs takes 192 bytes. */
+#define DISCMC_JOIN_MAX_FRAGMENTS_ (UINT64_C(1) << 28)
+#define DISCMC_JOIN_UNITS_(bytes)                                 \
+  ((bytes) < 3 ? UINT64_C(0)                                      \
+   : (UINT64_C(1) * (bytes)-3) / 192 < DISCMC_JOIN_MAX_FRAGMENTS_ \
+       ? (UINT64_C(1) * (bytes)-3) / 192                          \
+       : DISCMC_JOIN_MAX_FRAGMENTS_)
 
 #endif

@@ -12,21 +12,21 @@ namespace discmc::reference {
 
 struct Joined {
   Events events;
-  JoinerReport report;
-  JoinerCapacities high_water;
+  JoinReport report;
+  JoinCapacities high_water;
   Status status;
 };
 
 struct JoinPlan {
   InputOrder order = InputOrder::sweep;
-  JoinerCapacities capacities{2000, 20000};
+  JoinCapacities capacities{2000, 20000};
   bool takes_fragments = true;
   EventLog::Refuses refuses{};
 };
 
 /// Room for all the fragments among events at once.
-inline JoinerCapacities enough_for(const Events& events) {
-  JoinerCapacities capacities{1, 1};
+inline JoinCapacities enough_for(const Events& events) {
+  JoinCapacities capacities{1, 1};
   for (const RecordedEvent& event : events) {
     if (event.is(Event::Kind::fragment)) ++capacities.fragments;
     if (event.is(Event::Kind::run)) ++capacities.runs;
@@ -52,7 +52,7 @@ inline Joined join(const Events& events, const JoinPlan& plan) {
     status = joiner.finish();
   }
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
-  const JoinerCapacities most = joiner.high_water();
+  const JoinCapacities most = joiner.high_water();
   if (most.fragments > plan.capacities.fragments || most.runs > plan.capacities.runs)
     throw std::runtime_error("in use beyond the capacity");
   return {std::move(log.events), joiner.report(), most, status};

@@ -258,7 +258,7 @@ TEST_CASE("the marks tell what would have been enough") {
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
     CAPTURE(surface.name);
-    const JoinerCapacities most = join(events, {}).high_water;
+    const JoinCapacities most = join(events, {}).high_water;
     CAPTURE(most.fragments);
     CAPTURE(most.runs);
     JoinPlan plan;
@@ -293,8 +293,8 @@ TEST_CASE("a sink may refuse any event, and it does not show") {
   const Surface& surface = surfaces()[0];
   for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
     for (const bool takes_fragments : {true, false})
-      for (const JoinerCapacities& capacities :
-           {JoinerCapacities{500, 5000}, {12, 100}, {3, 1000}, {1, 1}}) {
+      for (const JoinCapacities& capacities :
+           {JoinCapacities{500, 5000}, {12, 100}, {3, 1000}, {1, 1}}) {
         JoinPlan plan;
         plan.order = order;
         plan.capacities = capacities;
@@ -397,7 +397,7 @@ TEST_CASE("what is lost in the middle is forgotten, and the sink is told where i
 TEST_CASE("the finish event counts what was delivered") {
   Chance chance(12);
   const Surface& surface = surfaces()[0];
-  for (const JoinerCapacities& capacities : {JoinerCapacities{500, 5000}, {20, 100}, {1, 1}}) {
+  for (const JoinCapacities& capacities : {JoinCapacities{500, 5000}, {20, 100}, {1, 1}}) {
     const Pieces pieces = cut(surface.regions, cuts_of(chance));
     Events events = events_of(pieces);
     Statistics sent{};
@@ -585,8 +585,8 @@ TEST_CASE("what start() refuses leaves everything as it was") {
   CHECK(joiner.start({nullptr, 4000}, sink_to(log), InputOrder::any) == Status::too_little_memory);
   CHECK(joiner.start({memory.data(), Joiner::minimum_bytes() - 1}, sink_to(log), InputOrder::any) ==
         Status::too_little_memory);
-  for (const JoinerCapacities& bad :
-       {JoinerCapacities{0, 1}, {1, 0}, {JoinerCapacities::max_fragments + 1, 1}, {1, UINT32_MAX}})
+  for (const JoinCapacities& bad :
+       {JoinCapacities{0, 1}, {1, 0}, {JoinCapacities::max_fragments + 1, 1}, {1, UINT32_MAX}})
     CHECK(joiner.start(bad, all, sink_to(log), InputOrder::any) == Status::bad_capacities);
   CHECK(joiner.start({100, 100}, all, sink_to(log), InputOrder::any) == Status::too_little_memory);
   CHECK(joiner.finish() == Status::not_started);
@@ -621,10 +621,10 @@ TEST_CASE("a joiner that is started again has forgotten everything") {
 TEST_CASE("the default split uses what there is, and no more") {
   CHECK(Joiner::default_capacities(0).fragments == 1);
   for (uint64_t bytes = 3 + 192; bytes < uint64_t{1} << 50; bytes = bytes * 5 / 4 + 1) {
-    const JoinerCapacities split = Joiner::default_capacities(bytes);
+    const JoinCapacities split = Joiner::default_capacities(bytes);
     REQUIRE(Joiner::bytes_for(split) <= bytes);
     REQUIRE(split.runs == 8 * split.fragments);
-    const bool is_most = split.fragments == JoinerCapacities::max_fragments;
+    const bool is_most = split.fragments == JoinCapacities::max_fragments;
     REQUIRE((is_most || Joiner::bytes_for(split) + 5 * split.fragments + 192 + 8 > bytes));
   }
 }

@@ -8,6 +8,11 @@ static const discmc_capacities some = {101, 7};
 static const discmc_capacities least = DISCMC_MINIMUM_CAPACITIES;
 static const discmc_capacities split = DISCMC_DEFAULT_CAPACITIES(64, 48, 20000);
 
+uint8_t join_some[DISCMC_JOINER_BYTES_FOR(101, 151)];
+uint8_t join_least[DISCMC_JOINER_MINIMUM_BYTES];
+static const discmc_join_capacities join_fragments = {101, 151};
+static const discmc_join_capacities join_split = DISCMC_JOINER_DEFAULT_CAPACITIES(20000);
+
 static int are_equal(discmc_capacities a, discmc_capacities b) {
   return a.records == b.records && a.holes == b.holes;
 }
@@ -18,5 +23,9 @@ int main(void) {
   if (sizeof some_bytes != discmc_bytes_for(&limits, &some)) return 2;
   if (!are_equal(least, discmc_minimum_capacities())) return 3;
   if (!are_equal(split, discmc_default_capacities(&limits, 20000))) return 4;
+  if (sizeof join_some != discmc_joiner_bytes_for(&join_fragments)) return 5;
+  if (sizeof join_least != discmc_joiner_minimum_bytes()) return 6;
+  if (join_split.fragments != discmc_joiner_default_capacities(20000).fragments) return 7;
+  if (join_split.runs != discmc_joiner_default_capacities(20000).runs) return 8;
   return 0;
 }

@@ -1,0 +1,47 @@
+// What the files of the C API share: objects in storage of C's, and their sinks.
+#ifndef DISCMC_C_SINK_HPP
+#define DISCMC_C_SINK_HPP
+
+#include <discmc/discmc.h>
+#include <discmc/sink.hpp>
+#include <discmc/status.hpp>
+
+namespace discmc {
+
+/// An object that offers its events to a C sink, of which it keeps a copy. The object calls a
+/// function of a C++ type, which calls the C function.
+template <class Object>
+struct SinkAdapter {
+  Object object;
+  void* context;
+  discmc_answer (*take)(void* context, const discmc_event* event);
+
+  /// start(sink): starts the object. When it fails, the sink of the last start stays.
+  template <class Start>
+  discmc_status start_to(const discmc_sink& sink, Start start) {
+    const Status status =
+        start(Sink{this, sink.take == nullptr ? nullptr : offer, sink.takes_fragments != 0});
+    if (status == Status::ok) {
+      context = sink.context;
+      take = sink.take;
+    }
+    return static_cast<discmc_status>(status);
+  }
+
+  static Answer offer(void* adapter, const Event& event) {
+    const SinkAdapter& to = *static_cast<const SinkAdapter*>(adapter);
+    return static_cast<Answer>(to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
+  }
+};
+
+/// Whether storage of C's is large enough for an object, and not much larger.
+template <class Object, class Storage>
+constexpr bool has_size = sizeof(Object) <= sizeof(Storage) &&
+                          sizeof(Storage) <= sizeof(Object) + sizeof(Object) / 10;
+template <class Object, class Storage>
+constexpr bool fits = has_size<Object, Storage>&& __is_trivially_copyable(Object) &&
+                      alignof(Object) <= alignof(Storage);
+
+}  // namespace discmc
+
+#endif
