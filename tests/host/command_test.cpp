@@ -145,7 +145,7 @@ TEST_CASE("lines of JSON hold the corners of polygons in half-steps") {
   workshop.done("extract one.nrrd --iso 100 -o one.jsonl");
   const std::string lines = workshop.read("one.jsonl");
   CHECK(std::count(lines.begin(), lines.end(), '\n') == 8);
-  CHECK(contains(lines, "{\"normal\":[1,1,1],\"rings\":[[[1,0,0],[0,1,0],[0,0,1]]]}\n"));
+  CHECK(contains(lines, "{\"normal\":[1,1,1],\"rings\":[[[0,0,1],[1,0,0],[0,1,0]]]}\n"));
   workshop.write("v.nrrd", small_ball());
   workshop.done("extract v.nrrd --iso 100 -o v.dmc");
   workshop.done("decode v.dmc -o v.jsonl");
