@@ -23,10 +23,10 @@ struct Cost {
   static constexpr uint64_t voxel = 4;
   static constexpr uint64_t row = 140;
   static constexpr uint64_t word = 40;
-  static constexpr uint64_t vertex = 300;
+  static constexpr uint64_t vertex = 400;
   static constexpr uint64_t short_vertex = 700;  ///< more, for looking how long fragments are
   static constexpr uint64_t sealed = 8000;
-  static constexpr uint64_t delivered = 56;
+  static constexpr uint64_t delivered = 80;
   static constexpr uint64_t hole_run = 20;   ///< of a run of a hole, which may wait to be delivered
   static constexpr uint64_t hole_look = 12;  ///< for a hole that waits and a run of a ring
 };
