@@ -136,7 +136,7 @@ class Extractor {
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
-  enum class RowStage : uint8_t { none, sealed_cells, vertices };  // of the row under way
+  enum class RowStage : uint8_t { none, sealed_cells, vertices, chains_ended };  // of the row
   using Normal = typename Normals::Normal;
 
   PushResult push_row_of_bits(const uint8_t* bits);

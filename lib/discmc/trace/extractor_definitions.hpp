@@ -268,9 +268,9 @@ bool Extractor<Index, Normals>::sweep_row() {
   row.y = y;
   row.z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
           (limits_.slab.continues_below ? 1 : 0);
-  row.is_above_slab = is_last_slice() && limits_.slab.continues_above;
+  const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
   const bool has_back = !is_open || y + 1 < static_cast<int32_t>(limits_.height);
-  const bool has_above = !row.is_above_slab && !(is_open && is_last_slice());
+  const bool has_above = !is_above_slab && !(is_open && is_last_slice());
   if (row_stage_ == RowStage::none) {
     const bool has_cells = has_back && has_above;
     if (has_cells) sealing_.begin_row(row.rows, y, sweep_.chains().spare());
@@ -291,8 +291,16 @@ bool Extractor<Index, Normals>::sweep_row() {
        !has_above || !has_back || sealing_.is_sealed(y, false)}};
   row.set_absent(is_absent);
   row.axes = 1U | (has_back ? 2U : 0U) | (has_above ? 4U : 0U);
-  if (!sweep_.sweep(row, rows_.words(), {is_open, limits_.width}, intake_, sink_, statistics_))
-    return false;
+  const trace::RowEnds ends{is_open, limits_.width};
+  row.work = !is_above_slab                       ? trace::RowWork::take_passes
+             : row_stage_ == RowStage::vertices ? trace::RowWork::end_chains
+                                                : trace::RowWork::begin_chains;
+  for (;;) {
+    if (!sweep_.sweep(row, rows_.words(), ends, intake_, sink_, statistics_)) return false;
+    if (row.work != trace::RowWork::end_chains) break;
+    row.work = trace::RowWork::begin_chains;
+    row_stage_ = RowStage::chains_ended;
+  }
   const bool is_last_row = y + 1 == static_cast<int32_t>(limits_.height);
   if (has_below && has_front && y >= 0) sealing_.end_front(row.rows, y);
   if (has_below && has_back && is_last_row) sealing_.end_back(row.rows, y);

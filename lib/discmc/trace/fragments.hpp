@@ -8,51 +8,45 @@
 
 namespace discmc::trace {
 
-/// The coordinate that tells a link's place on its line, and how far a link goes along it.
+/// How a link changes the place on its line, and what tells links from places: how many times it can
+/// be halved, and the inverse of what is left, modulo a power of two.
 struct LinkStep {
-  uint8_t axis;
-  bool is_back;
-  uint8_t shift;  ///< a link takes 1 << shift half-steps
+  int8_t step;
+  uint8_t halvings;
+  uint16_t inverse;
 };
 struct LinkSteps {
   LinkStep of[link_codes];
 };
 namespace derive {
 constexpr LinkSteps link_steps() {
+  constexpr uint32_t modulus = 1U << place_bits;
   LinkSteps steps{};
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex v = link_vector(link);
-    const int axis = v.x != 0 ? 0 : v.y != 0 ? 1 : 2;
-    const int part = axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-    steps.of[link] = {static_cast<uint8_t>(axis), part < 0,
-                      static_cast<uint8_t>(part == 2 || part == -2 ? 1 : 0)};
+    int odd = v.x + 2 * v.y + 3 * v.z;
+    steps.of[link].step = static_cast<int8_t>(odd);
+    for (; odd % 2 == 0; odd /= 2) ++steps.of[link].halvings;
+    uint32_t inverse = 1;
+    while (((inverse * static_cast<uint32_t>(odd)) & (modulus - 1)) != 1) inverse += 2;
+    steps.of[link].inverse = static_cast<uint16_t>(inverse);
   }
   return steps;
 }
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
-/// How many links lead from one coordinate to another, which lies ahead by less than Side::modulus.
-inline uint32_t links_between(int32_t from, int32_t to, Link link) {
+/// The place one link on.
+inline Place next_place(Place from, Link link) {
+  return (from + static_cast<uint32_t>(int32_t{link_steps.of[link].step})) &
+         ((1U << place_bits) - 1);
+}
+
+/// How many links lead from one place to another. Limit: fewer than 2,048.
+inline uint32_t links_between(Place from, Place to, Link link) {
+  constexpr uint32_t all = (1U << place_bits) - 1;
   const LinkStep step = link_steps.of[link];
-  const int32_t way = step.is_back ? from - to : to - from;
-  return (static_cast<uint32_t>(way) & (Side::modulus - 1)) >> step.shift;
-}
-
-inline int32_t coordinate(const Vertex& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-/// A side that starts, or stops, at a corner.
-inline Side side_at(const Vertex& corner, Link link, Direction direction) {
-  return Side(direction, coordinate(corner, link_steps.of[link].axis));
-}
-/// How many links lead from a side's corner to a vertex, and from a vertex to a side's corner.
-inline uint32_t links_from(Side side, const Vertex& to, Link link) {
-  return links_between(side.coordinate(), coordinate(to, link_steps.of[link].axis), link);
-}
-inline uint32_t links_to(Side side, const Vertex& from, Link link) {
-  return links_between(coordinate(from, link_steps.of[link].axis), side.coordinate(), link);
+  return (((to - from) & all) >> step.halvings) * step.inverse & (all >> step.halvings);
 }
 
 /// v moved along a link. Coordinates wrap.
@@ -138,26 +132,27 @@ class Fragments {
   static Direction direction(const Pass& pass, Link link) {
     return sector_table.direction[pass.incidence][link];
   }
-
-  // The last corner of a chain on its way out, and whether the pass has completed a run.
-  struct Way {
-    Vertex corner;
-    bool has_new_runs;
-  };
+  static bool has_corner_at_centroid(const Pass& pass) { return pass.second != pass.first; }
+  // Where the side begins that a chain leaves along, and the vertex that it comes to.
+  static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
+    return has_corner_at_centroid(pass) ? moved(vertex, pass.first, 1) : vertex;
+  }
+  static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
+    return moved(pass.has_centroid ? moved(vertex, pass.first, 1) : vertex, pass.second, 1);
+  }
 
   template <class Normals>
   Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
-  Index new_tail(const Pass& pass, const Vertex& vertex, Index mate);
+  Index new_tail(const Pass& pass, Place place, Index mate);
   template <class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
-  void turn(const Pass& pass, Index tail, Link came, const Vertex& corner, Link onwards,
-            Normal normal);
-  void turn_back(const Pass& pass, Index begin, Link onwards, const Vertex& corner, Link came,
+  void turn(const Pass& pass, Index tail, Link came, Place corner, Link onwards, Normal normal);
+  void turn_back(const Pass& pass, Index begin, Link onwards, Place corner, Link came,
                  Normal normal);
-  void leave(const Pass& pass, const Way& way, Index tail);
-  void lose_tail(const Pass& pass, const Way& way, Index tail);
+  void leave(const Pass& pass, const Vertex& vertex, Index tail, bool has_new_runs);
+  void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
-  void join(const Pass& pass, const Way& way, Index tail, Index begin);
+  void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
   void wire(Index begin, Index tail, Index list);
 
   Index pop(uint8_t queue) {
@@ -193,45 +188,46 @@ void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
   if (!pass.goes_ahead) begin = pop(pass.out);
   Index tail = no_record;
   const bool is_corner = pass.came != pass.first;
+  bool has_new_runs = false;
   if (pass.comes_from_ahead) {
     if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
     tail = begin_fragment(pass, vertex, normals);
   } else {
     tail = pop(pass.in);
-  }
-  Way way{vertex, false};
-  if (!pass.comes_from_ahead) {
+    const Place here = place_of(vertex);
     if (tail == no_record) {
-      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)));
+      tail = new_tail(pass, here, loose_end<Index>(direction(pass, pass.came)));
       if (is_corner) end(tail).set_normal(normals.normal_at(vertex));
-    } else if (is_corner || links_from(end(tail).side, vertex, pass.came) >= Side::longest) {
-      turn(pass, tail, pass.came, vertex, pass.first,
+    } else if (is_corner ||
+               links_between(end(tail).side.place(), here, pass.came) >= Side::longest) {
+      turn(pass, tail, pass.came, here, pass.first,
            is_corner ? normals.normal_at(vertex) : Normal{});
-      way.has_new_runs = true;
+      has_new_runs = true;
     }
   }
-  if (pass.second != pass.first) {
-    way = {moved(vertex, pass.first, 1), true};
-    turn(pass, tail, pass.first, way.corner, pass.second, normals.normal_at(way.corner));
+  if (has_corner_at_centroid(pass)) {
+    const Vertex corner = moved(vertex, pass.first, 1);
+    turn(pass, tail, pass.first, place_of(corner), pass.second, normals.normal_at(corner));
+    has_new_runs = true;
   }
   if (pass.goes_ahead)
-    leave(pass, way, tail);
+    leave(pass, vertex, tail, has_new_runs);
   else if (begin != no_record)
-    join(pass, way, tail, begin);
+    join(pass, vertex, tail, begin);
   else
-    lose_tail(pass, way, tail);
+    lose_tail(pass, vertex, tail);
 }
 
 // ---- how a chain comes to the vertex ----
 
 // A tail that starts here.
 template <class Index, class Normal>
-Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex, Index mate) {
+Index Fragments<Index, Normal>::new_tail(const Pass& pass, Place place, Index mate) {
   const Index tail = records_.take();
   EndRecord& record = end(tail);
   record.mate = mate;
   record.last = no_record;
-  record.side = side_at(vertex, pass.first, direction(pass, pass.first));
+  record.side = Side(direction(pass, pass.first), place);
   record.set_normal({});
   return tail;
 }
@@ -240,6 +236,7 @@ template <class Index, class Normal>
 template <class Normals>
 Index Fragments<Index, Normal>::begin_fragment(const Pass& pass, const Vertex& vertex,
                                                const Normals& normals) {
+  const Place here = place_of(vertex);
   const Direction came = direction(pass, pass.came);
   Index begin = no_record;
   if (admits(pass.in)) {
@@ -248,13 +245,13 @@ Index Fragments<Index, Normal>::begin_fragment(const Pass& pass, const Vertex& v
   } else {
     queues_.push_lost(records_, pass.in);
   }
-  const Index tail = new_tail(pass, vertex, begin != no_record ? begin : loose_end<Index>(came));
+  const Index tail = new_tail(pass, here, begin != no_record ? begin : loose_end<Index>(came));
   if (pass.came != pass.first) end(tail).set_normal(normals.normal_at(vertex));
   if (begin == no_record) return tail;
   EndRecord& record = end(begin);
   record.mate = tail;
   record.last = no_record;
-  record.side = side_at(vertex, pass.came, came);
+  record.side = Side(came, here);
   return tail;
 }
 
@@ -263,19 +260,20 @@ template <class Index, class Normal>
 template <class Normals>
 void Fragments<Index, Normal>::lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin,
                                               const Normals& normals) {
+  const Place here = place_of(vertex);
   Vertex corner = vertex;
   bool has_new_runs = false;
-  if (pass.second != pass.first) {
+  if (has_corner_at_centroid(pass)) {
     corner = moved(vertex, pass.first, 1);
-    turn_back(pass, begin, pass.second, corner, pass.first, normals.normal_at(corner));
+    turn_back(pass, begin, pass.second, place_of(corner), pass.first, normals.normal_at(corner));
     has_new_runs = true;
   }
   const bool is_corner = pass.came != pass.first;
   const bool is_waiting = admits(pass.in);
   if (is_corner || !is_waiting ||
-      links_to(end(begin).side, vertex, pass.first) >= Side::longest) {
+      links_between(here, end(begin).side.place(), pass.first) >= Side::longest) {
     corner = vertex;
-    turn_back(pass, begin, pass.first, vertex, pass.came,
+    turn_back(pass, begin, pass.first, here, pass.came,
               is_corner ? normals.normal_at(vertex) : Normal{});
     has_new_runs = true;
   }
@@ -298,56 +296,57 @@ void Fragments<Index, Normal>::lengthen_begin(const Pass& pass, const Vertex& ve
 
 // The side under way at a tail ends at a corner, and the next begins.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn(const Pass& pass, Index tail, Link came, const Vertex& corner,
+void Fragments<Index, Normal>::turn(const Pass& pass, Index tail, Link came, Place corner,
                                     Link onwards, Normal normal) {
   EndRecord& record = end(tail);
+  const Side side = record.side;
   Slot run;
-  run.run = short_run(record.side.direction(), links_from(record.side, corner, came));
+  run.run = short_run(side.direction(), links_between(side.place(), corner, came));
   run.set_normal(record.normal());
-  Lists::append(records_, record.last, run);
-  record.side = side_at(corner, onwards, direction(pass, onwards));
+  record.side = Side(direction(pass, onwards), corner);
   record.set_normal(normal);
+  Lists::append(records_, record.last, run);
 }
 
 // The side under way at a begin starts at a corner, and the one before it ends.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onwards,
-                                         const Vertex& corner, Link came, Normal normal) {
+                                         Place corner, Link came, Normal normal) {
   EndRecord& record = end(begin);
+  const Side side = record.side;
   Slot run;
-  run.run = short_run(record.side.direction(), links_to(record.side, corner, onwards));
+  run.run = short_run(side.direction(), links_between(corner, side.place(), onwards));
   run.set_normal(normal);
+  record.side = Side(direction(pass, came), corner);
   Lists::prepend(records_, is_loose(record.mate) ? record.last : end(record.mate).last, run);
-  record.side = side_at(corner, came, direction(pass, came));
 }
 
 // ---- how it goes on ----
 
 template <class Index, class Normal>
-void Fragments<Index, Normal>::leave(const Pass& pass, const Way& way, Index tail) {
+void Fragments<Index, Normal>::leave(const Pass& pass, const Vertex& vertex, Index tail,
+                                     bool has_new_runs) {
   if (!admits(pass.out)) {
     queues_.push_lost(records_, pass.out);
-    return lose_tail(pass, way, tail);
+    return lose_tail(pass, vertex, tail);
   }
   queues_.push(records_, pass.out, tail);
   const EndRecord& record = end(tail);
-  if (way.has_new_runs && should_send(record.last))
+  if (has_new_runs && should_send(record.last))
     send(pass, record.mate, tail, record.last,
-         begin_of(pass.incidence, record.last, way.corner));
+         begin_of(pass.incidence, record.last, last_corner(pass, vertex)));
 }
 
 // The fragment ends loose at the next vertex.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Way& way, Index tail) {
-  Vertex next = moved(way.corner, pass.second, 1);
-  if (pass.has_centroid && pass.second == pass.first) next = moved(next, pass.second, 1);
-  end_tail(pass, tail, pass.second, next);
+void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Vertex& vertex, Index tail) {
+  end_tail(pass, tail, pass.second, next_vertex(pass, vertex));
 }
 
 template <class Index, class Normal>
 void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along,
                                         const Vertex& vertex) {
-  turn(pass, tail, along, vertex, along, {});
+  turn(pass, tail, along, place_of(vertex), along, {});
   const EndRecord record = end(tail);
   records_.give(tail);
   if (is_loose(record.mate) || should_send(record.last))
@@ -368,10 +367,9 @@ void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& verte
   if (pass.goes_ahead || pass.out < first_rising_queue) return;
   const Index begin = queues_.pop(records_, pass.out);
   if (begin == no_record) return;
-  Vertex next = moved(vertex, pass.first, 1);
-  if (pass.has_centroid) next = moved(next, pass.second, 1);
-  if (links_to(end(begin).side, next, pass.second) > 0)
-    turn_back(pass, begin, pass.second, next, pass.second, {});
+  const Vertex next = next_vertex(pass, vertex);
+  if (end(begin).side.place() != place_of(next))
+    turn_back(pass, begin, pass.second, place_of(next), pass.second, {});
   const EndRecord record = end(begin);
   records_.give(begin);
   const Index list = is_loose(record.mate) ? record.last : end(record.mate).last;
@@ -383,34 +381,40 @@ void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& verte
 
 // The fragment goes on as one that has waited, or closes.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::join(const Pass& pass, const Way& way, Index tail, Index begin) {
+void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
+                                    Index begin) {
   const EndRecord after = end(begin);
-  const uint32_t links = links_to(after.side, way.corner, pass.second);
-  const Vertex corner = moved(way.corner, pass.second, links);
   EndRecord before = end(tail);
-  Index list = before.mate == begin     ? Index{no_record}
+  const bool is_closed = before.mate == begin;
+  Index list = is_closed              ? Index{no_record}
                : is_loose(after.mate) ? after.last
                                       : end(after.mate).last;
   Slot run;
-  run.run = short_run(after.side.direction(), links_from(before.side, corner, pass.second));
+  run.run = short_run(after.side.direction(),
+                      links_between(before.side.place(), after.side.place(), pass.second));
   run.set_normal(before.normal());
-  Vertex start = moved_back(corner, pass.second, length_of(run.run));
-  if (before.last == no_record && list != no_record)
+  const bool is_prepended = before.last == no_record && list != no_record;
+  if (is_prepended)
     Lists::prepend(records_, list, run);
   else
     Lists::append(records_, before.last, run);
   records_.give(tail);
   records_.give(begin);
-  if (before.mate == begin) {
+  const bool is_sent = is_closed || (is_loose(before.mate) && is_loose(after.mate)) ||
+                       should_send(before.last, list);
+  if (!is_sent)
+    return wire(before.mate, after.mate, Lists::concatenate(records_, before.last, list));
+  const Vertex last = last_corner(pass, vertex);
+  const Vertex corner =
+      moved(last, pass.second, links_between(place_of(last), after.side.place(), pass.second));
+  if (is_closed) {
     outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, before.last, corner};
     return;
   }
-  const bool is_sent =
-      (is_loose(before.mate) && is_loose(after.mate)) || should_send(before.last, list);
-  if (is_sent && before.last != no_record) start = begin_of(pass.incidence, before.last, corner);
-  const Index joined = Lists::concatenate(records_, before.last, list);
-  if (is_sent) return send(pass, before.mate, after.mate, joined, start);
-  wire(before.mate, after.mate, joined);
+  const Vertex start = is_prepended
+                           ? moved_back(corner, pass.second, length_of(run.run))
+                           : begin_of(pass.incidence, before.last, corner);
+  send(pass, before.mate, after.mate, Lists::concatenate(records_, before.last, list), start);
 }
 
 // Makes the two ends of a fragment name each other, and one of them its runs.

@@ -19,6 +19,10 @@ inline uint32_t plane_of(Incidence incidence, const Vertex& v) {
          static_cast<uint32_t>(n.z) * static_cast<uint32_t>(v.z);
 }
 
+inline int32_t coordinate(const Vertex& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
 template <class Index, class Normal>
 class Holes {
  public:

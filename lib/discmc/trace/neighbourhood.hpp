@@ -1,4 +1,4 @@
-// The 27 voxels around one, and the lines around the three crossing edges that begin at it.
+// The lines of voxels around a crossing edge (sector_table.hpp), out of rows of bits.
 #ifndef DISCMC_TRACE_NEIGHBOURHOOD_HPP
 #define DISCMC_TRACE_NEIGHBOURHOOD_HPP
 
@@ -34,41 +34,25 @@ inline constexpr LineBits lines_of_y[3] = {derive::line_bits(7, 0, 1), derive::l
 inline constexpr LineBits lines_of_z[3] = {derive::line_bits(3, 2, 1), derive::line_bits(4, 8, 0),
                                            derive::line_bits(5, 6, 7)};
 
-class Neighbourhood {
- public:
-  /// bit: of the voxel in its word, 1 to 30.
-  Neighbourhood(const RowBlock& rows, uint32_t word, uint32_t bit) {
+/// The ring of lines around the edge from a voxel to the next one along x, y or z, two bits each.
+/// bit: of the voxel in its word, 1 to 30.
+inline uint32_t lines_around(const RowBlock& rows, uint32_t word, uint32_t bit, int axis) {
+  const auto& row = rows.row;
+  if (axis == 0) {
+    const auto line = [&](int k, int j) { return row[k][j][word] >> bit & 3; };
+    return line(1, 2) | line(2, 2) << 2 | line(2, 1) << 4 | line(2, 0) << 6 | line(1, 0) << 8 |
+           line(0, 0) << 10 | line(0, 1) << 12 | line(0, 2) << 14;
+  }
+  const auto pair = [&](const LineBits& bits, const uint32_t* lower, const uint32_t* upper) {
     const uint32_t shift = bit - 1;
-#pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k)
-#pragma GCC unroll 3
-      for (int j = 0; j < 3; ++j) row_[k][j] = rows.row[k][j][word] >> shift & 7;
-  }
-
-  bool is_on() const { return (row_[1][1] & 2) != 0; }
-
-  /// The lines around the edge to the next voxel along x, y or z (sector_table.hpp).
-  uint32_t lines(int axis) const {
-    if (axis == 0)
-      return row_[1][2] >> 1 | (row_[2][2] & 6) << 1 | (row_[2][1] & 6) << 3 |
-             (row_[2][0] & 6) << 5 | (row_[1][0] & 6) << 7 | (row_[0][0] & 6) << 9 |
-             (row_[0][1] & 6) << 11 | (row_[0][2] & 6) << 13;
-    if (axis == 1)
-      return pair(lines_of_y[0], row_[2][1], row_[2][2]) |
-             pair(lines_of_y[1], row_[1][1], row_[1][2]) |
-             pair(lines_of_y[2], row_[0][1], row_[0][2]);
-    return pair(lines_of_z[0], row_[1][2], row_[2][2]) |
-           pair(lines_of_z[1], row_[1][1], row_[2][1]) |
-           pair(lines_of_z[2], row_[1][0], row_[2][0]);
-  }
-
- private:
-  static uint32_t pair(const LineBits& bits, uint32_t lower, uint32_t upper) {
-    return bits.of[lower] | uint32_t{bits.of[upper]} << 1;
-  }
-
-  uint32_t row_[3][3];  // [z - 1, z, z + 1][y - 1, y, y + 1]: bits of x - 1, x, x + 1
-};
+    return bits.of[lower[word] >> shift & 7] | uint32_t{bits.of[upper[word] >> shift & 7]} << 1;
+  };
+  if (axis == 1)
+    return pair(lines_of_y[0], row[2][1], row[2][2]) | pair(lines_of_y[1], row[1][1], row[1][2]) |
+           pair(lines_of_y[2], row[0][1], row[0][2]);
+  return pair(lines_of_z[0], row[1][2], row[2][2]) | pair(lines_of_z[1], row[1][1], row[2][1]) |
+         pair(lines_of_z[2], row[1][0], row[2][0]);
+}
 
 }  // namespace discmc::trace
 

@@ -30,22 +30,21 @@ class Passes {
   /// lines: of the ring around the crossing edge, two bits each (sector_table.hpp). absent: by
   /// quadrant, a bit: there is no cell, or none that takes part.
   Passes(const AxisTable& axis, bool lower_is_on, uint32_t lines, uint32_t absent)
-      : axis_(axis), lower_(lower_is_on ? 1 : 0), lines_(lines) {
-    const auto& sector = sector_table.sector[lower_];
-    sector_[0] = sector[0][cell_lines(0)];
-    sector_[1] = sector[1][cell_lines(1)];
-    sector_[2] = sector[2][cell_lines(2)];
-    sector_[3] = sector[3][cell_lines(3)];
-    headings_ = sector_[0].headings() | sector_[1].headings() << 8 | sector_[2].headings() << 16 |
-                sector_[3].headings() << 24;
+      : axis_(axis), lower_(lower_is_on ? 1 : 0), lines_(lines | lines << 16) {
+    uint32_t headings = sector(0).headings | uint32_t{sector(1).headings} << 8 |
+                        uint32_t{sector(2).headings} << 16 | uint32_t{sector(3).headings} << 24;
+    // Turned from quadrant 0 to their own: 2 lines on a quadrant, but for those that head nowhere.
+    const uint32_t nowhere = headings & 0x88888888;
+    headings = ((headings + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
     counts_ = count_part(0) + count_part(1) + count_part(2) + count_part(3);
-    if (absent != 0) remove(absent);
+    if (absent != 0) remove(absent, headings);
+    headings_ = headings;
     // A bit for every ray: the lowest of its nibble.
-    uint32_t differ = headings_ ^ (headings_ << 4 | headings_ >> 28);
+    uint32_t differ = headings ^ (headings << 4 | headings >> 28);
     differ |= differ >> 2;
     differ |= differ >> 1;
     rays_ = differ & 0x11111111;
-    begin_ = rays_;
+    left_ = rays_;
   }
 
   /// What the vertex adds to the counts of cells that take part: see CountParts.
@@ -53,10 +52,10 @@ class Passes {
 
   /// The next pass. False when there is none.
   bool next(Pass& pass) {
-    while (begin_ != 0) {
-      const uint32_t begin = nibble(begin_);
-      begin_ &= begin_ - 1;
-      const uint32_t end = nibble(begin_ != 0 ? begin_ : rays_);
+    while (left_ != 0) {
+      const uint32_t begin = nibble(left_);
+      left_ &= left_ - 1;
+      const uint32_t end = nibble(left_ != 0 ? left_ : rays_);
       const uint32_t heading = headings_ >> begin & 15;
       if (heading > no_heading) continue;
       pass.incidence = axis_.incidence[lower_][heading];
@@ -67,74 +66,65 @@ class Passes {
     return false;
   }
 
+  /// What next() has yet to look at, and to go on from there.
+  uint32_t left() const { return left_; }
+  void go_on(uint32_t left) { left_ = left; }
+
  private:
   // Rays are told by where their nibble begins.
   static uint32_t nibble(uint32_t bits) { return trailing_zeros(bits); }
-  static bool is_face(uint32_t ray) { return ray % 8 == 0; }
+  static bool is_face(uint32_t ray) { return (ray & 4) == 0; }
 
   // The lines of a quadrant's cell.
-  uint32_t cell_lines(int quadrant) const {
-    return (quadrant < 3 ? lines_ >> 4 * quadrant : lines_ >> 12 | lines_ << 4) & 63;
+  uint32_t cell_lines(uint32_t quadrant) const { return lines_ >> 4 * quadrant & 63; }
+  const Sector& sector(uint32_t quadrant) const {
+    return sector_table.sector[lower_][cell_lines(quadrant)];
   }
-  uint32_t count_part(int quadrant) const {
+  uint32_t count_part(uint32_t quadrant) const {
     return count_parts.part[count_parts.kind[lower_][cell_lines(quadrant)]];
   }
 
-  void remove(uint32_t absent) {
-    for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
+  void remove(uint32_t absent, uint32_t& headings) {
+    for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       if ((absent >> quadrant & 1) == 0) continue;
-      headings_ |= uint32_t{0xFF} << 8 * quadrant;
+      headings |= uint32_t{0xFF} << 8 * quadrant;
       counts_ -= count_part(quadrant);
     }
   }
 
-  const FaceRay& face_ray(uint32_t quadrant) const {
-    const uint32_t line = lines_ >> 4 * quadrant & 3;
-    return axis_.face_ray[quadrant][sector_table.face_turn[lower_][line]];
+  uint32_t face_way(uint32_t quadrant) const {
+    return sector_table.face_way[lower_][lines_ >> 4 * quadrant & 3];
   }
 
   void come_along(Pass& pass, uint32_t ray) const {
     const uint32_t quadrant = ray / 8;
-    if (is_face(ray)) {
-      const FaceRay& face = face_ray(quadrant);
-      pass.came = opposite_link(face.link);
-      pass.comes_from_ahead = face.is_ahead;
-      pass.in = static_cast<uint8_t>(face.queue + (face.is_ahead ? 1 : 0));
-      return;
-    }
-    const CellEdge own = axis_.own_edge[quadrant];
-    const CellEdge from = axis_.edge[sector_[quadrant].from()];
-    pass.came = opposite_link(sector_table.inwards[own]);
-    pass.comes_from_ahead = from > own;
-    pass.in = sector_table.queue[from][own];
+    const Way* const ways = axis_.way[quadrant];
+    const bool on_face = is_face(ray);
+    const Way way = ways[on_face ? face_way(quadrant) : sector(quadrant).edges >> 4U];
+    pass.came = opposite_link(on_face ? way.link() : axis_.inwards[quadrant]);
+    pass.comes_from_ahead = way.is_ahead();
+    pass.in = way.queue_in();
   }
 
   void go_along(Pass& pass, uint32_t ray) const {
     const uint32_t quadrant = ray / 8;
-    pass.has_centroid = !is_face(ray);
-    if (is_face(ray)) {
-      const FaceRay& face = face_ray(quadrant);
-      pass.first = pass.second = face.link;
-      pass.goes_ahead = face.is_ahead;
-      pass.out = static_cast<uint8_t>(face.queue + (face.is_ahead ? 0 : 1));
-      return;
-    }
-    const CellEdge own = axis_.own_edge[quadrant];
-    const CellEdge to = axis_.edge[sector_[quadrant].to()];
-    pass.first = sector_table.inwards[own];
-    pass.second = opposite_link(sector_table.inwards[to]);
-    pass.goes_ahead = to > own;
-    pass.out = sector_table.queue[own][to];
+    const Way* const ways = axis_.way[quadrant];
+    const bool on_face = is_face(ray);
+    const Way way = ways[on_face ? face_way(quadrant) : sector(quadrant).edges & 15U];
+    pass.has_centroid = !on_face;
+    pass.first = on_face ? way.link() : axis_.inwards[quadrant];
+    pass.second = way.link();
+    pass.goes_ahead = way.is_ahead();
+    pass.out = way.queue_out();
   }
 
   const AxisTable& axis_;
   uint32_t lower_;
-  uint32_t lines_;
-  Sector sector_[quadrants];
+  uint32_t lines_;  // once and once more
   uint32_t headings_;
   uint32_t counts_;
   uint32_t rays_;
-  uint32_t begin_;  // the rays at which the next wedges begin
+  uint32_t left_;  // the rays at which the next wedges begin
 };
 
 }  // namespace discmc::trace

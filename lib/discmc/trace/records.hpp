@@ -26,21 +26,29 @@ struct NormalPart<NoNormal> {
   void set_normal(NoNormal) {}
 };
 
-/// A direction, and the place of a corner on the line along it: the coordinate that the link
-/// changes, in half-steps modulo 8,192.
+/// Where a vertex lies along a line of links, in one number whatever the line: x + 2 y + 3 z modulo
+/// 8,192. Every link changes it, by 1 to 6.
+using Place = uint32_t;
+
+constexpr uint32_t place_bits = 13;
+constexpr Place place_of(const Vertex& v) {
+  return (static_cast<uint32_t>(v.x) + 2 * static_cast<uint32_t>(v.y) +
+          3 * static_cast<uint32_t>(v.z)) &
+         ((1U << place_bits) - 1);
+}
+
+/// A direction, and the place of a corner on the line along it.
 class Side {
  public:
-  static constexpr uint32_t modulus = 0x2000;
-  /// A side is broken off at this length, so that two which join have a place that is not
-  /// ambiguous. Units: links, of up to two half-steps.
-  static constexpr uint32_t longest = modulus / 4 - 4;
+  /// A side is broken off at this length, so that two which join have a length that is told by their
+  /// places. Units: links.
+  static constexpr uint32_t longest = 1020;
 
   Side() = default;
-  Side(Direction direction, int32_t coordinate)
-      : code_(static_cast<uint16_t>((static_cast<uint32_t>(coordinate) & (modulus - 1)) << 3 |
-                                    direction)) {}
+  Side(Direction direction, Place place)
+      : code_(static_cast<uint16_t>(place << 3 | direction)) {}
   Direction direction() const { return code_ & 7; }
-  int32_t coordinate() const { return code_ >> 3; }
+  Place place() const { return code_ >> 3; }
 
   uint16_t bits() const { return code_; }
   void set_bits(uint16_t bits) { code_ = bits; }

@@ -106,11 +106,7 @@ constexpr uint8_t heading_of(Incidence incidence) {
   return no_heading;
 }
 
-constexpr uint32_t turned_heading(uint32_t heading, int quadrant) {
-  return heading == no_heading ? heading : (heading + 2 * static_cast<uint32_t>(quadrant)) % 8;
-}
-
-constexpr Sector sector_of(int quadrant, int lower_is_on, int lines) {
+constexpr Sector sector_of(int lower_is_on, int lines) {
   const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
   const LoopFacets& facets = vertex.facets;
   const int i = vertex.index;
@@ -118,21 +114,35 @@ constexpr Sector sector_of(int quadrant, int lower_is_on, int lines) {
   const Incidence after = facets.behind(i);
   const Incidence first = lower_is_on != 0 ? after : before;
   const Incidence second = lower_is_on != 0 ? before : after;
-  const uint32_t headings = turned_heading(heading_of(first), quadrant) |
-                            turned_heading(heading_of(second), quadrant) << 4;
-  if (before == after) return Sector(headings, 0, 0);
+  const auto headings = static_cast<uint8_t>(heading_of(first) | heading_of(second) << 4);
+  if (before == after) return {headings, 0};
   // The facets before the vertex end at its spoke: their chain leaves it for where they begin.
   int begin = i - 1;
   while (facets.behind(begin - 1) == before) --begin;
   // The facets after it begin there: their chain comes from where they end.
   int end = i + 1;
   while (facets.behind(end) == after) ++end;
-  const CellEdge from = edges.number[facets.loop.point[facets.wrap(end)]];
   const CellEdge to = edges.number[facets.loop.point[facets.wrap(begin)]];
-  return Sector(headings, turned_edge(from, quadrant), turned_edge(to, quadrant));
+  const CellEdge from = edges.number[facets.loop.point[facets.wrap(end)]];
+  return {headings, static_cast<uint8_t>(to | from << 4)};
 }
 
-// ---- queues ----
+// ---- ways ----
+
+// An edge as it is, of one as if the axis were x and the quadrant the first.
+constexpr CellEdge edge_in(int axis, int quadrant, CellEdge edge) {
+  const CellEdge turned = turned_edge(edge, quadrant);
+  return edges.number[point_at(from_axis_frame(axis, position(edges.point[turned])))];
+}
+
+// The edge of the quadrant's cell that the vertex lies on.
+constexpr CellEdge own_edge(int axis, int quadrant) {
+  return edge_in(axis, quadrant, edges.number[point_at({1, 0, 0})]);
+}
+
+constexpr Link link_inwards(CellEdge edge) {
+  return derive::link_of(links, position(centroid) - position(edges.point[edge]));
+}
 
 // Numbers queues, those within a slice first.
 struct QueueNumbers {
@@ -145,27 +155,60 @@ struct QueueNumbers {
   }
 };
 
-constexpr void add_spoke_queues(SectorTable& table, QueueNumbers& numbers) {
+// The queue for chains from an edge of a cell by the centroid to another. That of the way back is
+// the other one of a pair, whether chains go there or not.
+struct SpokeQueues {
+  uint8_t queue[cell_edges][cell_edges];
+};
+
+constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers& numbers) {
   bool is_used[cell_edges][cell_edges] = {};
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& lower : table.sector)
-        for (const Sector& sector : lower[quadrant]) {
-          if (!sector.has_spoke()) continue;
-          const CellEdge own = table.axis[axis].own_edge[quadrant];
-          is_used[own][table.axis[axis].edge[sector.to()]] = true;
-          is_used[table.axis[axis].edge[sector.from()]][own] = true;
-        }
+      for (const auto& of_lower : table.sector)
+        for (const Sector& sector : of_lower)
+          if (sector.edges != 0) {
+            const CellEdge own = own_edge(axis, quadrant);
+            is_used[own][edge_in(axis, quadrant, sector.edges & 15)] = true;
+            is_used[edge_in(axis, quadrant, sector.edges >> 4)][own] = true;
+          }
+  SpokeQueues spokes{};
+  const auto add = [&](int from, int to, int count) {
+    const bool is_rising =
+        is_in_next_slice(position(edges.point[from]), position(edges.point[to]));
+    spokes.queue[from][to] = numbers.take(count, is_rising);
+    spokes.queue[to][from] = spokes.queue[from][to] ^ 1;
+  };
+  for (int from = 0; from < cell_edges; ++from)
+    for (int to = from + 1; to < cell_edges; ++to)
+      if (is_used[from][to] && is_used[to][from]) add(from, to, 2);
   for (int from = 0; from < cell_edges; ++from)
     for (int to = 0; to < cell_edges; ++to)
-      if (is_used[from][to])
-        table.queue[from][to] = numbers.take(
-            1, is_in_next_slice(position(edges.point[from]), position(edges.point[to])));
+      if (is_used[from][to] && !is_used[to][from]) add(from, to, 1);
+  return spokes;
 }
 
-constexpr Vertex face_vector(int quadrant, int turn) {
+constexpr void add_spoke_ways(SectorTable& table, const SpokeQueues& spokes) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+      for (const auto& of_lower : table.sector)
+        for (const Sector& sector : of_lower) {
+          const CellEdge own = own_edge(axis, quadrant);
+          const uint8_t to_and_from[] = {static_cast<uint8_t>(sector.edges & 15),
+                                         static_cast<uint8_t>(sector.edges >> 4)};
+          for (const uint8_t way : to_and_from) {
+            if (sector.edges == 0) continue;
+            const CellEdge other = edge_in(axis, quadrant, way);
+            table.axis[axis].way[quadrant][way] =
+                Way(opposite_link(link_inwards(other)), spokes.queue[own][other], other > own);
+          }
+        }
+}
+
+constexpr Vertex face_vector(int quadrant, uint8_t way) {
   const Vertex across = quarter_turns({0, 1, 0}, quadrant);
-  return turn == 0 ? across + across : across + Vertex{turn == 1 ? -1 : 1, 0, 0};
+  return way == straight_way ? across + across
+                             : across + Vertex{way == downward_way ? -1 : 1, 0, 0};
 }
 
 constexpr Vertex lowest_on_axis(int axis) {
@@ -175,9 +218,12 @@ constexpr Vertex lowest_on_axis(int axis) {
 // The same link begins at either of its vertices: the earlier one names it.
 constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& begin, Link link) {
   for (int axis = 0; axis < 3; ++axis)
-    for (const auto& of_quadrant : table.axis[axis].face_ray)
-      for (const FaceRay& ray : of_quadrant)
-        if (lowest_on_axis(axis) == begin && ray.link == link && ray.is_ahead) return ray.queue;
+    for (const auto& of_quadrant : table.axis[axis].way)
+      for (int i = straight_way; i < ways; ++i) {
+        const Way& way = of_quadrant[i];
+        if (lowest_on_axis(axis) == begin && way.link() == link && way.is_ahead())
+          return way.queue_out();
+      }
   return queue_count;
 }
 
@@ -186,88 +232,79 @@ constexpr Vertex moved_to_origin(const Vertex& v) {
   return {v.x & 1, v.y & 1, v.z & 1};
 }
 
-constexpr void add_face_rays(SectorTable& table, QueueNumbers& numbers) {
+constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
   // First those ahead, which number the queues, then those behind, which find them.
   for (int pass = 0; pass < 2; ++pass)
     for (int axis = 0; axis < 3; ++axis)
       for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-        for (int turn = 0; turn < 3; ++turn) {
-          FaceRay& ray = table.axis[axis].face_ray[quadrant][turn];
+        for (uint8_t way = straight_way; way < ways; ++way) {
           const Vertex here = lowest_on_axis(axis);
-          const Vertex vector = from_axis_frame(axis, face_vector(quadrant, turn));
+          const Vertex vector = from_axis_frame(axis, face_vector(quadrant, way));
           const Vertex there = here + vector;
-          ray.link = derive::link_of(links, vector);
-          ray.is_ahead = is_visited_before(here, there);
-          if (ray.is_ahead && pass == 0)
-            ray.queue = numbers.take(2, is_in_next_slice(here, there));
-          if (!ray.is_ahead && pass == 1)
-            ray.queue =
-                queue_of_face_link(table, moved_to_origin(there), opposite_link(ray.link));
+          const bool is_ahead = is_visited_before(here, there);
+          if (is_ahead != (pass == 0)) continue;
+          const Link link = derive::link_of(links, vector);
+          const auto queue = static_cast<uint8_t>(
+              is_ahead ? numbers.take(2, is_in_next_slice(here, there))
+                       : queue_of_face_link(table, moved_to_origin(there), opposite_link(link)) + 1);
+          table.axis[axis].way[quadrant][way] = Way(link, queue, is_ahead);
         }
 }
 
 // Which way the link on a face goes from a vertex, by the bits of the other line on that face: on
 // corners are separated.
-constexpr uint8_t face_turn_of(int lower_is_on, int line) {
+constexpr uint8_t face_way_of(int lower_is_on, int line) {
   const bool lower = (line & 1) != 0, upper = (line & 2) != 0;
   const bool here = lower_is_on != 0;
-  if (lower != upper && lower == here) return 0;
+  if (lower != upper && lower == here) return straight_way;
   // The link cuts off one corner of the middle line: the one on, or where both others are on, the
   // one off.
   const bool is_upper_cut_off = lower && upper ? here : !here;
-  return is_upper_cut_off ? 2 : 1;
+  return is_upper_cut_off ? upward_way : downward_way;
 }
 
-constexpr AxisTable derive_axis(int axis) {
-  AxisTable table{};
-  for (CellEdge edge = 0; edge < cell_edges; ++edge)
-    table.edge[edge] = edges.number[point_at(from_axis_frame(axis, position(edges.point[edge])))];
-  for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-    table.own_edge[quadrant] =
-        table.edge[turned_edge(edges.number[point_at({1, 0, 0})], quadrant)];
+// ---- the table ----
+
+constexpr void add_incidences(AxisTable& table, int axis) {
   for (int lower = 0; lower < 2; ++lower)
     for (uint8_t heading = 0; heading <= no_heading; ++heading) {
       Vertex n = heading == no_heading ? Vertex{0, 0, 0} : line_at(heading);
       n.x = lower != 0 ? 1 : -1;
       table.incidence[lower][heading] = incidence_of(from_axis_frame(axis, n));
     }
-  return table;
 }
 
 constexpr SectorTable derive_table() {
   SectorTable table{};
-  for (int lower = 0; lower < 2; ++lower)
+  for (int lower = 0; lower < 2; ++lower) {
+    for (int lines = 0; lines < 64; ++lines) table.sector[lower][lines] = sector_of(lower, lines);
+    for (int line = 0; line < 4; ++line) table.face_way[lower][line] = face_way_of(lower, line);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    add_incidences(table.axis[axis], axis);
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (int lines = 0; lines < 64; ++lines)
-        table.sector[lower][quadrant][lines] = sector_of(quadrant, lower, lines);
-  for (int axis = 0; axis < 3; ++axis) table.axis[axis] = derive_axis(axis);
-  for (int edge = 0; edge < cell_edges; ++edge)
-    table.inwards[edge] =
-        derive::link_of(links, position(centroid) - position(edges.point[edge]));
-  for (int lower = 0; lower < 2; ++lower)
-    for (int line = 0; line < 4; ++line) table.face_turn[lower][line] = face_turn_of(lower, line);
+      table.axis[axis].inwards[quadrant] = link_inwards(own_edge(axis, quadrant));
+  }
   for (int i = 0; i < incidence_codes; ++i)
     for (Link link = 0; link < link_codes; ++link)
       table.direction[i][link] =
           i == no_incidence ? no_direction : direction_of(static_cast<Incidence>(i), link);
   QueueNumbers numbers;
-  add_face_rays(table, numbers);
-  add_spoke_queues(table, numbers);
+  add_face_ways(table, numbers);
+  add_spoke_ways(table, number_spoke_queues(table, numbers));
   return table;
 }
 
 constexpr SectorTable derived = derive_table();
 
-constexpr bool queues_are_distinct() {
-  int users[queue_count] = {};
+// Every queue is that of the chains that go along a way, from the one end or the other.
+constexpr bool queues_are_all_used() {
+  bool is_used[queue_count] = {};
   for (const AxisTable& axis : derived.axis)
-    for (const auto& of_quadrant : axis.face_ray)
-      for (const FaceRay& ray : of_quadrant)
-        for (int way = 0; way < 2 && ray.is_ahead; ++way) ++users[ray.queue + way];
-  for (const auto& from : derived.queue)
-    for (const uint8_t queue : from) users[queue] += queue != 0;
-  for (const int count : users)
-    if (count != 1) return false;
+    for (const auto& of_quadrant : axis.way)
+      for (const Way& way : of_quadrant) is_used[way.queue_out()] = true;
+  for (const bool used : is_used)
+    if (!used) return false;
   return true;
 }
 
@@ -305,7 +342,7 @@ constexpr CountsDerived derived_counts = derive_counts();
 
 static_assert(derived_counts.kinds <= 32, "every kind has its place");
 
-static_assert(queues_are_distinct(), "18 kinds of links on faces, and 108 ways by a centroid");
+static_assert(queues_are_all_used(), "18 kinds of links on faces both ways, and 108 ways by a centroid");
 
 }  // namespace
 

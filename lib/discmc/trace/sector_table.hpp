@@ -27,57 +27,66 @@ using CellEdge = uint8_t;
 
 constexpr int cell_edges = 12;
 constexpr int quadrants = 4;
-constexpr int rays = 8;
 constexpr uint8_t no_heading = 8;
 
-/// What a cell is at one of its vertices: two headings, and where the chains of its spoke lead.
-class Sector {
- public:
-  constexpr Sector() = default;
-  constexpr Sector(uint32_t headings, CellEdge from, CellEdge to)
-      : code_(static_cast<uint16_t>(headings | uint32_t{from} << 8 | uint32_t{to} << 12)) {}
-
-  /// Of the quadrant's first sector in bits 0 to 3, of its second in bits 4 to 7.
-  constexpr uint32_t headings() const { return code_ & 0xFF; }
-  /// Whether the spoke is boundary: its two sectors differ.
-  constexpr bool has_spoke() const { return (code_ & 15) != (code_ >> 4 & 15); }
-  /// The chain that comes along the spoke comes from this edge of the cell by its centroid ...
-  constexpr CellEdge from() const { return code_ >> 8 & 15; }
-  /// ... and the one that leaves along it goes to this edge. Both as if the axis were x.
-  constexpr CellEdge to() const { return static_cast<CellEdge>(code_ >> 12); }
-
- private:
-  uint16_t code_ = 0;
-};
-
-/// A link between two vertices on a face of a cell, seen from one of them.
-struct FaceRay {
-  Link link;
-  uint8_t queue;  ///< of the chains that go from its earlier vertex to the later; 1 more: back
-  bool is_ahead;  ///< the other vertex is visited later
+/// What a cell is at one of its vertices, turned to quadrant 0: two headings, and where the chains of
+/// its spoke lead.
+struct Sector {
+  /// Of the quadrant's first sector in bits 0 to 3, of its second in bits 4 to 7. The spoke is
+  /// boundary where they differ.
+  uint8_t headings;
+  /// The chain that leaves along the spoke goes to the edge in bits 0 to 3 by the cell's centroid,
+  /// and the one that comes along it is from the edge in bits 4 to 7. Both as if the axis were x.
+  uint8_t edges;
 };
 
 /// Ends wait in queues, one for each kind of link and each way of the chain along it: 36 for links
-/// on faces, by their vectors, and 108 for links by the centroid of a cell, by the edges that they
-/// join. Links of one kind end in the order in which they began. Those of the first queues stay
-/// within a slice, those from `first_rising_queue` on reach the next.
+/// on faces, by the edge that they begin on and their vector, and 108 for links by the centroid of a
+/// cell, by the edges that they join. Links of one kind end in the order in which they began. Those
+/// of the first queues stay within a slice, those from `first_rising_queue` on reach the next. The
+/// queues of a link's two ways differ in their lowest bit.
 constexpr int queue_count = 144;
 constexpr int first_rising_queue = 76;
 
+/// The link that runs along a ray from a vertex to another.
+class Way {
+ public:
+  constexpr Way() = default;
+  /// queue: of the chains that go from the vertex.
+  constexpr Way(Link link, uint8_t queue, bool is_ahead)
+      : queue_(queue), link_(static_cast<uint8_t>(link | (is_ahead ? ahead : 0))) {}
+
+  /// By a centroid: from there to the other vertex.
+  constexpr Link link() const { return link_ & (ahead - 1); }
+  /// Whether the other vertex is visited later.
+  constexpr bool is_ahead() const { return link_ >= ahead; }
+  /// Where the chains wait that go along the ray, and those that come along it.
+  constexpr uint8_t queue_out() const { return queue_; }
+  constexpr uint8_t queue_in() const { return queue_ ^ 1; }
+
+ private:
+  static constexpr uint8_t ahead = 0x80;
+  uint8_t queue_ = 0;
+  uint8_t link_ = 0;
+};
+
+/// The ways of a quadrant: along its spoke by the edge where it leads (as in a Sector), and on its
+/// face straight, down or up the axis.
+constexpr int ways = cell_edges + 3;
+constexpr uint8_t straight_way = cell_edges, downward_way = cell_edges + 1,
+                  upward_way = cell_edges + 2;
+
 /// What depends on the axis of an edge.
 struct AxisTable {
-  FaceRay face_ray[quadrants][3];      ///< [quadrant][straight, down or up the axis]
-  CellEdge edge[cell_edges];           ///< an edge as if the axis were x, as it is
-  CellEdge own_edge[quadrants];        ///< the edge of the quadrant's cell that the vertex lies on
+  Way way[quadrants][ways];
+  Link inwards[quadrants];                 ///< from the vertex to the centroid
   Incidence incidence[2][no_heading + 1];  ///< [lower end is on][heading]
 };
 
 struct SectorTable {
-  Sector sector[2][quadrants][64];  ///< [lower end is on][quadrant][bits of its three lines]
+  Sector sector[2][64];  ///< [lower end is on][bits of the quadrant's three lines]
   AxisTable axis[3];
-  uint8_t face_turn[2][4];               ///< which face ray: [lower end is on][bits of the line]
-  uint8_t queue[cell_edges][cell_edges];  ///< of the chains from one edge by the centroid to another
-  Link inwards[cell_edges];               ///< from an edge to the centroid
+  uint8_t face_way[2][4];  ///< [lower end is on][bits of the line]: one of the ways on the face
   Direction direction[incidence_codes][link_codes];  ///< of a link in a plane, or no_direction
 };
 

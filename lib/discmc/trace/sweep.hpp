@@ -11,13 +11,20 @@
 
 namespace discmc::trace {
 
+/// What is done at the vertices of a row.
+enum class RowWork : uint8_t {
+  take_passes,
+  end_chains,   ///< above a slab: the chains that come up to it end,
+  begin_chains  ///< and those that go down from it begin
+};
+
 /// A row of voxels and what of its surroundings takes part.
 struct SweptRow {
   RowBlock rows;
+  RowWork work;
   int32_t y, z;
   uint32_t absent[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
   uint32_t axes;       ///< whose edges are there, a bit each
-  bool is_above_slab;  ///< what comes from below ends here, and nothing begins
 
   /// is_absent: of the four rows of cells around, [z - 1, z][y - 1, y].
   void set_absent(const bool (&is_absent)[2][2]) {
@@ -73,7 +80,7 @@ class Sweep {
     chains_.clear();
     delivery_.clear();
     cells_ = facets_ = triangles_ = {};
-    place_ = Place{};
+    suspension_ = Suspension{};
   }
 
   /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
@@ -83,9 +90,8 @@ class Sweep {
 
  private:
   template <class Normals>
-  bool visit(const SweptRow& row, const RowEnds& ends, const Neighbourhood& around, int axis,
-             uint32_t x, const Normals& normals, const Sink& sink, Statistics& statistics);
-  bool end_above(Passes& passes, const Vertex& vertex, const Sink& sink, Statistics& statistics);
+  bool visit(const SweptRow& row, Passes& passes, const Vertex& vertex, const Normals& normals,
+             const Sink& sink, Statistics& statistics);
   void count(uint32_t parts) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     cells_.add(parts & ((1U << facet) - 1));
@@ -93,16 +99,15 @@ class Sweep {
     triangles_.add(parts >> triangle);
   }
 
-  // Where the sweep of a row was suspended: the word, what of it has been visited (voxels, and of the
-  // next voxel the axes of edges), and the steps done at the next vertex: one a pass, or two above a
-  // slab.
-  struct Place {
+  // Where the sweep of a row was suspended: the word, the edges in it that have been visited, and
+  // what is left of the passes at the next vertex, if it has begun.
+  struct Suspension {
     uint32_t word = 0;
-    uint32_t voxels = 0;
-    uint32_t axes = 0;
-    uint32_t steps = 0;
+    uint32_t visited[3] = {};  // by axis
+    uint32_t passes = 0;
+    bool is_within_vertex = false;
   };
-  Place place_;
+  Suspension suspension_;
   PartCount cells_, facets_, triangles_;
   Fragments<Index, Normal> chains_;
   Delivery<Index, Normal> delivery_;
@@ -114,16 +119,13 @@ class Sweep {
 struct Crossings {
   uint32_t of[3];
 
-  Crossings(const SweptRow& row, uint32_t word) {
-    const uint32_t here = row.rows.row[1][1][word];
+  Crossings(const RowBlock& rows, uint32_t word) {
+    const uint32_t here = rows.row[1][1][word];
     of[0] = here ^ here >> 1;
-    of[1] = here ^ row.rows.row[1][2][word];
-    of[2] = here ^ row.rows.row[2][1][word];
+    of[1] = here ^ rows.row[1][2][word];
+    of[2] = here ^ rows.row[2][1][word];
   }
-  /// The axes along which the edge of a voxel crosses, a bit each.
-  uint32_t axes(uint32_t bit) const {
-    return (of[0] >> bit & 1) | (of[1] >> bit & 1) << 1 | (of[2] >> bit & 1) << 2;
-  }
+  uint32_t voxels() const { return of[0] | of[1] | of[2]; }
 };
 
 template <class Index, class Normal>
@@ -132,83 +134,66 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
                                  const Normals& normals, const Sink& sink,
                                  Statistics& statistics) {
   if (!delivery_.settle(chains_, sink, statistics)) return false;
+  const Vertex first[] = {{1, 2 * row.y, 2 * row.z},
+                          {0, 2 * row.y + 1, 2 * row.z},
+                          {0, 2 * row.y, 2 * row.z + 1}};
   const uint32_t has_y = (row.axes & 2) != 0 ? own_columns : 0;
   const uint32_t has_z = (row.axes & 4) != 0 ? own_columns : 0;
-  for (uint32_t word = place_.word; word < words; ++word) {
-    Crossings crossings(row, word);
+  for (uint32_t word = suspension_.word; word < words; ++word) {
+    Crossings crossings(row.rows, word);
+    if ((crossings.voxels() & own_columns) == 0) continue;
     crossings.of[0] &= ends.are_open ? inner_columns(word, ends.width) : own_columns;
     crossings.of[1] &= has_y;
     crossings.of[2] &= has_z;
-    uint32_t voxels = (crossings.of[0] | crossings.of[1] | crossings.of[2]) & ~place_.voxels;
-    for (; voxels != 0; voxels &= voxels - 1) {
+    for (int axis = 0; axis < 3; ++axis) crossings.of[axis] &= ~suspension_.visited[axis];
+    for (uint32_t voxels = crossings.voxels(); voxels != 0; voxels &= voxels - 1) {
       const uint32_t bit = trailing_zeros(voxels);
-      const Neighbourhood around(row.rows, word, bit);
-      uint32_t axes = crossings.axes(bit) & ~place_.axes;
-      for (; axes != 0; axes &= axes - 1) {
-        const int axis = static_cast<int>(trailing_zeros(axes));
-        const uint32_t x = word * columns_per_word + bit - 2;  // -1 wraps
-        if (visit(row, ends, around, axis, x, normals, sink, statistics)) continue;
-        place_.word = word;
-        place_.voxels = ~voxels;
-        place_.axes = ~axes;
+      const uint32_t x = word * columns_per_word + bit - 2;  // -1 wraps
+      for (int axis = 0; axis < 3; ++axis) {
+        if ((crossings.of[axis] >> bit & 1) == 0) continue;
+        Passes passes(sector_table.axis[axis], (row.rows.row[1][1][word] >> bit & 1) != 0,
+                      lines_around(row.rows, word, bit, axis),
+                      row.absent[axis] | ends.absent(axis, x));
+        const Vertex vertex{first[axis].x + 2 * static_cast<int32_t>(x), first[axis].y,
+                            first[axis].z};
+        if (visit(row, passes, vertex, normals, sink, statistics)) continue;
+        suspension_.word = word;
+        for (int i = 0; i < 3; ++i) suspension_.visited[i] = (1U << bit) * (i < axis ? 2 : 1) - 1;
         return false;
       }
-      place_.axes = 0;
     }
-    place_.voxels = 0;
+    for (uint32_t& visited : suspension_.visited) visited = 0;
   }
-  place_ = Place{};
+  suspension_.word = 0;
   cells_.add_to(statistics.cells, CountParts::cell);
   facets_.add_to(statistics.facets, CountParts::facet);
   triangles_.add_to(statistics.classic_triangles, CountParts::triangle);
   return true;
 }
 
-// Visits the vertex on the edge of voxel x along an axis.
 template <class Index, class Normal>
 template <class Normals>
-bool Sweep<Index, Normal>::visit(const SweptRow& row, const RowEnds& ends,
-                                 const Neighbourhood& around, int axis, uint32_t x,
+bool Sweep<Index, Normal>::visit(const SweptRow& row, Passes& passes, const Vertex& vertex,
                                  const Normals& normals, const Sink& sink,
                                  Statistics& statistics) {
-  Passes passes(sector_table.axis[axis], around.is_on(), around.lines(axis),
-                row.absent[axis] | ends.absent(axis, x));
-  const Vertex vertex{2 * static_cast<int32_t>(x) + (axis == 0), 2 * row.y + (axis == 1),
-                      2 * row.z + (axis == 2)};
-  if (row.is_above_slab) return end_above(passes, vertex, sink, statistics);
-  if (place_.steps == 0) count(passes.counts());
-  uint32_t step = 0;
+  if (suspension_.is_within_vertex)
+    passes.go_on(suspension_.passes);
+  else if (row.work == RowWork::take_passes)
+    count(passes.counts());
+  suspension_.is_within_vertex = false;
   Pass pass;
   while (passes.next(pass)) {
-    if (++step <= place_.steps) continue;
-    chains_.take(pass, vertex, normals);
+    if (row.work == RowWork::take_passes)
+      chains_.take(pass, vertex, normals);
+    else if (row.work == RowWork::end_chains)
+      chains_.end_at(pass, vertex);
+    else
+      chains_.begin_below(pass, vertex);
     if (!chains_.has_outgoing() || delivery_.settle(chains_, sink, statistics)) continue;
-    place_.steps = step;
+    suspension_.is_within_vertex = true;
+    suspension_.passes = passes.left();
     return false;
   }
-  place_.steps = 0;
-  return true;
-}
-
-// Ends the chains that come up to a vertex of the slice above a slab, and begins those that go down
-// from it: two steps a pass.
-template <class Index, class Normal>
-bool Sweep<Index, Normal>::end_above(Passes& passes, const Vertex& vertex, const Sink& sink,
-                                     Statistics& statistics) {
-  uint32_t step = 0;
-  Pass pass;
-  while (passes.next(pass))
-    for (int half = 0; half < 2; ++half) {
-      if (++step <= place_.steps) continue;
-      if (half == 0)
-        chains_.end_at(pass, vertex);
-      else
-        chains_.begin_below(pass, vertex);
-      if (delivery_.settle(chains_, sink, statistics)) continue;
-      place_.steps = step;
-      return false;
-    }
-  place_.steps = 0;
   return true;
 }
 
