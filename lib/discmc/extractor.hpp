@@ -42,8 +42,9 @@ struct HighWater {
 /// Index is uint16_t (up to 32,759 records; firmware) or uint32_t (hosts). The events do not depend
 /// on it, given the same capacities. Normals is NoNormals, or GradientNormals<Sample>: then push()
 /// takes samples of this type alone, keeps those of four slices in the memory, and sweeps a slice
-/// and a row later; the events are the same but for the normals in them.
-template <class Index, class Normals = NoNormals>
+/// and a row later; the events are the same but for the normals in them. Passes: see
+/// learning_extractor.hpp.
+template <class Index, class Normals = NoNormals, class Passes = trace::DerivedPasses>
 class Extractor {
  public:
   /// Begins a scan with as many records as the memory has room for (default_capacities()).
@@ -116,6 +117,15 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
+  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next. None
+  /// to begin with, and none after restore(). Owner: the memory is the caller's, as long as scans
+  /// last. Limit: a LearningExtractor. Cost: a write for every 80 bytes.
+  template <class P = Passes>
+  void learn_in(Memory memory) {
+    P& passes = sweep_.passes();
+    passes.learn_in(memory);
+  }
+
   /// Totals so far, and all of them once the scan is finished.
   Statistics statistics() const { return statistics_; }
   const Limits& limits() const { return limits_; }
@@ -131,8 +141,7 @@ class Extractor {
   uint32_t rows() const { return intake_.rows(rows_); }
 
   /// Of what a checkpoint holds: see CheckpointHead.
-  static constexpr uint32_t layout =
-      sizeof(Index) | sizeof(void*) << 4 | Normals::type << 8;
+  static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Normals::type << 8;
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
@@ -168,7 +177,7 @@ class Extractor {
   Normals intake_;
   trace::BitRows rows_;
   trace::Sealing sealing_;
-  trace::Sweep<Index, Normal> sweep_;
+  trace::Sweep<Index, Normal, Passes> sweep_;
   Statistics statistics_{};
   Capacities capacities_{};
   Memory memory_;

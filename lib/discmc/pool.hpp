@@ -27,19 +27,24 @@ class RecordAccount {
   void clear() {
     free_ = no_record;
     fresh_ = 0;
-    in_use_ = 0;
-    high_water_ = 0;
+    available_ = capacity_;
   }
 
   uint32_t capacity() const { return capacity_; }
-  uint32_t in_use() const { return in_use_; }
-  uint32_t available() const { return capacity_ - in_use_; }
-  uint32_t high_water() const { return high_water_; }
+  /// Records that may be taken; those in use, and reserved.
+  uint32_t available() const { return available_; }
+  uint32_t in_use() const { return capacity_ - available_; }
+  /// The most that have been in use at once, those reserved not counted.
+  uint32_t high_water() const { return fresh_; }
+
+  /// Sets a record aside, whichever it will be, until it is released. Limit: available() > 0.
+  void reserve() { --available_; }
+  void release() { ++available_; }
 
  protected:
   Index take(uint32_t record_bytes) {
-    if (in_use_ == capacity_) return no_record;
-    if (++in_use_ > high_water_) high_water_ = in_use_;
+    if (available_ == 0) return no_record;
+    --available_;
     if (free_ == no_record) return static_cast<Index>(++fresh_);
     const Index index = free_;
     free_ = next(index, record_bytes);
@@ -49,7 +54,7 @@ class RecordAccount {
   void give(Index index, uint32_t record_bytes) {
     next(index, record_bytes) = free_;
     free_ = index;
-    --in_use_;
+    ++available_;
   }
 
   uint8_t* records_ = nullptr;  // counted from one
@@ -60,9 +65,8 @@ class RecordAccount {
     return *reinterpret_cast<Index*>(records_ + size_t{index} * record_bytes);
   }
 
+  uint32_t available_ = 0;
   uint32_t fresh_ = 0;  // records after this one have never been taken
-  uint32_t in_use_ = 0;
-  uint32_t high_water_ = 0;
   Index free_ = no_record;
 };
 

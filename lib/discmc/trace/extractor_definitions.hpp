@@ -6,16 +6,17 @@
 
 namespace discmc {
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::start(const Limits& limits, int32_t threshold, Memory memory,
-                                        const Sink& sink) {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::start(const Limits& limits, int32_t threshold,
+                                                Memory memory, const Sink& sink) {
   return start(limits, default_capacities<Index, Normals>(limits, memory.bytes), threshold, memory,
                sink);
 }
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::start(const Limits& limits, const Capacities& capacities,
-                                        int32_t threshold, Memory memory, const Sink& sink) {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::start(const Limits& limits, const Capacities& capacities,
+                                                int32_t threshold, Memory memory,
+                                                const Sink& sink) {
   static_assert(sizeof(trace::Record<Index, Normal>) == sizing::record_bytes<Index, Normals>,
                 "what is said of the size of a record is true");
   const bool is_slab = limits.slab.continues_below || limits.slab.continues_above;
@@ -40,8 +41,8 @@ Status Extractor<Index, Normals>::start(const Limits& limits, const Capacities& 
 
 // Says what lies where in the memory, and writes nothing there. False when it has no room. The
 // records come last, so that those never used are behind all that is in use.
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::lay_out(Memory memory) {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::lay_out(Memory memory) {
   Arena arena(memory);
   intake_.start(arena, limits_);
   rows_.start(arena, limits_);
@@ -57,8 +58,8 @@ bool Extractor<Index, Normals>::lay_out(Memory memory) {
   return !arena.is_exhausted();
 }
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::reset() {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::reset() {
   if (state_ == State::idle) return Status::not_started;
   intake_.clear();
   rows_.clear();
@@ -73,16 +74,16 @@ Status Extractor<Index, Normals>::reset() {
   return Status::ok;
 }
 
-template <class Index, class Normals>
-size_t Extractor<Index, Normals>::bytes_used() const {
+template <class Index, class Normals, class Passes>
+size_t Extractor<Index, Normals, Passes>::bytes_used() const {
   if (state_ == State::idle) return 0;
   return fixed_bytes_ + size_t{high_water().records} * sizeof(trace::Record<Index, Normal>);
 }
 
 // ---- what the caller gives ----
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::ready_for_samples() {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::ready_for_samples() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   if (!work()) return Status::more;
@@ -90,10 +91,10 @@ Status Extractor<Index, Normals>::ready_for_samples() {
   return Status::ok;
 }
 
-template <class Index, class Normals>
+template <class Index, class Normals, class Passes>
 template <class Sample>
-PushResult Extractor<Index, Normals>::push(const Sample* samples, uint32_t count,
-                                           uint32_t stride) {
+PushResult Extractor<Index, Normals, Passes>::push(const Sample* samples, uint32_t count,
+                                                   uint32_t stride) {
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
     const uint32_t room = limits_.width - intake_.column(rows_);
@@ -108,8 +109,8 @@ PushResult Extractor<Index, Normals>::push(const Sample* samples, uint32_t count
   return result;
 }
 
-template <class Index, class Normals>
-PushResult Extractor<Index, Normals>::push_row_of_bits(const uint8_t* bits) {
+template <class Index, class Normals, class Passes>
+PushResult Extractor<Index, Normals, Passes>::push_row_of_bits(const uint8_t* bits) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
   if (rows_.column() != 0) return {Status::row_in_progress, 0};
@@ -118,8 +119,8 @@ PushResult Extractor<Index, Normals>::push_row_of_bits(const uint8_t* bits) {
   return {resume(), limits_.width};
 }
 
-template <class Index, class Normals>
-PushResult Extractor<Index, Normals>::skip_row(Substitute substitute) {
+template <class Index, class Normals, class Passes>
+PushResult Extractor<Index, Normals, Passes>::skip_row(Substitute substitute) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
   if (intake_.column(rows_) != 0) return {Status::row_in_progress, 0};
@@ -127,14 +128,14 @@ PushResult Extractor<Index, Normals>::skip_row(Substitute substitute) {
   return {resume(), limits_.width};
 }
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::resume() {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::resume() {
   if (state_ == State::idle) return Status::not_started;
   return work() ? Status::ok : Status::more;
 }
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::finish() {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::finish() {
   if (state_ == State::scanning) {
     const bool is_between_slices = rows() == 0 || rows() == limits_.height;
     if (!is_between_slices || intake_.column(rows_) != 0) return Status::slice_in_progress;
@@ -143,8 +144,8 @@ Status Extractor<Index, Normals>::finish() {
   return resume();
 }
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::abandon() {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::abandon() {
   if (state_ == State::scanning) {
     state_ = State::finishing;
     abandoned_ = true;
@@ -153,8 +154,8 @@ Status Extractor<Index, Normals>::abandon() {
 }
 
 // A row of bits whose samples never came is told before it is swept.
-template <class Index, class Normals>
-void Extractor<Index, Normals>::note(const Arrival& arrival) {
+template <class Index, class Normals, class Passes>
+void Extractor<Index, Normals, Passes>::note(const Arrival& arrival) {
   if (!arrival.is_skipped) return;
   skip_repeated_ = arrival.is_repeated;
   skip_untold_ = true;
@@ -164,14 +165,14 @@ void Extractor<Index, Normals>::note(const Arrival& arrival) {
 // ---- checkpoints ----
 
 // Whether the sink has refused something that is due.
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::is_suspended() const {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::is_suspended() const {
   return skip_untold_ || row_stage_ != RowStage::none || rows_.rows() == limits_.height ||
          state_ == State::finishing;
 }
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::save(Checkpoint<Extractor>& checkpoint) const {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::save(Checkpoint<Extractor>& checkpoint) const {
   if (state_ == State::idle) return Status::not_started;
   if (is_suspended()) return Status::more;
   Extractor& image = checkpoint.object;
@@ -179,15 +180,16 @@ Status Extractor<Index, Normals>::save(Checkpoint<Extractor>& checkpoint) const 
   // Addresses are of no use to whoever restores it.
   image.sink_ = {nullptr, nullptr, sink_.takes_fragments};
   image.lay_out({});
+  image.sweep_.passes() = Passes{};
   image.fixed_bytes_ = fixed_bytes_;
   image.memory_ = {nullptr, memory_.bytes};
   checkpoint.seal({memory_.data, bytes_used()});
   return Status::ok;
 }
 
-template <class Index, class Normals>
-Status Extractor<Index, Normals>::restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
-                                          const Sink& sink) {
+template <class Index, class Normals, class Passes>
+Status Extractor<Index, Normals, Passes>::restore(const Checkpoint<Extractor>& checkpoint,
+                                                  Memory memory, const Sink& sink) {
   const Extractor& image = checkpoint.object;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
@@ -204,8 +206,8 @@ Status Extractor<Index, Normals>::restore(const Checkpoint<Extractor>& checkpoin
 // ---- the sweep ----
 
 // Does all that the rows at hand allow. False when the sink said "not now".
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::work() {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::work() {
   if (state_ == State::finished) return true;
   for (;;) {
     if (skip_untold_) {
@@ -223,21 +225,21 @@ bool Extractor<Index, Normals>::work() {
 }
 
 // The slice that is swept: the one before the slice that arrives, counted as slices are pushed.
-template <class Index, class Normals>
-int32_t Extractor<Index, Normals>::middle_slice() const {
+template <class Index, class Normals, class Passes>
+int32_t Extractor<Index, Normals, Passes>::middle_slice() const {
   return static_cast<int32_t>(rows_.slices()) - 1;
 }
 
 // Whether no slice follows the one that is swept.
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::is_last_slice() const {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::is_last_slice() const {
   return state_ == State::finishing && !intake_.holds_rows(rows_);
 }
 
 // Rows of the slice that is swept whose neighbours are there. Those of a closed border begin with
 // the row before the first.
-template <class Index, class Normals>
-uint32_t Extractor<Index, Normals>::ready_rows() const {
+template <class Index, class Normals, class Passes>
+uint32_t Extractor<Index, Normals, Passes>::ready_rows() const {
   const bool is_closed = limits_.border == Border::closed;
   const int32_t first = limits_.slab.continues_below ? 1 : is_closed ? -1 : 0;
   if (middle_slice() < first) return 0;
@@ -251,16 +253,16 @@ uint32_t Extractor<Index, Normals>::ready_rows() const {
   return is_closed || arrived == 0 ? arrived : arrived - 1;
 }
 
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::sweep_ready_rows() {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::sweep_ready_rows() {
   const uint32_t ready = ready_rows();
   for (; swept_rows_ < ready; ++swept_rows_)
     if (!sweep_row()) return false;
   return true;
 }
 
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::sweep_row() {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::sweep_row() {
   const bool is_open = limits_.border == Border::open;
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
   trace::SweptRow row{};
@@ -284,15 +286,14 @@ bool Extractor<Index, Normals>::sweep_row() {
   // Rows of cells around the row of voxels: [z - 1, z][y - 1, y].
   const bool has_front = !is_open || y > 0;
   const bool has_below = !is_open || middle_slice() > 0;
-  const bool is_absent[2][2] = {
-      {!has_below || !has_front || sealing_.is_sealed(y - 1, true),
-       !has_below || !has_back || sealing_.is_sealed(y, true)},
-      {!has_above || !has_front || sealing_.is_sealed(y - 1, false),
-       !has_above || !has_back || sealing_.is_sealed(y, false)}};
+  const bool is_absent[2][2] = {{!has_below || !has_front || sealing_.is_sealed(y - 1, true),
+                                 !has_below || !has_back || sealing_.is_sealed(y, true)},
+                                {!has_above || !has_front || sealing_.is_sealed(y - 1, false),
+                                 !has_above || !has_back || sealing_.is_sealed(y, false)}};
   row.set_absent(is_absent);
   row.axes = 1U | (has_back ? 2U : 0U) | (has_above ? 4U : 0U);
   const trace::RowEnds ends{is_open, limits_.width};
-  row.work = !is_above_slab                       ? trace::RowWork::take_passes
+  row.work = !is_above_slab                     ? trace::RowWork::take_passes
              : row_stage_ == RowStage::vertices ? trace::RowWork::end_chains
                                                 : trace::RowWork::begin_chains;
   for (;;) {
@@ -309,8 +310,8 @@ bool Extractor<Index, Normals>::sweep_row() {
 }
 
 // Offers an event that tells of rows and slices.
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::tell(Event::Kind kind) {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::tell(Event::Kind kind) {
   const uint32_t below = limits_.slab.continues_below ? 1 : 0;
   const Statistics totals = statistics();
   Event event{};
@@ -323,8 +324,8 @@ bool Extractor<Index, Normals>::tell(Event::Kind kind) {
   return sink_.take(sink_.context, event) == Answer::taken;
 }
 
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::end_slice() {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::end_slice() {
   if (!tell(Event::Kind::layer)) return false;
   rows_.next_slice();
   sealing_.end_slice();
@@ -332,8 +333,8 @@ bool Extractor<Index, Normals>::end_slice() {
   return true;
 }
 
-template <class Index, class Normals>
-bool Extractor<Index, Normals>::end_scan() {
+template <class Index, class Normals, class Passes>
+bool Extractor<Index, Normals, Passes>::end_scan() {
   if (!sweep_.settle_holes(sink_, statistics_)) return false;
   if (!tell(Event::Kind::finish)) return false;
   state_ = State::finished;

@@ -8,8 +8,8 @@
 
 namespace discmc::trace {
 
-/// How a link changes the place on its line, and what tells links from places: how many times it can
-/// be halved, and the inverse of what is left, modulo a power of two.
+/// How a link changes the place on its line, and what tells links from places: how many times it
+/// can be halved, and the inverse of what is left, modulo a power of two.
 struct LinkStep {
   int8_t step;
   uint8_t halvings;
@@ -83,15 +83,19 @@ class Fragments {
   static constexpr uint32_t least_capacity = 4;
   /// With as many records left no fragment is sent early.
   static constexpr uint32_t plenty = 1024;
-  /// So many records, or half of all, are kept from ends that wait for the next slice.
+  /// What a pass may take.
+  static constexpr uint32_t records_a_pass = 6;
+  /// So many records more, or half of all, are kept from ends that wait for the next slice.
   static constexpr uint32_t most_kept = 80;
 
   /// sends: a shortage of records sends loose fragments; without it there must be none.
   void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues, bool sends) {
     records_.start(records, capacity);
     queues_.start(queues);
-    sends_ = sends;
-    kept_for_slice_ = capacity / 2 < most_kept ? capacity / 2 : most_kept;
+    plenty_ = sends ? plenty : 0;
+    kept_for_pass_ = sends ? records_a_pass : 0;
+    kept_for_slice_ =
+        sends ? records_a_pass + (capacity / 2 < most_kept ? capacity / 2 : most_kept) : 0;
   }
   void clear() {
     records_.clear();
@@ -122,7 +126,7 @@ class Fragments {
   Records& records() { return records_; }
   const Records& records() const { return records_; }
   /// Records that may be taken without more ado.
-  uint32_t spare() const { return queues_.spare(records_); }
+  uint32_t spare() const { return records_.available(); }
 
  private:
   using EndRecord = End<Index, Normal>;
@@ -132,24 +136,41 @@ class Fragments {
   static Direction direction(const Pass& pass, Link link) {
     return sector_table.direction[pass.incidence][link];
   }
-  static bool has_corner_at_centroid(const Pass& pass) { return pass.second != pass.first; }
   // Where the side begins that a chain leaves along, and the vertex that it comes to.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
-    return has_corner_at_centroid(pass) ? moved(vertex, pass.first, 1) : vertex;
+    return pass.turns_at_centroid() ? moved(vertex, pass.first, 1) : vertex;
   }
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
     return moved(pass.has_centroid ? moved(vertex, pass.first, 1) : vertex, pass.second, 1);
   }
 
   template <class Normals>
+  Index begin_loose(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  template <class Normals>
+  void begin_and_lose(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  template <class Normals>
   Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
   Index new_tail(const Pass& pass, Place place, Index mate);
   template <class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
+  void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
+  void send_begin(const Pass& pass, const Vertex& vertex, Index begin);
+  void send_tail(const Pass& pass, const Vertex& vertex, Index tail);
+  // The runs of the fragment of a begin.
+  Index& runs_before(Index begin) {
+    EndRecord& record = end(begin);
+    return is_loose(record.mate) ? record.last : end(record.mate).last;
+  }
   void turn(const Pass& pass, Index tail, Link came, Place corner, Link onwards, Normal normal);
+  template <class Normals>
+  void turn_at_centroid(const Pass& pass, const Vertex& vertex, Index tail,
+                        const Normals& normals) {
+    const Vertex corner = moved(vertex, pass.first, 1);
+    turn(pass, tail, pass.first, place_of(corner), pass.second, normals.normal_at(corner));
+  }
   void turn_back(const Pass& pass, Index begin, Link onwards, Place corner, Link came,
                  Normal normal);
-  void leave(const Pass& pass, const Vertex& vertex, Index tail, bool has_new_runs);
+  void close(const Pass& pass, const Vertex& vertex, Index tail);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
@@ -161,18 +182,21 @@ class Fragments {
   }
   // Ends of links that stay within the slice are the last to be lost: they leave it soon.
   bool admits(uint8_t queue) const {
-    return spare() >= 6 + (queue >= first_rising_queue ? kept_for_slice_ : 0) || !sends_;
+    return spare() >= (queue >= first_rising_queue ? kept_for_slice_ : kept_for_pass_);
   }
+  // Whether fragments may have to be sent early.
+  bool is_short() const { return spare() < plenty_; }
   bool should_send(Index list, Index other = no_record) const {
-    return spare() < plenty && sends_ && is_long(list, other);
+    return is_short() && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
   Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  bool sends_ = false;
   bool is_below_lost_ = false;
-  uint32_t kept_for_slice_ = 0;  // from ends that wait for the next slice
+  uint32_t plenty_ = 0;
+  uint32_t kept_for_pass_ = 0;   // records kept from ends that wait within the slice,
+  uint32_t kept_for_slice_ = 0;  // and from those that wait for the next one
   Outgoing<Index> outgoing_;
   Records records_;
   Queues<Index, Normal> queues_;
@@ -182,43 +206,63 @@ class Fragments {
 
 template <class Index, class Normal>
 template <class Normals>
-void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
-                                    const Normals& normals) {
-  Index begin = no_record;  // of the fragment that goes on from here
-  if (!pass.goes_ahead) begin = pop(pass.out);
-  Index tail = no_record;
-  const bool is_corner = pass.came != pass.first;
-  bool has_new_runs = false;
+[[gnu::noinline]] void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
+                                                      const Normals& normals) {
+  const Place here = place_of(vertex);
+  Index tail;
+  bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
-    if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
+    if (!pass.goes_ahead) {
+      const Index begin = pop(pass.out);
+      if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
+      return begin_and_lose(pass, vertex, normals);
+    }
     tail = begin_fragment(pass, vertex, normals);
   } else {
     tail = pop(pass.in);
-    const Place here = place_of(vertex);
     if (tail == no_record) {
-      tail = new_tail(pass, here, loose_end<Index>(direction(pass, pass.came)));
-      if (is_corner) end(tail).set_normal(normals.normal_at(vertex));
-    } else if (is_corner ||
-               links_between(end(tail).side.place(), here, pass.came) >= Side::longest) {
-      turn(pass, tail, pass.came, here, pass.first,
-           is_corner ? normals.normal_at(vertex) : Normal{});
+      tail = begin_loose(pass, vertex, normals);
+    } else if (pass.turns()) {
+      turn(pass, tail, pass.came, here, pass.first, normals.normal_at(vertex));
+      has_new_runs = true;
+    } else if (links_between(end(tail).side.place(), here, pass.came) >= Side::longest) {
+      turn(pass, tail, pass.came, here, pass.first, {});
       has_new_runs = true;
     }
   }
-  if (has_corner_at_centroid(pass)) {
-    const Vertex corner = moved(vertex, pass.first, 1);
-    turn(pass, tail, pass.first, place_of(corner), pass.second, normals.normal_at(corner));
-    has_new_runs = true;
+  if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
+  if (!pass.goes_ahead) return close(pass, vertex, tail);
+  if (!admits(pass.out)) {
+    queues_.push_lost(records_, pass.out);
+    return lose_tail(pass, vertex, tail);
   }
-  if (pass.goes_ahead)
-    leave(pass, vertex, tail, has_new_runs);
-  else if (begin != no_record)
-    join(pass, vertex, tail, begin);
-  else
-    lose_tail(pass, vertex, tail);
+  queues_.push(records_, pass.out, tail);
+  if (has_new_runs && is_short()) send_tail(pass, vertex, tail);
 }
 
 // ---- how a chain comes to the vertex ----
+
+// It comes along a link whose end was lost.
+template <class Index, class Normal>
+template <class Normals>
+[[gnu::noinline]] Index Fragments<Index, Normal>::begin_loose(const Pass& pass,
+                                                              const Vertex& vertex,
+                                                              const Normals& normals) {
+  const Index tail = new_tail(pass, place_of(vertex), loose_end<Index>(direction(pass, pass.came)));
+  if (pass.turns()) end(tail).set_normal(normals.normal_at(vertex));
+  return tail;
+}
+
+// It comes from ahead, and goes on along a link whose end was lost.
+template <class Index, class Normal>
+template <class Normals>
+[[gnu::noinline]] void Fragments<Index, Normal>::begin_and_lose(const Pass& pass,
+                                                                const Vertex& vertex,
+                                                                const Normals& normals) {
+  const Index tail = begin_fragment(pass, vertex, normals);
+  if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
+  lose_tail(pass, vertex, tail);
+}
 
 // A tail that starts here.
 template <class Index, class Normal>
@@ -234,8 +278,9 @@ Index Fragments<Index, Normal>::new_tail(const Pass& pass, Place place, Index ma
 
 template <class Index, class Normal>
 template <class Normals>
-Index Fragments<Index, Normal>::begin_fragment(const Pass& pass, const Vertex& vertex,
-                                               const Normals& normals) {
+[[gnu::noinline]] Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
+                                                                 const Vertex& vertex,
+                                                                 const Normals& normals) {
   const Place here = place_of(vertex);
   const Direction came = direction(pass, pass.came);
   Index begin = no_record;
@@ -246,7 +291,7 @@ Index Fragments<Index, Normal>::begin_fragment(const Pass& pass, const Vertex& v
     queues_.push_lost(records_, pass.in);
   }
   const Index tail = new_tail(pass, here, begin != no_record ? begin : loose_end<Index>(came));
-  if (pass.came != pass.first) end(tail).set_normal(normals.normal_at(vertex));
+  if (pass.turns()) end(tail).set_normal(normals.normal_at(vertex));
   if (begin == no_record) return tail;
   EndRecord& record = end(begin);
   record.mate = tail;
@@ -258,33 +303,32 @@ Index Fragments<Index, Normal>::begin_fragment(const Pass& pass, const Vertex& v
 // A chain that comes from ahead goes on as a fragment that has waited for it.
 template <class Index, class Normal>
 template <class Normals>
-void Fragments<Index, Normal>::lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin,
-                                              const Normals& normals) {
+[[gnu::noinline]] void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
+                                                                const Vertex& vertex, Index begin,
+                                                                const Normals& normals) {
   const Place here = place_of(vertex);
-  Vertex corner = vertex;
-  bool has_new_runs = false;
-  if (has_corner_at_centroid(pass)) {
-    corner = moved(vertex, pass.first, 1);
-    turn_back(pass, begin, pass.second, place_of(corner), pass.first, normals.normal_at(corner));
-    has_new_runs = true;
-  }
-  const bool is_corner = pass.came != pass.first;
   const bool is_waiting = admits(pass.in);
-  if (is_corner || !is_waiting ||
-      links_between(here, end(begin).side.place(), pass.first) >= Side::longest) {
-    corner = vertex;
-    turn_back(pass, begin, pass.first, here, pass.came,
-              is_corner ? normals.normal_at(vertex) : Normal{});
-    has_new_runs = true;
+  bool has_new_runs = true;
+  if (pass.turns_at_centroid()) {
+    const Vertex corner = moved(vertex, pass.first, 1);
+    turn_back(pass, begin, pass.second, place_of(corner), pass.first, normals.normal_at(corner));
   }
-  EndRecord& record = end(begin);
-  const Index tail = record.mate;
-  const Index list = is_loose(tail) ? record.last : end(tail).last;
-  if (is_waiting) {
-    queues_.push(records_, pass.in, begin);
-    if (has_new_runs && should_send(list)) send(pass, begin, tail, list, corner);
-    return;
-  }
+  if (pass.turns())
+    turn_back(pass, begin, pass.first, here, pass.came, normals.normal_at(vertex));
+  else if (!is_waiting || links_between(here, end(begin).side.place(), pass.first) >= Side::longest)
+    turn_back(pass, begin, pass.first, here, pass.came, {});
+  else
+    has_new_runs = pass.turns_at_centroid();
+  if (!is_waiting) return lose_begin(pass, vertex, begin);
+  queues_.push(records_, pass.in, begin);
+  if (has_new_runs && is_short()) send_begin(pass, vertex, begin);
+}
+
+// The fragment begins loose at the vertex.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::lose_begin(const Pass& pass, const Vertex& vertex, Index begin) {
+  const Index tail = end(begin).mate;
+  const Index list = runs_before(begin);
   queues_.push_lost(records_, pass.in);
   records_.give(begin);
   const Index loose = loose_end<Index>(direction(pass, pass.came));
@@ -310,31 +354,27 @@ void Fragments<Index, Normal>::turn(const Pass& pass, Index tail, Link came, Pla
 
 // The side under way at a begin starts at a corner, and the one before it ends.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onwards,
-                                         Place corner, Link came, Normal normal) {
+void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onwards, Place corner,
+                                         Link came, Normal normal) {
   EndRecord& record = end(begin);
   const Side side = record.side;
   Slot run;
   run.run = short_run(side.direction(), links_between(corner, side.place(), onwards));
   run.set_normal(normal);
   record.side = Side(direction(pass, came), corner);
-  Lists::prepend(records_, is_loose(record.mate) ? record.last : end(record.mate).last, run);
+  Lists::prepend(records_, runs_before(begin), run);
 }
 
 // ---- how it goes on ----
 
+// It goes on as one that has waited, or closes, or along a link whose end was lost.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::leave(const Pass& pass, const Vertex& vertex, Index tail,
-                                     bool has_new_runs) {
-  if (!admits(pass.out)) {
-    queues_.push_lost(records_, pass.out);
-    return lose_tail(pass, vertex, tail);
-  }
-  queues_.push(records_, pass.out, tail);
-  const EndRecord& record = end(tail);
-  if (has_new_runs && should_send(record.last))
-    send(pass, record.mate, tail, record.last,
-         begin_of(pass.incidence, record.last, last_corner(pass, vertex)));
+void Fragments<Index, Normal>::close(const Pass& pass, const Vertex& vertex, Index tail) {
+  const Index begin = pop(pass.out);
+  if (begin != no_record)
+    join(pass, vertex, tail, begin);
+  else
+    lose_tail(pass, vertex, tail);
 }
 
 // The fragment ends loose at the next vertex.
@@ -371,8 +411,8 @@ void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& verte
   if (end(begin).side.place() != place_of(next))
     turn_back(pass, begin, pass.second, place_of(next), pass.second, {});
   const EndRecord record = end(begin);
+  const Index list = runs_before(begin);
   records_.give(begin);
-  const Index list = is_loose(record.mate) ? record.last : end(record.mate).last;
   const Index loose = loose_end<Index>(direction(pass, pass.second));
   if (list != no_record && (is_loose(record.mate) || should_send(list)))
     return send(pass, loose, record.mate, list, next);
@@ -411,9 +451,8 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
     outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, before.last, corner};
     return;
   }
-  const Vertex start = is_prepended
-                           ? moved_back(corner, pass.second, length_of(run.run))
-                           : begin_of(pass.incidence, before.last, corner);
+  const Vertex start = is_prepended ? moved_back(corner, pass.second, length_of(run.run))
+                                    : begin_of(pass.incidence, before.last, corner);
   send(pass, before.mate, after.mate, Lists::concatenate(records_, before.last, list), start);
 }
 
@@ -439,8 +478,25 @@ bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
   const uint32_t left = spare();
   if (left < 4) return true;
   const uint32_t most = left / 16;
-  return Lists::records_up_to(records_, list, most) +
-             Lists::records_up_to(records_, other, most) > most;
+  return Lists::records_up_to(records_, list, most) + Lists::records_up_to(records_, other, most) >
+         most;
+}
+
+// Sends the runs of a fragment that has been lengthened, if there are too many.
+template <class Index, class Normal>
+void Fragments<Index, Normal>::send_begin(const Pass& pass, const Vertex& vertex, Index begin) {
+  const Index list = runs_before(begin);
+  if (!is_long(list, no_record)) return;
+  const bool starts_here = end(begin).side.place() == place_of(vertex);
+  send(pass, begin, end(begin).mate, list, starts_here ? vertex : last_corner(pass, vertex));
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::send_tail(const Pass& pass, const Vertex& vertex, Index tail) {
+  const EndRecord& record = end(tail);
+  if (is_long(record.last, no_record))
+    send(pass, record.mate, tail, record.last,
+         begin_of(pass.incidence, record.last, last_corner(pass, vertex)));
 }
 
 // Where a list of runs begins that ends at a vertex.

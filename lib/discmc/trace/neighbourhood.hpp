@@ -34,9 +34,19 @@ inline constexpr LineBits lines_of_y[3] = {derive::line_bits(7, 0, 1), derive::l
 inline constexpr LineBits lines_of_z[3] = {derive::line_bits(3, 2, 1), derive::line_bits(4, 8, 0),
                                            derive::line_bits(5, 6, 7)};
 
-/// The ring of lines around the edge from a voxel to the next one along x, y or z, two bits each.
-/// bit: of the voxel in its word, 1 to 30.
-inline uint32_t lines_around(const RowBlock& rows, uint32_t word, uint32_t bit, int axis) {
+/// The edge along an axis from a voxel to the next one, among rows of bits.
+struct EdgePlace {
+  const RowBlock& rows;
+  uint32_t word;
+  uint32_t bit;  ///< of the voxel in its word, 1 to 30
+  int axis;
+
+  bool lower_is_on() const { return (rows.row[1][1][word] >> bit & 1) != 0; }
+  /// The ring of lines around it, two bits each.
+  uint32_t lines() const;
+};
+
+inline uint32_t EdgePlace::lines() const {
   const auto& row = rows.row;
   if (axis == 0) {
     const auto line = [&](int k, int j) { return row[k][j][word] >> bit & 3; };

@@ -27,27 +27,20 @@ class Queues {
   void start(Queue<Index>* queues) { queues_ = queues; }
   void clear() {
     for (int i = 0; i < queue_count; ++i) queues_[i].head = no_record;
-    reserved_ = 0;
   }
 
-  /// Records that are free for anything else than counting lost ends.
-  uint32_t spare(const Records& records) const { return records.available() - reserved_; }
-
-  /// Puts an end behind what waits. Limit: spare() >= 2.
+  /// Puts an end behind what waits. Limit: records.available() >= 2.
   void push(Records& records, uint8_t number, Index end) {
     Queue<Index>& queue = queues_[number];
     records[end].linked.next = no_record;
     if (queue.head == no_record) {
       queue.head = end;
-      ++reserved_;
+      records.reserve();
     } else if (is_count(queue)) {
-      const Index lost = new_count(records, count_of(queue));
-      records[lost].linked.next = end;
-      queue.head = lost;
-      ++reserved_;
+      push_behind_lost(records, queue, end);
     } else {
       Record<Index, Normal>& last = records[queue.tail];
-      if (last.end.mate == no_record) ++reserved_;
+      if (last.end.mate == no_record) records.reserve();
       last.linked.next = end;
     }
     queue.tail = end;
@@ -60,7 +53,7 @@ class Queues {
     if (is_count(queue)) return set_count(queue, count_of(queue) + 1);
     End<Index, Normal>& last = records[queue.tail].end;
     if (last.mate == no_record) return set_lost(last, lost_of(last) + 1);
-    --reserved_;
+    records.release();
     const Index lost = new_count(records, 1);
     last.next = lost;
     queue.tail = lost;
@@ -74,13 +67,13 @@ class Queues {
       set_count(queue, count_of(queue) - 1);
       return no_record;
     }
-    End<Index, Normal>& end = records[head].end;
+    const End<Index, Normal>& end = records[head].end;
     if (end.mate == no_record) {
       pop_lost(records, queue);
       return no_record;
     }
     queue.head = end.next;
-    if (end.next == no_record) --reserved_;
+    if (end.next == no_record) records.release();
     return head;
   }
 
@@ -93,8 +86,8 @@ class Queues {
     return is_narrow ? uint32_t{queue.head & (top - 1U)} << 16 | queue.tail : queue.tail;
   }
   static void set_count(Queue<Index>& queue, uint32_t count) {
-    queue.head = count == 0 ? Index{no_record}
-                            : static_cast<Index>(top | (is_narrow ? count >> 16 : 0));
+    queue.head =
+        count == 0 ? Index{no_record} : static_cast<Index>(top | (is_narrow ? count >> 16 : 0));
     queue.tail = static_cast<Index>(count);
   }
 
@@ -112,7 +105,13 @@ class Queues {
     set_lost(records[lost].end, count);
     return lost;
   }
-  void pop_lost(Records& records, Queue<Index>& queue) {
+  [[gnu::noinline]] void push_behind_lost(Records& records, Queue<Index>& queue, Index end) {
+    const Index lost = new_count(records, count_of(queue));
+    records[lost].linked.next = end;
+    queue.head = lost;
+    records.reserve();
+  }
+  [[gnu::noinline]] void pop_lost(Records& records, Queue<Index>& queue) {
     const Index lost = queue.head;
     End<Index, Normal>& end = records[lost].end;
     const uint32_t count = lost_of(end) - 1;
@@ -122,7 +121,6 @@ class Queues {
   }
 
   Queue<Index>* queues_ = nullptr;
-  uint32_t reserved_ = 0;
 };
 
 }  // namespace discmc::trace

@@ -40,13 +40,12 @@ constexpr Place place_of(const Vertex& v) {
 /// A direction, and the place of a corner on the line along it.
 class Side {
  public:
-  /// A side is broken off at this length, so that two which join have a length that is told by their
-  /// places. Units: links.
+  /// A side is broken off at this length, so that two which join have a length that is told by
+  /// their places. Units: links.
   static constexpr uint32_t longest = 1020;
 
   Side() = default;
-  Side(Direction direction, Place place)
-      : code_(static_cast<uint16_t>(place << 3 | direction)) {}
+  Side(Direction direction, Place place) : code_(static_cast<uint16_t>(place << 3 | direction)) {}
   Direction direction() const { return code_ & 7; }
   Place place() const { return code_ >> 3; }
 
@@ -111,7 +110,7 @@ struct RunRecord : Linked<Index> {
 /// A hole that waits for the ring around it: two records.
 template <class Index>
 struct Hole : Linked<Index> {
-  Index last;  // of its runs
+  Index last;   // of its runs
   Index start;  // the other record
   Incidence incidence;
   uint8_t is_marked;  // to be delivered next

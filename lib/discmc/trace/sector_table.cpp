@@ -20,9 +20,8 @@ constexpr Vertex quarter_turns(Vertex v, int count) {
 // A vertex is visited with the voxel below it on its axis: voxels in the order z, y, x, and at each
 // its edges in the order x, y, z.
 constexpr bool is_visited_before(const Vertex& a, const Vertex& b) {
-  const int by_voxel[] = {(a.z >> 1) - (b.z >> 1), (a.y >> 1) - (b.y >> 1),
-                          (a.x >> 1) - (b.x >> 1), ((a.y & 1) + 2 * (a.z & 1)) -
-                                                       ((b.y & 1) + 2 * (b.z & 1))};
+  const int by_voxel[] = {(a.z >> 1) - (b.z >> 1), (a.y >> 1) - (b.y >> 1), (a.x >> 1) - (b.x >> 1),
+                          ((a.y & 1) + 2 * (a.z & 1)) - ((b.y & 1) + 2 * (b.z & 1))};
   for (const int difference : by_voxel)
     if (difference != 0) return difference < 0;
   return false;
@@ -174,8 +173,7 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
           }
   SpokeQueues spokes{};
   const auto add = [&](int from, int to, int count) {
-    const bool is_rising =
-        is_in_next_slice(position(edges.point[from]), position(edges.point[to]));
+    const bool is_rising = is_in_next_slice(position(edges.point[from]), position(edges.point[to]));
     spokes.queue[from][to] = numbers.take(count, is_rising);
     spokes.queue[to][from] = spokes.queue[from][to] ^ 1;
   };
@@ -245,8 +243,9 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
           if (is_ahead != (pass == 0)) continue;
           const Link link = derive::link_of(links, vector);
           const auto queue = static_cast<uint8_t>(
-              is_ahead ? numbers.take(2, is_in_next_slice(here, there))
-                       : queue_of_face_link(table, moved_to_origin(there), opposite_link(link)) + 1);
+              is_ahead
+                  ? numbers.take(2, is_in_next_slice(here, there))
+                  : queue_of_face_link(table, moved_to_origin(there), opposite_link(link)) + 1);
           table.axis[axis].way[quadrant][way] = Way(link, queue, is_ahead);
         }
 }
@@ -342,7 +341,8 @@ constexpr CountsDerived derived_counts = derive_counts();
 
 static_assert(derived_counts.kinds <= 32, "every kind has its place");
 
-static_assert(queues_are_all_used(), "18 kinds of links on faces both ways, and 108 ways by a centroid");
+static_assert(queues_are_all_used(),
+              "18 kinds of links on faces both ways, and 108 ways by a centroid");
 
 }  // namespace
 

@@ -29,8 +29,8 @@ constexpr int cell_edges = 12;
 constexpr int quadrants = 4;
 constexpr uint8_t no_heading = 8;
 
-/// What a cell is at one of its vertices, turned to quadrant 0: two headings, and where the chains of
-/// its spoke lead.
+/// What a cell is at one of its vertices, turned to quadrant 0: two headings, and where the chains
+/// of its spoke lead.
 struct Sector {
   /// Of the quadrant's first sector in bits 0 to 3, of its second in bits 4 to 7. The spoke is
   /// boundary where they differ.
@@ -41,10 +41,10 @@ struct Sector {
 };
 
 /// Ends wait in queues, one for each kind of link and each way of the chain along it: 36 for links
-/// on faces, by the edge that they begin on and their vector, and 108 for links by the centroid of a
-/// cell, by the edges that they join. Links of one kind end in the order in which they began. Those
-/// of the first queues stay within a slice, those from `first_rising_queue` on reach the next. The
-/// queues of a link's two ways differ in their lowest bit.
+/// on faces, by the edge that they begin on and their vector, and 108 for links by the centroid of
+/// a cell, by the edges that they join. Links of one kind end in the order in which they began.
+/// Those of the first queues stay within a slice, those from `first_rising_queue` on reach the
+/// next. The queues of a link's two ways differ in their lowest bit.
 constexpr int queue_count = 144;
 constexpr int first_rising_queue = 76;
 
@@ -92,8 +92,8 @@ struct SectorTable {
 
 extern const SectorTable sector_table;
 
-/// What a scan counts of cells: every vertex adds a part for each of its four cells, so that a cell,
-/// a facet and a triangle of classic Marching Cubes are counted once when all vertices are.
+/// What a scan counts of cells: every vertex adds a part for each of its four cells, so that a
+/// cell, a facet and a triangle of classic Marching Cubes are counted once when all vertices are.
 struct CountParts {
   // Units of one, and where in a word their sum over four cells stands.
   static constexpr uint32_t cell = 2520, facet = 12, triangle = 420;

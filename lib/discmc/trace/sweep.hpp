@@ -7,7 +7,7 @@
 
 #include <discmc/compiler.hpp>
 #include <discmc/trace/delivery.hpp>
-#include <discmc/trace/neighbourhood.hpp>
+#include <discmc/trace/passes.hpp>
 
 namespace discmc::trace {
 
@@ -64,11 +64,12 @@ class PartCount {
   uint32_t parts_ = 0;
 };
 
-template <class Index, class Normal>
+template <class Index, class Normal, class Passes>
 class Sweep {
  public:
   Fragments<Index, Normal>& chains() { return chains_; }
   Delivery<Index, Normal>& delivery() { return delivery_; }
+  Passes& passes() { return passes_; }
   /// After the last vertex: delivers holes that still wait, loose. As sweep().
   bool settle_holes(const Sink& sink, Statistics& statistics) {
     return delivery_.settle_holes(chains_, sink, statistics);
@@ -89,9 +90,20 @@ class Sweep {
              const Sink& sink, Statistics& statistics);
 
  private:
+  // A row, and all that its vertices have in common.
   template <class Normals>
-  bool visit(const SweptRow& row, Passes& passes, const Vertex& vertex, const Normals& normals,
-             const Sink& sink, Statistics& statistics);
+  struct Visits {
+    const SweptRow& row;
+    RowEnds ends;
+    const Normals& normals;
+    const Sink& sink;
+    Statistics& statistics;
+    Vertex first[3];  // the vertex of voxel 0, by axis
+  };
+  template <class Normals>
+  bool visit(const Visits<Normals>& visits, uint32_t word, uint32_t bit, int axis);
+  template <class Normals>
+  void pass_through(const Visits<Normals>& visits, const Pass& pass, const Vertex& vertex);
   void count(uint32_t parts) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     cells_.add(parts & ((1U << facet) - 1));
@@ -100,17 +112,17 @@ class Sweep {
   }
 
   // Where the sweep of a row was suspended: the word, the edges in it that have been visited, and
-  // what is left of the passes at the next vertex, if it has begun.
+  // how many of the passes at the next vertex are done, if it has begun.
   struct Suspension {
     uint32_t word = 0;
     uint32_t visited[3] = {};  // by axis
     uint32_t passes = 0;
-    bool is_within_vertex = false;
   };
   Suspension suspension_;
   PartCount cells_, facets_, triangles_;
   Fragments<Index, Normal> chains_;
   Delivery<Index, Normal> delivery_;
+  Passes passes_;
 };
 
 // ---- implementation ----
@@ -128,15 +140,15 @@ struct Crossings {
   uint32_t voxels() const { return of[0] | of[1] | of[2]; }
 };
 
-template <class Index, class Normal>
+template <class Index, class Normal, class Passes>
 template <class Normals>
-bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowEnds& ends,
-                                 const Normals& normals, const Sink& sink,
-                                 Statistics& statistics) {
+bool Sweep<Index, Normal, Passes>::sweep(const SweptRow& row, uint32_t words, const RowEnds& ends,
+                                         const Normals& normals, const Sink& sink,
+                                         Statistics& statistics) {
   if (!delivery_.settle(chains_, sink, statistics)) return false;
-  const Vertex first[] = {{1, 2 * row.y, 2 * row.z},
-                          {0, 2 * row.y + 1, 2 * row.z},
-                          {0, 2 * row.y, 2 * row.z + 1}};
+  const int32_t y = 2 * row.y, z = 2 * row.z;
+  const Visits<Normals> visits{row,  ends,       normals,
+                               sink, statistics, {{1, y, z}, {0, y + 1, z}, {0, y, z + 1}}};
   const uint32_t has_y = (row.axes & 2) != 0 ? own_columns : 0;
   const uint32_t has_z = (row.axes & 4) != 0 ? own_columns : 0;
   for (uint32_t word = suspension_.word; word < words; ++word) {
@@ -148,17 +160,11 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
     for (int axis = 0; axis < 3; ++axis) crossings.of[axis] &= ~suspension_.visited[axis];
     for (uint32_t voxels = crossings.voxels(); voxels != 0; voxels &= voxels - 1) {
       const uint32_t bit = trailing_zeros(voxels);
-      const uint32_t x = word * columns_per_word + bit - 2;  // -1 wraps
       for (int axis = 0; axis < 3; ++axis) {
-        if ((crossings.of[axis] >> bit & 1) == 0) continue;
-        Passes passes(sector_table.axis[axis], (row.rows.row[1][1][word] >> bit & 1) != 0,
-                      lines_around(row.rows, word, bit, axis),
-                      row.absent[axis] | ends.absent(axis, x));
-        const Vertex vertex{first[axis].x + 2 * static_cast<int32_t>(x), first[axis].y,
-                            first[axis].z};
-        if (visit(row, passes, vertex, normals, sink, statistics)) continue;
+        if ((crossings.of[axis] >> bit & 1) == 0 || visit(visits, word, bit, axis)) continue;
         suspension_.word = word;
-        for (int i = 0; i < 3; ++i) suspension_.visited[i] = (1U << bit) * (i < axis ? 2 : 1) - 1;
+        for (int i = 0; i < 3; ++i)
+          suspension_.visited[i] = (uint32_t{1} << bit) * (i < axis ? 2 : 1) - 1;
         return false;
       }
     }
@@ -171,30 +177,40 @@ bool Sweep<Index, Normal>::sweep(const SweptRow& row, uint32_t words, const RowE
   return true;
 }
 
-template <class Index, class Normal>
+// Visits the vertex on the edge along an axis of the voxel at a bit of a word.
+template <class Index, class Normal, class Passes>
 template <class Normals>
-bool Sweep<Index, Normal>::visit(const SweptRow& row, Passes& passes, const Vertex& vertex,
-                                 const Normals& normals, const Sink& sink,
-                                 Statistics& statistics) {
-  if (suspension_.is_within_vertex)
-    passes.go_on(suspension_.passes);
-  else if (row.work == RowWork::take_passes)
-    count(passes.counts());
-  suspension_.is_within_vertex = false;
-  Pass pass;
-  while (passes.next(pass)) {
-    if (row.work == RowWork::take_passes)
-      chains_.take(pass, vertex, normals);
-    else if (row.work == RowWork::end_chains)
-      chains_.end_at(pass, vertex);
-    else
-      chains_.begin_below(pass, vertex);
-    if (!chains_.has_outgoing() || delivery_.settle(chains_, sink, statistics)) continue;
-    suspension_.is_within_vertex = true;
-    suspension_.passes = passes.left();
+bool Sweep<Index, Normal, Passes>::visit(const Visits<Normals>& visits, uint32_t word, uint32_t bit,
+                                         int axis) {
+  const uint32_t x = word * columns_per_word + bit - 2;  // -1 wraps
+  const Vertex& first = visits.first[axis];
+  const Vertex vertex{first.x + 2 * static_cast<int32_t>(x), first.y, first.z};
+  PassList scratch;
+  const PassList& passes =
+      passes_.at({visits.row.rows, word, bit, axis},
+                 visits.row.absent[axis] | visits.ends.absent(axis, x), scratch);
+  if (suspension_.passes == 0 && visits.row.work == RowWork::take_passes) count(passes.parts);
+  for (uint32_t i = suspension_.passes; i < passes.count; ++i) {
+    pass_through(visits, passes.pass[i], vertex);
+    if (!chains_.has_outgoing() || delivery_.settle(chains_, visits.sink, visits.statistics))
+      continue;
+    suspension_.passes = i + 1;
     return false;
   }
+  suspension_.passes = 0;
   return true;
+}
+
+template <class Index, class Normal, class Passes>
+template <class Normals>
+void Sweep<Index, Normal, Passes>::pass_through(const Visits<Normals>& visits, const Pass& pass,
+                                                const Vertex& vertex) {
+  if (visits.row.work == RowWork::take_passes)
+    chains_.take(pass, vertex, visits.normals);
+  else if (visits.row.work == RowWork::end_chains)
+    chains_.end_at(pass, vertex);
+  else
+    chains_.begin_below(pass, vertex);
 }
 
 }  // namespace discmc::trace
