@@ -14,6 +14,7 @@
 #include "input.hpp"
 #include "oracle/c_events.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/sink.hpp"
 #include "require.hpp"
 
 using namespace discmc;

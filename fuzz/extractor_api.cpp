@@ -15,6 +15,7 @@
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/sink.hpp"
 #include "require.hpp"
 
 using namespace discmc;
@@ -174,7 +175,7 @@ class Caller {
     place_ = std::move(place);
     limits_ = limits;
     threshold_ = threshold;
-    takes_fragments_ = sink.takes_fragments;
+    takes_fragments_ = sink.takes_fragments();
     require(extractor_.bytes_used() <= bytes, "more bytes in use than were given");
     begin();
   }

@@ -10,6 +10,7 @@
 #include "input.hpp"
 #include "little_memory.hpp"
 #include "oracle/normal_events.hpp"
+#include "oracle/sink.hpp"
 #include "require.hpp"
 
 using namespace discmc;

@@ -13,6 +13,7 @@
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/sink.hpp"
 #include "require.hpp"
 
 using namespace discmc;

@@ -20,7 +20,8 @@ struct SinkAdapter {
   template <class Start>
   discmc_status start_to(const discmc_sink& sink, Start start) {
     const Status status =
-        start(Sink{this, sink.take == nullptr ? nullptr : offer, sink.takes_fragments != 0});
+        start(Sink{this, sink.take == nullptr ? nullptr : offer,
+                   sink.takes_fragments != 0 ? nullptr : &trace::sealing});
     if (status == Status::ok) {
       context = sink.context;
       take = sink.take;

@@ -112,7 +112,7 @@ class Extractor {
 
   /// Goes on where a checkpoint was saved. memory: as many bytes as start() was given, the first
   /// ones as they were then; it may lie elsewhere, with the same alignment modulo 4; Owner: as of
-  /// start(). sink: one that takes_fragments as the one of then did. Errors: too_little_memory,
+  /// start(). sink: one that takes fragments if that of then did. Errors: too_little_memory,
   /// bad_checkpoint, bad_sink. Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
@@ -145,7 +145,6 @@ class Extractor {
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
-  enum class RowStage : uint8_t { none, sealed_cells, vertices, chains_ended };  // of the row
   using Normal = typename Normals::Normal;
 
   PushResult push_row_of_bits(const uint8_t* bits);
@@ -169,16 +168,17 @@ class Extractor {
   bool abandoned_ = false;
   bool skip_untold_ = false;
   bool skip_repeated_ = false;
-  RowStage row_stage_ = RowStage::none;
+  bool sends_fragments_ = false;
+  bool chains_are_ended_ = false;  // at the row under way above a slab
   uint32_t swept_rows_ = 0;  // of the middle slice
   int32_t threshold_ = 0;
   Limits limits_{};
-  Sink sink_{nullptr, nullptr, false};
+  Sink sink_;
   Normals intake_;
   trace::BitRows rows_;
-  trace::Sealing sealing_;
   trace::Sweep<Index, Normal, Passes> sweep_;
   Statistics statistics_{};
+  trace::SealedRows sealed_;
   Capacities capacities_{};
   Memory memory_;
   size_t fixed_bytes_ = 0;  // of the memory, before the records

@@ -138,13 +138,13 @@ class Joiner {
   bool begin_next_outer();
   bool send_finish();
 
-  bool wants_loose() const { return sink_.takes_fragments; }
+  bool wants_loose() const { return sink_.takes_fragments(); }
   HeldChains& chains() { return waiting_.chains(); }
   const HeldChains& chains() const { return waiting_.chains(); }
 
   WaitingChains waiting_;
   RegionHoles region_;  // of the region that passes or is delivered, as far as the sink has it
-  Sink sink_{nullptr, nullptr, false};
+  Sink sink_;
   JoinCapacities capacities_{0, 0};
   JoinReport report_{};
   InputOrder order_ = InputOrder::sweep;

@@ -67,21 +67,37 @@ struct Event {
   const Statistics* statistics;  ///< Owner: the sender; valid during the call
 };
 
+namespace trace {
+struct Sealing;
+extern const Sealing sealing;
+}  // namespace trace
+
 /// Where events go. Owner: the context belongs to the caller and must outlive the scan.
 struct Sink {
   void* context = nullptr;
   Answer (*take)(void* context, const Event& event) = nullptr;
-  bool takes_fragments = true;  ///< false: for lack of memory regions are cut up instead
+  /// &trace::sealing for a sink that takes no fragments, else null. Only programs with such a sink
+  /// link the code for it.
+  const trace::Sealing* sealing = nullptr;
+
+  bool takes_fragments() const { return sealing == nullptr; }
 };
 
 /// A sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
 template <class Receiver>
-Sink sink_to(Receiver& receiver, bool takes_fragments = true) {
-  return {&receiver,
-          [](void* context, const Event& event) {
+Sink sink_to(Receiver& receiver) {
+  return {&receiver, [](void* context, const Event& event) {
             return static_cast<Receiver*>(context)->take(event);
-          },
-          takes_fragments};
+          }};
+}
+
+/// The same for a receiver that takes no fragments: for lack of memory regions are cut up at cells
+/// instead.
+template <class Receiver>
+Sink region_sink_to(Receiver& receiver) {
+  Sink sink = sink_to(receiver);
+  sink.sealing = &trace::sealing;
+  return sink;
 }
 
 }  // namespace discmc

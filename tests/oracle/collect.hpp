@@ -6,12 +6,12 @@
 #define DISCMC_TESTS_ORACLE_COLLECT_HPP
 
 #include <cstdint>
-#include <discmc/sink.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "region.hpp"
+#include "sink.hpp"
 
 namespace discmc::reference {
 

@@ -7,6 +7,7 @@
 
 #include "event_log.hpp"
 #include "scan.hpp"
+#include "sink.hpp"
 
 namespace discmc::reference {
 

@@ -12,6 +12,7 @@
 
 #include "collect.hpp"
 #include "event_log.hpp"
+#include "sink.hpp"
 #include "volume.hpp"
 
 namespace discmc::reference {

@@ -10,6 +10,7 @@
 #include "oracle/naive_join.hpp"
 #include "oracle/sanitized.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/sink.hpp"
 #include "oracle/surface.hpp"
 
 using namespace discmc;

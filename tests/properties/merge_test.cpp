@@ -223,7 +223,7 @@ TEST_CASE("a region is delivered before the first layer mark that it does not re
 }
 
 TEST_CASE("a sink takes fragments unless it says that it does not") {
-  CHECK(Sink{}.takes_fragments);
+  CHECK(Sink{}.takes_fragments());
 }
 
 TEST_CASE("the events of a volume are these, on every machine") {

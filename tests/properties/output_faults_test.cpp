@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/sanitized.hpp"
+#include "oracle/sink.hpp"
 #include "oracle/stream_samples.hpp"
 
 using namespace discmc;

@@ -5,6 +5,7 @@
 #include "oracle/naive_join.hpp"
 #include "oracle/sanitized.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/sink.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

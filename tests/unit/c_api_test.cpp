@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oracle/c_events.hpp"
+#include "oracle/sink.hpp"
 
 using namespace discmc;
 using reference::c_sink_to;

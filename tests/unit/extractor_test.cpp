@@ -247,7 +247,7 @@ TEST_CASE("reset begins the next scan as if nothing had been, wherever the last 
       Block block(minimum_bytes<uint16_t>(limits) + 20000);
       Extractor16 extractor;
       current = &discarded;
-      require_ok(extractor.start(limits, 1, block.memory(), {&current, take, true}));
+      require_ok(extractor.start(limits, 1, block.memory(), {&current, take}));
       CHECK(extractor.push(first.on.data(), samples).status == Status::ok);
       if (samples % 2 == 0) require_ok(extractor.abandon());
       current = &log;

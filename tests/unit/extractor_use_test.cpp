@@ -52,7 +52,7 @@ void check_refused_starts() {
   for (const Slab& slab : {Slab{1, false, false}, Slab{0, true, false}})
     CHECK(extractor.start({8, 8, {}, slab}, 1, memory, sink) == Status::bad_limits);
   const Limits slab{8, 8, {}, {0, false, true}};
-  CHECK(extractor.start(slab, 1, memory, sink_to(log, false)) == Status::bad_sink);
+  CHECK(extractor.start(slab, 1, memory, region_sink_to(log)) == Status::bad_sink);
   CHECK(extractor.start({32766, 32766}, 1, memory, sink) == Status::too_little_memory);
   // The memory is as it was.
   Block untouched(1 << 16);

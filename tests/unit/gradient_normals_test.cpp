@@ -10,6 +10,7 @@
 
 #include "oracle/normal_events.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/sink.hpp"
 #include "oracle/stream.hpp"
 
 using namespace discmc;

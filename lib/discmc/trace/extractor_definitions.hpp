@@ -22,7 +22,7 @@ Status Extractor<Index, Normals, Passes>::start(const Limits& limits, const Capa
   const bool is_slab = limits.slab.continues_below || limits.slab.continues_above;
   if (!limits.is_valid()) return Status::bad_limits;
   if (!is_valid<Index>(capacities)) return Status::bad_capacities;
-  if (sink.take == nullptr || (is_slab && !sink.takes_fragments)) return Status::bad_sink;
+  if (sink.take == nullptr || (is_slab && !sink.takes_fragments())) return Status::bad_sink;
   state_ = State::idle;
   // Member by member: what lies between them in the caller's is not for a checkpoint.
   limits_.width = limits.width;
@@ -33,6 +33,7 @@ Status Extractor<Index, Normals, Passes>::start(const Limits& limits, const Capa
   limits_.slab.continues_above = limits.slab.continues_above;
   capacities_ = capacities;
   sink_ = sink;
+  sends_fragments_ = sink.takes_fragments();
   threshold_ = threshold;
   if (!lay_out(memory)) return Status::too_little_memory;
   state_ = State::scanning;
@@ -46,14 +47,13 @@ bool Extractor<Index, Normals, Passes>::lay_out(Memory memory) {
   Arena arena(memory);
   intake_.start(arena, limits_);
   rows_.start(arena, limits_);
-  sealing_.start(arena.take<uint32_t>(sizing::sealed_words(limits_)), limits_,
-                 !sink_.takes_fragments);
+  sealed_.bits = arena.take<uint32_t>(sizing::sealed_words(limits_));
   auto* const queues = arena.take<trace::Queue<Index>>(trace::queue_count);
   auto* const holes = arena.take<Index>(sizing::hole_lists);
   fixed_bytes_ = arena.is_exhausted() ? 0 : arena.used();
   auto* const records = arena.take<trace::Record<Index, Normal>>(capacities_.records);
-  sweep_.chains().start(records, capacities_.records, queues, sink_.takes_fragments);
-  sweep_.delivery().start(holes, sizing::hole_lists, capacities_.holes, sink_.takes_fragments);
+  sweep_.chains().start(records, capacities_.records, queues, sends_fragments_);
+  sweep_.delivery().start(holes, sizing::hole_lists, capacities_.holes, sends_fragments_);
   memory_ = arena.is_exhausted() ? Memory{} : memory;
   return !arena.is_exhausted();
 }
@@ -63,13 +63,13 @@ Status Extractor<Index, Normals, Passes>::reset() {
   if (state_ == State::idle) return Status::not_started;
   intake_.clear();
   rows_.clear();
-  sealing_.clear();
+  if (sink_.sealing != nullptr) sink_.sealing->clear(sealed_, limits_);
   sweep_.clear();
   statistics_ = Statistics{};
   state_ = State::scanning;
   abandoned_ = false;
   skip_untold_ = false;
-  row_stage_ = RowStage::none;
+  chains_are_ended_ = false;
   swept_rows_ = 0;
   return Status::ok;
 }
@@ -167,7 +167,7 @@ void Extractor<Index, Normals, Passes>::note(const Arrival& arrival) {
 // Whether the sink has refused something that is due.
 template <class Index, class Normals, class Passes>
 bool Extractor<Index, Normals, Passes>::is_suspended() const {
-  return skip_untold_ || row_stage_ != RowStage::none || rows_.rows() == limits_.height ||
+  return skip_untold_ || swept_rows_ < ready_rows() || rows_.rows() == limits_.height ||
          state_ == State::finishing;
 }
 
@@ -178,7 +178,7 @@ Status Extractor<Index, Normals, Passes>::save(Checkpoint<Extractor>& checkpoint
   Extractor& image = checkpoint.object;
   image = *this;
   // Addresses are of no use to whoever restores it.
-  image.sink_ = {nullptr, nullptr, sink_.takes_fragments};
+  image.sink_ = {};
   image.lay_out({});
   image.sweep_.passes() = Passes{};
   image.fixed_bytes_ = fixed_bytes_;
@@ -193,7 +193,7 @@ Status Extractor<Index, Normals, Passes>::restore(const Checkpoint<Extractor>& c
   const Extractor& image = checkpoint.object;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
-  if (sink.take == nullptr || sink.takes_fragments != image.sink_.takes_fragments)
+  if (sink.take == nullptr || sink.takes_fragments() != image.sends_fragments_)
     return Status::bad_sink;
   if (memory.bytes < bytes_for<Index, Normals>(image.limits_, image.capacities_))
     return Status::too_little_memory;
@@ -271,41 +271,30 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
   row.z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
           (limits_.slab.continues_below ? 1 : 0);
   const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
-  const bool has_back = !is_open || y + 1 < static_cast<int32_t>(limits_.height);
-  const bool has_above = !is_above_slab && !(is_open && is_last_slice());
-  if (row_stage_ == RowStage::none) {
-    const bool has_cells = has_back && has_above;
-    if (has_cells) sealing_.begin_row(row.rows, y, sweep_.chains().spare());
-    sweep_.chains().lose_below(limits_.slab.continues_below && middle_slice() == 1);
-    row_stage_ = has_cells ? RowStage::sealed_cells : RowStage::vertices;
-  }
-  if (row_stage_ == RowStage::sealed_cells) {
-    if (!sealing_.deliver(row.rows, y, row.z, sink_, statistics_)) return false;
-    row_stage_ = RowStage::vertices;
-  }
-  // Rows of cells around the row of voxels: [z - 1, z][y - 1, y].
   const bool has_front = !is_open || y > 0;
+  const bool has_back = !is_open || y + 1 < static_cast<int32_t>(limits_.height);
   const bool has_below = !is_open || middle_slice() > 0;
-  const bool is_absent[2][2] = {{!has_below || !has_front || sealing_.is_sealed(y - 1, true),
-                                 !has_below || !has_back || sealing_.is_sealed(y, true)},
-                                {!has_above || !has_front || sealing_.is_sealed(y - 1, false),
-                                 !has_above || !has_back || sealing_.is_sealed(y, false)}};
+  const bool has_above = !is_above_slab && !(is_open && is_last_slice());
+  bool is_absent[2][2] = {{!has_below || !has_front, !has_below || !has_back},
+                          {!has_above || !has_front, !has_above || !has_back}};
+  const trace::CellRows cells{limits_, row.rows, y, row.z, is_absent};
+  if (sink_.sealing != nullptr &&
+      !sink_.sealing->begin_row(sealed_, cells, sweep_.chains().spare(), sink_, statistics_))
+    return false;
+  sweep_.chains().lose_below(limits_.slab.continues_below && middle_slice() == 1);
   row.set_absent(is_absent);
   row.axes = 1U | (has_back ? 2U : 0U) | (has_above ? 4U : 0U);
+  row.work = !is_above_slab      ? trace::RowWork::take_passes
+             : chains_are_ended_ ? trace::RowWork::begin_chains
+                                 : trace::RowWork::end_chains;
   const trace::RowEnds ends{is_open, limits_.width};
-  row.work = !is_above_slab                     ? trace::RowWork::take_passes
-             : row_stage_ == RowStage::vertices ? trace::RowWork::end_chains
-                                                : trace::RowWork::begin_chains;
   for (;;) {
     if (!sweep_.sweep(row, rows_.words(), ends, intake_, sink_, statistics_)) return false;
-    if (row.work != trace::RowWork::end_chains) break;
+    chains_are_ended_ = row.work == trace::RowWork::end_chains;
+    if (!chains_are_ended_) break;
     row.work = trace::RowWork::begin_chains;
-    row_stage_ = RowStage::chains_ended;
   }
-  const bool is_last_row = y + 1 == static_cast<int32_t>(limits_.height);
-  if (has_below && has_front && y >= 0) sealing_.end_front(row.rows, y);
-  if (has_below && has_back && is_last_row) sealing_.end_back(row.rows, y);
-  row_stage_ = RowStage::none;
+  if (sink_.sealing != nullptr) sink_.sealing->end_row(sealed_, cells);
   return true;
 }
 
@@ -328,7 +317,6 @@ template <class Index, class Normals, class Passes>
 bool Extractor<Index, Normals, Passes>::end_slice() {
   if (!tell(Event::Kind::layer)) return false;
   rows_.next_slice();
-  sealing_.end_slice();
   swept_rows_ = 0;
   return true;
 }

@@ -207,7 +207,8 @@ class Scan {
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
            is_done(extractor_.start(limits, setting.capacities, on_from, memory_of(memory),
-                                    sink_to(wire_between, setting.takes_fragments)));
+                                    setting.takes_fragments ? sink_to(wire_between)
+                                                            : region_sink_to(wire_between)));
   }
 
   // A row in one of the ways in which rows come.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "oracle/sink.hpp"
 #include "oracle/volume.hpp"
 #include "proofs/work/bound.hpp"
 
