@@ -10,6 +10,26 @@
 
 namespace discmc::trace {
 
+/// The directions in which vertices come later in the order z, y, x: a bit each, by incidence.
+struct AscendingDirections {
+  uint8_t of[incidence_codes];
+};
+namespace derive {
+constexpr AscendingDirections ascending_directions() {
+  AscendingDirections ascending{};
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    for (Direction i = 0; i < direction_count(incidence); ++i)
+      if (precedes({0, 0, 0}, direction_vector(incidence, i)))
+        ascending.of[incidence] = static_cast<uint8_t>(ascending.of[incidence] | 1 << i);
+  return ascending;
+}
+}  // namespace derive
+inline constexpr AscendingDirections ascending_directions = derive::ascending_directions();
+
+inline bool turns_right(Incidence incidence, Direction before, Direction after) {
+  return turn(incidence, before, after) < 0;
+}
+
 template <class Index, class Normal>
 class Delivery {
  public:
@@ -44,11 +64,14 @@ class Delivery {
 
  private:
   using Out = Outgoing<Index>;
+  using Lists = RunLists<Index, Normal>;
   using Cursor = RunCursor<Index, Normal>;
   using Slot = typename RunRecord<Index, Normal>::Slot;
 
   void begin(Chains& chains);
   void begin_ring(const Records& records);
+  template <class IsTop>
+  void begin_at_last_top(const Records& records, IsTop is_top);
   void begin_fragments(Records& records);
   void next_fragment(Records& records);
   bool deliver(Records& records, const Sink& sink, Statistics& statistics);
@@ -107,31 +130,57 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
 // Finds where to begin, whether the ring is a hole, and the direction before its first run.
 //
 // A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
-// front of the sweep, and there only some directions are left: so it takes few bits to tell.
+// front of the sweep, and there only some directions are left: so it takes few bits to tell. It is a
+// top: the ring ascends to it and descends from it. Most rings have one.
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
-  const int directions = direction_count(out_.incidence);
-  const Cursor begin(records, out_.last);
-  Direction before = direction_of(RunLists<Index, Normal>::last_run(records, out_.last));
-  Vertex at = out_.start;
-  start_ = at;
-  int turned = 0;
-  Cursor cursor = begin;
-  do {
-    const ShortRun run = cursor.run(records);
+  const uint32_t ascending = ascending_directions.of[out_.incidence];
+  const auto is_top = [ascending](Direction before, Direction after) {
+    return (ascending >> before & ~(ascending >> after) & 1) != 0;
+  };
+  Direction before = direction_of(Lists::last_run(records, out_.last));
+  Direction after = before;  // the top
+  uint32_t tops = 0;
+  Lists::for_each(records, out_.last, [&](ShortRun run, Index record, uint8_t slot) {
     const Direction direction = direction_of(run);
-    int step = direction - before;
-    if (step < 0) step += directions;
-    turned += 2 * step < directions ? step : step - directions;
+    if (is_top(before, direction)) {
+      ++tops;
+      first_ = Cursor(record, slot);
+      out_.came = before;
+      after = direction;
+    }
     before = direction;
+  });
+  start_ = out_.start;
+  if (tops > 1) return begin_at_last_top(records, is_top);
+  is_hole_ = turns_right(out_.incidence, out_.came, after);
+  const Cursor end(records, out_.last);
+  for (Cursor cursor = first_; cursor != end; cursor.advance(records)) {
+    const ShortRun run = cursor.run(records);
+    start_ = moved_back(start_, link_of(out_.incidence, direction_of(run)), length_of(run));
+  }
+}
+
+// A hole that touches itself at its last vertex turns right there once, and an outer ring never.
+template <class Index, class Normal>
+template <class IsTop>
+void Delivery<Index, Normal>::begin_at_last_top(const Records& records, IsTop is_top) {
+  Direction before = direction_of(Lists::last_run(records, out_.last));
+  Vertex at = out_.start;
+  bool has_begun = false;
+  Lists::for_each(records, out_.last, [&](ShortRun run, Index record, uint8_t slot) {
+    const Direction direction = direction_of(run);
+    if (is_top(before, direction) && !(has_begun && precedes(at, start_))) {
+      const bool is_same = has_begun && at == start_;
+      is_hole_ = (is_same && is_hole_) || turns_right(out_.incidence, before, direction);
+      has_begun = true;
+      start_ = at;
+      first_ = Cursor(record, slot);
+      out_.came = before;
+    }
     at = moved(at, link_of(out_.incidence, direction), length_of(run));
-    cursor.advance(records);
-    if (precedes(at, start_)) continue;
-    start_ = at;
-    first_ = cursor;
-    out_.came = direction;
-  } while (cursor != begin);
-  is_hole_ = turned < 0;
+    before = direction;
+  });
 }
 
 // A loose fragment may be the last of the ring around holes of its plane: they go before it.

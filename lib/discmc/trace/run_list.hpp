@@ -45,6 +45,18 @@ struct RunLists {
     return slot[2].run != 0 ? slot[2].run : slot[1].run != 0 ? slot[1].run : slot[0].run;
   }
 
+  /// Calls visit(run, record, slot) for each run, in order. Limit: not empty.
+  template <class Visit>
+  static void for_each(const Records& records, Index last, Visit visit) {
+    Index index = last;
+    do {
+      index = records[index].linked.next;
+      const Slot* const slot = records[index].runs.slot;
+      for (uint8_t i = 0; i < slots; ++i)
+        if (slot[i].run != 0) visit(slot[i].run, index, i);
+    } while (index != last);
+  }
+
   /// Makes one list of two, which are then void.
   static Index concatenate(Records& records, Index first, Index second) {
     if (first == no_record) return second;
@@ -104,6 +116,8 @@ class RunCursor {
   using Slot = typename RunRecord<Index, Normal>::Slot;
 
   RunCursor() = default;
+  /// At a slot that has a run.
+  RunCursor(Index record, uint8_t slot) : record_(record), slot_(slot) {}
   /// At the first run of a list. Limit: not empty.
   RunCursor(const Records& records, Index last) : record_(records[last].linked.next) {
     if (run(records) == 0) advance(records);
