@@ -75,8 +75,7 @@ class Delivery {
   void begin_fragments(Records& records);
   void next_fragment(Records& records);
   bool deliver(Records& records, const Sink& sink, Statistics& statistics);
-  bool deliver_runs(Event& event, const Records& records, const Sink& sink,
-                    Statistics& statistics);
+  bool deliver_runs(Event& event, const Records& records, const Sink& sink, Statistics& statistics);
   void go_on(Records& records, Statistics& statistics);
   void end_runs(Records& records, Statistics& statistics);
 
@@ -130,8 +129,8 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
 // Finds where to begin, whether the ring is a hole, and the direction before its first run.
 //
 // A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
-// front of the sweep, and there only some directions are left: so it takes few bits to tell. It is a
-// top: the ring ascends to it and descends from it. Most rings have one.
+// front of the sweep, and there only some directions are left: so it takes few bits to tell. It is
+// a top: the ring ascends to it and descends from it. Most rings have one.
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
   const uint32_t ascending = ascending_directions.of[out_.incidence];
@@ -237,8 +236,7 @@ bool Delivery<Index, Normal>::deliver_runs(Event& event, const Records& records,
     const Slot& slot = after.slot(records);
     event.run = long_run(slot.run);
     if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
-    do
-      after.advance(records);
+    do after.advance(records);
     while (after != first_ && event.run.absorb(long_run(after.run(records))));
     if (sink.take(sink.context, event) != Answer::taken) return false;
     statistics.links += event.run.length();

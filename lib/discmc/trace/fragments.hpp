@@ -141,7 +141,7 @@ class Fragments {
     return pass.turns_at_centroid() ? moved(vertex, pass.first, 1) : vertex;
   }
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
-    return moved(pass.has_centroid ? moved(vertex, pass.first, 1) : vertex, pass.second, 1);
+    return moved(pass.has_centroid() ? moved(vertex, pass.first, 1) : vertex, pass.second, 1);
   }
 
   template <class Normals>
@@ -212,7 +212,7 @@ template <class Normals>
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
-    if (!pass.goes_ahead) {
+    if (!pass.goes_ahead()) {
       const Index begin = pop(pass.out);
       if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
       return begin_and_lose(pass, vertex, normals);
@@ -231,7 +231,7 @@ template <class Normals>
     }
   }
   if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
-  if (!pass.goes_ahead) return close(pass, vertex, tail);
+  if (!pass.goes_ahead()) return close(pass, vertex, tail);
   if (!admits(pass.out)) {
     queues_.push_lost(records_, pass.out);
     return lose_tail(pass, vertex, tail);
@@ -404,7 +404,7 @@ void Fragments<Index, Normal>::end_at(const Pass& pass, const Vertex& vertex) {
 
 template <class Index, class Normal>
 void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& vertex) {
-  if (pass.goes_ahead || pass.out < first_rising_queue) return;
+  if (pass.goes_ahead() || pass.out < first_rising_queue) return;
   const Index begin = queues_.pop(records_, pass.out);
   if (begin == no_record) return;
   const Vertex next = next_vertex(pass, vertex);

@@ -65,8 +65,7 @@ class Holes {
   Index& head_of(Incidence incidence, const Vertex& at) const {
     // Multiplication by an odd constant near 2^32 over the golden ratio spreads neighbouring keys
     // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
-    const uint32_t spread =
-        (plane_of(incidence, at) * incidence_codes + incidence) * 0x9E3779B1U;
+    const uint32_t spread = (plane_of(incidence, at) * incidence_codes + incidence) * 0x9E3779B1U;
     return heads_[spread >> 16 & heads_mask_];
   }
   template <class Wanted>

@@ -49,11 +49,14 @@ struct EdgePlace {
 inline uint32_t EdgePlace::lines() const {
   const auto& row = rows.row;
   if (axis == 0) {
-    const auto line = [&](int k, int j) { return row[k][j][word] >> bit & 3; };
+    const auto line = [&](int k, int j) __attribute__((always_inline)) {
+      return row[k][j][word] >> bit & 3;
+    };
     return line(1, 2) | line(2, 2) << 2 | line(2, 1) << 4 | line(2, 0) << 6 | line(1, 0) << 8 |
            line(0, 0) << 10 | line(0, 1) << 12 | line(0, 2) << 14;
   }
-  const auto pair = [&](const LineBits& bits, const uint32_t* lower, const uint32_t* upper) {
+  const auto pair = [&](const LineBits& bits, const uint32_t* lower, const uint32_t* upper)
+      __attribute__((always_inline)) {
     const uint32_t shift = bit - 1;
     return bits.of[lower[word] >> shift & 7] | uint32_t{bits.of[upper[word] >> shift & 7]} << 1;
   };

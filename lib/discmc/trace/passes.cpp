@@ -5,29 +5,41 @@ namespace discmc::trace {
 
 namespace {
 
-// What lies around a vertex. Sectors, and rays between them, have a nibble each in words of eight:
-// a ray is named by where its nibble begins.
+// The eight sectors around a vertex have a nibble each in a word, and so have the rays between
+// them: a ray is named by where its nibble begins.
 class Surroundings {
  public:
-  explicit Surroundings(const EdgePlace& edge)
+  Surroundings(const EdgePlace& edge, uint32_t absent)
       : axis_(sector_table.axis[edge.axis]),
         lower_is_on_(edge.lower_is_on() ? 1 : 0),
-        lines_(edge.lines() * 0x10001) {}
-
-  // What the sectors head to.
-  uint32_t headings() const {
-    const uint32_t all = sector(0).headings | uint32_t{sector(1).headings} << 8 |
-                         uint32_t{sector(2).headings} << 16 | uint32_t{sector(3).headings} << 24;
+        lines_(edge.lines() * 0x10001) {
+#pragma GCC unroll 4
+    for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
+      const Sector& seen = sector(quadrant);
+      headings_ |= uint32_t{seen.headings} << 8 * quadrant;
+      parts_ += sector_table.part[seen.part];
+    }
     // Turned from quadrant 0 to their own: 2 lines on a quadrant, but for those that head nowhere.
-    const uint32_t nowhere = all & 0x88888888;
-    return ((all + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
+    const uint32_t nowhere = headings_ & 0x88888888;
+    headings_ = ((headings_ + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
+    if (absent != 0) remove(absent);
   }
 
-  uint32_t parts(uint32_t quadrant) const {
-    return count_parts.part[count_parts.kind[lower_is_on_][cell_lines(quadrant)]];
+  uint32_t parts() const {
+    return parts_;
   }
 
-  Incidence incidence(uint32_t heading) const {
+  // Where the sectors on both sides differ.
+  uint32_t rays() const {
+    uint32_t differ = headings_ ^ (headings_ << 4 | headings_ >> 28);
+    differ |= differ >> 2;
+    differ |= differ >> 1;
+    return differ & 0x11111111;
+  }
+
+  // Of the wedge that begins at a ray.
+  Incidence incidence(uint32_t ray) const {
+    const uint32_t heading = headings_ >> ray & 15;
     return heading > no_heading ? no_incidence : axis_.incidence[lower_is_on_][heading];
   }
 
@@ -37,48 +49,47 @@ class Surroundings {
     Pass& goes = lower_is_on_ != 0 ? beginning : ending;
     const uint32_t quadrant = ray / 8;
     const Way* const ways = axis_.way[quadrant];
-    goes.has_centroid = (ray & 4) != 0;
-    if (goes.has_centroid) {
+    if ((ray & 4) == 0) {
+      const Way way = ways[sector_table.face_way[lower_is_on_][lines_ >> 4 * quadrant & 3]];
+      come(way, opposite_link(way.link()), comes);
+      go(way.link(), way, 0, goes);
+    } else {
       const uint32_t edges = sector(quadrant).edges;
       const Link inwards = axis_.inwards[quadrant];
       come(ways[edges >> 4], opposite_link(inwards), comes);
-      go(inwards, ways[edges & 15], goes);
-    } else {
-      const Way way = ways[sector_table.face_way[lower_is_on_][lines_ >> 4 * quadrant & 3]];
-      come(way, opposite_link(way.link()), comes);
-      go(way.link(), way, goes);
+      go(inwards, ways[edges & 15], Pass::by_centroid, goes);
     }
   }
 
  private:
-  uint32_t cell_lines(uint32_t quadrant) const { return lines_ >> 4 * quadrant & 63; }
+  void remove(uint32_t absent) {
+    for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
+      if ((absent >> quadrant & 1) == 0) continue;
+      headings_ |= uint32_t{0xFF} << 8 * quadrant;
+      parts_ -= sector_table.part[sector(quadrant).part];
+    }
+  }
   const Sector& sector(uint32_t quadrant) const {
-    return sector_table.sector[lower_is_on_][cell_lines(quadrant)];
+    return sector_table.sector[lower_is_on_][lines_ >> 4 * quadrant & 63];
   }
   static void come(Way way, Link link, Pass& pass) {
     pass.came = link;
     pass.in = way.queue_in();
     pass.comes_from_ahead = way.is_ahead();
   }
-  static void go(Link first, Way way, Pass& pass) {
+  static void go(Link first, Way way, uint8_t centroid, Pass& pass) {
     pass.first = first;
     pass.second = way.link();
     pass.out = way.queue_out();
-    pass.goes_ahead = way.is_ahead();
+    pass.onwards = static_cast<uint8_t>(centroid | (way.is_ahead() ? Pass::ahead : 0));
   }
 
   const AxisTable& axis_;
   uint32_t lower_is_on_;
   uint32_t lines_;  // once and once more
+  uint32_t headings_ = 0;
+  uint32_t parts_ = 0;
 };
-
-// A bit for every ray: the lowest of its nibble.
-constexpr uint32_t rays_between(uint32_t headings) {
-  uint32_t differ = headings ^ (headings << 4 | headings >> 28);
-  differ |= differ >> 2;
-  differ |= differ >> 1;
-  return differ & 0x11111111;
-}
 
 // Takes out the wedges where there are no cells.
 void remove_absent(PassList& passes) {
@@ -91,29 +102,23 @@ void remove_absent(PassList& passes) {
 }  // namespace
 
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
-  const Surroundings around(edge);
-  uint32_t headings = around.headings();
-  passes.parts = around.parts(0) + around.parts(1) + around.parts(2) + around.parts(3);
-  for (uint32_t quadrant = 0; absent >> quadrant != 0; ++quadrant) {
-    if ((absent >> quadrant & 1) == 0) continue;
-    passes.parts -= around.parts(quadrant);
-    headings |= uint32_t{0xFF} << 8 * quadrant;
-  }
+  const Surroundings around(edge, absent);
+  passes.parts = around.parts();
   passes.count = 0;
-  const uint32_t rays = rays_between(headings);
+  const uint32_t rays = around.rays();
   if (rays == 0) return;
   // From the second ray on, and the first one last: so the first wedge begins at the first ray.
   Pass* ending = passes.pass;
   for (uint32_t left = rays;;) {
+    ++passes.count;
     left &= left - 1;
     const uint32_t ray = trailing_zeros(left != 0 ? left : rays);
     Pass* const beginning = left != 0 ? ending + 1 : passes.pass;
-    beginning->incidence = around.incidence(headings >> ray & 15);
+    beginning->incidence = around.incidence(ray);
     around.set_ray(ray, *ending, *beginning);
     if (left == 0) break;
     ending = beginning;
   }
-  passes.count = static_cast<uint8_t>(ending - passes.pass + 1);
   if (absent != 0) remove_absent(passes);
 }
 

@@ -20,9 +20,11 @@ struct Pass {
   Link second;      ///< and the way from the centroid; the same where there is none, or no corner
   uint8_t in, out;  ///< queues of the links that come in and go out
   bool comes_from_ahead;  ///< the vertex before is visited later
-  bool goes_ahead;        ///< the vertex after is visited later
-  bool has_centroid;
+  uint8_t onwards;
 
+  static constexpr uint8_t ahead = 1, by_centroid = 2;
+  bool goes_ahead() const { return (onwards & ahead) != 0; }  ///< the vertex after is visited later
+  bool has_centroid() const { return (onwards & by_centroid) != 0; }
   bool turns() const { return came != first; }
   bool turns_at_centroid() const { return first != second; }
 };

@@ -114,7 +114,7 @@ constexpr Sector sector_of(int lower_is_on, int lines) {
   const Incidence first = lower_is_on != 0 ? after : before;
   const Incidence second = lower_is_on != 0 ? before : after;
   const auto headings = static_cast<uint8_t>(heading_of(first) | heading_of(second) << 4);
-  if (before == after) return {headings, 0};
+  if (before == after) return {headings, 0, 0};
   // The facets before the vertex end at its spoke: their chain leaves it for where they begin.
   int begin = i - 1;
   while (facets.behind(begin - 1) == before) --begin;
@@ -123,7 +123,7 @@ constexpr Sector sector_of(int lower_is_on, int lines) {
   while (facets.behind(end) == after) ++end;
   const CellEdge to = edges.number[facets.loop.point[facets.wrap(begin)]];
   const CellEdge from = edges.number[facets.loop.point[facets.wrap(end)]];
-  return {headings, static_cast<uint8_t>(to | from << 4)};
+  return {headings, static_cast<uint8_t>(to | from << 4), 0};
 }
 
 // ---- ways ----
@@ -262,6 +262,30 @@ constexpr uint8_t face_way_of(int lower_is_on, int line) {
   return is_upper_cut_off ? upward_way : downward_way;
 }
 
+// ---- counts ----
+
+constexpr uint32_t part_of(int lower_is_on, int lines) {
+  const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
+  const uint32_t points = vertex.facets.loop.count;
+  const uint32_t cell = CountParts::cell / static_cast<uint32_t>(vertex.points);
+  const uint32_t facet = vertex.facets.is_fan ? CountParts::facet : CountParts::facet / points;
+  const uint32_t triangle = CountParts::triangle * (points - 2) / points;
+  return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
+}
+
+constexpr void number_parts(SectorTable& table) {
+  int known = 0;
+  for (int lower = 0; lower < 2; ++lower)
+    for (int lines = 0; lines < 64; ++lines) {
+      const uint32_t part = part_of(lower, lines);
+      int number = 0;
+      while (number < known && table.part[number] != part) ++number;
+      table.part[number] = part;
+      if (number == known) ++known;
+      table.sector[lower][lines].part = static_cast<uint8_t>(number);
+    }
+}
+
 // ---- the table ----
 
 constexpr void add_incidences(AxisTable& table, int axis) {
@@ -291,6 +315,7 @@ constexpr SectorTable derive_table() {
   QueueNumbers numbers;
   add_face_ways(table, numbers);
   add_spoke_ways(table, number_spoke_queues(table, numbers));
+  number_parts(table);
   return table;
 }
 
@@ -307,46 +332,11 @@ constexpr bool queues_are_all_used() {
   return true;
 }
 
-// ---- counts ----
-
-constexpr uint32_t part_of(int lower_is_on, int lines) {
-  const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
-  const uint32_t points = vertex.facets.loop.count;
-  const uint32_t cell = CountParts::cell / static_cast<uint32_t>(vertex.points);
-  const uint32_t facet = vertex.facets.is_fan ? CountParts::facet : CountParts::facet / points;
-  const uint32_t triangle = CountParts::triangle * (points - 2) / points;
-  return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
-}
-
-struct CountsDerived {
-  CountParts parts;
-  int kinds;
-};
-
-constexpr CountsDerived derive_counts() {
-  CountsDerived counts{};
-  for (int lower = 0; lower < 2; ++lower)
-    for (int lines = 0; lines < 64; ++lines) {
-      const uint32_t part = part_of(lower, lines);
-      int kind = 0;
-      while (kind < counts.kinds && counts.parts.part[kind] != part) ++kind;
-      counts.parts.part[kind] = part;
-      if (kind == counts.kinds) ++counts.kinds;
-      counts.parts.kind[lower][lines] = static_cast<uint8_t>(kind);
-    }
-  return counts;
-}
-
-constexpr CountsDerived derived_counts = derive_counts();
-
-static_assert(derived_counts.kinds <= 32, "every kind has its place");
-
 static_assert(queues_are_all_used(),
               "18 kinds of links on faces both ways, and 108 ways by a centroid");
 
 }  // namespace
 
 const SectorTable sector_table = derived;
-const CountParts count_parts = derived_counts.parts;
 
 }  // namespace discmc::trace

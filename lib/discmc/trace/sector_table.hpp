@@ -38,6 +38,7 @@ struct Sector {
   /// The chain that leaves along the spoke goes to the edge in bits 0 to 3 by the cell's centroid,
   /// and the one that comes along it is from the edge in bits 4 to 7. Both as if the axis were x.
   uint8_t edges;
+  uint8_t part;  ///< what the cell adds to counts here: see SectorTable
 };
 
 /// Ends wait in queues, one for each kind of link and each way of the chain along it: 36 for links
@@ -83,27 +84,23 @@ struct AxisTable {
   Incidence incidence[2][no_heading + 1];  ///< [lower end is on][heading]
 };
 
-struct SectorTable {
-  Sector sector[2][64];  ///< [lower end is on][bits of the quadrant's three lines]
-  AxisTable axis[3];
-  uint8_t face_way[2][4];  ///< [lower end is on][bits of the line]: one of the ways on the face
-  Direction direction[incidence_codes][link_codes];  ///< of a link in a plane, or no_direction
-};
-
-extern const SectorTable sector_table;
-
 /// What a scan counts of cells: every vertex adds a part for each of its four cells, so that a
 /// cell, a facet and a triangle of classic Marching Cubes are counted once when all vertices are.
 struct CountParts {
   // Units of one, and where in a word their sum over four cells stands.
   static constexpr uint32_t cell = 2520, facet = 12, triangle = 420;
   static constexpr uint32_t facet_shift = 12, triangle_shift = 18;
-
-  uint8_t kind[2][64];  ///< [lower end is on][bits of the cell's three lines]
-  uint32_t part[32];    ///< by kind
 };
 
-extern const CountParts count_parts;
+struct SectorTable {
+  Sector sector[2][64];  ///< [lower end is on][bits of the quadrant's three lines]
+  AxisTable axis[3];
+  uint8_t face_way[2][4];  ///< [lower end is on][bits of the line]: one of the ways on the face
+  Direction direction[incidence_codes][link_codes];  ///< of a link in a plane, or no_direction
+  uint32_t part[32];  ///< of counts (CountParts), by the number that a sector has of it
+};
+
+extern const SectorTable sector_table;
 
 }  // namespace discmc::trace
 
