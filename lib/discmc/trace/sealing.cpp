@@ -80,8 +80,8 @@ bool tell(SealedRows& sealed, const CellPatch& patch, const Vertex& start, const
   const uint8_t end = static_cast<uint8_t>(patch.count + 2);
   for (; sealed.event <= end; ++sealed.event) {
     Event event{};
-    event.kind = sealed.event == 0     ? Event::Kind::region
-                 : sealed.event == 1   ? Event::Kind::ring
+    event.kind = sealed.event == 0    ? Event::Kind::region
+                 : sealed.event == 1  ? Event::Kind::ring
                  : sealed.event < end ? Event::Kind::run
                                       : Event::Kind::region_end;
     event.incidence = patch.incidence;
@@ -112,8 +112,7 @@ bool deliver_cell(SealedRows& sealed, Configuration configuration, const Vertex&
 }
 
 // Delivers the cells of the row above row y, or goes on with them.
-bool deliver(SealedRows& sealed, const CellRows& cells, const Sink& sink,
-             Statistics& statistics) {
+bool deliver(SealedRows& sealed, const CellRows& cells, const Sink& sink, Statistics& statistics) {
   const RowsAround around = rows_around(cells.rows, 1, 1);
   for (; sealed.word < row_words(cells.limits.width); ++sealed.word) {
     if (!sealed.is_word_begun) sealed.cells = active(around, cells.limits, sealed.word);
@@ -121,8 +120,7 @@ bool deliver(SealedRows& sealed, const CellRows& cells, const Sink& sink,
     for (; sealed.cells != 0; sealed.cells &= sealed.cells - 1) {
       const uint32_t bit = trailing_zeros(sealed.cells);
       uint32_t configuration = 0;
-      for (int i = 0; i < 4; ++i)
-        configuration |= (around.row[i][sealed.word] >> bit & 3) << 2 * i;
+      for (int i = 0; i < 4; ++i) configuration |= (around.row[i][sealed.word] >> bit & 3) << 2 * i;
       const uint32_t x = sealed.word * columns_per_word + bit - 2;  // -1 wraps
       const Vertex origin{2 * static_cast<int32_t>(x), 2 * cells.y, 2 * cells.z};
       if (!deliver_cell(sealed, static_cast<Configuration>(configuration), origin, sink,
