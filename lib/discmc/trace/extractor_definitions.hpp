@@ -260,19 +260,19 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
                     (limits_.slab.continues_below ? 1 : 0);
   trace::SweptRow row{rows_.around(y), {}, y, z, {}, 0};
   const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
-  const bool has_front = !is_open || y > 0;
-  const bool has_back = !is_open || y + 1 < static_cast<int32_t>(limits_.height);
-  const bool has_below = !is_open || middle_slice() > 0;
-  const bool has_above = !is_above_slab && !(is_open && is_last_slice());
-  bool is_absent[2][2] = {{!has_below || !has_front, !has_below || !has_back},
-                          {!has_above || !has_front, !has_above || !has_back}};
-  const trace::CellRows cells{limits_, row.rows, y, z, is_absent};
+  const bool ends_behind = is_open && y + 1 == static_cast<int32_t>(limits_.height);
+  const bool ends_above = is_above_slab || (is_open && is_last_slice());
+  row.axes = 7U - (ends_behind ? 2U : 0U) - (ends_above ? 4U : 0U);
+  // The rows of cells around that take no part, a bit each: 2 * layer + row.
+  uint32_t absent = (ends_behind ? 10U : 0U) | (ends_above ? 12U : 0U);
+  if (is_open && y == 0) absent |= 5;
+  if (is_open && middle_slice() == 0) absent |= 3;
+  const trace::CellRows cells{limits_, row.rows, y, z, absent};
   if (sink_.sealing != nullptr &&
       !sink_.sealing->begin_row(sealed_, cells, sweep_.chains().spare(), sink_, statistics_))
     return false;
   sweep_.chains().lose_below(limits_.slab.continues_below && middle_slice() == 1);
-  row.set_absent(is_absent);
-  row.axes = 1U | (has_back ? 2U : 0U) | (has_above ? 4U : 0U);
+  row.set_absent(absent);
   row.work = !is_above_slab      ? trace::RowWork::take_passes
              : chains_are_ended_ ? trace::RowWork::begin_chains
                                  : trace::RowWork::end_chains;
