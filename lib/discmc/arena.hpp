@@ -33,13 +33,11 @@ class Arena {
   }
 
   explicit Arena(Memory memory)
-      : begin_(static_cast<uint8_t*>(memory.data)),
-        next_(begin_),
+      : next_(static_cast<uint8_t*>(memory.data)),
         left_(memory.bytes),
         is_exhausted_(memory.data == nullptr || memory.bytes < alignment - 1) {
     if (is_exhausted_) return;
-    begin_ += (alignment - reinterpret_cast<uintptr_t>(begin_) % alignment) % alignment;
-    next_ = begin_;
+    next_ += (alignment - reinterpret_cast<uintptr_t>(next_) % alignment) % alignment;
     left_ -= alignment - 1;
   }
 
@@ -52,23 +50,19 @@ class Arena {
   /// Whether an array did not fit.
   bool is_exhausted() const { return is_exhausted_; }
 
-  /// The bytes taken so far, with what is set aside: memory of as many has room for the same.
-  size_t used() const { return static_cast<size_t>(next_ - begin_) + alignment - 1; }
-
  private:
   uint8_t* take_records(uint32_t count, uint32_t record_bytes) {
     const uint64_t bytes = bytes_of(count, record_bytes);
     if (bytes > left_) is_exhausted_ = true;
     if (is_exhausted_) return nullptr;
     uint8_t* const place = next_;
-    left_ -= bytes;
+    left_ -= static_cast<size_t>(bytes);
     next_ += bytes;
     return place;
   }
 
-  uint8_t* begin_;
   uint8_t* next_;
-  uint64_t left_;
+  size_t left_;
   bool is_exhausted_;
 };
 

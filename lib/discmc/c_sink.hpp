@@ -19,9 +19,8 @@ struct SinkAdapter {
   /// start(sink): starts the object. When it fails, the sink of the last start stays.
   template <class Start>
   discmc_status start_to(const discmc_sink& sink, Start start) {
-    const Status status =
-        start(Sink{this, sink.take == nullptr ? nullptr : offer,
-                   sink.takes_fragments != 0 ? nullptr : &trace::sealing});
+    const Status status = start(Sink{this, sink.take == nullptr ? nullptr : offer,
+                                     sink.takes_fragments != 0 ? nullptr : &trace::sealing});
     if (status == Status::ok) {
       context = sink.context;
       take = sink.take;

@@ -277,7 +277,8 @@ bool Decoder::read_fragment() {
   const Chain order = model_.order(Chain::fragment);
   Vertex start = model_.start(Vertex{0, 0, 0}, order);
   const uint32_t count = model_.fragment_run_count(1);
-  record_.begin_fragment(incidence, 0, start);
+  record_.begin(incidence);
+  record_.begin_fragment(0, start);
   if (count > Record::max_words || !record_.has_room(count)) return false;
   record_.is_last = true;
   record_.count += count;
@@ -335,7 +336,7 @@ void Decoder::read_mark(RecordKind kind) {
     mark_.kind = Event::Kind::skipped;
     mark_.slice = model_.plain_number(0);
     mark_.row = model_.plain_number(0);
-    mark_.repeated = model_.plain_bits(1, 0) != 0;
+    mark_.repeated = model_.plain_bit(false);
   }
   stage_ = Stage::mark;
 }

@@ -61,7 +61,6 @@ class BasicEncoder : private Normals {
   };
   using Model = RegionModel<Coder>;
 
-  bool make_room(uint32_t words, const Event& event);
   bool put(const Event& event);
   bool encode_whole(const Event& event);
   bool encode_part(uint32_t& words, Event::Kind cause);

@@ -39,21 +39,24 @@ Status BasicEncoder<Normals>::start(const StreamHeader& header, const ByteOutput
 template <class Normals>
 Answer BasicEncoder<Normals>::take(const Event& event) {
   if (output_.write == nullptr || !drain()) return Answer::not_now;
+  const bool is_run = event.kind == Event::Kind::run;
   bool done = true;
   switch (event.kind) {
     case Event::Kind::region:
-      record_.begin(event.incidence);
-      break;
     case Event::Kind::fragment:
-      record_.begin_fragment(event.incidence, event.came, event.start);
+      record_.begin(event.incidence);
+      if (event.kind == Event::Kind::fragment) record_.begin_fragment(event.came, event.start);
       break;
     case Event::Kind::ring:
-      done = make_room(Record::ring_words, event);
-      if (done) record_.add_ring(event.start);
-      break;
     case Event::Kind::run:
-      done = make_room(1, event);
-      if (done) add_run(event);
+      // A record that has no room is emptied in parts before the event goes into it.
+      if (!record_.has_room(is_run ? 1 : Record::ring_words)) is_emptying_ = true;
+      if (is_emptying_) done = put(event);
+      if (!done) break;
+      if (is_run)
+        add_run(event);
+      else
+        record_.add_ring(event.start);
       break;
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
@@ -128,13 +131,6 @@ void BasicEncoder<Normals>::encode_normals(uint32_t words) {
   if constexpr (Normals::are_told) Normals::encode(model_, record_, words);
 }
 
-// A record that has no room is emptied in parts before the event goes into it.
-template <class Normals>
-bool BasicEncoder<Normals>::make_room(uint32_t words, const Event& event) {
-  is_emptying_ = is_emptying_ || !record_.has_room(words);
-  return !is_emptying_ || put(event);
-}
-
 // Puts a mark, or what is in the record, into this packet or the next. What cannot be told whole,
 // or is longer than a packet, goes in parts, into as many packets as it takes; no mark does.
 template <class Normals>
@@ -173,7 +169,7 @@ bool BasicEncoder<Normals>::encode_whole(const Event& event) {
       model_.record_kind(RecordKind::skipped);
       model_.plain_number(event.slice);
       model_.plain_number(event.row);
-      model_.plain_bits(1, event.repeated ? 1 : 0);
+      model_.plain_bit(event.repeated);
       return true;
     default:
       encode_normals(record_.count);

@@ -151,10 +151,9 @@ class Extractor {
   bool lay_out(Memory memory);
   bool is_suspended() const;
   Status ready_for_samples();
-  void note(const Arrival& arrival);
+  void note(Arrival arrival);
 
   bool work();
-  bool sweep_ready_rows();
   bool sweep_row();
   int32_t middle_slice() const;
   uint32_t ready_rows() const;
@@ -170,7 +169,7 @@ class Extractor {
   bool skip_repeated_ = false;
   bool sends_fragments_ = false;
   bool chains_are_ended_ = false;  // at the row under way above a slab
-  uint32_t swept_rows_ = 0;  // of the middle slice
+  uint32_t swept_rows_ = 0;        // of the middle slice
   int32_t threshold_ = 0;
   Limits limits_{};
   Sink sink_;
@@ -181,7 +180,6 @@ class Extractor {
   trace::SealedRows sealed_;
   Capacities capacities_{};
   Memory memory_;
-  size_t fixed_bytes_ = 0;  // of the memory, before the records
 };
 
 using Extractor16 = Extractor<uint16_t>;

@@ -8,9 +8,9 @@
 //   extractor.set_spacing(header.spacing_nm);           // before start(), unless voxels are cubes
 //
 // It keeps the samples of four slices and six rows, and lets every row wait for a slice and a row:
-// so samples on all sides are at hand where the sweep is. A normal is made with its corner, and kept
-// with the run that starts there; what is the middle of a side never has one, nor has a cell that is
-// delivered alone because memory is short and the sink takes no fragments.
+// so samples on all sides are at hand where the sweep is. A normal is made with its corner, and
+// kept with the run that starts there; what is the middle of a side never has one, nor has a cell
+// that is delivered alone because memory is short and the sink takes no fragments.
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
@@ -40,7 +40,8 @@ class GradientNormals {
     given_ = arena.take<uint16_t>(ring_rows(limits));
     width_ = limits.width;
     height_ = limits.height;
-    first_z_ = 2 * (static_cast<int32_t>(limits.slab.first) - (limits.slab.continues_below ? 1 : 0));
+    first_z_ =
+        2 * (static_cast<int32_t>(limits.slab.first) - (limits.slab.continues_below ? 1 : 0));
   }
   void clear() {
     samples_.clear();
@@ -59,7 +60,7 @@ class GradientNormals {
   Arrival append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
                  int32_t threshold) {
     samples_.append(samples, count, stride);
-    if (!samples_.row_is_complete()) return {};
+    if (!samples_.row_is_complete()) return Arrival::nothing;
     end_row(width_);
     return pass_on_due(rows, threshold);
   }
@@ -100,15 +101,17 @@ class GradientNormals {
   }
   // A row is due when it has waited for a slice and a row.
   Arrival pass_on_due(trace::BitRows& rows, int32_t threshold) {
-    if (waiting_ <= height_ + 1) return {};
+    if (waiting_ <= height_ + 1) return Arrival::nothing;
     return pass_on(rows, threshold);
   }
   // Makes bits of the row that has waited longest.
   Arrival pass_on(trace::BitRows& rows, int32_t threshold) {
     const uint16_t given = given_[samples_.place_before(waiting_)];
-    const Arrival row{true, given >= skipped_off, given == skipped_repeated};
-    if (!row.is_skipped) rows.append(samples_.row_before(waiting_), given, 1, threshold);
-    if (row.is_repeated)
+    const Arrival row = given == skipped_repeated ? Arrival::repeated
+                        : given == skipped_off    ? Arrival::skipped
+                                                  : Arrival::nothing;
+    if (row == Arrival::nothing) rows.append(samples_.row_before(waiting_), given, 1, threshold);
+    if (row == Arrival::repeated)
       rows.repeat();
     else
       rows.fill_off();

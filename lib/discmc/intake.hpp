@@ -10,11 +10,11 @@
 
 namespace discmc {
 
-/// What came of samples, or of a row that never came: a row of bits, or none yet.
-struct Arrival {
-  bool is_row = false;
-  bool is_skipped = false;   ///< the samples of that row never came
-  bool is_repeated = false;  ///< and the row before stands in for them
+/// What is to be told of the row of bits that came of samples.
+enum class Arrival : uint8_t {
+  nothing,   ///< or there is no row yet
+  skipped,   ///< the samples of that row never came,
+  repeated,  ///< and the row before stands in for them
 };
 
 /// What a run carries of the normal where it starts when nobody wants normals.
@@ -41,9 +41,8 @@ class NoNormals {
   Arrival append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
                  int32_t threshold) {
     rows.append(samples, count, stride, threshold);
-    if (!rows.row_is_complete()) return {};
-    rows.next_row();
-    return {true, false, false};
+    if (rows.row_is_complete()) rows.next_row();
+    return Arrival::nothing;
   }
   /// A row never came. Limit: column() == 0.
   Arrival skip(trace::BitRows& rows, bool is_repeated, int32_t) {
@@ -52,18 +51,16 @@ class NoNormals {
     else
       rows.fill_off();
     rows.next_row();
-    return {true, true, is_repeated};
+    return is_repeated ? Arrival::repeated : Arrival::skipped;
   }
   /// No more samples come: what the slice lacks is off. Limit: holds_rows().
   Arrival drain(trace::BitRows& rows, int32_t) {
     rows.fill_off();
     rows.next_row();
-    return {true, false, false};
+    return Arrival::nothing;
   }
   /// Whether a slice is under way.
-  bool holds_rows(const trace::BitRows& rows) const {
-    return rows.rows() > 0 || rows.column() > 0;
-  }
+  bool holds_rows(const trace::BitRows& rows) const { return rows.rows() > 0 || rows.column() > 0; }
 
   NoNormal normal_at(const Vertex&) const { return {}; }
 };

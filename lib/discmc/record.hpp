@@ -34,9 +34,8 @@ struct Record {
     rings = 0;
     count = 0;
   }
-  /// Empties the record and makes it the first part of a fragment.
-  void begin_fragment(Incidence of, Direction came_by, const Vertex& start) {
-    begin(of);
+  /// Makes it that of a fragment instead.
+  void begin_fragment(Direction came_by, const Vertex& start) {
     came = came_by;
     is_fragment = true;
     add_ring(start);

@@ -9,20 +9,15 @@ namespace discmc {
 
 /// How many runs the ring has whose first run is word `first`, when they are short and straight and
 /// close it: then its last two lengths follow from the others. 0 when they are not or do not.
-inline uint32_t compact_runs(const Record& record, uint32_t first) {
-  Vertex way{0, 0, 0};
-  uint32_t end = first;
-  for (; end < record.count && record.word[end] != Record::ring_mark; ++end) {
-    const Run run = Run::from_code(record.word[end]);
-    if (run.length() > max_compact_length) return 0;
-    way = way + displacement(record.incidence, &run, 1);
-  }
-  return way == Vertex{0, 0, 0} ? end - first : 0;
-}
+uint32_t compact_runs(const Record& record, uint32_t first);
 
-inline bool are_opposite(Incidence incidence, Run a, Run b) {
-  return a.length() == b.length() &&
-         link_of(incidence, a.direction()) == opposite_link(link_of(incidence, b.direction()));
+/// From which end a whole fragment is told: the one that costs less after the vertex `before`.
+/// Returns Chain::fragment or Chain::backwards, and that end.
+Chain cheaper_end(const Record& record, const Vertex& before, Vertex& end);
+
+constexpr bool are_opposite(Incidence incidence, Run a, Run b) {
+  const int turn = a.direction() - b.direction();
+  return a.length() == b.length() && 2 * (turn < 0 ? -turn : turn) == direction_count(incidence);
 }
 
 /// Limit: as compact_runs() counts them.
@@ -64,45 +59,33 @@ bool encode_region(Model& model, const Record& record) {
   return true;
 }
 
-/// About what it costs to tell a start relative to the one before: a step in z most of all.
-inline uint32_t cost_of_start(const Vertex& start, const Vertex& before) {
-  const auto distance = [](int32_t to, int32_t from) {
-    const uint32_t steps = static_cast<uint32_t>(to) - static_cast<uint32_t>(from);
-    return steps < 0U - steps ? steps : 0U - steps;
-  };
-  return 64 * distance(start.z, before.z) + 8 * distance(start.y, before.y) +
-         distance(start.x, before.x);
+/// A run of a record, its direction first.
+template <class Model>
+void encode_run(Model& model, uint32_t word) {
+  const Run run = Run::from_code(word);
+  model.direction(run.direction());
+  model.length(run.length());
 }
 
 /// A whole loose fragment, told from the end that costs less: the one where the sweep is. False,
 /// with nothing told, when the record is a part or has no run.
 template <class Model>
 bool encode_fragment(Model& model, const Record& record) {
-  if (record.continues || record.count == Record::ring_words) return false;
-  const uint32_t* const runs = record.word + Record::ring_words;
-  const uint32_t count = record.count - Record::ring_words;
-  const Vertex start = record.start_at(0);
-  Vertex end = start;
-  for (uint32_t i = 0; i < count; ++i) {
-    const Run run = Run::from_code(runs[i]);
-    end = after_links(end, direction_vector(record.incidence, run.direction()), run.length());
-  }
-  const Vertex& before = model.last_start();
-  const bool from_end = cost_of_start(end, before) < cost_of_start(start, before);
+  constexpr uint32_t first = Record::ring_words;
+  if (record.continues || record.count == first) return false;
+  Vertex end;
+  const Chain chain = cheaper_end(record, model.last_start(), end);
   model.record_kind(RecordKind::fragment);
   model.incidence(record.incidence);
-  model.order(from_end ? Chain::backwards : Chain::fragment);
-  model.start(from_end ? end : start, from_end ? Chain::backwards : Chain::fragment);
-  model.fragment_run_count(count);
-  for (uint32_t i = 0; i <= count; ++i) {
-    const uint32_t link = from_end ? count - i : i;
-    if (link == 0) {
-      model.direction(record.came);
-    } else {
-      const Run run = Run::from_code(runs[link - 1]);
-      model.direction(run.direction());
-      model.length(run.length());
-    }
+  model.order(chain);
+  model.start(end, chain);
+  model.fragment_run_count(record.count - first);
+  if (chain == Chain::fragment) {
+    model.direction(record.came);
+    for (uint32_t i = first; i < record.count; ++i) encode_run(model, record.word[i]);
+  } else {
+    for (uint32_t i = record.count; i-- > first;) encode_run(model, record.word[i]);
+    model.direction(record.came);
   }
   return true;
 }
@@ -115,10 +98,8 @@ uint32_t encode_item(Model& model, const Record& record, uint32_t index) {
     encode_start(model, record, index);
     return Record::ring_words;
   }
-  const Run run = Run::from_code(record.word[index]);
   model.item_kind(Item::run);
-  model.direction(run.direction());
-  model.length(run.length());
+  encode_run(model, record.word[index]);
   return 1;
 }
 

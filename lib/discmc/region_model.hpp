@@ -102,9 +102,14 @@ class RegionModel {
     before_ = Before::mark;
     return slice_ += plain_number(slice - slice_);
   }
-  /// A number or some bits without a context.
-  uint32_t plain_number(uint32_t value) { return number(context::even, 1, value); }
-  uint32_t plain_bits(uint32_t count, uint32_t value) { return tree(context::even, count, value); }
+  /// A number, a bit or some bits without a context.
+  uint32_t plain_number(uint32_t value) { return number(context::even, 1, value + 1) - 1; }
+  bool plain_bit(bool value) { return bit(context::even, value); }
+  uint32_t plain_bits(uint32_t count, uint32_t value) {
+    uint32_t coded = 0;
+    while (count-- > 0) coded = 2 * coded + bit(context::even, value >> count & 1);
+    return coded;
+  }
 
   /// The normal, guessed from that of the record before.
   Incidence incidence(Incidence incidence);
@@ -125,12 +130,12 @@ class RegionModel {
   /// How many runs a ring has. Limit: at least 2.
   uint32_t run_count(uint32_t count) {
     using namespace context;
-    return 2 + number(context::run_count + link_class_ * size_of_run_count, size_of_run_count,
-                      count - 2);
+    return 1 + number(context::run_count + link_class_ * size_of_run_count, size_of_run_count,
+                      count - 1);
   }
   /// How many runs a fragment has. Limit: at least 1.
   uint32_t fragment_run_count(uint32_t count) {
-    return 1 + number(context::fragment_run_count, context::size_of_run_count, count - 1);
+    return number(context::fragment_run_count, context::size_of_run_count, count);
   }
   /// A run's direction, or that by which a fragment's chain comes to its start. Decoding, any of 8
   /// may come back: see is_direction().
@@ -152,13 +157,15 @@ class RegionModel {
 
  private:
   bool bit(uint32_t context, bool value) { return coder_.bit(context, value); }
+  uint32_t bit(uint32_t context, uint32_t value) { return bit(context, value != 0) ? 1 : 0; }
   uint32_t direction_count() const { return 4U + 2U * link_class_; }
-  uint32_t leaf(uint32_t first, uint32_t bits, uint32_t value);
-  uint32_t tree(uint32_t first, uint32_t bits, uint32_t value) {
-    return leaf(first, bits, value) - (uint32_t{1} << bits);
-  }
+  uint32_t tree(uint32_t first, uint32_t value);
   uint32_t number(uint32_t first, uint32_t contexts, uint32_t value);
   int32_t delta(uint32_t first, int32_t value);
+  int32_t step(uint32_t row, int32_t to, int32_t from) {
+    return delta(context::start_z + row * context::size_of_delta,
+                 wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
+  }
   void begin_chain(Chain chain) {
     direction_ = no_direction;
     turns_ = 0;
@@ -202,35 +209,38 @@ constexpr uint32_t max_compact_length = 0xFFFF;
 
 // ---- implementation ----
 
-// Nodes are numbered from 1, those below a node by twice its number and one more.
+// Three bits. Nodes are numbered from 1, those below a node by twice its number and one more.
 template <class Coder>
-uint32_t RegionModel<Coder>::leaf(uint32_t first, uint32_t bits, uint32_t value) {
+uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
   uint32_t node = 1;
-  while (bits-- > 0) {
+  for (uint32_t bits = 3; bits-- > 0;) {
     const uint32_t context = first == context::even ? first : first + node - 1;
-    node = 2 * node + (bit(context, (value >> bits & 1) != 0) ? 1 : 0);
+    node = 2 * node + bit(context, value >> bits & 1);
   }
-  return node;
+  return node - 8;
 }
 
-// Exponential Golomb code (J. Teuhola, 1978): the length of value + 1 in unary, then its lower
-// bits.
+// A positive number by exponential Golomb code (J. Teuhola, 1978): its length in unary, then its
+// lower bits.
 template <class Coder>
 uint32_t RegionModel<Coder>::number(uint32_t first, uint32_t contexts, uint32_t value) {
-  uint32_t bits = 0;
   const uint32_t last = first + contexts - 1;
-  for (; bit(first, (value + 1) >> bits > 1) && bits < 31; ++bits)
+  uint32_t bits = 0;
+  for (; bit(first, value >> bits > 1) && bits < 31; ++bits)
     if (first < last) ++first;
-  return leaf(context::even, bits, value + 1) - 1;
+  uint32_t coded = 1;
+  while (bits-- > 0) coded = 2 * coded + bit(context::even, value >> bits & 1);
+  return coded;
 }
 
 template <class Coder>
 int32_t RegionModel<Coder>::delta(uint32_t first, int32_t value) {
   if (bit(first, value == 0)) return 0;
-  const bool negative = bit(first + 1, value < 0);
-  const uint32_t size = negative ? ~static_cast<uint32_t>(value) : static_cast<uint32_t>(value) - 1;
+  // All ones for a negative number: x ^ sign - sign is its size, and of a size the number.
+  const uint32_t sign = bit(first + 1, value < 0) ? ~uint32_t{0} : 0;
+  const uint32_t size = (static_cast<uint32_t>(value) ^ sign) - sign;
   const uint32_t coded = number(first + 2, context::size_of_delta - 2, size);
-  return static_cast<int32_t>(negative ? ~coded : coded + 1);
+  return static_cast<int32_t>((coded ^ sign) - sign);
 }
 
 // Component by component, z first, each guessed from the record before.
@@ -238,9 +248,8 @@ template <class Coder>
 Incidence RegionModel<Coder>::incidence(Incidence incidence) {
   // The components plus one are the digits to base 3.
   const auto take_digit = [](uint32_t& number) {
-    uint32_t digit = 0;
-    for (; number >= 9; number -= 9) ++digit;
-    number *= 3;
+    const uint32_t digit = number * 57 >> 9;  // a ninth, up to 26
+    number = 3 * (number - 9 * digit);
     return digit;
   };
   uint32_t told = incidence;
@@ -273,7 +282,7 @@ RecordKind RegionModel<Coder>::record_kind(RecordKind kind) {
     return RecordKind::fragment;
   constexpr uint32_t first = static_cast<uint32_t>(RecordKind::layer);
   return static_cast<RecordKind>(first +
-                                 tree(context::other_kind, 3, static_cast<uint32_t>(kind) - first));
+                                 tree(context::other_kind, static_cast<uint32_t>(kind) - first));
 }
 
 template <class Coder>
@@ -287,23 +296,19 @@ Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
   using namespace context;
   // The contexts from start_z on are rows for a delta each: 6 of z, 6 of y, 10 of x, 3 of holes,
   // and of fragments 2 of z, 3 of y, 3 of x.
-  const auto step = [&](uint32_t first_row, uint32_t hole_row, uint32_t fragment_row, int32_t to,
-                        int32_t from) {
-    const uint32_t row = chain == Chain::first     ? first_row
-                         : chain == Chain::further ? hole_row
-                                                   : fragment_row;
-    return delta(start_z + row * size_of_delta,
-                 wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
+  const auto row = [chain](uint32_t of_first, uint32_t of_further, uint32_t of_fragment) {
+    return chain == Chain::first ? of_first : chain == Chain::further ? of_further : of_fragment;
   };
   const auto sign = [](int32_t value) { return value == 0 ? 0U : value > 0 ? 1U : 2U; };
   const uint32_t after_mark = before_ == Before::mark ? 1 : 0;
-  const int32_t dz = step(link_class_ + 3 * after_mark, 22, 25 + after_mark, start.z, start_.z);
+  const int32_t dz =
+      step(row(link_class_ + 3 * after_mark, 22, 25 + after_mark), start.z, start_.z);
   const uint32_t from_2 = static_cast<uint32_t>(dz) + 2;
-  const int32_t dy = step(6 + (from_2 < 5 ? from_2 : 5), 23, 27 + sign(dz), start.y, start_.y);
+  const int32_t dy = step(row(6 + (from_2 < 5 ? from_2 : 5), 23, 27 + sign(dz)), start.y, start_.y);
   const uint32_t by_y = dy < -2 ? 0U : dy > 2 ? 4U : static_cast<uint32_t>(dy + 2);
   // The sum of the coordinates is odd, so of x only the half is told.
-  const int32_t half =
-      step((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24, 30 + sign(dy), start.x >> 1, start_.x >> 1);
+  const int32_t half = step(row((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24, 30 + sign(dy)),
+                            start.x >> 1, start_.x >> 1);
   start_.z = wrapped_sum(start_.z, dz);
   start_.y = wrapped_sum(start_.y, dy);
   const uint32_t x = static_cast<uint32_t>(wrapped_sum(start_.x >> 1, half)) << 1;
@@ -325,7 +330,7 @@ Direction RegionModel<Coder>::direction(Direction direction) {
                            : chain_ == Chain::further
                                ? even
                                : fragment_direction + link_class_ * size_of_tree;
-    direction_ = static_cast<Direction>(tree(first, 3, direction));
+    direction_ = static_cast<Direction>(tree(first, direction));
     return direction_;
   }
   // A class has a tree for each turn before and one for none: 5, 7 or 9. In fragments two.
@@ -340,7 +345,7 @@ Direction RegionModel<Coder>::direction(Direction direction) {
     return mirrors && turn > 0 ? directions - turn : turn;
   };
   const uint32_t back = direction < direction_ ? directions : 0;
-  const uint32_t turn = tree(first, 3, mirrored(direction + back - direction_));
+  const uint32_t turn = tree(first, mirrored(direction + back - direction_));
   turns_ = static_cast<uint8_t>(turn + 1);
   const uint32_t sum = direction_ + mirrored(turn);
   direction_ = static_cast<Direction>(sum < directions ? sum : sum - directions);
@@ -355,7 +360,7 @@ uint32_t RegionModel<Coder>::length(uint32_t length) {
   const uint32_t first = is_fragment(chain_)
                              ? fragment_length + kind * size_of_run_length
                              : run_length + (4 * kind + length_) * size_of_run_length;
-  const uint32_t coded = 1 + number(first, size_of_run_length, length - 1);
+  const uint32_t coded = number(first, size_of_run_length, length);
   length_ = static_cast<uint8_t>(coded < 3 ? coded : 3);
   return coded;
 }
@@ -366,7 +371,7 @@ void RegionModel<Coder>::part(Record& record) {
   record.continues = bit(context::part_kind + 1, record.continues);
   record.incidence = incidence(record.incidence);
   if (record.is_fragment && !record.continues)
-    record.came = static_cast<Direction>(plain_bits(3, record.came));
+    record.came = static_cast<Direction>(tree(context::even, record.came));
   begin_chain(Chain::further);
 }
 

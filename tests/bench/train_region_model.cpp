@@ -36,7 +36,8 @@ class Trainer {
         record_.begin(event.incidence);
         break;
       case Kind::fragment:
-        record_.begin_fragment(event.incidence, event.came, event.start);
+        record_.begin(event.incidence);
+        record_.begin_fragment(event.came, event.start);
         break;
       case Kind::ring:
         make_room(discmc::Record::ring_words);

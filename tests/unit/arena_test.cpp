@@ -25,7 +25,6 @@ TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
   for (size_t offset = 0; offset < 4; ++offset) {
     Arena arena({bytes + offset, sizeof bytes - offset});
     const size_t skipped = (4 - offset) % 4;
-    CHECK(arena.used() == 3);
     const auto* first = arena.take<uint8_t>(5);
     const auto* second = arena.take<Six>(3);
     const auto* third = arena.take<uint32_t>(2);
@@ -35,7 +34,6 @@ TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
     CHECK(is_aligned(first));
     CHECK(is_aligned(second));
     CHECK(is_aligned(third));
-    CHECK(arena.used() == 3 + 8 + 20 + 8);
   }
 }
 
@@ -55,7 +53,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("once something has not fitted nothing does, and nothing was taken for it") {
+TEST_CASE("once something has not fitted nothing does") {
   alignas(4) uint8_t bytes[32] = {};
   for (const uint32_t count : {30U, UINT32_MAX}) {
     Arena arena(memory_of(bytes));
@@ -64,7 +62,6 @@ TEST_CASE("once something has not fitted nothing does, and nothing was taken for
     CHECK(arena.take<uint8_t>(1) == nullptr);
     CHECK(arena.take<uint8_t>(0) == nullptr);
     CHECK(arena.is_exhausted());
-    CHECK(arena.used() == 3 + 4);
   }
 }
 
@@ -73,7 +70,6 @@ TEST_CASE("an array of an odd number of bytes needs its padding too") {
   Arena arena({bytes, 7 + 3});
   CHECK(arena.take<uint8_t>(4) != nullptr);
   CHECK(arena.take<uint8_t>(3) == nullptr);
-  CHECK(arena.used() == 3 + 4);
 }
 
 TEST_CASE("too little memory to align, or none, gives nothing") {
@@ -123,17 +119,12 @@ TEST_CASE("arrays do not overlap and stay within the memory, whatever is taken")
     Arena arena({memory.data() + offset, bytes});
     for (int i = 0; i < 40; ++i) {
       const uint32_t count = next(9);
-      const size_t before = arena.used();
       auto* records = arena.take<Six>(count);
-      if (records == nullptr) {
-        CHECK(arena.used() == before);
-        continue;
-      }
+      if (records == nullptr) continue;
       // Address sanitizers see a byte beyond; a byte twice taken is no longer zero.
       const auto* raw = reinterpret_cast<const uint8_t*>(records);
       CHECK(std::all_of(raw, raw + count * sizeof(Six), [](uint8_t byte) { return byte == 0; }));
       if (count > 0) std::memset(records, 0xFF, count * sizeof(Six));
-      CHECK(arena.used() <= bytes);
     }
   }
 }

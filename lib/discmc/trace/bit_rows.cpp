@@ -25,12 +25,12 @@ void BitRows::start(Arena& arena, const Limits& limits) {
   ring_rows_ = bit_rows(limits.height) - 1;
   width_ = limits.width;
   height_ = limits.height;
-  ring_ = arena.take<uint32_t>(words_ * ring_rows_);
-  off_ = arena.take<uint32_t>(words_);
+  ring_ = arena.take<uint32_t>(words_ * bit_rows(limits.height));
 }
 
 void BitRows::clear() {
-  for (uint32_t i = 0; i < words_; ++i) off_[i] = 0;
+  uint32_t* const off = row_off();
+  for (uint32_t i = 0; i < words_; ++i) off[i] = 0;
   place_ = 0;
   column_ = 0;
   rows_ = 0;
@@ -136,7 +136,7 @@ void BitRows::append_bits(const uint8_t* bits) {
 
 void BitRows::repeat() {
   const bool first_of_all = rows_ == 0 && slices_ == 0;
-  const uint32_t* const before = first_of_all ? off_ : row_before(1);
+  const uint32_t* const before = first_of_all ? row_off() : row_before(1);
   uint32_t* const words = arriving();
   for (uint32_t i = 0; i < words_; ++i) words[i] = before[i];
   column_ = width_;
@@ -168,7 +168,7 @@ RowBlock BitRows::around(int32_t y) const {
     for (uint32_t j = 0; j < 3; ++j) {
       // Beyond the height for a row before the first.
       const uint32_t at = static_cast<uint32_t>(y) + j - 1;
-      block.row[k][j] = at < there ? row_before(back - j) : off_;
+      block.row[k][j] = at < there ? row_before(back - j) : row_off();
     }
   }
   return block;

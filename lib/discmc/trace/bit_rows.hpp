@@ -81,14 +81,14 @@ class BitRows {
 
  private:
   uint32_t* row_before(uint32_t back) const;
+  uint32_t* row_off() const { return ring_ + size_t{words_} * ring_rows_; }
   uint32_t* arriving();
   void place(uint32_t* words, uint32_t bits) const;
   template <class Sample>
   void append_windows(uint32_t* words, const Sample* samples, uint32_t count,
                       int32_t threshold) const;
 
-  uint32_t* ring_ = nullptr;
-  uint32_t* off_ = nullptr;
+  uint32_t* ring_ = nullptr;  // and behind it a row that is off
   uint32_t words_ = 0;
   uint32_t ring_rows_ = 0;
   uint32_t width_ = 0;

@@ -48,14 +48,7 @@ class Delivery {
   }
 
   /// Delivers what goes out, if anything. False when the sink said "not now": call again.
-  bool settle(Chains& chains, const Sink& sink, Statistics& statistics) {
-    if (!is_delivering_) {
-      if (!chains.has_outgoing()) return true;
-      begin(chains);
-      if (!is_delivering_) return true;
-    }
-    return deliver(chains.records(), sink, statistics);
-  }
+  bool settle(Chains& chains, const Sink& sink, Statistics& statistics);
 
   /// After the last vertex: delivers holes that still wait, loose. As settle().
   bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);
@@ -72,12 +65,10 @@ class Delivery {
   void begin_ring(const Records& records);
   template <class IsTop>
   void begin_at_last_top(const Records& records, IsTop is_top);
-  void begin_fragments(Records& records);
-  void next_fragment(Records& records);
-  bool deliver(Records& records, const Sink& sink, Statistics& statistics);
-  bool deliver_runs(Event& event, const Records& records, const Sink& sink, Statistics& statistics);
+  bool begin_hole(Records& records);
+  void begin_fragment(Records& records);
+  void take_run(Event& event, Cursor& cursor, const Records& records) const;
   void go_on(Records& records, Statistics& statistics);
-  void end_runs(Records& records, Statistics& statistics);
 
   bool sends_ = false;
   bool is_delivering_ = false;
@@ -86,8 +77,9 @@ class Delivery {
   Event::Kind next_event_ = Event::Kind::region;
   uint32_t most_holes_ = 0;
   uint32_t holes_due_ = 0;  // marked ones: of the region, or to go before a loose fragment
-  Out out_;                 // what is delivered
-  Out last_;                // the fragment after the holes, or none
+  Out out_;                 // what is delivered; of kind none once no more than holes are due
+  Index last_ = no_record;  // of the runs: those of out_, or of a hole
+  Direction came_ = 0;      // by which their chain comes to their start
   Vertex start_{0, 0, 0};   // where the first run starts
   Cursor first_;
   Cursor cursor_;
@@ -97,15 +89,42 @@ class Delivery {
 // ---- implementation ----
 
 template <class Index, class Normal>
+bool Delivery<Index, Normal>::settle(Chains& chains, const Sink& sink, Statistics& statistics) {
+  Records& records = chains.records();
+  if (!is_delivering_ && chains.has_outgoing()) begin(chains);
+  Event event{};
+  while (is_delivering_) {
+    const bool is_run = next_event_ == Event::Kind::run;
+    event.kind = next_event_;
+    event.incidence = out_.incidence;
+    event.came = came_;
+    event.hole = is_hole_;
+    event.start = start_;
+    event.run = {};
+    do {
+      Cursor after = cursor_;
+      if (is_run) take_run(event, after, records);
+      if (sink.take(sink.context, event) != Answer::taken) return false;
+      statistics.links += event.run.length();
+      cursor_ = after;
+    } while (is_run && cursor_ != first_);
+    go_on(records, statistics);
+  }
+  return true;
+}
+
+template <class Index, class Normal>
 bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
                                            Statistics& statistics) {
+  Records& records = chains.records();
   while (is_delivering_ || holes_.count() > 0) {
     if (!is_delivering_) {
       out_.kind = Out::Kind::none;
-      holes_.any_plane(chains.records(), out_.incidence, out_.start);
-      begin_fragments(chains.records());
+      holes_.any_plane(records, out_.incidence, out_.start);
+      holes_due_ = holes_.mark(records, out_);
+      begin_fragment(records);
     }
-    if (!deliver(chains.records(), sink, statistics)) return false;
+    if (!settle(chains, sink, statistics)) return false;
   }
   return true;
 }
@@ -114,16 +133,20 @@ template <class Index, class Normal>
 void Delivery<Index, Normal>::begin(Chains& chains) {
   Records& records = chains.records();
   out_ = chains.take_outgoing();
-  if (out_.kind == Out::Kind::fragment) return begin_fragments(records);
-  begin_ring(records);
-  if (is_hole_ && (!sends_ || (holes_.count() < most_holes_ &&
-                               chains.spare() >= 4 + Holes<Index, Normal>::records_each)))
-    return holes_.keep(records, out_);
+  last_ = out_.last;
+  start_ = out_.start;
+  is_hole_ = false;
+  if (out_.kind == Out::Kind::ring) {
+    begin_ring(records);
+    if (is_hole_ && (!sends_ || (holes_.count() < most_holes_ &&
+                                 chains.spare() >= 4 + Holes<Index, Normal>::records_each)))
+      return holes_.keep(records, out_);
+  }
+  holes_due_ = is_hole_ ? 0 : holes_.mark(records, out_);
+  if (out_.kind == Out::Kind::fragment) return begin_fragment(records);
   is_delivering_ = true;
   is_fragment_ = is_hole_;
-  holes_due_ = is_hole_ ? 0 : holes_.mark_within(records, out_);
   next_event_ = is_hole_ ? Event::Kind::fragment : Event::Kind::region;
-  last_.kind = Out::Kind::none;
 }
 
 // Finds where to begin, whether the ring is a hole, and the direction before its first run.
@@ -137,23 +160,22 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
   const auto is_top = [ascending](Direction before, Direction after) {
     return (ascending >> before & ~(ascending >> after) & 1) != 0;
   };
-  Direction before = direction_of(Lists::last_run(records, out_.last));
+  Direction before = direction_of(Lists::last_run(records, last_));
   Direction after = before;  // the top
   uint32_t tops = 0;
-  Lists::for_each(records, out_.last, [&](ShortRun run, Index record, uint8_t slot) {
+  Lists::for_each(records, last_, [&](ShortRun run, Index record, uint8_t slot) {
     const Direction direction = direction_of(run);
     if (is_top(before, direction)) {
       ++tops;
       first_ = Cursor(record, slot);
-      out_.came = before;
+      came_ = before;
       after = direction;
     }
     before = direction;
   });
-  start_ = out_.start;
   if (tops > 1) return begin_at_last_top(records, is_top);
-  is_hole_ = turns_right(out_.incidence, out_.came, after);
-  const Cursor end(records, out_.last);
+  is_hole_ = turns_right(out_.incidence, came_, after);
+  const Cursor end(records, last_);
   for (Cursor cursor = first_; cursor != end; cursor.advance(records)) {
     const ShortRun run = cursor.run(records);
     start_ = moved_back(start_, link_of(out_.incidence, direction_of(run)), length_of(run));
@@ -164,10 +186,10 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
 template <class Index, class Normal>
 template <class IsTop>
 void Delivery<Index, Normal>::begin_at_last_top(const Records& records, IsTop is_top) {
-  Direction before = direction_of(Lists::last_run(records, out_.last));
-  Vertex at = out_.start;
+  Direction before = direction_of(Lists::last_run(records, last_));
+  Vertex at = start_;
   bool has_begun = false;
-  Lists::for_each(records, out_.last, [&](ShortRun run, Index record, uint8_t slot) {
+  Lists::for_each(records, last_, [&](ShortRun run, Index record, uint8_t slot) {
     const Direction direction = direction_of(run);
     if (is_top(before, direction) && !(has_begun && precedes(at, start_))) {
       const bool is_same = has_begun && at == start_;
@@ -175,77 +197,50 @@ void Delivery<Index, Normal>::begin_at_last_top(const Records& records, IsTop is
       has_begun = true;
       start_ = at;
       first_ = Cursor(record, slot);
-      out_.came = before;
+      came_ = before;
     }
     at = moved(at, link_of(out_.incidence, direction), length_of(run));
     before = direction;
   });
 }
 
+// Begins with the next of the marked holes. False when there is none.
+template <class Index, class Normal>
+bool Delivery<Index, Normal>::begin_hole(Records& records) {
+  if (holes_due_ == 0) return false;
+  --holes_due_;
+  holes_.take(records, out_, last_, start_);
+  begin_ring(records);
+  return true;
+}
+
 // A loose fragment may be the last of the ring around holes of its plane: they go before it.
 template <class Index, class Normal>
-void Delivery<Index, Normal>::begin_fragments(Records& records) {
-  holes_due_ = holes_.mark_plane(records, out_.incidence, out_.start);
-  last_ = out_;
-  next_fragment(records);
-}
-
-template <class Index, class Normal>
-void Delivery<Index, Normal>::next_fragment(Records& records) {
+void Delivery<Index, Normal>::begin_fragment(Records& records) {
   is_fragment_ = true;
-  is_delivering_ = true;
   next_event_ = Event::Kind::fragment;
-  if (holes_due_ > 0) {
-    --holes_due_;
-    holes_.take(records, out_);
-    return begin_ring(records);
-  }
-  is_delivering_ = last_.kind == Out::Kind::fragment;
+  is_delivering_ = true;
+  if (begin_hole(records)) return;
+  is_delivering_ = out_.kind == Out::Kind::fragment;
   if (!is_delivering_) return;
-  out_ = last_;
-  last_.kind = Out::Kind::none;
+  out_.kind = Out::Kind::none;
+  last_ = out_.last;
+  came_ = out_.came;
   start_ = out_.start;
-  first_ = Cursor(records, out_.last);
+  first_ = Cursor(records, last_);
 }
 
+// Joins runs of one direction at a cursor and goes on behind them.
 template <class Index, class Normal>
-bool Delivery<Index, Normal>::deliver(Records& records, const Sink& sink, Statistics& statistics) {
-  Event event{};
-  while (is_delivering_) {
-    event.kind = next_event_;
-    event.incidence = out_.incidence;
-    event.start = start_;
-    event.hole = is_hole_;
-    event.came = out_.came;
-    if (next_event_ == Event::Kind::run) {
-      if (!deliver_runs(event, records, sink, statistics)) return false;
-      end_runs(records, statistics);
-    } else {
-      if (sink.take(sink.context, event) != Answer::taken) return false;
-      go_on(records, statistics);
-    }
-  }
-  return true;
+void Delivery<Index, Normal>::take_run(Event& event, Cursor& cursor, const Records& records) const {
+  const Slot& slot = cursor.slot(records);
+  event.run = long_run(slot.run);
+  if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
+  do cursor.advance(records);
+  while (cursor != first_ && event.run.absorb(long_run(cursor.run(records))));
 }
 
-template <class Index, class Normal>
-bool Delivery<Index, Normal>::deliver_runs(Event& event, const Records& records, const Sink& sink,
-                                           Statistics& statistics) {
-  do {
-    Cursor after = cursor_;
-    const Slot& slot = after.slot(records);
-    event.run = long_run(slot.run);
-    if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
-    do after.advance(records);
-    while (after != first_ && event.run.absorb(long_run(after.run(records))));
-    if (sink.take(sink.context, event) != Answer::taken) return false;
-    statistics.links += event.run.length();
-    cursor_ = after;
-  } while (cursor_ != first_);
-  return true;
-}
-
-// The sink has taken an event: what comes next?
+// The sink has taken an event, or all runs of a chain: what comes next?
 template <class Index, class Normal>
 void Delivery<Index, Normal>::go_on(Records& records, Statistics& statistics) {
   switch (next_event_) {
@@ -257,30 +252,23 @@ void Delivery<Index, Normal>::go_on(Records& records, Statistics& statistics) {
       cursor_ = first_;
       next_event_ = Event::Kind::run;
       break;
+    case Event::Kind::run:
+      RunLists<Index, Normal>::give(records, last_);
+      if (is_fragment_) {
+        next_event_ = Event::Kind::fragment_end;
+        break;
+      }
+      ++statistics.rings;
+      next_event_ = begin_hole(records) ? Event::Kind::ring : Event::Kind::region_end;
+      break;
     case Event::Kind::region_end:
       ++statistics.regions;
       is_delivering_ = false;
       break;
     default:  // fragment_end
       ++statistics.fragments;
-      next_fragment(records);
+      begin_fragment(records);
   }
-}
-
-template <class Index, class Normal>
-void Delivery<Index, Normal>::end_runs(Records& records, Statistics& statistics) {
-  RunLists<Index, Normal>::give(records, out_.last);
-  if (is_fragment_) {
-    next_event_ = Event::Kind::fragment_end;
-    return;
-  }
-  ++statistics.rings;
-  next_event_ = Event::Kind::region_end;
-  if (holes_due_ == 0) return;
-  --holes_due_;
-  next_event_ = Event::Kind::ring;
-  holes_.take(records, out_);
-  begin_ring(records);
 }
 
 }  // namespace discmc::trace

@@ -50,11 +50,10 @@ bool Extractor<Index, Normals, Passes>::lay_out(Memory memory) {
   sealed_.bits = arena.take<uint32_t>(sizing::sealed_words(limits_));
   auto* const queues = arena.take<trace::Queue<Index>>(trace::queue_count);
   auto* const holes = arena.take<Index>(sizing::hole_lists);
-  fixed_bytes_ = arena.is_exhausted() ? 0 : arena.used();
   auto* const records = arena.take<trace::Record<Index, Normal>>(capacities_.records);
   sweep_.chains().start(records, capacities_.records, queues, sends_fragments_);
   sweep_.delivery().start(holes, sizing::hole_lists, capacities_.holes, sends_fragments_);
-  memory_ = arena.is_exhausted() ? Memory{} : memory;
+  memory_ = memory;
   return !arena.is_exhausted();
 }
 
@@ -77,7 +76,7 @@ Status Extractor<Index, Normals, Passes>::reset() {
 template <class Index, class Normals, class Passes>
 size_t Extractor<Index, Normals, Passes>::bytes_used() const {
   if (state_ == State::idle) return 0;
-  return fixed_bytes_ + size_t{high_water().records} * sizeof(trace::Record<Index, Normal>);
+  return static_cast<size_t>(bytes_for<Index, Normals>(limits_, {high_water().records, 0}));
 }
 
 // ---- what the caller gives ----
@@ -155,9 +154,9 @@ Status Extractor<Index, Normals, Passes>::abandon() {
 
 // A row of bits whose samples never came is told before it is swept.
 template <class Index, class Normals, class Passes>
-void Extractor<Index, Normals, Passes>::note(const Arrival& arrival) {
-  if (!arrival.is_skipped) return;
-  skip_repeated_ = arrival.is_repeated;
+void Extractor<Index, Normals, Passes>::note(Arrival arrival) {
+  if (arrival == Arrival::nothing) return;
+  skip_repeated_ = arrival == Arrival::repeated;
   skip_untold_ = true;
   ++statistics_.skipped_rows;
 }
@@ -181,7 +180,6 @@ Status Extractor<Index, Normals, Passes>::save(Checkpoint<Extractor>& checkpoint
   image.sink_ = {};
   image.lay_out({});
   image.sweep_.passes() = Passes{};
-  image.fixed_bytes_ = fixed_bytes_;
   image.memory_ = {nullptr, memory_.bytes};
   checkpoint.seal({memory_.data, bytes_used()});
   return Status::ok;
@@ -208,20 +206,21 @@ Status Extractor<Index, Normals, Passes>::restore(const Checkpoint<Extractor>& c
 // Does all that the rows at hand allow. False when the sink said "not now".
 template <class Index, class Normals, class Passes>
 bool Extractor<Index, Normals, Passes>::work() {
-  if (state_ == State::finished) return true;
-  for (;;) {
+  while (state_ != State::finished) {
     if (skip_untold_) {
       if (!tell(Event::Kind::skipped)) return false;
       skip_untold_ = false;
     }
-    if (!sweep_ready_rows()) return false;
+    for (; swept_rows_ < ready_rows(); ++swept_rows_)
+      if (!sweep_row()) return false;
     if (rows_.rows() == limits_.height && !end_slice()) return false;
-    if (state_ == State::scanning) return true;
+    if (state_ == State::scanning) break;
     if (intake_.holds_rows(rows_))
       note(intake_.drain(rows_, threshold_));
-    else if (swept_rows_ == ready_rows())
-      return end_scan();
+    else if (swept_rows_ == ready_rows() && !end_scan())
+      return false;
   }
+  return true;
 }
 
 // The slice that is swept: the one before the slice that arrives, counted as slices are pushed.
@@ -254,36 +253,26 @@ uint32_t Extractor<Index, Normals, Passes>::ready_rows() const {
 }
 
 template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::sweep_ready_rows() {
-  const uint32_t ready = ready_rows();
-  for (; swept_rows_ < ready; ++swept_rows_)
-    if (!sweep_row()) return false;
-  return true;
-}
-
-template <class Index, class Normals, class Passes>
 bool Extractor<Index, Normals, Passes>::sweep_row() {
   const bool is_open = limits_.border == Border::open;
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
-  trace::SweptRow row{};
-  row.rows = rows_.around(y);
-  row.y = y;
-  row.z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
-          (limits_.slab.continues_below ? 1 : 0);
+  const int32_t z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
+                    (limits_.slab.continues_below ? 1 : 0);
+  trace::SweptRow row{rows_.around(y), {}, y, z, {}, 0};
   const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
-  const bool has_front = !is_open || y > 0;
-  const bool has_back = !is_open || y + 1 < static_cast<int32_t>(limits_.height);
-  const bool has_below = !is_open || middle_slice() > 0;
-  const bool has_above = !is_above_slab && !(is_open && is_last_slice());
-  bool is_absent[2][2] = {{!has_below || !has_front, !has_below || !has_back},
-                          {!has_above || !has_front, !has_above || !has_back}};
-  const trace::CellRows cells{limits_, row.rows, y, row.z, is_absent};
+  const bool ends_behind = is_open && y + 1 == static_cast<int32_t>(limits_.height);
+  const bool ends_above = is_above_slab || (is_open && is_last_slice());
+  row.axes = 7U - (ends_behind ? 2U : 0U) - (ends_above ? 4U : 0U);
+  // The rows of cells around that take no part, a bit each: 2 * layer + row.
+  uint32_t absent = (ends_behind ? 10U : 0U) | (ends_above ? 12U : 0U);
+  if (is_open && y == 0) absent |= 5;
+  if (is_open && middle_slice() == 0) absent |= 3;
+  const trace::CellRows cells{limits_, row.rows, y, z, absent};
   if (sink_.sealing != nullptr &&
       !sink_.sealing->begin_row(sealed_, cells, sweep_.chains().spare(), sink_, statistics_))
     return false;
   sweep_.chains().lose_below(limits_.slab.continues_below && middle_slice() == 1);
-  row.set_absent(is_absent);
-  row.axes = 1U | (has_back ? 2U : 0U) | (has_above ? 4U : 0U);
+  row.set_absent(absent);
   row.work = !is_above_slab      ? trace::RowWork::take_passes
              : chains_are_ended_ ? trace::RowWork::begin_chains
                                  : trace::RowWork::end_chains;
@@ -302,14 +291,13 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
 template <class Index, class Normals, class Passes>
 bool Extractor<Index, Normals, Passes>::tell(Event::Kind kind) {
   const uint32_t below = limits_.slab.continues_below ? 1 : 0;
-  const Statistics totals = statistics();
   Event event{};
   event.kind = kind;
   event.slice = rows_.slices() + limits_.slab.first - below;
   event.row = rows_.rows() - 1;
   event.repeated = skip_repeated_;
   event.abandoned = abandoned_;
-  event.statistics = &totals;
+  event.statistics = &statistics_;
   return sink_.take(sink_.context, event) == Answer::taken;
 }
 

@@ -40,7 +40,6 @@ class Holes {
     for (uint32_t i = 0; i <= heads_mask_; ++i) heads_[i] = no_record;
     count_ = 0;
     high_water_ = 0;
-    incidences_ = 0;
   }
 
   uint32_t count() const { return count_; }
@@ -49,27 +48,24 @@ class Holes {
   /// Keeps a ring. Limit: there are records_each records.
   void keep(Records& records, const Outgoing<Index>& ring);
 
-  /// Marks the holes that lie in a ring, and counts them. Cost: the holes of the plane times the
-  /// ring's runs.
-  uint32_t mark_within(Records& records, const Outgoing<Index>& ring) const;
-  /// Marks all holes of a plane, and counts them.
-  uint32_t mark_plane(Records& records, Incidence incidence, const Vertex& at) const;
+  /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
+  /// is marked. Cost: the holes of the plane, times the ring's runs.
+  uint32_t mark(Records& records, const Outgoing<Index>& by) const;
 
-  /// Takes a marked hole of a plane out. Limit: there is one.
-  void take(Records& records, Outgoing<Index>& hole);
+  /// Takes a marked hole out: its runs, and where they start. Limit: there is one, and `by` marked
+  /// it.
+  void take(Records& records, const Outgoing<Index>& by, Index& last, Vertex& start);
 
   /// A plane that has holes. Limit: count() > 0.
   void any_plane(const Records& records, Incidence& incidence, Vertex& at) const;
 
  private:
-  Index& head_of(Incidence incidence, const Vertex& at) const {
+  Index& head_of(Incidence incidence, uint32_t plane) const {
     // Multiplication by an odd constant near 2^32 over the golden ratio spreads neighbouring keys
     // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
-    const uint32_t spread = (plane_of(incidence, at) * incidence_codes + incidence) * 0x9E3779B1U;
+    const uint32_t spread = (plane * incidence_codes + incidence) * 0x9E3779B1U;
     return heads_[spread >> 16 & heads_mask_];
   }
-  template <class Wanted>
-  uint32_t mark(Records& records, Incidence incidence, const Vertex& at, Wanted is_wanted) const;
   static bool surrounds(const Records& records, const Outgoing<Index>& ring, const Vertex& start,
                         Direction first);
 
@@ -77,7 +73,6 @@ class Holes {
   uint32_t heads_mask_ = 0;
   uint32_t count_ = 0;
   uint32_t high_water_ = 0;
-  uint32_t incidences_ = 0;  // a bit for each that may have holes
 };
 
 // ---- implementation ----
@@ -87,7 +82,7 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
   const Index index = records.take();
   const Index start = records.take();
   records[start].hole_start.set(ring.start);
-  Index& head = head_of(ring.incidence, ring.start);
+  Index& head = head_of(ring.incidence, plane_of(ring.incidence, ring.start));
   Hole<Index>& hole = records[index].hole;
   hole.next = head;
   hole.last = ring.last;
@@ -95,22 +90,21 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
   hole.incidence = ring.incidence;
   hole.is_marked = 0;
   head = index;
-  incidences_ |= uint32_t{1} << ring.incidence;
   if (++count_ > high_water_) high_water_ = count_;
 }
 
 template <class Index, class Normal>
-template <class Wanted>
-uint32_t Holes<Index, Normal>::mark(Records& records, Incidence incidence, const Vertex& at,
-                                    Wanted is_wanted) const {
+uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by) const {
   uint32_t marked = 0;
-  if ((incidences_ >> incidence & 1) == 0) return marked;
-  const uint32_t plane = plane_of(incidence, at);
-  for (Index i = head_of(incidence, at); i != no_record; i = records[i].linked.next) {
+  if (count_ == 0) return marked;
+  const uint32_t plane = plane_of(by.incidence, by.start);
+  for (Index i = head_of(by.incidence, plane); i != no_record; i = records[i].linked.next) {
     Hole<Index>& hole = records[i].hole;
-    if (hole.incidence != incidence) continue;
+    if (hole.incidence != by.incidence) continue;
     const Vertex start = records[hole.start].hole_start.get();
-    if (plane_of(incidence, start) != plane || !is_wanted(hole, start)) continue;
+    if (plane_of(by.incidence, start) != plane) continue;
+    const Direction first = direction_of(Cursor(records, hole.last).run(records));
+    if (by.kind == Outgoing<Index>::Kind::ring && !surrounds(records, by, start, first)) continue;
     hole.is_marked = 1;
     ++marked;
   }
@@ -118,34 +112,18 @@ uint32_t Holes<Index, Normal>::mark(Records& records, Incidence incidence, const
 }
 
 template <class Index, class Normal>
-uint32_t Holes<Index, Normal>::mark_within(Records& records, const Outgoing<Index>& ring) const {
-  return mark(records, ring.incidence, ring.start, [&](const Hole<Index>& hole, const Vertex& at) {
-    const ShortRun first = Cursor(records, hole.last).run(records);
-    return surrounds(records, ring, at, direction_of(first));
-  });
-}
-
-template <class Index, class Normal>
-uint32_t Holes<Index, Normal>::mark_plane(Records& records, Incidence incidence,
-                                          const Vertex& at) const {
-  return mark(records, incidence, at, [](const Hole<Index>&, const Vertex&) { return true; });
-}
-
-template <class Index, class Normal>
-void Holes<Index, Normal>::take(Records& records, Outgoing<Index>& out) {
-  Index* link = &head_of(out.incidence, out.start);
-  const auto is_wanted = [&](const Hole<Index>& hole) {
-    return hole.is_marked != 0 && hole.incidence == out.incidence;
-  };
-  while (!is_wanted(records[*link].hole)) link = &records[*link].linked.next;
+void Holes<Index, Normal>::take(Records& records, const Outgoing<Index>& by, Index& last,
+                                Vertex& start) {
+  Index* link = &head_of(by.incidence, plane_of(by.incidence, by.start));
+  while (records[*link].hole.is_marked == 0) link = &records[*link].linked.next;
   const Index index = *link;
-  const Hole<Index> hole = records[index].hole;
+  const Hole<Index>& hole = records[index].hole;
   *link = hole.next;
-  out.last = hole.last;
-  out.start = records[hole.start].hole_start.get();
+  last = hole.last;
+  start = records[hole.start].hole_start.get();
   records.give(hole.start);
   records.give(index);
-  if (--count_ == 0) incidences_ = 0;
+  --count_;
 }
 
 template <class Index, class Normal>
@@ -160,41 +138,41 @@ void Holes<Index, Normal>::any_plane(const Records& records, Incidence& incidenc
 
 // Whether an outer ring surrounds a hole of its plane that starts at a vertex in a direction. A
 // point beside the middle of the hole's first link, within a facet and so on no ring, lies inside
-// if a ray from it crosses the ring an odd number of times. Units: eighths of a half-step.
+// if a ray from it crosses the ring an odd number of times. Seen along an axis that does not lie in
+// the plane; only v may be z, in which a ring may be long.
 template <class Index, class Normal>
 bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Index>& ring,
                                      const Vertex& start, Direction first) {
   const Vertex n = normal(ring.incidence);
-  const int dropped = n.z != 0 ? 2 : n.y != 0 ? 1 : 0;
-  const int u = dropped == 0 ? 1 : 0;
-  const int v = dropped == 2 ? 1 : 2;
-  const Direction count = direction_count(ring.incidence);
-  const Direction left = static_cast<Direction>(first + 1 < count ? first + 1 : 0);
-  const Vertex along = direction_vector(ring.incidence, first);
-  const Vertex aside = direction_vector(ring.incidence, left);
-  // From the point to the ring's vertex.
-  const auto from_point = [&](int axis) {
-    return 8 * (int64_t{coordinate(ring.start, axis)} - coordinate(start, axis)) -
-           4 * coordinate(along, axis) - coordinate(aside, axis);
+  const int v = n.z != 0 ? 1 : 2;
+  const int u = n.z != 0 || n.y != 0 ? 0 : 1;
+  const auto step = [&](Direction direction) {
+    return links.vector[link_of(ring.incidence, direction)];
   };
-  int64_t at_u = from_point(u);
-  int64_t at_v = from_point(v);
+  const bool is_last = first + 1 == direction_count(ring.incidence);
+  const int8_t* const along = step(first);
+  const int8_t* const aside = step(static_cast<Direction>(is_last ? 0 : first + 1));
+  // Of the point, in eighths of a half-step; of the ring's vertex, in half-steps; from the hole's.
+  const int32_t point_u = 4 * along[u] + aside[u];
+  const int32_t point_v = 4 * along[v] + aside[v];
+  int32_t at_u = coordinate(ring.start, u) - coordinate(start, u);
+  int32_t at_v = coordinate(ring.start, v) - coordinate(start, v);
+  const auto is_above = [&](int32_t at) { return at > point_v >> 3; };
   bool is_inside = false;
   const Cursor begin(records, ring.last);
   Cursor cursor = begin;
   do {
-    const Run run = long_run(cursor.run(records));
-    const Vertex step = direction_vector(ring.incidence, run.direction());
-    const int32_t step_u = coordinate(step, u);
-    const int32_t step_v = coordinate(step, v);
-    const int64_t length = 8 * int64_t{run.length()};
-    const int64_t end_v = at_v + length * step_v;
-    if ((at_v > 0) != (end_v > 0)) {
-      // Where the side crosses the ray's line, times step_v.
-      const int64_t crossing = at_u * step_v - at_v * step_u;
-      if (step_v > 0 ? crossing > 0 : crossing < 0) is_inside = !is_inside;
+    const ShortRun run = cursor.run(records);
+    const int32_t length = static_cast<int32_t>(length_of(run));
+    const int8_t* const side = step(direction_of(run));
+    const int32_t end_v = at_v + length * side[v];
+    if (is_above(at_v) != is_above(end_v)) {
+      // Where the side crosses the ray's line, times the step in v: never 0. As it crosses, at_v is
+      // small.
+      const int32_t crossing = (8 * at_u - point_u) * side[v] - (8 * at_v - point_v) * side[u];
+      if ((crossing > 0) == (side[v] > 0)) is_inside = !is_inside;
     }
-    at_u += length * step_u;
+    at_u += length * side[u];
     at_v = end_v;
     cursor.advance(records);
   } while (cursor != begin);

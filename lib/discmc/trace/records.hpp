@@ -69,7 +69,7 @@ constexpr uint32_t length_of(ShortRun run) {
   return uint32_t{run} >> 3;
 }
 constexpr Run long_run(ShortRun run) {
-  return Run::straight(direction_of(run), length_of(run));
+  return Run::from_code(run);
 }
 
 /// In place of the other end of a fragment, where that end is loose: this mark, and for a begin the

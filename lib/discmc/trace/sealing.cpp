@@ -55,7 +55,7 @@ void mark_absent(const SealedRows& sealed, const CellRows& cells) {
   for (int layer = 0; layer < 2; ++layer)
     for (int row = cells.y < 0 ? 1 : 0; row < 2; ++row) {
       const SealedBit place(sealed, cells.limits, cells.y - 1 + row, cells.z - 1 + layer);
-      if ((place.word & place.bit) != 0) cells.is_absent[layer][row] = true;
+      if ((place.word & place.bit) != 0) cells.absent |= 1U << (2 * layer + row);
     }
 }
 
@@ -146,7 +146,7 @@ bool begin_row(SealedRows& sealed, const CellRows& cells, uint32_t spare, const 
                Statistics& statistics) {
   using Stage = SealedRows::Stage;
   if (sealed.stage == Stage::none) {
-    const bool has_cells = !cells.is_absent[1][1];
+    const bool has_cells = (cells.absent & 8) == 0;
     sealed.stage = has_cells && decide(sealed, cells, spare) ? Stage::cells : Stage::vertices;
   }
   if (sealed.stage == Stage::cells) {
@@ -161,7 +161,7 @@ bool begin_row(SealedRows& sealed, const CellRows& cells, uint32_t spare, const 
 void end_row(SealedRows& sealed, const CellRows& cells) {
   const bool is_last = cells.y + 1 == static_cast<int32_t>(cells.limits.height);
   for (int row = 0; row < (is_last ? 2 : 1); ++row)
-    if (!cells.is_absent[0][row])
+    if ((cells.absent >> row & 1) == 0)
       sealed.committed -= need(rows_around(cells.rows, 0, row), cells.limits);
   sealed.stage = SealedRows::Stage::none;
 }

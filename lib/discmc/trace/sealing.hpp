@@ -19,7 +19,7 @@ struct CellRows {
   const Limits& limits;
   const RowBlock& rows;
   int32_t y, z;
-  bool (&is_absent)[2][2];  ///< [z - 1, z][y - 1, y]: take no part in the sweep
+  uint32_t& absent;  ///< those that take no part in the sweep, a bit each: 2 * layer + row
 };
 
 /// Which rows of cells are sealed, and where the delivery of the last of them is.

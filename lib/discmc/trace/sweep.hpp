@@ -26,15 +26,13 @@ struct SweptRow {
   uint32_t absent[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
   uint32_t axes;       ///< whose edges are there, a bit each
 
-  /// is_absent: of the four rows of cells around, [z - 1, z][y - 1, y].
-  void set_absent(const bool (&is_absent)[2][2]) {
-    const auto quadrants_of = [&](int y0, int z0, int y1, int z1, int y2, int z2, int y3, int z3) {
-      return (is_absent[z0][y0] ? 1U : 0U) | (is_absent[z1][y1] ? 2U : 0U) |
-             (is_absent[z2][y2] ? 4U : 0U) | (is_absent[z3][y3] ? 8U : 0U);
-    };
-    absent[0] = quadrants_of(1, 1, 0, 1, 0, 0, 1, 0);
-    absent[1] = quadrants_of(1, 1, 1, 0, 1, 0, 1, 1);
-    absent[2] = quadrants_of(1, 1, 1, 1, 0, 1, 0, 1);
+  /// cells: of the four rows of cells around, a bit each: 2 * layer + row.
+  void set_absent(uint32_t cells) {
+    const uint32_t front_below = cells & 1, back_below = cells >> 1 & 1;
+    const uint32_t front_above = cells >> 2 & 1, back_above = cells >> 3;
+    absent[0] = back_above | front_above << 1 | front_below << 2 | back_below << 3;
+    absent[1] = 9 * back_above | 6 * back_below;
+    absent[2] = 3 * back_above | 12 * front_above;
   }
 };
 

@@ -206,9 +206,9 @@ class Scan {
     if constexpr (Normals::holds_samples) extractor_.set_spacing({1, -2, 3});
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
-           is_done(extractor_.start(limits, setting.capacities, on_from, memory_of(memory),
-                                    setting.takes_fragments ? sink_to(wire_between)
-                                                            : region_sink_to(wire_between)));
+           is_done(extractor_.start(
+               limits, setting.capacities, on_from, memory_of(memory),
+               setting.takes_fragments ? sink_to(wire_between) : region_sink_to(wire_between)));
   }
 
   // A row in one of the ways in which rows come.
