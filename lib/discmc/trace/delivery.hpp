@@ -67,7 +67,8 @@ class Delivery {
   void begin_at_last_top(const Records& records, IsTop is_top);
   bool begin_hole(Records& records);
   void begin_fragment(Records& records);
-  void take_run(Event& event, Cursor& cursor, const Records& records) const;
+  bool deliver_runs(Event& event, const Records& records, const Sink& sink,
+                    Statistics& statistics);
   void go_on(Records& records, Statistics& statistics);
 
   bool sends_ = false;
@@ -94,20 +95,16 @@ bool Delivery<Index, Normal>::settle(Chains& chains, const Sink& sink, Statistic
   if (!is_delivering_ && chains.has_outgoing()) begin(chains);
   Event event{};
   while (is_delivering_) {
-    const bool is_run = next_event_ == Event::Kind::run;
     event.kind = next_event_;
     event.incidence = out_.incidence;
     event.came = came_;
     event.hole = is_hole_;
     event.start = start_;
-    event.run = {};
-    do {
-      Cursor after = cursor_;
-      if (is_run) take_run(event, after, records);
-      if (sink.take(sink.context, event) != Answer::taken) return false;
-      statistics.links += event.run.length();
-      cursor_ = after;
-    } while (is_run && cursor_ != first_);
+    if (next_event_ == Event::Kind::run) {
+      if (!deliver_runs(event, records, sink, statistics)) return false;
+    } else if (sink.take(sink.context, event) != Answer::taken) {
+      return false;
+    }
     go_on(records, statistics);
   }
   return true;
@@ -230,14 +227,23 @@ void Delivery<Index, Normal>::begin_fragment(Records& records) {
   first_ = Cursor(records, last_);
 }
 
-// Joins runs of one direction at a cursor and goes on behind them.
+// Runs of one direction go out as one.
 template <class Index, class Normal>
-void Delivery<Index, Normal>::take_run(Event& event, Cursor& cursor, const Records& records) const {
-  const Slot& slot = cursor.slot(records);
-  event.run = long_run(slot.run);
-  if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
-  do cursor.advance(records);
-  while (cursor != first_ && event.run.absorb(long_run(cursor.run(records))));
+bool Delivery<Index, Normal>::deliver_runs(Event& event, const Records& records, const Sink& sink,
+                                           Statistics& statistics) {
+  const Cursor first = first_;
+  Cursor cursor = cursor_;
+  do {
+    cursor_ = cursor;
+    const Slot& slot = cursor.slot(records);
+    event.run = long_run(slot.run);
+    if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
+    do cursor.advance(records);
+    while (cursor != first && event.run.absorb(long_run(cursor.run(records))));
+    if (sink.take(sink.context, event) != Answer::taken) return false;
+    statistics.links += event.run.length();
+  } while (cursor != first);
+  return true;
 }
 
 // The sink has taken an event, or all runs of a chain: what comes next?

@@ -126,11 +126,13 @@ class RunCursor {
   const Slot& slot(const Records& records) const { return records[record_].runs.slot[slot_]; }
   ShortRun run(const Records& records) const { return slot(records).run; }
   void advance(const Records& records) {
+    const RunRecord<Index, Normal>* record = &records[record_].runs;
     do {
       if (++slot_ < RunLists<Index, Normal>::slots) continue;
       slot_ = 0;
-      record_ = records[record_].linked.next;
-    } while (run(records) == 0);
+      record_ = record->next;
+      record = &records[record_].runs;
+    } while (record->slot[slot_].run == 0);
   }
 
   bool operator==(const RunCursor& other) const {
