@@ -187,7 +187,7 @@ inline void add_loose_ring(Script& script, Incidence incidence, Vertex start,
 }
 
 /// The events of a scan whose regions are sent in loose fragments where a ring has more than `most`
-/// runs.
+/// runs. Fragments that the scan sent itself stay as they are.
 inline Events with_loose_fragments(const Events& events, size_t most) {
   struct Chain {
     Vertex start;
@@ -208,7 +208,7 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
     }
     region.push_back(told);
     if (told.is(Event::Kind::ring)) rings.push_back({event.start, {}});
-    if (told.is(Event::Kind::run)) rings.back().runs.push_back(event.run);
+    if (told.is(Event::Kind::run) && !rings.empty()) rings.back().runs.push_back(event.run);
     if (told.is(Event::Kind::region) || told.is(Event::Kind::ring) || told.is(Event::Kind::run))
       continue;
     if (std::any_of(rings.begin(), rings.end(),
