@@ -131,8 +131,7 @@ class Extractor {
   uint32_t rows() const { return intake_.rows(rows_); }
 
   /// Of what a checkpoint holds: see CheckpointHead.
-  static constexpr uint32_t layout =
-      sizeof(Index) | sizeof(void*) << 4 | Normals::type << 8;
+  static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Normals::type << 8;
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };

@@ -8,9 +8,9 @@
 //   extractor.set_spacing(header.spacing_nm);           // before start(), unless voxels are cubes
 //
 // It keeps the samples of four slices and six rows, and lets every row wait for a slice and a row:
-// so samples on all sides are at hand where the sweep is. A normal is made with its corner, and kept
-// with the run that starts there; what is the middle of a side never has one, nor has a cell that is
-// delivered alone because memory is short and the sink takes no fragments.
+// so samples on all sides are at hand where the sweep is. A normal is made with its corner, and
+// kept with the run that starts there; what is the middle of a side never has one, nor has a cell
+// that is delivered alone because memory is short and the sink takes no fragments.
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
@@ -40,7 +40,8 @@ class GradientNormals {
     given_ = arena.take<uint16_t>(ring_rows(limits));
     width_ = limits.width;
     height_ = limits.height;
-    first_z_ = 2 * (static_cast<int32_t>(limits.slab.first) - (limits.slab.continues_below ? 1 : 0));
+    first_z_ =
+        2 * (static_cast<int32_t>(limits.slab.first) - (limits.slab.continues_below ? 1 : 0));
   }
   void clear() {
     samples_.clear();

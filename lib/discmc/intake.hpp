@@ -61,9 +61,7 @@ class NoNormals {
     return {true, false, false};
   }
   /// Whether a slice is under way.
-  bool holds_rows(const trace::BitRows& rows) const {
-    return rows.rows() > 0 || rows.column() > 0;
-  }
+  bool holds_rows(const trace::BitRows& rows) const { return rows.rows() > 0 || rows.column() > 0; }
 
   NoNormal normal_at(const Vertex&) const { return {}; }
 };

@@ -155,7 +155,8 @@ TEST_CASE("widths on either side of a word's end are swept as the paper merges t
         const EventLog log = plain_scan(volume, border);
         CAPTURE(width);
         CAPTURE(density);
-        CHECK(unlike_merge(collected(log.events).regions(), volume, border == Border::closed) == "");
+        CHECK(unlike_merge(collected(log.events).regions(), volume, border == Border::closed) ==
+              "");
       }
 }
 

@@ -52,7 +52,7 @@ class Holes {
   uint32_t mark_plane(Records& records, Incidence incidence, const Vertex& at) const;
 
   /// Takes a marked hole of a plane out. Limit: there is one.
-  void take(Records& records, Outgoing<Index>& hole);
+  void take(Records& records, Outgoing<Index>& out);
 
   /// A plane that has holes. Limit: count() > 0.
   void any_plane(const Records& records, Incidence& incidence, Vertex& at) const;
@@ -172,7 +172,7 @@ bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Inde
   // From the point to the ring's vertex.
   const auto from_point = [&](int axis) {
     return 8 * (int64_t{coordinate(ring.start, axis)} - coordinate(start, axis)) -
-           4 * coordinate(along, axis) - coordinate(aside, axis);
+           int64_t{4} * coordinate(along, axis) - coordinate(aside, axis);
   };
   int64_t at_u = from_point(u);
   int64_t at_v = from_point(v);
