@@ -147,14 +147,14 @@ struct QueueNumbers {
 
 constexpr void add_spoke_queues(SectorTable& table, QueueNumbers& numbers) {
   bool is_used[cell_edges][cell_edges] = {};
-  for (const auto& axis : table.axis)
+  for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
       for (const auto& lower : table.sector)
         for (const Sector& sector : lower[quadrant]) {
           if (!sector.has_spoke()) continue;
-          const CellEdge own = axis.own_edge[quadrant];
-          is_used[own][axis.edge[sector.to()]] = true;
-          is_used[axis.edge[sector.from()]][own] = true;
+          const CellEdge own = table.axis[axis].own_edge[quadrant];
+          is_used[own][table.axis[axis].edge[sector.to()]] = true;
+          is_used[table.axis[axis].edge[sector.from()]][own] = true;
         }
   for (int from = 0; from < cell_edges; ++from)
     for (int to = 0; to < cell_edges; ++to)
