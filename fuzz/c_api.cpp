@@ -457,8 +457,8 @@ class Both {
   std::unique_ptr<discmc_extractor> extractor_ = std::make_unique<discmc_extractor>();
   std::unique_ptr<discmc_encoder> encoder_ = std::make_unique<discmc_encoder>();
   std::unique_ptr<discmc_decoder> decoder_ = std::make_unique<discmc_decoder>();
-  Extractor16 in_cpp_;
-  Encoder encoder_cpp_;
+  Extractor16 in_cpp_{};
+  Encoder encoder_cpp_{};
   Decoder decoder_cpp_{};
   size_t arrived_ = 0;  // bytes of the stream that the decoder has taken
 };

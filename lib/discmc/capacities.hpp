@@ -27,7 +27,9 @@ constexpr uint32_t lesser(uint32_t a, uint32_t b) {
 
 /// Bytes of one record.
 template <class Index, class Normals>
-constexpr uint32_t record_bytes = sizeof(Index) == 4 ? 16 : Normals::holds_samples ? 14 : 8;
+constexpr uint32_t record_bytes = sizeof(Index) == 4       ? 16
+                                  : Normals::holds_samples ? 14
+                                                           : 8;
 
 /// Words of a bit for each row of cells, in two layers: those that were cut off.
 constexpr uint32_t sealed_words(const Limits& limits) {

@@ -63,29 +63,29 @@ class HeldChains {
   void give(uint32_t chain);
 
   /// Puts a run behind a chain. False when there is no room; then nothing has changed.
-  bool append(uint32_t chain, Run run, OctahedralNormal normal);
+  bool append(uint32_t index, Run run, OctahedralNormal normal);
 
-  /// Puts `other` behind the chain at whose end it starts; `other` is then no more.
-  void join(uint32_t chain, uint32_t other);
+  /// Puts another chain behind the one at whose end it starts; the other is then no more.
+  void join(uint32_t index, uint32_t other_index);
 
   /// Makes a ring of a chain that ends where it starts, after two runs at least: outer when it
   /// turns left, else a hole.
-  void close(uint32_t chain);
+  void close(uint32_t index);
 
-  void drop_first_run(uint32_t chain);
+  void drop_first_run(uint32_t index);
 
   HeldChain& operator[](uint32_t chain) { return chains_[chain]; }
   const HeldChain& operator[](uint32_t chain) const { return chains_[chain]; }
   const HeldRun& run(uint32_t index) const { return runs_[index]; }
 
   /// The directed link that comes before a chain and the one that ends it, as keys to match by.
-  WaitingKey start_key(uint32_t chain) const;
-  WaitingKey end_key(uint32_t chain) const;
+  WaitingKey start_key(uint32_t index) const;
+  WaitingKey end_key(uint32_t index) const;
 
   /// A point of the region beside a ring.
-  PlanePoint point_beside(uint32_t ring) const;
+  PlanePoint point_beside(uint32_t index) const;
   /// Whether a ring goes round a point of its plane. Cost: its runs, where it reaches so far.
-  bool contains(uint32_t ring, const PlanePoint& point) const;
+  bool contains(uint32_t index, const PlanePoint& point) const;
 
   /// No chain in use has a larger index.
   uint32_t last_used() const { return chains_.high_water(); }

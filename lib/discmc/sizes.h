@@ -47,9 +47,9 @@
 #define DISCMC_MOST_RECORDS_ 32759
 
 /* Rows of bits, rows of cells that are sealed, queues, lists of holes, and alignment. */
-#define DISCMC_FIXED_BYTES_(width, height)                                                         \
-  (UINT64_C(4) * ((width) / 30 + 1) * (UINT64_C(2) * (height) + 4) + 4 * 2 * ((height) / 32 + 1) + \
-   4 * 144 + 2 * 16 + 3)
+#define DISCMC_FIXED_BYTES_(width, height)                           \
+  (UINT64_C(4) * ((width) / 30 + 1) * (UINT64_C(2) * (height) + 4) + \
+   UINT64_C(8) * ((height) / 32 + 1) + UINT64_C(4) * 144 + UINT64_C(2) * 16 + 3)
 
 #define DISCMC_AFFORDABLE_RECORDS_(width, height, bytes) \
   ((bytes) < DISCMC_MINIMUM_BYTES(width, height) + 4     \

@@ -14,9 +14,9 @@ GrowingJoiner::GrowingJoiner(const Sink& sink, std::uint64_t bytes)
 }
 
 void GrowingJoiner::finish() {
-  // It may have been short of memory: then the next one was not.
-  static_cast<void>(joiner_.finish());
-  if (next_) next_->finish();
+  // One that was short of memory has another behind it, perhaps only since it finished.
+  for (GrowingJoiner* joiner = this; joiner != nullptr; joiner = joiner->next_.get())
+    static_cast<void>(joiner->joiner_.finish());
 }
 
 Answer GrowingJoiner::pass(const Event& event) {

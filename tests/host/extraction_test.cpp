@@ -163,7 +163,7 @@ TEST_CASE("the default memory is enough, and no more of it is used than is given
   }
 }
 
-TEST_CASE("memory grows with the frontier and not with the surface") {
+TEST_CASE("memory grows with what is under way and not with the surface") {
   const auto used = [](std::uint32_t depth) {
     const auto last = static_cast<std::int32_t>(depth) - 2;
     const BitVolume column = box({12, 12, depth}, {3, 3, 1}, {8, 8, last});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <discmc/facet_table.hpp>
 #include <iterator>
 #include <utility>
@@ -15,10 +16,10 @@ using trace::AxisTable;
 using trace::cell_edges;
 using trace::CellEdge;
 using trace::CountParts;
-using trace::FaceRay;
 using trace::quadrants;
 using trace::Sector;
 using trace::SectorTable;
+using trace::Way;
 
 constexpr int axes = 3;
 
@@ -167,23 +168,43 @@ const Looks& looks_of(int axis, int quadrant) {
 
 // ---- statements ----
 
-// A byte that holds a truth value may hold any other after a change.
-bool is_byte(const bool& value, bool expected) {
-  return *reinterpret_cast<const unsigned char*>(&value) == (expected ? 1 : 0);
+// An edge of a quadrant's cell, of one as a Sector names it: as if the axis were x and the quadrant
+// the first.
+CellEdge edge_in(const Quadrant& quadrant, CellEdge named) {
+  const Vertex at = edges().at(named);
+  const Place& u = quadrant.line(0);  // where the first axis after x is turned to,
+  const Place& v = quadrant.line(2);  // and the second
+  const int at_u = at.y * u.u + at.z * v.u, at_v = at.y * u.v + at.z * v.v;
+  return edge_at(
+      along(quadrant.axis, at.x, at_u - 2 * quadrant.lowest_u(), at_v - 2 * quadrant.lowest_v()));
 }
 
-bool numbers_edges(const SectorTable& table) {
-  for (CellEdge edge = 0; edge < cell_edges; ++edge) {
-    const Vertex at = edges().at(edge);
-    if (table.inwards[edge] >= link_codes) return false;
-    if (at + link_vector(table.inwards[edge]) != position(centroid)) return false;
+// [from][to]: whether chains go from one edge of a cell by its centroid to another.
+using Ways = std::array<std::array<bool, cell_edges>, cell_edges>;
+
+const Ways& ways_by_centroids() {
+  static const Ways all = [] {
+    Ways ways{};
     for (int axis = 0; axis < axes; ++axis)
-      if (table.axis[axis].edge[edge] != edge_at(along(axis, at.x, at.y, at.z))) return false;
-  }
+      for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+        for (const auto& of_lower : looks_of(axis, quadrant))
+          for (const Look& seen : of_lower) {
+            if (seen.to == cell_edges) continue;
+            const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
+            ways.at(own).at(seen.to) = ways.at(seen.from).at(own) = true;
+          }
+    return ways;
+  }();
+  return all;
+}
+
+bool leads_to_centroids(const SectorTable& table) {
   for (int axis = 0; axis < axes; ++axis)
-    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      if (table.axis[axis].own_edge[quadrant] != edge_at(Quadrant{axis, quadrant}.vertex()))
-        return false;
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
+      const Link inwards = table.axis[axis].inwards[quadrant];
+      const Vertex here = Quadrant{axis, quadrant}.vertex();
+      if (inwards >= link_codes || here + link_vector(inwards) != position(centroid)) return false;
+    }
   return true;
 }
 
@@ -211,50 +232,81 @@ bool tells_directions(const SectorTable& table) {
 }
 
 // Where the ray begins, and what it leads along.
-Vertex ray_vector(int axis, int quadrant, int turn) {
+Vertex ray_vector(int axis, int quadrant, int way) {
   const Place across = ring[2 * quadrant];
-  return turn == 0 ? along(axis, 0, 2 * across.u, 2 * across.v)
-                   : along(axis, turn == 1 ? -1 : 1, across.u, across.v);
+  return way == trace::straight_way
+             ? along(axis, 0, 2 * across.u, 2 * across.v)
+             : along(axis, way == trace::downward_way ? -1 : 1, across.u, across.v);
+}
+
+// A way holds nothing but what it tells.
+bool is_way(const Way& way, const Vertex& vector, bool is_ahead) {
+  if (way.link() >= link_codes || link_vector(way.link()) != vector) return false;
+  const Way told(way.link(), way.queue_out(), is_ahead);
+  return std::memcmp(&told, &way, sizeof way) == 0;
 }
 
 bool leads_across_faces(const SectorTable& table) {
   for (int axis = 0; axis < axes; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (int turn = 0; turn < 3; ++turn) {
-        const FaceRay& ray = table.axis[axis].face_ray[quadrant][turn];
+      for (int way = trace::straight_way; way < trace::ways; ++way) {
         const Vertex here = along(axis, 1, 0, 0);
-        const Vertex vector = ray_vector(axis, quadrant, turn);
-        if (ray.link >= link_codes || link_vector(ray.link) != vector) return false;
-        if (!is_byte(ray.is_ahead, visit(here) < visit(here + vector))) return false;
+        const Vertex vector = ray_vector(axis, quadrant, way);
+        if (!is_way(table.axis[axis].way[quadrant][way], vector,
+                    visit(here) < visit(here + vector)))
+          return false;
+      }
+  return true;
+}
+
+// Chains go along some of the ways by a centroid, in one direction or both; the others are empty.
+bool leads_by_centroids(const SectorTable& table) {
+  for (int axis = 0; axis < axes; ++axis)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+      for (CellEdge named = 0; named < cell_edges; ++named) {
+        const Way& way = table.axis[axis].way[quadrant][named];
+        const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
+        const CellEdge other = edge_in({axis, quadrant}, named);
+        const bool is_taken =
+            ways_by_centroids().at(own).at(other) || ways_by_centroids().at(other).at(own);
+        const Way empty;
+        if (is_taken ? !is_way(way, edges().at(other) - position(centroid), other > own)
+                     : std::memcmp(&empty, &way, sizeof way) != 0)
+          return false;
       }
   return true;
 }
 
 bool is_ray(const SectorTable& table, const FaceLook& seen, int axis, int lower, int quadrant,
             int line) {
-  const uint8_t turn = table.face_turn[lower][line];
-  if (turn >= 3) return false;
-  return link_vector(table.axis[axis].face_ray[quadrant][turn].link) == seen.link;
+  const uint8_t way = table.face_way[lower][line];
+  if (way < trace::straight_way || way >= trace::ways) return false;
+  return link_vector(table.axis[axis].way[quadrant][way].link()) == seen.link;
 }
 
-// Limit: the headings, edges and rays are as they should be.
+// Limit: the headings, edges and ways are as they should be.
 bool is_seen(const SectorTable& table, int axis, int quadrant, int lower, int lines) {
   const AxisTable& of_axis = table.axis[axis];
-  const Sector sector = table.sector[lower][quadrant][lines];
+  const Sector& sector = table.sector[lower][lines];
   const Look& seen =
       looks_of(axis, quadrant)[static_cast<size_t>(lower)][static_cast<size_t>(lines)];
-  const uint32_t first = sector.headings() & 15;
-  const uint32_t second = sector.headings() >> 4;
+  // Turned from the first quadrant.
+  const auto turned = [quadrant](int heading) {
+    return heading == trace::no_heading ? heading : (heading + 2 * quadrant) % 8;
+  };
+  const int first = sector.headings & 15, second = sector.headings >> 4;
   if (first > trace::no_heading || second > trace::no_heading) return false;
-  if (of_axis.incidence[lower][first] != seen.face[0].incidence ||
-      of_axis.incidence[lower][second] != seen.face[1].incidence)
+  if (of_axis.incidence[lower][turned(first)] != seen.face[0].incidence ||
+      of_axis.incidence[lower][turned(second)] != seen.face[1].incidence)
     return false;
   if (!is_ray(table, seen.face[0], axis, lower, quadrant, lines & 3) ||
       !is_ray(table, seen.face[1], axis, lower, (quadrant + 1) % quadrants, lines >> 4))
     return false;
-  if (seen.to == cell_edges) return !sector.has_spoke() && sector.to() == 0 && sector.from() == 0;
-  return sector.has_spoke() && sector.to() < cell_edges && sector.from() < cell_edges &&
-         of_axis.edge[sector.to()] == seen.to && of_axis.edge[sector.from()] == seen.from;
+  if (seen.to == cell_edges) return first == second && sector.edges == 0;
+  const int to = sector.edges & 15, from = sector.edges >> 4;
+  return first != second && to < cell_edges && from < cell_edges &&
+         edge_in({axis, quadrant}, static_cast<CellEdge>(to)) == seen.to &&
+         edge_in({axis, quadrant}, static_cast<CellEdge>(from)) == seen.from;
 }
 
 bool sees_the_facets(const SectorTable& table) {
@@ -268,74 +320,70 @@ bool sees_the_facets(const SectorTable& table) {
 
 // ---- queues ----
 
-// A kind of link on faces: an edge of the cell at the origin, and the vector to a later one.
-struct FaceKind {
+// A kind of link, by its earlier vertex and the vector to its later one, and whether there is a
+// centroid on the way; and the queue of the chains that go along it.
+struct Kind {
   Vertex begin, vector;
+  bool has_centroid;
+  bool is_taken[2];  // by chains that go onwards, and back
   int queue;
 };
 
-// Every kind has two queues, the same from both of its ends.
-bool has_queues_of_face_links(const SectorTable& table, std::vector<FaceKind>& kinds) {
-  kinds.clear();
-  for (int axis = 0; axis < axes; ++axis)
-    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (int turn = 0; turn < 3; ++turn) {
-        const Vertex here = along(axis, 1, 0, 0);
-        const Vertex vector = ray_vector(axis, quadrant, turn);
-        const Vertex there = here + vector;
-        const bool is_ahead = visit(here) < visit(there);
-        const Vertex begin = is_ahead ? here : Vertex{there.x & 1, there.y & 1, there.z & 1};
-        const Vertex ahead = is_ahead ? vector : here - there;
-        const int queue = table.axis[axis].face_ray[quadrant][turn].queue;
-        const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const FaceKind& kind) {
-          return kind.begin == begin && kind.vector == ahead;
-        });
-        if (same == kinds.end())
-          kinds.push_back({begin, ahead, queue});
-        else if (same->queue != queue)
-          return false;
-      }
+// Adds a way to the kinds, seen from a vertex. False when it has another queue than from the other
+// end of the link.
+bool add_kind(std::vector<Kind>& kinds, const Way& way, const Vertex& here, const Vertex& there,
+              bool has_centroid, bool goes, bool comes) {
+  const bool is_ahead = visit(here) < visit(there);
+  const Vertex& earlier = is_ahead ? here : there;
+  const Vertex begin{earlier.x & 1, earlier.y & 1, earlier.z & 1};
+  const Kind kind{begin,
+                  is_ahead ? there - here : here - there,
+                  has_centroid,
+                  {is_ahead ? goes : comes, is_ahead ? comes : goes},
+                  is_ahead ? way.queue_out() : way.queue_in()};
+  for (Kind& known : kinds) {
+    if (known.begin != kind.begin || known.vector != kind.vector ||
+        known.has_centroid != has_centroid)
+      continue;
+    return known.queue == kind.queue;
+  }
+  kinds.push_back(kind);
   return true;
 }
 
-// [from][to]: whether chains go from one edge of a cell by its centroid to another.
-using Ways = std::array<std::array<bool, cell_edges>, cell_edges>;
-
-const Ways& ways_by_centroids() {
-  static const Ways all = [] {
-    Ways ways{};
-    for (int axis = 0; axis < axes; ++axis)
-      for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-        for (const auto& of_lower : looks_of(axis, quadrant))
-          for (const Look& seen : of_lower) {
-            if (seen.to == cell_edges) continue;
-            const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
-            ways.at(own).at(seen.to) = ways.at(seen.from).at(own) = true;
-          }
-    return ways;
-  }();
-  return all;
+bool agrees_from_both_ends(const SectorTable& table, std::vector<Kind>& kinds) {
+  for (int axis = 0; axis < axes; ++axis)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
+      const auto& ways = table.axis[axis].way[quadrant];
+      const Vertex here = along(axis, 1, 0, 0);
+      for (int way = trace::straight_way; way < trace::ways; ++way)
+        if (!add_kind(kinds, ways[way], here, here + ray_vector(axis, quadrant, way), false, true,
+                      true))
+          return false;
+      const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
+      for (CellEdge named = 0; named < cell_edges; ++named) {
+        const CellEdge other = edge_in({axis, quadrant}, named);
+        const bool goes = ways_by_centroids().at(own).at(other);
+        const bool comes = ways_by_centroids().at(other).at(own);
+        if ((goes || comes) &&
+            !add_kind(kinds, ways[named], edges().at(own), edges().at(other), true, goes, comes))
+          return false;
+      }
+    }
+  return true;
 }
 
 // Each of all queues once, and those that rise to the next slice behind the others.
-bool shares_no_queue(const SectorTable& table, const std::vector<FaceKind>& kinds) {
+bool shares_no_queue(const std::vector<Kind>& kinds) {
   std::array<int, trace::queue_count> users{};
-  const auto use = [&](int queue, bool is_rising) {
-    if (queue >= trace::queue_count) return false;
-    ++users.at(static_cast<size_t>(queue));
-    return is_rising == (queue >= trace::first_rising_queue);
-  };
-  for (const FaceKind& kind : kinds)
-    for (int way = 0; way < 2; ++way)
-      if (!use(kind.queue + way, rises(kind.begin, kind.begin + kind.vector))) return false;
-  for (CellEdge from = 0; from < cell_edges; ++from)
-    for (CellEdge to = 0; to < cell_edges; ++to) {
-      const int queue = table.queue[from][to];
-      if (!ways_by_centroids().at(from).at(to)) {
-        if (queue != 0) return false;
-      } else if (!use(queue, rises(edges().at(from), edges().at(to)))) {
+  for (const Kind& kind : kinds)
+    for (int way = 0; way < 2; ++way) {
+      if (!kind.is_taken[way]) continue;
+      const int queue = way == 0 ? kind.queue : kind.queue ^ 1;
+      if (queue >= trace::queue_count) return false;
+      if (rises(kind.begin, kind.begin + kind.vector) != (queue >= trace::first_rising_queue))
         return false;
-      }
+      ++users.at(static_cast<size_t>(queue));
     }
   return std::all_of(users.begin(), users.end(), [](int count) { return count == 1; });
 }
@@ -371,10 +419,10 @@ bool has_room(const Parts& parts) {
          4 * parts.triangle < 1U << (32 - triangle);
 }
 
-bool adds_up(const CountParts& table, int configuration) {
+bool adds_up(const SectorTable& table, int configuration) {
   Parts sum{};
   for (const PartPlace& place : places_of(configuration)) {
-    const uint32_t word = table.part[table.kind[place.lower][place.lines]];
+    const uint32_t word = table.part[table.sector[place.lower][place.lines].part];
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     const Parts parts{word & ((1U << facet) - 1), word >> facet & ((1U << (triangle - facet)) - 1),
                       word >> triangle};
@@ -390,23 +438,20 @@ bool adds_up(const CountParts& table, int configuration) {
 }  // namespace
 
 const char* broken(const SectorTable& table) {
-  if (!numbers_edges(table)) return "the edges of a cell are numbered as a sweep visits them";
+  if (!leads_to_centroids(table)) return "a spoke leads from the vertex to the centroid";
   if (!points_where_headings_lie(table)) return "a heading is an incidence of each axis";
   if (!tells_directions(table)) return "a link has its direction in a plane";
-  if (!leads_across_faces(table)) return "a ray on a face has its link, ahead or behind";
+  if (!leads_across_faces(table)) return "a way on a face has its link, ahead or behind";
+  if (!leads_by_centroids(table)) return "a way by a centroid leads to another edge of the cell";
   if (!sees_the_facets(table)) return "a vertex sees the facets of its four cells";
-  std::vector<FaceKind> kinds;
-  if (!has_queues_of_face_links(table, kinds)) return "both ends of a link know one queue";
-  if (!shares_no_queue(table, kinds)) return "no two kinds of links share a queue";
-  return nullptr;
-}
-
-const char* broken(const CountParts& parts) {
-  for (const auto& of_lower : parts.kind)
-    for (const uint8_t kind : of_lower)
-      if (kind >= std::size(parts.part)) return "a vertex has one of the kinds of parts";
+  std::vector<Kind> kinds;
+  if (!agrees_from_both_ends(table, kinds)) return "both ends of a link know one queue";
+  if (!shares_no_queue(kinds)) return "no two kinds of links share a queue";
+  for (const auto& of_lower : table.sector)
+    for (const Sector& sector : of_lower)
+      if (sector.part >= std::size(table.part)) return "a sector has one of the parts";
   for (int c = 0; c < configurations; ++c)
-    if (!adds_up(parts, c)) return "the parts of a cell's vertices add up to what it counts";
+    if (!adds_up(table, c)) return "the parts of a cell's vertices add up to what it counts";
   return nullptr;
 }
 

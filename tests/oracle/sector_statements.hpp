@@ -1,4 +1,4 @@
-// What must hold of the tables of the tracer, so that any wrong byte breaks it. The facets of a
+// What must hold of the table of the tracer, so that any wrong byte breaks it. The facets of a
 // cell are the authority: what a vertex sees of each of its four cells is looked up in the table of
 // facets, by geometry alone, with nothing of the code that derives the sectors.
 #ifndef DISCMC_TESTS_ORACLE_SECTOR_STATEMENTS_HPP
@@ -10,7 +10,6 @@ namespace discmc::reference {
 
 /// The first statement that a table breaks, in words, or nullptr. Any bytes may be in the table.
 const char* broken(const trace::SectorTable& table);
-const char* broken(const trace::CountParts& parts);
 
 }  // namespace discmc::reference
 

@@ -157,8 +157,8 @@ inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows
   for (uint32_t row = 0; row < (is_abandoned ? rows_until_abandoned : rows); ++row) {
     const uint8_t* samples = volume.on.data() + size_t{row} * volume.width;
     const PushResult pushed = row % 5 == 2   ? extractor.skip_row(Substitute::off)
-                          : row % 7 == 3 ? extractor.skip_row(Substitute::previous_row)
-                                         : extractor.push(samples, volume.width);
+                              : row % 7 == 3 ? extractor.skip_row(Substitute::previous_row)
+                                             : extractor.push(samples, volume.width);
     reference::require_ok(pushed.status);
   }
   reference::require_ok(is_abandoned ? extractor.abandon() : extractor.finish());
@@ -187,7 +187,7 @@ inline void add_loose_ring(Script& script, Incidence incidence, Vertex start,
 }
 
 /// The events of a scan whose regions are sent in loose fragments where a ring has more than `most`
-/// runs.
+/// runs. Fragments that the scan sent itself stay as they are.
 inline Events with_loose_fragments(const Events& events, size_t most) {
   struct Chain {
     Vertex start;
@@ -208,7 +208,7 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
     }
     region.push_back(told);
     if (told.is(Event::Kind::ring)) rings.push_back({event.start, {}});
-    if (told.is(Event::Kind::run)) rings.back().runs.push_back(event.run);
+    if (told.is(Event::Kind::run) && !rings.empty()) rings.back().runs.push_back(event.run);
     if (told.is(Event::Kind::region) || told.is(Event::Kind::ring) || told.is(Event::Kind::run))
       continue;
     if (std::any_of(rings.begin(), rings.end(),
@@ -256,8 +256,8 @@ inline std::vector<Sample> samples() {
       sample_of("a sieve, whose regions have many holes", sieve(45)),
       sample_of("a long wire, all of it one run", box({3000, 3, 3}, {1, 1, 1}, {2998, 1, 1})),
   };
-  all.push_back({"a ball in hardly any memory", header_of(round),
-                 events_of(round, minimum_capacities())});
+  all.push_back(
+      {"a ball in hardly any memory", header_of(round), events_of(round, minimum_capacities())});
   all.push_back(
       {"noise in loose fragments", header_of(noise), with_loose_fragments(events_of(noise), 3)});
   all.push_back({"a spiral in loose fragments", header_of(winding),

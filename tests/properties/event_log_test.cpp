@@ -37,7 +37,7 @@ TEST_CASE(
   const auto slice = [](Event& event) { event.slice = 1; };
   const auto row = [](Event& event) { event.row = 1; };
   const auto came = [](Event& event) { event.came = 2; };
-  const auto links = [](Event& event) {
+  const auto totals = [](Event& event) {
     static const Statistics some{0, 0, 0, 0, 0, 1, 0, 0};
     event.statistics = &some;
   };
@@ -50,11 +50,11 @@ TEST_CASE(
   CHECK(tells(Kind::fragment, came));
   CHECK(tells(Kind::skipped, row));
   CHECK(tells(Kind::layer, slice));
-  CHECK(tells(Kind::finish, links));
+  CHECK(tells(Kind::finish, totals));
   CHECK_FALSE(tells(Kind::region, run));
   CHECK_FALSE(tells(Kind::ring, normal));
   CHECK_FALSE(tells(Kind::layer, row));
-  CHECK_FALSE(tells(Kind::layer, links));
+  CHECK_FALSE(tells(Kind::layer, totals));
   CHECK_FALSE(tells(Kind::lost, incidence));
 }
 

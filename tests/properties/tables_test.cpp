@@ -6,6 +6,7 @@
 #include <discmc/trace/cell_patches.hpp>
 
 #include "oracle/collect.hpp"
+#include "oracle/sector_statements.hpp"
 #include "oracle/surface.hpp"
 #include "oracle/table_statements.hpp"
 
@@ -53,6 +54,10 @@ TEST_CASE("links are numbered in order, and the directions of a plane go round")
 
 TEST_CASE("the facets of every configuration fill its loops, and are counted right") {
   CHECK(broken(facet_tables()) == nullptr);
+}
+
+TEST_CASE("a vertex sees the sectors of its four cells, and each kind of link has a queue") {
+  CHECK(broken(trace::sector_table) == nullptr);
 }
 
 TEST_CASE("the patches of every configuration are rings around its facets, plane by plane") {

@@ -141,7 +141,7 @@ TEST_CASE("the contexts in WIRE.md are those of the code") {
     const std::string row = "| " + std::to_string(first) + " | ";
     const std::string name = std::string(" | ") + context_name + " | ";
     while (at < lines.size() && lines[at].find(name) == std::string::npos) ++at;
-    REQUIRE_MESSAGE(at < lines.size(), context_name);
+    REQUIRE_MESSAGE(at < lines.size(), name);
     CHECK_MESSAGE(lines[at].rfind(row, 0) == 0, lines[at]);
   }
   CHECK(context::count == 964);

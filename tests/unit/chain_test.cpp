@@ -65,6 +65,7 @@ TEST_CASE("a run knows its direction and length, up to the longest") {
       CHECK(run.length() == length);
       CHECK_FALSE(run.is_empty());
       CHECK(Run::from_code(run.code()) == run);
+      CHECK(Run::straight(direction, length % 1000 + 2) != run);
     }
   CHECK(Run().is_empty());
 }

@@ -1143,3 +1143,23 @@ TEST_CASE("nothing is delivered after the trailer") {
   CHECK(arrival.report.is_complete());
   CHECK(arrival.report.repeated_packets == frames_of(second).size());
 }
+
+TEST_CASE("a stream is complete when it has both ends and nothing is missing or unreadable") {
+  StreamReport whole{};
+  whole.has_header = whole.has_trailer = true;
+  whole.regions = whole.totals.regions = 7;
+  whole.fragments = whole.totals.fragments = 3;
+  CHECK(whole.is_complete());
+  const auto is_complete_but = [&](auto change) {
+    StreamReport report = whole;
+    change(report);
+    return report.is_complete();
+  };
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.has_header = false; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.has_trailer = false; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.lost_packets = 1; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.lost_pieces = 1; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.regions = 8; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.fragments = 2; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.is_unreadable = true; }));
+}

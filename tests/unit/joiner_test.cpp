@@ -392,6 +392,45 @@ TEST_CASE("what is lost in the middle is forgotten, and the sink is told where i
   CHECK(joined.events == events);
 }
 
+TEST_CASE(
+    "what is lost of a fragment that is passed on, the sink is told, when it takes fragments") {
+  // Room for one run: everything is passed on.
+  Events events = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
+  const Events lost = fragment_of(test::up, {7, 0, 0}, 6, {Run::straight(0, 3)});
+  events.insert(events.end(), lost.begin(), lost.end());
+  events.back() = test::Script().lost().events[0];
+  JoinPlan plan;
+  plan.capacities = {1, 1};
+  CHECK(join(events, plan).events == events);
+  plan.refuses = [](uint64_t offer) { return offer % 2 == 0; };
+  CHECK(join(events, plan).events == events);
+  plan.takes_fragments = false;
+  CHECK(join(events, plan).events.empty());
+}
+
+TEST_CASE("a region that is none leaves the holes of its plane where they are") {
+  const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
+  const Events hole = fragment_of(
+      test::up, Vertex{1, 0, 0} + diagonal + diagonal, 0,
+      {Run::straight(6, 1), Run::straight(4, 1), Run::straight(2, 1), Run::straight(0, 1)});
+  const auto in_region = [&](Incidence incidence, Run first) {
+    test::Script region;
+    region.region(incidence).ring({1, 0, 0}).run(first);
+    for (Direction direction = 2; direction < 8; direction += 2) region.run(direction, 8);
+    Events events = hole;
+    const Events whole = region.region_end().events;
+    events.insert(events.end(), whole.begin(), whole.end());
+    return join(events, {});
+  };
+  const Run run = Run::straight(0, 8);
+  CHECK(in_region(test::up, run).report.unmatched == 0);
+  for (const Joined& joined : {in_region(no_incidence, run), in_region(test::up, Run())}) {
+    CHECK(joined.report.unmatched == 1);
+    CHECK(count(joined.events, Kind::fragment) == 1);
+    CHECK(count(joined.events, Kind::region) == 1);
+  }
+}
+
 // ---- the end ----
 
 TEST_CASE("the finish event counts what was delivered") {
@@ -425,7 +464,7 @@ TEST_CASE("of several streams there is one finish event, and it comes last") {
   const Statistics sum{11, 22, 33, 44, 55, 66, 77, 88};
   JoinPlan plan;
   plan.order = InputOrder::any;
-  Events events = {finish_of(one, 3, false), finish_of(two, 4, true)};
+  Events events = {finish_of(one, 3, true), finish_of(two, 4, false)};
   const Events ring = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
   events.insert(events.end(), ring.begin(), ring.end());
   const Joined joined = join(events, plan);

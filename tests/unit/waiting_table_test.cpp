@@ -44,6 +44,11 @@ class Table {
   WaitingTable table_;
 };
 
+// Whatever value it is asked for.
+bool any_value(uint32_t, const WaitingKey&) {
+  return true;
+}
+
 // Neighbours, as the ends of chains are.
 WaitingKey key_at(uint32_t i) {
   const auto number = static_cast<int32_t>(i);
@@ -155,4 +160,31 @@ TEST_CASE("whatever is inserted and removed, what waits is what a list says") {
       }
     }
   }
+}
+
+TEST_CASE("of the values under one key the one that is named is replaced") {
+  Table table(30);
+  const WaitingKey key = key_at(5);
+  REQUIRE(table.table().insert(key, 1));
+  REQUIRE(table.table().insert(key, 2));
+  table.table().replace(key, 2, 3);
+  CHECK(table.table().find(key, any_value) == 1);
+  table.table().remove(key, 1);
+  CHECK(table.table().find(key, any_value) == 3);
+  table.table().remove(key, 1);  // is not there
+  CHECK(table.table().find(key, any_value) == 3);
+}
+
+TEST_CASE("a value is not found where its key is another, though of the same hash") {
+  Table table(30);
+  REQUIRE(table.table().insert(key_at(5), 1));
+  CHECK(table.table().find(key_at(5), [](uint32_t, const WaitingKey&) { return false; }) == 0);
+}
+
+TEST_CASE("keys are equal when all of them is") {
+  const WaitingKey key{{1, 2, 4}, 3, 5};
+  CHECK(key == WaitingKey{{1, 2, 4}, 3, 5});
+  CHECK_FALSE(key == WaitingKey{{1, 2, 6}, 3, 5});
+  CHECK_FALSE(key == WaitingKey{{1, 2, 4}, 4, 5});
+  CHECK_FALSE(key == WaitingKey{{1, 2, 4}, 3, 6});
 }

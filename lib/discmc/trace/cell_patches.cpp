@@ -11,19 +11,8 @@ void add_link(CellPatch& patch, const Vertex& from, const Vertex& to) {
   patch.run[patch.count++] = link;
 }
 
-// A ring begins at a corner: where it does not, its last run goes before the first.
-void begin_at_corner(CellPatch& patch) {
-  Run& first = patch.run[0];
-  const Run last = patch.run[patch.count - 1];
-  if (first.direction() != last.direction()) return;
-  --patch.count;
-  first.absorb(last);
-  const Link link = link_of(patch.incidence, last.direction());
-  for (uint32_t i = 0; i < last.length(); ++i)
-    patch.start = point_after(patch.start, opposite_link(link));
-}
-
 // The patch whose facets begin at a point of a loop; for a loop that is one patch, at any point.
+// Every one of these points turns out to be a corner of its ring.
 CellPatch patch_from(const LoopFacets& facets, int begin) {
   CellPatch patch{facets.behind(begin), facets.loop.point[begin], 0, {}};
   int i = begin;
@@ -36,7 +25,6 @@ CellPatch patch_from(const LoopFacets& facets, int begin) {
     add_link(patch, facets.at(i), position(centroid));
     add_link(patch, position(centroid), facets.at(begin));
   }
-  begin_at_corner(patch);
   return patch;
 }
 

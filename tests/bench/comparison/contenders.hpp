@@ -21,7 +21,8 @@ struct Contender {
 };
 
 /// discmc with a sink that counts regions, one that keeps polygons, and the encoder. From start()
-/// on, with so much memory that nothing goes out loose. Limit: the volume outlives them, here and below.
+/// on, with so much memory that nothing goes out loose. Limit: the volume outlives them, here and
+/// below.
 std::vector<Contender> discmc_contenders(const Volume& volume);
 
 /// VTK's FlyingEdges3D: interpolated triangles that share vertices, without normals or scalars.

@@ -2,7 +2,7 @@
 //
 // It is fast because what a cell adds is tabulated by configuration, and because cells can be taken
 // out again, last in first out: blocks that begin alike share the work on what they begin with. It
-// knows the facets of cells and nothing of patches, sweeps or frontiers.
+// knows the facets of cells and nothing of sectors, passes and queues.
 #ifndef DISCMC_TESTS_BLOCKS_FOREST_HPP
 #define DISCMC_TESTS_BLOCKS_FOREST_HPP
 

@@ -51,10 +51,11 @@ const char* beyond_ring(size_t byte) {
              : nullptr;
 }
 
-const char* beyond_kinds(size_t byte) {
-  static const int kinds = 1 + *std::max_element(&count_parts.kind[0][0], &count_parts.kind[1][64]);
-  return byte / sizeof(uint32_t) >= static_cast<size_t>(kinds) ? "a part of no kind is never read"
-                                                               : nullptr;
+const char* beyond_parts(size_t byte) {
+  size_t parts = 0;
+  for (const auto& of_lower : sector_table.sector)
+    for (const Sector& sector : of_lower) parts = std::max(parts, size_t{1} + sector.part);
+  return byte / sizeof(uint32_t) >= parts ? "a part that no sector has is never read" : nullptr;
 }
 
 // ---- the tables ----
@@ -71,12 +72,9 @@ constexpr Field facet_fields[] = {
     DISCMC_FIELD(FacetTables, rings, beyond_ring), DISCMC_FIELD(FacetTables, facts, never)};
 
 constexpr Field sector_fields[] = {
-    DISCMC_FIELD(SectorTable, sector, never),    DISCMC_FIELD(SectorTable, axis, never),
-    DISCMC_FIELD(SectorTable, face_turn, never), DISCMC_FIELD(SectorTable, queue, never),
-    DISCMC_FIELD(SectorTable, inwards, never),   DISCMC_FIELD(SectorTable, direction, never)};
-
-constexpr Field part_fields[] = {DISCMC_FIELD(CountParts, kind, never),
-                                 DISCMC_FIELD(CountParts, part, beyond_kinds)};
+    DISCMC_FIELD(SectorTable, sector, never), DISCMC_FIELD(SectorTable, axis, never),
+    DISCMC_FIELD(SectorTable, face_way, never), DISCMC_FIELD(SectorTable, direction, never),
+    DISCMC_FIELD(SectorTable, part, beyond_parts)};
 
 constexpr Field model_fields[] = {DISCMC_FIELD(ModelTable, of, never)};
 #undef DISCMC_FIELD
@@ -144,7 +142,6 @@ int main() {
   survivors += mutate_all(links, link_fields).survivors;
   survivors += mutate_all(facet_tables(), facet_fields).survivors;
   survivors += mutate_all(sector_table, sector_fields).survivors;
-  survivors += mutate_all(count_parts, part_fields).survivors;
   survivors += mutate_all(model_table(), model_fields).survivors;
   return survivors == 0 ? 0 : 1;
 }

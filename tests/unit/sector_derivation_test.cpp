@@ -1,0 +1,39 @@
+// The derivation of the tracer's tables, which the compiler does, done once more at run time: so it
+// is the same wherever it is done, and the coverage of its source can be told.
+//
+// The source is compiled in here; the library's object of it is then not linked.
+#include <discmc/trace/sector_table.cpp>
+
+#include <doctest/doctest.h>
+
+#include <string.h>
+#include <discmc/trace/fragments.hpp>
+#include <discmc/trace/neighbourhood.hpp>
+
+#include "oracle/sector_statements.hpp"
+
+namespace discmc::trace {
+namespace {
+
+TEST_CASE("the table of sectors is right when they are derived at run time") {
+  SectorTable table{};
+  table = derive_table();  // what is initialised the compiler would work out
+  CHECK(reference::broken(table) == nullptr);
+  CHECK(queues_are_all_used());
+}
+
+TEST_CASE("the lines of a row are the same when they are derived at run time") {
+  LineBits bits{};
+  bits = derive::line_bits(6, 8, 2);
+  for (int row = 0; row < 8; ++row) CHECK(bits.of[row] == lines_of_y[1].of[row]);
+  CHECK(bits.of[7] == (1 << 12 | 1 << 4));
+}
+
+TEST_CASE("the steps of links are the same when they are derived at run time") {
+  LinkSteps again{};
+  again = derive::link_steps();
+  CHECK(memcmp(&again, &link_steps, sizeof again) == 0);  // there are no gaps
+}
+
+}  // namespace
+}  // namespace discmc::trace
