@@ -64,14 +64,14 @@ bool encode_region(Model& model, const Record& record) {
   return true;
 }
 
-/// About what it costs to tell a start relative to the one before: a step in z most of all.
-inline uint32_t cost_of_start(const Vertex& start, const Vertex& before) {
+/// About what it costs to tell a vertex relative to the one before: a step in z most of all.
+inline uint32_t cost_of_vertex(const Vertex& vertex, const Vertex& before) {
   const auto distance = [](int32_t to, int32_t from) {
-    const uint32_t steps = static_cast<uint32_t>(to) - static_cast<uint32_t>(from);
-    return steps < 0U - steps ? steps : 0U - steps;
+    const uint32_t voxels = static_cast<uint32_t>(to >> 1) - static_cast<uint32_t>(from >> 1);
+    return voxels < 0U - voxels ? voxels : 0U - voxels;
   };
-  return 64 * distance(start.z, before.z) + 8 * distance(start.y, before.y) +
-         distance(start.x, before.x);
+  return 64 * distance(vertex.z, before.z) + 8 * distance(vertex.y, before.y) +
+         distance(vertex.x, before.x);
 }
 
 /// A whole loose fragment, told from the end that costs less: the one where the sweep is. False,
@@ -81,28 +81,28 @@ bool encode_fragment(Model& model, const Record& record) {
   if (record.continues || record.count == Record::ring_words) return false;
   const uint32_t* const runs = record.word + Record::ring_words;
   const uint32_t count = record.count - Record::ring_words;
+  const auto run = [runs](uint32_t index) { return Run::from_code(runs[index]); };
   const Vertex start = record.start_at(0);
+  Vertex last_link{0, 0, 0};
   Vertex end = start;
   for (uint32_t i = 0; i < count; ++i) {
-    const Run run = Run::from_code(runs[i]);
-    end = after_links(end, direction_vector(record.incidence, run.direction()), run.length());
+    last_link = direction_vector(record.incidence, run(i).direction());
+    end = after_links(end, last_link, run(i).length());
   }
+  const Vertex before_end = after_links(end, -last_link, 1);
   const Vertex& before = model.last_start();
-  const bool from_end = cost_of_start(end, before) < cost_of_start(start, before);
+  const bool from_end = cost_of_vertex(before_end, before) < cost_of_vertex(start, before);
   model.record_kind(RecordKind::fragment);
   model.incidence(record.incidence);
   model.order(from_end ? Chain::backwards : Chain::fragment);
-  model.start(from_end ? end : start, from_end ? Chain::backwards : Chain::fragment);
-  model.fragment_run_count(count);
   for (uint32_t i = 0; i <= count; ++i) {
     const uint32_t link = from_end ? count - i : i;
-    if (link == 0) {
-      model.direction(record.came);
-    } else {
-      const Run run = Run::from_code(runs[link - 1]);
-      model.direction(run.direction());
-      model.length(run.length());
-    }
+    model.direction(link == 0 ? record.came : run(link - 1).direction());
+    if (i == 0)
+      model.fragment_vertex(from_end ? before_end : start);
+    else
+      model.is_last_link(i == count);
+    if (link > 0) model.length(run(link - 1).length());
   }
   return true;
 }
