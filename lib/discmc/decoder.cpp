@@ -271,31 +271,36 @@ bool Decoder::read_ring(Chain chain) {
   return true;
 }
 
-// Told from its end, it is the runs that lead back to the start.
+// The link by which it comes to its start is told first, or from its end last.
 bool Decoder::read_fragment() {
   const Incidence incidence = model_.incidence(no_incidence);
-  const Chain order = model_.order(Chain::fragment);
-  Vertex start = model_.start(Vertex{0, 0, 0}, order);
-  const uint32_t count = model_.fragment_run_count(1);
+  const bool is_backwards = model_.order(Chain::fragment) == Chain::backwards;
   record_.begin(incidence);
-  record_.begin_fragment(0, start);
-  if (count > Record::max_words || !record_.has_room(count)) return false;
+  record_.begin_fragment(0, Vertex{0, 0, 0});
   record_.is_last = true;
-  record_.count += count;
-  for (uint32_t i = 0; i <= count; ++i) {
-    const uint32_t link = order == Chain::backwards ? count - i : i;
+  Vertex start{0, 0, 0};
+  bool is_last = false;
+  for (bool is_first = true; !is_last; is_first = false) {
     const Direction direction = model_.direction(0);
     if (!is_direction(incidence, direction)) return false;
-    if (link == 0) {
+    if (is_first) {
+      start = model_.fragment_vertex(Vertex{0, 0, 0});
+      if (is_backwards) start = after_links(start, direction_vector(incidence, direction), 1);
+    } else {
+      is_last = model_.is_last_link(false);
+    }
+    if (is_backwards ? is_last : is_first) {
       record_.came = direction;
       continue;
     }
     const uint32_t length = model_.length(1);
-    if (length > Run::max_length) return false;
-    record_.word[Record::ring_words + link - 1] = Run::straight(direction, length).code();
-    start = after_links(start, direction_vector(incidence, direction), 0U - length);
+    if (length > Run::max_length || !record_.has_room(1)) return false;
+    record_.add_run(Run::straight(direction, length));
+    if (is_backwards)
+      start = after_links(start, direction_vector(incidence, direction), 0U - length);
   }
-  if (order == Chain::backwards) record_.set_start(0, start);
+  record_.set_start(0, start);
+  if (is_backwards) record_.reverse_runs();
   return true;
 }
 

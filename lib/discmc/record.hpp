@@ -54,6 +54,14 @@ struct Record {
     word[mark + 2] = static_cast<uint32_t>(start.y);
     word[mark + 3] = static_cast<uint32_t>(start.z);
   }
+  /// Reverses the order of a fragment's runs.
+  void reverse_runs() {
+    for (uint32_t i = ring_words, j = count; i < j; ++i) {
+      const uint32_t last = word[--j];
+      word[j] = word[i];
+      word[i] = last;
+    }
+  }
   /// Takes the first words away: what is left goes on where they ended.
   void drop(uint32_t words) {
     count -= words;

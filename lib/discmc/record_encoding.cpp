@@ -16,14 +16,14 @@ void go_along(Vertex& at, Incidence incidence, Run run) {
   go(at.z, link.z);
 }
 
-// About what it costs to tell a start relative to the one before: a step in z most of all.
-uint32_t cost_of_start(const Vertex& start, const Vertex& before) {
+// About what it costs to tell a vertex relative to the one before: a step in z most of all.
+uint32_t cost_of_vertex(const Vertex& vertex, const Vertex& before) {
   const auto distance = [](int32_t to, int32_t from) {
-    const uint32_t steps = static_cast<uint32_t>(to) - static_cast<uint32_t>(from);
-    return steps < 0U - steps ? steps : 0U - steps;
+    const uint32_t voxels = static_cast<uint32_t>(to >> 1) - static_cast<uint32_t>(from >> 1);
+    return voxels < 0U - voxels ? voxels : 0U - voxels;
   };
-  return 64 * distance(start.z, before.z) + 8 * distance(start.y, before.y) +
-         distance(start.x, before.x);
+  return 64 * distance(vertex.z, before.z) + 8 * distance(vertex.y, before.y) +
+         distance(vertex.x, before.x);
 }
 
 }  // namespace
@@ -39,13 +39,16 @@ uint32_t compact_runs(const Record& record, uint32_t first) {
   return way == Vertex{0, 0, 0} ? end - first : 0;
 }
 
-Chain cheaper_end(const Record& record, const Vertex& before, Vertex& end) {
+Chain cheaper_end(const Record& record, const Vertex& before, Vertex& vertex) {
   const Vertex start = record.start_at(0);
-  end = start;
-  for (uint32_t i = Record::ring_words; i < record.count; ++i)
-    go_along(end, record.incidence, Run::from_code(record.word[i]));
-  if (cost_of_start(end, before) < cost_of_start(start, before)) return Chain::backwards;
-  end = start;
+  vertex = start;
+  for (uint32_t i = Record::ring_words; i < record.count; ++i) {
+    Run run = Run::from_code(record.word[i]);
+    if (i + 1 == record.count) run = Run::straight(run.direction(), run.length() - 1);
+    go_along(vertex, record.incidence, run);
+  }
+  if (cost_of_vertex(vertex, before) < cost_of_vertex(start, before)) return Chain::backwards;
+  vertex = start;
   return Chain::fragment;
 }
 

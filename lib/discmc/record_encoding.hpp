@@ -12,8 +12,8 @@ namespace discmc {
 uint32_t compact_runs(const Record& record, uint32_t first);
 
 /// From which end a whole fragment is told: the one that costs less after the vertex `before`.
-/// Returns Chain::fragment or Chain::backwards, and that end.
-Chain cheaper_end(const Record& record, const Vertex& before, Vertex& end);
+/// Returns Chain::fragment and its start, or Chain::backwards and the vertex before its end.
+Chain cheaper_end(const Record& record, const Vertex& before, Vertex& vertex);
 
 constexpr bool are_opposite(Incidence incidence, Run a, Run b) {
   const int turn = a.direction() - b.direction();
@@ -73,19 +73,23 @@ template <class Model>
 bool encode_fragment(Model& model, const Record& record) {
   constexpr uint32_t first = Record::ring_words;
   if (record.continues || record.count == first) return false;
-  Vertex end;
-  const Chain chain = cheaper_end(record, model.last_start(), end);
+  Vertex vertex;
+  const Chain chain = cheaper_end(record, model.last_start(), vertex);
   model.record_kind(RecordKind::fragment);
   model.incidence(record.incidence);
   model.order(chain);
-  model.start(end, chain);
-  model.fragment_run_count(record.count - first);
-  if (chain == Chain::fragment) {
-    model.direction(record.came);
-    for (uint32_t i = first; i < record.count; ++i) encode_run(model, record.word[i]);
-  } else {
-    for (uint32_t i = record.count; i-- > first;) encode_run(model, record.word[i]);
-    model.direction(record.came);
+  // The link by which the chain comes to its start is told like a run, but for its length.
+  const uint32_t runs = record.count - first;
+  for (uint32_t i = 0; i <= runs; ++i) {
+    const uint32_t link = chain == Chain::backwards ? runs - i : i;
+    const Run run = link == 0 ? Run::straight(record.came, 0)
+                              : Run::from_code(record.word[first + link - 1]);
+    model.direction(run.direction());
+    if (i == 0)
+      model.fragment_vertex(vertex);
+    else
+      model.is_last_link(i == runs);
+    if (link > 0) model.length(run.length());
   }
   return true;
 }

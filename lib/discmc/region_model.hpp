@@ -19,6 +19,7 @@ constexpr uint32_t size_of_delta = 2 + 8;   ///< zero, sign, and a number
 constexpr uint32_t size_of_run_count = 8;   ///< of a number
 constexpr uint32_t size_of_run_length = 7;  ///< likewise
 constexpr uint32_t size_of_tree = 7;        ///< of 3 bits
+constexpr uint32_t slopes = 5;
 
 constexpr uint32_t even = 0;                                    ///< one or zero, equally likely
 constexpr uint32_t region_follows = even + 1;                   ///< by: what came before
@@ -31,21 +32,24 @@ constexpr uint32_t start_z = one_ring + 3;                      ///< by: mark ca
 constexpr uint32_t start_y = start_z + 6 * size_of_delta;       ///< by z step
 constexpr uint32_t start_x = start_y + 6 * size_of_delta;       ///< by same layer, y step
 constexpr uint32_t start_hole = start_x + 10 * size_of_delta;   ///< z, y, x of a further ring
-constexpr uint32_t fragment_z = start_hole + 3 * size_of_delta;          ///< by: mark came last
-constexpr uint32_t fragment_y = fragment_z + 2 * size_of_delta;          ///< by sign of z step
-constexpr uint32_t fragment_x = fragment_y + 3 * size_of_delta;          ///< by sign of y step
-constexpr uint32_t first_direction = fragment_x + 3 * size_of_delta;     ///< by incidence, tree
-constexpr uint32_t parallelogram = first_direction + 27 * size_of_tree;  ///< by class
-constexpr uint32_t run_count = parallelogram + 3;                        ///< by class
+constexpr uint32_t fragment_z = start_hole + 3 * size_of_delta;              ///< by: mark came last
+constexpr uint32_t fragment_y = fragment_z + 2 * size_of_delta;              ///< by same z
+constexpr uint32_t fragment_x = fragment_y + 2 * size_of_delta;              ///< by same y
+constexpr uint32_t first_direction = fragment_x + 2 * size_of_delta;         ///< by slope, tree
+constexpr uint32_t parallelogram = first_direction + slopes * size_of_tree;  ///< by class
+constexpr uint32_t run_count = parallelogram + 3;                            ///< by class
 constexpr uint32_t next_turn = run_count + 3 * size_of_run_count;  ///< by class, turn before, tree
 constexpr uint32_t run_length = next_turn + 21 * size_of_tree;  ///< by kind of link, length before
 constexpr uint32_t is_backwards = run_length + 16 * size_of_run_length;  ///< a fragment
-constexpr uint32_t fragment_run_count = is_backwards + 1;
-constexpr uint32_t fragment_direction = fragment_run_count + size_of_run_count;  ///< by class, tree
-constexpr uint32_t fragment_turn =
-    fragment_direction + 3 * size_of_tree;                                ///< by class, first, tree
-constexpr uint32_t fragment_length = fragment_turn + 6 * size_of_tree;    ///< by kind of link
-constexpr uint32_t item_kind = fragment_length + 4 * size_of_run_length;  ///< of a part
+constexpr uint32_t fragment_direction = is_backwards + 1;                ///< by slope, tree
+constexpr uint32_t z_is_odd =
+    fragment_direction + slopes * size_of_tree;            ///< by slope, rise, order
+constexpr uint32_t y_is_odd = z_is_odd + 6 * slopes;       ///< by slope, z
+constexpr uint32_t fragment_turn = y_is_odd + 2 * slopes;  ///< by slope, level, tree
+constexpr uint32_t is_last_link =
+    fragment_turn + 2 * slopes * size_of_tree;                       ///< by slope, level; many
+constexpr uint32_t fragment_length = is_last_link + 2 * slopes + 1;  ///< by kind of link, level
+constexpr uint32_t item_kind = fragment_length + 8 * size_of_run_length;  ///< of a part
 constexpr uint32_t part_kind = item_kind + 2;  ///< fragment, continues, is last
 constexpr uint32_t count = part_kind + 3;
 
@@ -83,6 +87,23 @@ constexpr Vertex after_links(const Vertex& from, const Vertex& link, uint32_t co
   return {moved(from.x, link.x), moved(from.y, link.y), moved(from.z, link.z)};
 }
 
+/// Whether a decoded direction is one of the incidence's.
+constexpr bool is_direction(Incidence incidence, Direction direction) {
+  return direction < direction_count(incidence);
+}
+
+constexpr uint32_t odd(int32_t coordinate) {
+  return static_cast<uint32_t>(coordinate) & 1;
+}
+
+/// Whether a link leads to another slice, and to which.
+enum class Rise : uint8_t { level, up, down };
+
+constexpr Rise rise_of(Link link) {
+  const int32_t z = link_vector(link).z;
+  return z == 0 ? Rise::level : z > 0 ? Rise::up : Rise::down;
+}
+
 /// The state that goes from one record of a packet to the next, and the grammar of records.
 /// A copy is a snapshot. Coder has: bool bit(uint32_t context, bool bit).
 template <class Coder>
@@ -116,12 +137,15 @@ class RegionModel {
   uint32_t ring_count(uint32_t count);
   /// Whether a fragment is told from its end: in the order of its links from the last to the first.
   Chain order(Chain fragment) {
-    return bit(context::is_backwards, fragment == Chain::backwards) ? Chain::backwards
-                                                                    : Chain::fragment;
+    const bool is_backwards = bit(context::is_backwards, fragment == Chain::backwards);
+    begin_chain(is_backwards ? Chain::backwards : Chain::fragment);
+    return chain_;
   }
-  /// Where the chain begins, or a fragment told from its end ends; relative to the vertex told
-  /// last. Limit: an odd coordinate sum.
+  /// Where a ring begins, relative to the vertex told last. Limit: an odd coordinate sum.
   Vertex start(const Vertex& start, Chain chain);
+  /// After the first direction of a fragment: where it begins, or, told from its end, the vertex
+  /// before the end. As start().
+  Vertex fragment_vertex(const Vertex& vertex);
   /// The vertex told last.
   const Vertex& last_start() const { return start_; }
   bool parallelogram(bool is_parallelogram) {
@@ -133,9 +157,10 @@ class RegionModel {
     return 1 + number(context::run_count + link_class_ * size_of_run_count, size_of_run_count,
                       count - 1);
   }
-  /// How many runs a fragment has. Limit: at least 1.
-  uint32_t fragment_run_count(uint32_t count) {
-    return number(context::fragment_run_count, context::size_of_run_count, count);
+  /// Whether the link whose direction was told last is the last of a fragment.
+  bool is_last_link(bool is_last) {
+    return bit(context::is_last_link + (is_short() ? by_slope_and_level() : 2 * context::slopes),
+               is_last);
   }
   /// A run's direction, or that by which a fragment's chain comes to its start. Decoding, any of 8
   /// may come back: see is_direction().
@@ -159,40 +184,46 @@ class RegionModel {
   bool bit(uint32_t context, bool value) { return coder_.bit(context, value); }
   uint32_t bit(uint32_t context, uint32_t value) { return bit(context, value != 0) ? 1 : 0; }
   uint32_t direction_count() const { return 4U + 2U * link_class_; }
+  // Most fragments were cut after a few links. From then on one is told as a ring is.
+  bool is_short() const { return is_fragment(chain_) && links_ <= most_of_short; }
+  Rise rise() const { return rise_of(link_of(incidence_, direction_)); }
+  uint32_t is_level() const { return rise() == Rise::level ? 1 : 0; }
+  uint32_t by_slope_and_level() const { return 2U * slope_ + is_level(); }
+  uint32_t first_back() const;
   uint32_t tree(uint32_t first, uint32_t value);
   uint32_t number(uint32_t first, uint32_t contexts, uint32_t value);
   int32_t delta(uint32_t first, int32_t value);
-  int32_t step(uint32_t row, int32_t to, int32_t from) {
-    return delta(context::start_z + row * context::size_of_delta,
-                 wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
+  int32_t step(uint32_t row, int32_t to, int32_t& from);
+  int32_t step_voxels(uint32_t row, int32_t to, int32_t& from, uint32_t parity);
+  void step_x(uint32_t row, int32_t x) {
+    step_voxels(row, x, start_.x, odd(start_.y ^ start_.z ^ 1));
   }
   void begin_chain(Chain chain) {
     direction_ = no_direction;
+    links_ = 0;
     turns_ = 0;
     length_ = 0;
     chain_ = chain;
   }
 
+  static constexpr uint8_t most_of_short = 6;
   enum class Before : uint8_t { mark, region, fragment };
 
   Coder coder_;
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;  // of its planes: diagonal, corner, axis
+  uint8_t slope_ = 0;       // upright diagonal, corner, upright axis, tilted diagonal, level
   Before before_ = Before::mark;
   bool fragments_came_ = false;  // in this packet: then memory is short, and more will come
   // Of the chain:
   Chain chain_ = Chain::first;
   Direction direction_ = 0;
-  uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
-  uint8_t length_ = 0;  // of the last run, or 3 when it is longer; 0 before the first
+  uint8_t links_ = 0;        // whose direction was told, up to one more than most_of_short
+  uint8_t turns_ = 0;        // the last turn and one more; 0 before the first
+  uint8_t length_ = 0;       // of the last run, or 3 when it is longer; 0 before the first
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
 };
-
-/// Whether a decoded direction is one of the incidence's.
-constexpr bool is_direction(Incidence incidence, Direction direction) {
-  return direction < direction_count(incidence);
-}
 
 /// The lengths of the two last runs of a ring, which follow from the way that is left.
 struct Closure {
@@ -243,6 +274,25 @@ int32_t RegionModel<Coder>::delta(uint32_t first, int32_t value) {
   return static_cast<int32_t>((coded ^ sign) - sign);
 }
 
+// Takes a coordinate to where it is told to be. Returns by how much. The contexts from start_z on
+// are rows for a delta each.
+template <class Coder>
+int32_t RegionModel<Coder>::step(uint32_t row, int32_t to, int32_t& from) {
+  const int32_t told = delta(context::start_z + row * context::size_of_delta,
+                             wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
+  from = wrapped_sum(from, told);
+  return told;
+}
+
+// The same for one whose parity is known: only the half is told.
+template <class Coder>
+int32_t RegionModel<Coder>::step_voxels(uint32_t row, int32_t to, int32_t& from, uint32_t parity) {
+  int32_t half = from >> 1;
+  const int32_t told = step(row, to >> 1, half);
+  from = static_cast<int32_t>(static_cast<uint32_t>(half) << 1 | parity);
+  return told;
+}
+
 // Component by component, z first, each guessed from the record before.
 template <class Coder>
 Incidence RegionModel<Coder>::incidence(Incidence incidence) {
@@ -270,6 +320,8 @@ Incidence RegionModel<Coder>::incidence(Incidence incidence) {
   }
   incidence_ = static_cast<Incidence>(coded);
   link_class_ = static_cast<uint8_t>(discmc::direction_count(incidence_) / 2U - 2);
+  const bool is_upright = coded >= 9 && coded < 18;
+  slope_ = static_cast<uint8_t>(is_upright || link_class_ == 1 ? link_class_ : 3 + link_class_ / 2);
   return incidence_;
 }
 
@@ -294,62 +346,80 @@ uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
 template <class Coder>
 Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
   using namespace context;
-  // The contexts from start_z on are rows for a delta each: 6 of z, 6 of y, 10 of x, 3 of holes,
-  // and of fragments 2 of z, 3 of y, 3 of x.
-  const auto row = [chain](uint32_t of_first, uint32_t of_further, uint32_t of_fragment) {
-    return chain == Chain::first ? of_first : chain == Chain::further ? of_further : of_fragment;
+  // 6 rows of z, 6 of y, 10 of x, 3 of holes.
+  const auto row = [chain](uint32_t of_first, uint32_t of_further) {
+    return chain == Chain::first ? of_first : of_further;
   };
-  const auto sign = [](int32_t value) { return value == 0 ? 0U : value > 0 ? 1U : 2U; };
   const uint32_t after_mark = before_ == Before::mark ? 1 : 0;
-  const int32_t dz =
-      step(row(link_class_ + 3 * after_mark, 22, 25 + after_mark), start.z, start_.z);
+  const int32_t dz = step(row(link_class_ + 3 * after_mark, 22), start.z, start_.z);
   const uint32_t from_2 = static_cast<uint32_t>(dz) + 2;
-  const int32_t dy = step(row(6 + (from_2 < 5 ? from_2 : 5), 23, 27 + sign(dz)), start.y, start_.y);
+  const int32_t dy = step(row(6 + (from_2 < 5 ? from_2 : 5), 23), start.y, start_.y);
   const uint32_t by_y = dy < -2 ? 0U : dy > 2 ? 4U : static_cast<uint32_t>(dy + 2);
-  // The sum of the coordinates is odd, so of x only the half is told.
-  const int32_t half = step(row((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24, 30 + sign(dy)),
-                            start.x >> 1, start_.x >> 1);
-  start_.z = wrapped_sum(start_.z, dz);
-  start_.y = wrapped_sum(start_.y, dy);
-  const uint32_t x = static_cast<uint32_t>(wrapped_sum(start_.x >> 1, half)) << 1;
-  const uint32_t parity = static_cast<uint32_t>(start_.y ^ start_.z ^ 1) & 1;
-  start_.x = static_cast<int32_t>(x | parity);
-  before_ = is_fragment(chain) ? Before::fragment : Before::region;
-  fragments_came_ = fragments_came_ || is_fragment(chain);
+  step_x(row((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24), start.x);
+  before_ = Before::region;
   begin_chain(chain);
   return start_;
 }
 
-// The first direction of a region depends on its incidence: where rings start at their last vertex
-// only some lead back.
+// Fragments are cut where links lead from slice to slice: the first link, the one that was cut,
+// tells much about its vertex, and that lies where the sweep is.
+template <class Coder>
+Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
+  using namespace context;
+  const uint32_t order = chain_ == Chain::backwards ? 1 : 0;
+  const uint32_t rise = static_cast<uint32_t>(this->rise());
+  const uint32_t z = bit(z_is_odd + 6U * slope_ + 2 * rise + order, odd(vertex.z));
+  const uint32_t y = bit(y_is_odd + 2U * slope_ + z, odd(vertex.y));
+  // Of z, y and x two rows each, which follow those of start().
+  const int32_t dz = step_voxels(25 + (before_ == Before::mark ? 1U : 0U), vertex.z, start_.z, z);
+  const int32_t dy = step_voxels(27 + (dz != 0 ? 1U : 0U), vertex.y, start_.y, y);
+  step_x(29 + (dy != 0 ? 1U : 0U), vertex.x);
+  before_ = Before::fragment;
+  fragments_came_ = true;
+  return start_;
+}
+
+// A direction is told as a turn from the one before. The first one of a fragment counts from 0, and
+// that of a region from the first that leads back: rings start at their last vertex.
 template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
   using namespace context;
-  if (direction_ == no_direction) {
-    const uint32_t first = chain_ == Chain::first ? first_direction + incidence_ * size_of_tree
-                           : chain_ == Chain::further
-                               ? even
-                               : fragment_direction + link_class_ * size_of_tree;
-    direction_ = static_cast<Direction>(tree(first, direction));
-    return direction_;
+  const bool is_first = direction_ == no_direction;
+  if (links_ <= most_of_short) ++links_;
+  uint32_t first = even;
+  uint32_t before = direction_;
+  if (is_first) {
+    before = chain_ == Chain::first ? first_back() : 0;
+    if (chain_ != Chain::further)
+      first = (is_fragment(chain_) ? fragment_direction : first_direction) + slope_ * size_of_tree;
+  } else if (is_short()) {
+    first = fragment_turn + by_slope_and_level() * size_of_tree;
+  } else {
+    // A class has a tree for each turn before and one for none: 5, 7 or 9.
+    first = next_turn + (link_class_ * (link_class_ + 4U) + turns_) * size_of_tree;
   }
-  // A class has a tree for each turn before and one for none: 5, 7 or 9. In fragments two.
-  const uint32_t first =
-      is_fragment(chain_)
-          ? fragment_turn + (2U * link_class_ + (turns_ > 0 ? 1U : 0U)) * size_of_tree
-          : next_turn + (link_class_ * (link_class_ + 4U) + turns_) * size_of_tree;
   // Told backwards, a chain still turns as it does forwards.
   const uint32_t directions = direction_count();
-  const bool mirrors = chain_ == Chain::backwards;
+  const bool mirrors = chain_ == Chain::backwards && !is_first;
   const auto mirrored = [&](uint32_t turn) {
     return mirrors && turn > 0 ? directions - turn : turn;
   };
-  const uint32_t back = direction < direction_ ? directions : 0;
-  const uint32_t turn = tree(first, mirrored(direction + back - direction_));
-  turns_ = static_cast<uint8_t>(turn + 1);
-  const uint32_t sum = direction_ + mirrored(turn);
+  const uint32_t round = direction < before ? directions : 0;
+  const uint32_t turn = tree(first, mirrored(direction + round - before));
+  if (turn >= directions) return static_cast<Direction>(turn);  // none of the plane's
+  if (!is_first) turns_ = static_cast<uint8_t>(turn + 1);
+  const uint32_t sum = before + mirrored(turn);
   direction_ = static_cast<Direction>(sum < directions ? sum : sum - directions);
   return direction_;
+}
+
+// The first, counter-clockwise, of the directions that lead back in the order z, y, x. The last of
+// them is 0, or comes after it.
+template <class Coder>
+uint32_t RegionModel<Coder>::first_back() const {
+  uint32_t direction = direction_count();
+  while (link_of(incidence_, static_cast<Direction>(direction - 1)) < link_codes / 2) --direction;
+  return direction;
 }
 
 template <class Coder>
@@ -357,9 +427,8 @@ uint32_t RegionModel<Coder>::length(uint32_t length) {
   using namespace context;
   const bool is_axis_link = link_class_ == 2 && direction_ % 2 == 0;
   const uint32_t kind = is_axis_link ? 3U : link_class_;
-  const uint32_t first = is_fragment(chain_)
-                             ? fragment_length + kind * size_of_run_length
-                             : run_length + (4 * kind + length_) * size_of_run_length;
+  const uint32_t first = is_short() ? fragment_length + (2 * kind + is_level()) * size_of_run_length
+                                    : run_length + (4 * kind + length_) * size_of_run_length;
   const uint32_t coded = number(first, size_of_run_length, length);
   length_ = static_cast<uint8_t>(coded < 3 ? coded : 3);
   return coded;

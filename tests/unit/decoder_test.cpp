@@ -89,14 +89,24 @@ void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
   model.run_count(runs);
 }
 
-// A whole fragment of so many runs; its directions and lengths follow.
+// A whole fragment: the directions of its links in the order in which they are told, and the
+// lengths of its runs.
 template <class Model>
-void begin_fragment(Model& model, Chain order, uint32_t runs, Incidence incidence = up) {
+void tell_fragment(Model& model, Chain order, const std::vector<Direction>& directions,
+                   const std::vector<uint32_t>& lengths, Incidence incidence = up) {
   model.record_kind(RecordKind::fragment);
   model.incidence(incidence);
   model.order(order);
-  model.start({1, 0, 0}, order);
-  model.fragment_run_count(runs);
+  const bool is_forward = order == Chain::fragment;
+  for (size_t i = 0; i < directions.size(); ++i) {
+    model.direction(directions[i]);
+    if (i == 0)
+      model.fragment_vertex({1, 0, 0});
+    else
+      model.is_last_link(i + 1 == directions.size());
+    const size_t run = is_forward ? i - 1 : i;
+    if (run < lengths.size()) model.length(lengths[run]);
+  }
 }
 
 // A region across z that goes on in a packet to come.
@@ -457,10 +467,7 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
     tell_ring(model, false);
     tell_run(model, 0, Run::max_length);
     end_part(model, true);
-    begin_fragment(model, Chain::fragment, 1);
-    model.direction(0);
-    model.direction(2);
-    model.length(Run::max_length);
+    tell_fragment(model, Chain::fragment, {0, 2}, {Run::max_length});
   })}));
   const Events expected = Script()
                               .region(up)
@@ -475,39 +482,30 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
 }
 
 TEST_CASE("a fragment told from its end begins where its runs lead back to") {
-  const auto fragment = [](Chain order) {
-    const bool is_forward = order == Chain::fragment;
-    return decode(stream_of({payload_of([&](auto& model) {
-             begin_fragment(model, order, 2);
-             for (const uint32_t link : {0U, 1U, 2U}) {
-               const uint32_t told = is_forward ? link : 2 - link;
-               model.direction(static_cast<Direction>(2 + 2 * told));  // 2, 4, 6
-               if (told > 0) model.length(10 * told);
-             }
-           })}))
-        .events;
-  };
-  CHECK(fragment(Chain::fragment) ==
+  CHECK(decode(stream_of({payload_of([](auto& model) {
+          tell_fragment(model, Chain::fragment, {2, 4, 6}, {10, 20});
+        })}))
+            .events ==
         Script().fragment(up, {1, 0, 0}, 2).run(4, 10).run(6, 20).fragment_end().events);
-  const Vertex back = direction_vector(up, 4) + direction_vector(up, 6) + direction_vector(up, 6);
-  const Vertex start{1 - 10 * back.x, -10 * back.y, 0};
-  CHECK(fragment(Chain::backwards) ==
-        Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
+  // Its vertex is the one before the end, by the last run.
+  const Vertex first = direction_vector(up, 4);
+  const Vertex second = direction_vector(up, 6);
+  const Vertex start{1 - 10 * first.x - 19 * second.x, -10 * first.y - 19 * second.y, 0};
+  CHECK(decode(stream_of({payload_of([](auto& model) {
+          tell_fragment(model, Chain::backwards, {6, 4, 2}, {20, 10});
+        })}))
+            .events == Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
 }
 
 TEST_CASE("a fragment may fill a record to the last word, and one run more is refused") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
   for (const Chain order : {Chain::fragment, Chain::backwards})
-    for (const uint32_t runs : {most, most + 1, most + 5, UINT32_MAX - 3, UINT32_MAX}) {
-      const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-        begin_fragment(model, order, runs);
-        if (order == Chain::fragment) model.direction(6);
-        for (uint32_t i = 0; i < most; ++i) {
-          model.direction(static_cast<Direction>(i % 4));
-          model.length(1);
-        }
-        if (order == Chain::backwards) model.direction(6);
-      })}));
+    for (const uint32_t runs : {most, most + 1, most + 5}) {
+      std::vector<Direction> directions;
+      for (uint32_t i = 0; i <= runs; ++i) directions.push_back(static_cast<Direction>(i % 4));
+      const std::vector<uint32_t> lengths(runs, 1);
+      const Received arrival = decode(stream_of(
+          {payload_of([&](auto& model) { tell_fragment(model, order, directions, lengths); })}));
       CHECK(pieces_of(arrival.events).size() == (runs == most ? 1 : 0));
       CHECK(arrival.report.fragments == (runs == most ? 1 : 0));
       CHECK(arrival.report.damaged_packets == (runs == most ? 0 : 1));
@@ -779,22 +777,13 @@ TEST_CASE("records that break the grammar are refused") {
     end_part(model, true);
   });
   check_unreadable([](auto& model) {  // the same of a whole one
-    begin_fragment(model, Chain::fragment, 1, incidence_of({1, 1, 0}));
-    model.direction(4);
-    model.direction(0);
-    model.length(1);
+    tell_fragment(model, Chain::fragment, {4, 0}, {1}, incidence_of({1, 1, 0}));
   });
   check_unreadable([](auto& model) {  // and of its run
-    begin_fragment(model, Chain::backwards, 1, incidence_of({1, 1, 0}));
-    model.direction(7);
-    model.length(1);
-    model.direction(0);
+    tell_fragment(model, Chain::backwards, {7, 0}, {1}, incidence_of({1, 1, 0}));
   });
   check_unreadable([](auto& model) {  // a run of a fragment too long
-    begin_fragment(model, Chain::fragment, 1);
-    model.direction(4);
-    model.direction(0);
-    model.length(Run::max_length + 1);
+    tell_fragment(model, Chain::fragment, {4, 0}, {Run::max_length + 1});
   });
   check_unreadable([](auto& model) {  // a kind that version 2 does not have
     model.record_kind(static_cast<RecordKind>(8));

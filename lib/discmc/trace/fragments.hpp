@@ -81,7 +81,7 @@ class Fragments {
 
   /// The least capacity with which a scan works.
   static constexpr uint32_t least_capacity = 4;
-  /// With as many records left no fragment is sent early.
+  /// With as many records left no end is lost, and no fragment sent early.
   static constexpr uint32_t plenty = 1024;
   /// What a pass may take.
   static constexpr uint32_t records_a_pass = 6;
@@ -93,9 +93,7 @@ class Fragments {
     records_.start(records, capacity);
     queues_.start(queues);
     plenty_ = sends ? plenty : 0;
-    kept_for_pass_ = sends ? records_a_pass : 0;
-    kept_for_slice_ =
-        sends ? records_a_pass + (capacity / 2 < most_kept ? capacity / 2 : most_kept) : 0;
+    kept_for_slice_ = capacity / 2 < most_kept ? capacity / 2 : most_kept;
   }
   void clear() {
     records_.clear();
@@ -180,11 +178,12 @@ class Fragments {
     const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
     return is_lost ? Index{no_record} : queues_.pop(records_, queue);
   }
-  // Ends of links that stay within the slice are the last to be lost: they leave it soon.
-  bool admits(uint8_t queue) const {
-    return spare() >= (queue >= first_rising_queue ? kept_for_slice_ : kept_for_pass_);
+  // Whether an end may wait.
+  bool admits(uint8_t queue, bool has_loose_mate) const {
+    return !is_short() || spare() >= least_spare(queue, has_loose_mate);
   }
-  // Whether fragments may have to be sent early.
+  uint32_t least_spare(uint8_t queue, bool has_loose_mate) const;
+  // Whether ends may have to be lost, and fragments sent early.
   bool is_short() const { return spare() < plenty_; }
   bool should_send(Index list, Index other = no_record) const {
     return is_short() && is_long(list, other);
@@ -195,8 +194,7 @@ class Fragments {
 
   bool is_below_lost_ = false;
   uint32_t plenty_ = 0;
-  uint32_t kept_for_pass_ = 0;   // records kept from ends that wait within the slice,
-  uint32_t kept_for_slice_ = 0;  // and from those that wait for the next one
+  uint32_t kept_for_slice_ = 0;  // records kept from ends that wait for the next slice
   Outgoing<Index> outgoing_;
   Records records_;
   Queues<Index, Normal> queues_;
@@ -232,7 +230,7 @@ template <class Normals>
   }
   if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
   if (!pass.goes_ahead()) return close(pass, vertex, tail);
-  if (!admits(pass.out)) {
+  if (!admits(pass.out, is_loose(end(tail).mate))) {
     queues_.push_lost(records_, pass.out);
     return lose_tail(pass, vertex, tail);
   }
@@ -284,7 +282,7 @@ template <class Normals>
   const Place here = place_of(vertex);
   const Direction came = direction(pass, pass.came);
   Index begin = no_record;
-  if (admits(pass.in)) {
+  if (admits(pass.in, !pass.goes_ahead())) {
     begin = records_.take();
     queues_.push(records_, pass.in, begin);
   } else {
@@ -307,7 +305,7 @@ template <class Normals>
                                                                 const Vertex& vertex, Index begin,
                                                                 const Normals& normals) {
   const Place here = place_of(vertex);
-  const bool is_waiting = admits(pass.in);
+  const bool is_waiting = admits(pass.in, is_loose(end(begin).mate));
   bool has_new_runs = true;
   if (pass.turns_at_centroid()) {
     const Vertex corner = moved(vertex, pass.first, 1);
@@ -470,6 +468,18 @@ void Fragments<Index, Normal>::wire(Index begin, Index tail, Index list) {
 }
 
 // ---- short of records ----
+
+// Ends of links that stay within the slice are the last to be lost: they leave it soon. Of the
+// others those are lost first whose chain has lost an end before, so that more regions stay whole,
+// and those behind a lost one, where that takes no record.
+template <class Index, class Normal>
+uint32_t Fragments<Index, Normal>::least_spare(uint8_t queue, bool has_loose_mate) const {
+  if (queue < first_rising_queue) return records_a_pass;
+  uint32_t least = records_a_pass + kept_for_slice_;
+  if (has_loose_mate) least += kept_for_slice_ / 2;
+  if (queues_.ends_lost(records_, queue)) least += kept_for_slice_ / 4;
+  return least;
+}
 
 // The fewer records are left, the shorter a fragment may be to be sent as it stands; with none left
 // any is, and gives back what the pass has taken.
