@@ -59,16 +59,8 @@ bool encode_region(Model& model, const Record& record) {
   return true;
 }
 
-/// A run of a record, its direction first.
-template <class Model>
-void encode_run(Model& model, uint32_t word) {
-  const Run run = Run::from_code(word);
-  model.direction(run.direction());
-  model.length(run.length());
-}
-
-/// A whole loose fragment, told from the end that costs less: the one where the sweep is. False,
-/// with nothing told, when the record is a part or has no run.
+/// A whole loose fragment, link by link, from the end that costs less: the one where the sweep is.
+/// False, with nothing told, when the record is a part or has no run.
 template <class Model>
 bool encode_fragment(Model& model, const Record& record) {
   constexpr uint32_t first = Record::ring_words;
@@ -82,8 +74,8 @@ bool encode_fragment(Model& model, const Record& record) {
   const uint32_t runs = record.count - first;
   for (uint32_t i = 0; i <= runs; ++i) {
     const uint32_t link = chain == Chain::backwards ? runs - i : i;
-    const Run run = link == 0 ? Run::straight(record.came, 0)
-                              : Run::from_code(record.word[first + link - 1]);
+    const Run run =
+        link == 0 ? Run::straight(record.came, 0) : Run::from_code(record.word[first + link - 1]);
     model.direction(run.direction());
     if (i == 0)
       model.fragment_vertex(vertex);
@@ -103,7 +95,9 @@ uint32_t encode_item(Model& model, const Record& record, uint32_t index) {
     return Record::ring_words;
   }
   model.item_kind(Item::run);
-  encode_run(model, record.word[index]);
+  const Run run = Run::from_code(record.word[index]);
+  model.direction(run.direction());
+  model.length(run.length());
   return 1;
 }
 

@@ -92,7 +92,8 @@ constexpr bool is_direction(Incidence incidence, Direction direction) {
   return direction < direction_count(incidence);
 }
 
-constexpr uint32_t odd(int32_t coordinate) {
+/// 1 when it is odd.
+constexpr uint32_t parity_of(int32_t coordinate) {
   return static_cast<uint32_t>(coordinate) & 1;
 }
 
@@ -141,7 +142,8 @@ class RegionModel {
     begin_chain(is_backwards ? Chain::backwards : Chain::fragment);
     return chain_;
   }
-  /// Where a ring begins, relative to the vertex told last. Limit: an odd coordinate sum.
+  /// Where a ring begins, relative to the vertex told last; after the incidence. Limit: an odd
+  /// coordinate sum.
   Vertex start(const Vertex& start, Chain chain);
   /// After the first direction of a fragment: where it begins, or, told from its end, the vertex
   /// before the end. As start().
@@ -189,17 +191,21 @@ class RegionModel {
   Rise rise() const { return rise_of(link_of(incidence_, direction_)); }
   uint32_t is_level() const { return rise() == Rise::level ? 1 : 0; }
   uint32_t by_slope_and_level() const { return 2U * slope_ + is_level(); }
-  uint32_t first_back() const;
+  uint32_t tree_of_turn() const;
+  Direction first_back() const;
   uint32_t tree(uint32_t first, uint32_t value);
   uint32_t number(uint32_t first, uint32_t contexts, uint32_t value);
   int32_t delta(uint32_t first, int32_t value);
   int32_t step(uint32_t row, int32_t to, int32_t& from);
   int32_t step_voxels(uint32_t row, int32_t to, int32_t& from, uint32_t parity);
+  // The sum of the coordinates is odd.
   void step_x(uint32_t row, int32_t x) {
-    step_voxels(row, x, start_.x, odd(start_.y ^ start_.z ^ 1));
+    step_voxels(row, x, start_.x, parity_of(start_.y ^ start_.z ^ 1));
   }
+  // Rings start at their last vertex: the first direction of a region is told as a turn from the
+  // first that leads back, any other from 0.
   void begin_chain(Chain chain) {
-    direction_ = no_direction;
+    direction_ = chain == Chain::first ? first_back() : Direction{0};
     links_ = 0;
     turns_ = 0;
     length_ = 0;
@@ -218,9 +224,9 @@ class RegionModel {
   // Of the chain:
   Chain chain_ = Chain::first;
   Direction direction_ = 0;
-  uint8_t links_ = 0;        // whose direction was told, up to one more than most_of_short
-  uint8_t turns_ = 0;        // the last turn and one more; 0 before the first
-  uint8_t length_ = 0;       // of the last run, or 3 when it is longer; 0 before the first
+  uint8_t links_ = 0;   // whose direction was told, up to one more than most_of_short
+  uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
+  uint8_t length_ = 0;  // of the last run, or 3 when it is longer; 0 before the first
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
 };
@@ -278,8 +284,9 @@ int32_t RegionModel<Coder>::delta(uint32_t first, int32_t value) {
 // are rows for a delta each.
 template <class Coder>
 int32_t RegionModel<Coder>::step(uint32_t row, int32_t to, int32_t& from) {
-  const int32_t told = delta(context::start_z + row * context::size_of_delta,
-                             wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
+  const int32_t told =
+      delta(context::start_z + row * context::size_of_delta,
+            wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
   from = wrapped_sum(from, told);
   return told;
 }
@@ -367,9 +374,9 @@ template <class Coder>
 Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
   using namespace context;
   const uint32_t order = chain_ == Chain::backwards ? 1 : 0;
-  const uint32_t rise = static_cast<uint32_t>(this->rise());
-  const uint32_t z = bit(z_is_odd + 6U * slope_ + 2 * rise + order, odd(vertex.z));
-  const uint32_t y = bit(y_is_odd + 2U * slope_ + z, odd(vertex.y));
+  const uint32_t z =
+      bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order, parity_of(vertex.z));
+  const uint32_t y = bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y));
   // Of z, y and x two rows each, which follow those of start().
   const int32_t dz = step_voxels(25 + (before_ == Before::mark ? 1U : 0U), vertex.z, start_.z, z);
   const int32_t dy = step_voxels(27 + (dz != 0 ? 1U : 0U), vertex.y, start_.y, y);
@@ -379,47 +386,45 @@ Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
   return start_;
 }
 
-// A direction is told as a turn from the one before. The first one of a fragment counts from 0, and
-// that of a region from the first that leads back: rings start at their last vertex.
+// A direction is told as a turn from the one before. Told backwards, a chain still turns as it does
+// forwards.
 template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
-  using namespace context;
-  const bool is_first = direction_ == no_direction;
   if (links_ <= most_of_short) ++links_;
-  uint32_t first = even;
-  uint32_t before = direction_;
-  if (is_first) {
-    before = chain_ == Chain::first ? first_back() : 0;
-    if (chain_ != Chain::further)
-      first = (is_fragment(chain_) ? fragment_direction : first_direction) + slope_ * size_of_tree;
-  } else if (is_short()) {
-    first = fragment_turn + by_slope_and_level() * size_of_tree;
-  } else {
-    // A class has a tree for each turn before and one for none: 5, 7 or 9.
-    first = next_turn + (link_class_ * (link_class_ + 4U) + turns_) * size_of_tree;
-  }
-  // Told backwards, a chain still turns as it does forwards.
+  const bool is_first = links_ == 1;
   const uint32_t directions = direction_count();
   const bool mirrors = chain_ == Chain::backwards && !is_first;
-  const auto mirrored = [&](uint32_t turn) {
-    return mirrors && turn > 0 ? directions - turn : turn;
+  const auto within = [directions](uint32_t number) {
+    return number < directions ? number : number - directions;
   };
-  const uint32_t round = direction < before ? directions : 0;
-  const uint32_t turn = tree(first, mirrored(direction + round - before));
+  const uint32_t from = mirrors ? direction : direction_;
+  const uint32_t to = mirrors ? direction_ : direction;
+  const uint32_t turn = tree(tree_of_turn(), within(to + directions - from));
   if (turn >= directions) return static_cast<Direction>(turn);  // none of the plane's
   if (!is_first) turns_ = static_cast<uint8_t>(turn + 1);
-  const uint32_t sum = before + mirrored(turn);
-  direction_ = static_cast<Direction>(sum < directions ? sum : sum - directions);
+  direction_ = static_cast<Direction>(within(direction_ + (mirrors ? directions - turn : turn)));
   return direction_;
+}
+
+template <class Coder>
+uint32_t RegionModel<Coder>::tree_of_turn() const {
+  using namespace context;
+  if (links_ == 1) {
+    if (chain_ == Chain::further) return even;
+    return (is_fragment(chain_) ? fragment_direction : first_direction) + slope_ * size_of_tree;
+  }
+  if (is_short()) return fragment_turn + by_slope_and_level() * size_of_tree;
+  // A class has a tree for each turn before and one for none: 5, 7 or 9.
+  return next_turn + (link_class_ * (link_class_ + 4U) + turns_) * size_of_tree;
 }
 
 // The first, counter-clockwise, of the directions that lead back in the order z, y, x. The last of
 // them is 0, or comes after it.
 template <class Coder>
-uint32_t RegionModel<Coder>::first_back() const {
+Direction RegionModel<Coder>::first_back() const {
   uint32_t direction = direction_count();
   while (link_of(incidence_, static_cast<Direction>(direction - 1)) < link_codes / 2) --direction;
-  return direction;
+  return static_cast<Direction>(direction);
 }
 
 template <class Coder>
