@@ -320,11 +320,10 @@ bool sees_the_facets(const SectorTable& table) {
 
 // ---- queues ----
 
-// A kind of link, by its earlier vertex and the vector to its later one, and whether there is a
-// centroid on the way; and the queue of the chains that go along it.
+// A kind of link, by its earlier vertex and the vectors to its later one and to the centroid on the
+// way, which are nothing on a face; and the queue of the chains that go along it.
 struct Kind {
-  Vertex begin, vector;
-  bool has_centroid;
+  Vertex begin, vector, to_centroid;
   bool is_taken[2];  // by chains that go onwards, and back
   int queue;
 };
@@ -338,12 +337,12 @@ bool add_kind(std::vector<Kind>& kinds, const Way& way, const Vertex& here, cons
   const Vertex begin{earlier.x & 1, earlier.y & 1, earlier.z & 1};
   const Kind kind{begin,
                   is_ahead ? there - here : here - there,
-                  has_centroid,
+                  has_centroid ? position(centroid) - earlier : Vertex{0, 0, 0},
                   {is_ahead ? goes : comes, is_ahead ? comes : goes},
                   is_ahead ? way.queue_out() : way.queue_in()};
   for (Kind& known : kinds) {
     if (known.begin != kind.begin || known.vector != kind.vector ||
-        known.has_centroid != has_centroid)
+        known.to_centroid != kind.to_centroid)
       continue;
     return known.queue == kind.queue;
   }
