@@ -101,6 +101,7 @@ TEST_CASE("a pool without records has none") {
   Pool<Record<uint16_t>, uint16_t> pool;
   CHECK(pool.take() == no_record);
   pool.start(nullptr, 0);
+  pool.clear();
   CHECK(pool.take() == no_record);
   CHECK(pool.capacity() == 0);
   CHECK(pool.high_water() == 0);
