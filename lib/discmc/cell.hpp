@@ -38,10 +38,6 @@ constexpr Vertex position(Point point) {
 constexpr Point point_at(const Vertex& position) {
   return static_cast<Point>(position.x + 4 * position.y + 16 * position.z);
 }
-/// The point at the other end of a link. Limit: it lies in the cell.
-constexpr Point point_after(Point point, Link link) {
-  return static_cast<Point>(point + point_at(link_vector(link)));
-}
 
 /// The faces of a cell. The first three look back at cells that a sweep in x, y, z order has
 /// visited.

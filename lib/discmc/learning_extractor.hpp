@@ -11,8 +11,8 @@
 namespace discmc {
 
 /// Give it memory with learn_in(), before push().
-template <class Index>
-using LearningExtractor = Extractor<Index, NoNormals, trace::LearntPasses>;
+template <class Index, class Normals = NoNormals>
+using LearningExtractor = Extractor<Index, Normals, trace::LearntPasses>;
 
 }  // namespace discmc
 

@@ -76,7 +76,7 @@ class RecordAccount {
 template <class Record, class Index>
 class Pool : public RecordAccount<Index> {
  public:
-  /// Call clear() before using records that were used before.
+  /// Says where the records lie. Call clear() before the first is taken.
   void start(Record* records, uint32_t capacity) {
     this->records_ = reinterpret_cast<uint8_t*>(counted_from_one(records));
     this->capacity_ = capacity;

@@ -320,33 +320,28 @@ bool sees_the_facets(const SectorTable& table) {
 
 // ---- queues ----
 
-// A kind of link, by its earlier vertex and the vector to its later one, and whether there is a
-// centroid on the way; and the queue of the chains that go along it.
+// A kind of link, by its earlier vertex and the vectors from there to its later one and to the
+// centroid on the way (nought on a face); and the queue of the chains that go along it.
 struct Kind {
-  Vertex begin, vector;
-  bool has_centroid;
+  Vertex begin, vector, by;
   bool is_taken[2];  // by chains that go onwards, and back
   int queue;
 };
 
 // Adds a way to the kinds, seen from a vertex. False when it has another queue than from the other
-// end of the link.
+// end of the link. by: the centroid, or the vertex itself.
 bool add_kind(std::vector<Kind>& kinds, const Way& way, const Vertex& here, const Vertex& there,
-              bool has_centroid, bool goes, bool comes) {
+              const Vertex& by, bool goes, bool comes) {
   const bool is_ahead = visit(here) < visit(there);
   const Vertex& earlier = is_ahead ? here : there;
-  const Vertex begin{earlier.x & 1, earlier.y & 1, earlier.z & 1};
-  const Kind kind{begin,
+  const Kind kind{{earlier.x & 1, earlier.y & 1, earlier.z & 1},
                   is_ahead ? there - here : here - there,
-                  has_centroid,
+                  by == here ? Vertex{0, 0, 0} : by - earlier,
                   {is_ahead ? goes : comes, is_ahead ? comes : goes},
                   is_ahead ? way.queue_out() : way.queue_in()};
-  for (Kind& known : kinds) {
-    if (known.begin != kind.begin || known.vector != kind.vector ||
-        known.has_centroid != has_centroid)
-      continue;
-    return known.queue == kind.queue;
-  }
+  for (const Kind& known : kinds)
+    if (known.begin == kind.begin && known.vector == kind.vector && known.by == kind.by)
+      return known.queue == kind.queue;
   kinds.push_back(kind);
   return true;
 }
@@ -357,7 +352,7 @@ bool agrees_from_both_ends(const SectorTable& table, std::vector<Kind>& kinds) {
       const auto& ways = table.axis[axis].way[quadrant];
       const Vertex here = along(axis, 1, 0, 0);
       for (int way = trace::straight_way; way < trace::ways; ++way)
-        if (!add_kind(kinds, ways[way], here, here + ray_vector(axis, quadrant, way), false, true,
+        if (!add_kind(kinds, ways[way], here, here + ray_vector(axis, quadrant, way), here, true,
                       true))
           return false;
       const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
@@ -365,8 +360,8 @@ bool agrees_from_both_ends(const SectorTable& table, std::vector<Kind>& kinds) {
         const CellEdge other = edge_in({axis, quadrant}, named);
         const bool goes = ways_by_centroids().at(own).at(other);
         const bool comes = ways_by_centroids().at(other).at(own);
-        if ((goes || comes) &&
-            !add_kind(kinds, ways[named], edges().at(own), edges().at(other), true, goes, comes))
+        if ((goes || comes) && !add_kind(kinds, ways[named], edges().at(own), edges().at(other),
+                                         position(centroid), goes, comes))
           return false;
       }
     }

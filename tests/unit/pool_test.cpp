@@ -21,6 +21,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
   std::vector<Record<Index>> records(capacity);
   Pool<Record<Index>, Index> pool;
   pool.start(records.data(), capacity);
+  pool.clear();
   std::vector<Index> taken;
   uint32_t high_water = 0;
   for (uint32_t i = 0; i < 20000; ++i) {
@@ -55,6 +56,7 @@ TEST_CASE("a pool gives each record once, and then none") {
   std::vector<Record<uint16_t>> records(5);
   Pool<Record<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 5);
+  pool.clear();
   std::set<uint16_t> taken;
   for (int i = 0; i < 5; ++i) taken.insert(pool.take());
   CHECK(taken == std::set<uint16_t>{1, 2, 3, 4, 5});
@@ -71,6 +73,7 @@ TEST_CASE("the record given back last is taken first") {
   std::vector<Record<uint32_t>> records(8);
   Pool<Record<uint32_t>, uint32_t> pool;
   pool.start(records.data(), 8);
+  pool.clear();
   for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.take() == i);
   pool.give(1);
   pool.give(4);
@@ -83,6 +86,7 @@ TEST_CASE("clearing gives all records back and forgets the high-water mark") {
   std::vector<Record<uint16_t>> records(4);
   Pool<Record<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 4);
+  pool.clear();
   for (int i = 0; i < 4; ++i) pool.take();
   pool.give(2);
   CHECK(pool.high_water() == 4);
@@ -97,6 +101,7 @@ TEST_CASE("a pool without records has none") {
   Pool<Record<uint16_t>, uint16_t> pool;
   CHECK(pool.take() == no_record);
   pool.start(nullptr, 0);
+  pool.clear();
   CHECK(pool.take() == no_record);
   CHECK(pool.capacity() == 0);
   CHECK(pool.high_water() == 0);
@@ -107,6 +112,7 @@ TEST_CASE("index 0, which means none, is never given, and every other one is") {
   std::vector<Record<uint16_t>> records(65535);
   Pool<Record<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 65535);
+  pool.clear();
   for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.take() == i);
   CHECK(pool.take() == no_record);
 }

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <string.h>
+#include <discmc/trace/delivery.hpp>
 #include <discmc/trace/fragments.hpp>
 #include <discmc/trace/neighbourhood.hpp>
 
@@ -15,7 +16,7 @@
 namespace discmc::trace {
 namespace {
 
-TEST_CASE("the table of sectors is right when they are derived at run time") {
+TEST_CASE("the table of sectors is right when it is derived at run time") {
   SectorTable table{};
   table = derive_table();  // what is initialised the compiler would work out
   CHECK(reference::broken(table) == nullptr);
@@ -33,6 +34,25 @@ TEST_CASE("the steps of links are the same when they are derived at run time") {
   LinkSteps again{};
   again = derive::link_steps();
   CHECK(memcmp(&again, &link_steps, sizeof again) == 0);  // there are no gaps
+}
+
+TEST_CASE("the edges of a cell have the same numbers when they are derived at run time") {
+  EdgeNumbers again{};
+  again = number_edges();
+  for (int i = 0; i < cell_edges; ++i) {
+    CHECK(again.point[i] == edges.point[i]);
+    CHECK(again.number[again.point[i]] == i);
+  }
+}
+
+TEST_CASE("the directions that ascend are the same when they are derived at run time") {
+  AscendingDirections again{};
+  again = derive::ascending_directions();
+  const Incidence across_z = incidence_of({0, 0, 1});
+  for (Direction direction = 0; direction < max_directions; ++direction) {
+    const Vertex v = direction_vector(across_z, direction);
+    CHECK((again.of[across_z] >> direction & 1) == (v.y > 0 || (v.y == 0 && v.x > 0) ? 1 : 0));
+  }
 }
 
 }  // namespace

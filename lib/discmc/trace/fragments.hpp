@@ -42,7 +42,13 @@ inline Place next_place(Place from, Link link) {
          ((1U << place_bits) - 1);
 }
 
-/// How many links lead from one place to another. Limit: fewer than 2,048.
+/// A side is broken off at this length, so that two which join have a length that is told by their
+/// places.
+inline uint32_t longest_side(Link link) {
+  return ((1U << place_bits) >> link_steps.of[link].halvings) / 2 - 4;
+}
+
+/// How many links lead from one place to another. Limit: fewer than 2 * longest_side(link) + 8.
 inline uint32_t links_between(Place from, Place to, Link link) {
   constexpr uint32_t all = (1U << place_bits) - 1;
   const LinkStep step = link_steps.of[link];
@@ -223,7 +229,7 @@ template <class Normals>
     } else if (pass.turns()) {
       turn(pass, tail, pass.came, here, pass.first, normals.normal_at(vertex));
       has_new_runs = true;
-    } else if (links_between(end(tail).side.place(), here, pass.came) >= Side::longest) {
+    } else if (links_between(end(tail).side.place(), here, pass.came) >= longest_side(pass.came)) {
       turn(pass, tail, pass.came, here, pass.first, {});
       has_new_runs = true;
     }
@@ -313,7 +319,8 @@ template <class Normals>
   }
   if (pass.turns())
     turn_back(pass, begin, pass.first, here, pass.came, normals.normal_at(vertex));
-  else if (!is_waiting || links_between(here, end(begin).side.place(), pass.first) >= Side::longest)
+  else if (!is_waiting ||
+           links_between(here, end(begin).side.place(), pass.first) >= longest_side(pass.first))
     turn_back(pass, begin, pass.first, here, pass.came, {});
   else
     has_new_runs = pass.turns_at_centroid();

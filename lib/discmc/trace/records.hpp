@@ -40,10 +40,6 @@ constexpr Place place_of(const Vertex& v) {
 /// A direction, and the place of a corner on the line along it.
 class Side {
  public:
-  /// A side is broken off at this length, so that two which join have a length that is told by
-  /// their places. Units: links.
-  static constexpr uint32_t longest = 1020;
-
   Side() = default;
   Side(Direction direction, Place place) : code_(static_cast<uint16_t>(place << 3 | direction)) {}
   Direction direction() const { return code_ & 7; }
