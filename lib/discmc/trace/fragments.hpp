@@ -87,7 +87,7 @@ class Fragments {
 
   /// The least capacity with which a scan works.
   static constexpr uint32_t least_capacity = 4;
-  /// With as many records left no end is lost, and no fragment sent early.
+  /// With as many records left no fragment is sent early.
   static constexpr uint32_t plenty = 1024;
   /// What a pass may take.
   static constexpr uint32_t records_a_pass = 6;
@@ -100,6 +100,7 @@ class Fragments {
     queues_.start(queues);
     plenty_ = sends ? plenty : 0;
     kept_for_slice_ = capacity / 2 < most_kept ? capacity / 2 : most_kept;
+    enough_for_ends_ = sends ? records_a_pass + 2 * kept_for_slice_ : 0;
   }
   void clear() {
     records_.clear();
@@ -186,10 +187,10 @@ class Fragments {
   }
   // Whether an end may wait.
   bool admits(uint8_t queue, bool has_loose_mate) const {
-    return !is_short() || spare() >= least_spare(queue, has_loose_mate);
+    return spare() >= enough_for_ends_ || spare() >= least_spare(queue, has_loose_mate);
   }
   uint32_t least_spare(uint8_t queue, bool has_loose_mate) const;
-  // Whether ends may have to be lost, and fragments sent early.
+  // Whether fragments may have to be sent early.
   bool is_short() const { return spare() < plenty_; }
   bool should_send(Index list, Index other = no_record) const {
     return is_short() && is_long(list, other);
@@ -200,7 +201,8 @@ class Fragments {
 
   bool is_below_lost_ = false;
   uint32_t plenty_ = 0;
-  uint32_t kept_for_slice_ = 0;  // records kept from ends that wait for the next slice
+  uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
+  uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;
   Records records_;
   Queues<Index, Normal> queues_;
