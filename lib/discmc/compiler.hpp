@@ -27,14 +27,38 @@ inline uint32_t aligned_word(const void* memory) {
 #endif
 }
 
+namespace derive {
+
+// Multiplied by a de Bruijn sequence, each power of two has other bits at the top (C. Leiserson,
+// H. Prokop, K. Randall, Using de Bruijn Sequences to Index a 1 in a Computer Word, 1998).
+constexpr uint32_t de_bruijn = 0x077CB531;
+
+struct BitPlaces {
+  uint8_t of[32];
+};
+constexpr BitPlaces bit_places() {
+  BitPlaces places{};
+  for (uint8_t bit = 0; bit < 32; ++bit)
+    places.of[(uint32_t{1} << bit) * de_bruijn >> 27] = bit;
+  return places;
+}
+
+}  // namespace derive
+
+inline constexpr derive::BitPlaces bit_places = derive::bit_places();
+
+/// trailing_zeros() for processors that have no instruction for it.
+constexpr uint32_t trailing_zeros_by_table(uint32_t bits) {
+  return bit_places.of[(bits & (0 - bits)) * derive::de_bruijn >> 27];
+}
+
 /// Zeros below the lowest bit that is set. Limit: bits != 0.
 inline uint32_t trailing_zeros(uint32_t bits) {
-#if defined(__GNUC__)
-  return static_cast<uint32_t>(__builtin_ctz(bits));
+#if !defined(__GNUC__) || (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || \
+    (defined(__riscv) && !defined(__riscv_zbb))
+  return trailing_zeros_by_table(bits);
 #else
-  uint32_t zeros = 0;
-  for (; (bits & 1) == 0; bits >>= 1) ++zeros;
-  return zeros;
+  return static_cast<uint32_t>(__builtin_ctz(bits));
 #endif
 }
 

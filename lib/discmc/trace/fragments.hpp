@@ -181,7 +181,7 @@ class Fragments {
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
   void wire(Index begin, Index tail, Index list);
 
-  Index pop(uint8_t queue) {
+  [[gnu::always_inline]] Index pop(uint8_t queue) {
     const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
     return is_lost ? Index{no_record} : queues_.pop(records_, queue);
   }

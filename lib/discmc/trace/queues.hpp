@@ -67,7 +67,7 @@ class Queues {
   }
 
   /// Takes out what has waited longest: an end, or no_record for one that was lost.
-  Index pop(Records& records, uint8_t number) {
+  [[gnu::always_inline]] Index pop(Records& records, uint8_t number) {
     Queue<Index>& queue = queues_[number];
     const Index head = queue.head;
     if (is_count(queue)) {
