@@ -160,7 +160,8 @@ enum {
   DISCMC_FRAGMENT_END, /* the fragment is complete */
   DISCMC_SKIPPED,      /* a row never came: slice, row, repeated */
   DISCMC_LAYER,        /* every region that does not reach `slice` has been delivered */
-  DISCMC_FINISH,       /* the last event: slice (how many slices), abandoned, statistics */
+  DISCMC_FINISH,       /* the last event: slice (how many; of a slab, its own), abandoned,
+                        * statistics */
   DISCMC_LOST          /* decoder only: part of the region or fragment just begun is lost */
 };
 

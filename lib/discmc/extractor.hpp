@@ -117,9 +117,10 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
-  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next. None
-  /// to begin with, and none after restore(). Owner: the memory is the caller's, as long as scans
-  /// last. Limit: a LearningExtractor. Cost: a write for every 80 bytes.
+  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2 MB
+  /// are a good size. Call it before push(). Nothing is remembered before, and after restore().
+  /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
+  /// Cost: a write for every 76 bytes.
   template <class P = Passes>
   void learn_in(Memory memory) {
     P& passes = sweep_.passes();
@@ -131,7 +132,7 @@ class Extractor {
   const Limits& limits() const { return limits_; }
   const Capacities& capacities() const { return capacities_; }
   HighWater high_water() const {
-    return {sweep_.chains().records().high_water(), sweep_.delivery().holes().high_water()};
+    return {sweep_.fragments().records().high_water(), sweep_.delivery().holes().high_water()};
   }
   /// The bytes of the caller's memory that the scan has used so far: all that lie before, and none
   /// behind, have ever been written.
@@ -160,6 +161,7 @@ class Extractor {
   bool is_last_slice() const;
   bool end_slice();
   bool end_scan();
+  uint32_t own_slices() const;
   bool tell(Event::Kind kind);
 
   // What the sweep works with stands first, where it is reached by short instructions.

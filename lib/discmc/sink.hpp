@@ -49,7 +49,7 @@ struct Event {
     fragment_end,  ///< the fragment is complete
     skipped,       ///< a row never came: slice, row; `repeated` when the row before stood in for it
     layer,         ///< every region that does not reach `slice` has been delivered
-    finish,        ///< the last event: slice (how many slices), abandoned, statistics
+    finish,        ///< the last event: slice (how many: of a slab its own), abandoned, statistics
     lost,          ///< decoder only: part of the region or fragment just begun is lost, forget it
   };
   Kind kind;

@@ -227,6 +227,34 @@ TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a f
   CHECK(collected(log.events).regions().size() == 26);
 }
 
+TEST_CASE(
+    "a slab says in the end how many slices are its own, and the slabs' sum is the volume's") {
+  const BitVolume volume = random({5, 5, 20}, 128, 3);
+  struct Last {
+    uint32_t slices = 0;
+    Answer take(const Event& event) {
+      if (event.kind == Event::Kind::finish) slices = event.slice;
+      return Answer::taken;
+    }
+  };
+  const auto slices_of = [&](const Slab& slab, uint32_t from, uint32_t to) {
+    const Limits limits{5, 5, {}, slab};
+    Last last;
+    Block block(minimum_bytes<uint16_t>(limits) + 4000);
+    Extractor16 extractor;
+    require_ok(extractor.start(limits, 1, block.memory(), sink_to(last)));
+    for (uint32_t z = from; z < to; ++z)
+      require_ok(extractor.push(volume.on.data() + size_t{z} * 25, 25).status);
+    finish_all(extractor);
+    return last.slices;
+  };
+  CHECK(slices_of({}, 0, 20) == 20);
+  CHECK(slices_of({0, false, true}, 0, 8) == 7);
+  CHECK(slices_of({7, true, true}, 6, 13) == 5);
+  CHECK(slices_of({12, true, false}, 11, 20) == 8);
+  CHECK(slices_of({7, true, true}, 6, 7) == 0);
+}
+
 TEST_CASE("extractors of either index width work side by side") {
   const BitVolume a = random({9, 8, 7}, 100, 1);
   const BitVolume b = random({5, 6, 9}, 150, 2);

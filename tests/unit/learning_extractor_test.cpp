@@ -93,3 +93,24 @@ TEST_CASE("what is learnt is no part of a checkpoint") {
   finish_all(after);
   CHECK(log.events == expected.events);
 }
+
+TEST_CASE("passes are remembered from room for one neighbourhood on, wherever the memory lies") {
+  const uint32_t on = 0x15, off = 0;
+  trace::RowBlock rows;
+  for (auto& slice : rows.row)
+    for (const uint32_t*& row : slice) row = &off;
+  rows.row[1][1] = &on;
+  constexpr size_t entry = sizeof(uint32_t) + sizeof(trace::PassList);
+  constexpr size_t most_lost = Arena::alignment - 1;
+  alignas(8) uint8_t memory[4 * entry + 8];
+  trace::PassList scratch;
+  for (size_t offset = 0; offset < 4; ++offset) {
+    trace::LearntPasses passes;
+    for (size_t bytes = 0; bytes < 4 * entry; bytes += 1) {
+      passes.learn_in({memory + offset, bytes});
+      const bool is_remembered = &passes.at({rows, 0, 2, 0}, 0, scratch) != &scratch;
+      CHECK(is_remembered == (bytes >= entry + most_lost));
+    }
+    CHECK(&passes.at({rows, 0, 2, 0}, 3, scratch) == &scratch);  // cells are absent
+  }
+}

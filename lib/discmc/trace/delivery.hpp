@@ -66,9 +66,8 @@ class Delivery {
   template <class IsTop>
   void begin_at_last_top(const Records& records, IsTop is_top);
   bool begin_hole(Records& records);
-  void begin_fragment(Records& records);
-  bool deliver_runs(Event& event, const Records& records, const Sink& sink,
-                    Statistics& statistics);
+  void begin_next_loose(Records& records);
+  bool deliver_runs(Event& event, const Records& records, const Sink& sink, Statistics& statistics);
   void go_on(Records& records, Statistics& statistics);
 
   bool sends_ = false;
@@ -119,7 +118,7 @@ bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
       out_.kind = Out::Kind::none;
       holes_.any_plane(records, out_.incidence, out_.start);
       holes_due_ = holes_.mark(records, out_);
-      begin_fragment(records);
+      begin_next_loose(records);
     }
     if (!settle(chains, sink, statistics)) return false;
   }
@@ -140,7 +139,7 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
       return holes_.keep(records, out_);
   }
   holes_due_ = is_hole_ ? 0 : holes_.mark(records, out_);
-  if (out_.kind == Out::Kind::fragment) return begin_fragment(records);
+  if (out_.kind == Out::Kind::fragment) return begin_next_loose(records);
   is_delivering_ = true;
   is_fragment_ = is_hole_;
   next_event_ = is_hole_ ? Event::Kind::fragment : Event::Kind::region;
@@ -213,7 +212,7 @@ bool Delivery<Index, Normal>::begin_hole(Records& records) {
 
 // A loose fragment may be the last of the ring around holes of its plane: they go before it.
 template <class Index, class Normal>
-void Delivery<Index, Normal>::begin_fragment(Records& records) {
+void Delivery<Index, Normal>::begin_next_loose(Records& records) {
   is_fragment_ = true;
   next_event_ = Event::Kind::fragment;
   is_delivering_ = true;
@@ -273,7 +272,7 @@ void Delivery<Index, Normal>::go_on(Records& records, Statistics& statistics) {
       break;
     default:  // fragment_end
       ++statistics.fragments;
-      begin_fragment(records);
+      begin_next_loose(records);
   }
 }
 

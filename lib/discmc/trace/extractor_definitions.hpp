@@ -51,7 +51,7 @@ bool Extractor<Index, Normals, Passes>::lay_out(Memory memory) {
   auto* const queues = arena.take<trace::Queue<Index>>(trace::queue_count);
   auto* const holes = arena.take<Index>(sizing::hole_lists);
   auto* const records = arena.take<trace::Record<Index, Normal>>(capacities_.records);
-  sweep_.chains().start(records, capacities_.records, queues, sends_fragments_);
+  sweep_.fragments().start(records, capacities_.records, queues, sends_fragments_);
   sweep_.delivery().start(holes, sizing::hole_lists, capacities_.holes, sends_fragments_);
   memory_ = memory;
   return !arena.is_exhausted();
@@ -269,14 +269,16 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
   if (is_open && middle_slice() == 0) absent |= 3;
   const trace::CellRows cells{limits_, row.rows, y, z, absent};
   if (sink_.sealing != nullptr &&
-      !sink_.sealing->begin_row(sealed_, cells, sweep_.chains().spare(), sink_, statistics_))
+      !sink_.sealing->begin_row(sealed_, cells, sweep_.fragments().spare(), sink_, statistics_))
     return false;
-  sweep_.chains().lose_below(limits_.slab.continues_below && middle_slice() == 1);
+  sweep_.fragments().set_below_is_lost(limits_.slab.continues_below && middle_slice() == 1);
   row.set_absent(absent);
   row.work = !is_above_slab      ? trace::RowWork::take_passes
              : chains_are_ended_ ? trace::RowWork::begin_chains
                                  : trace::RowWork::end_chains;
   const trace::RowEnds ends{is_open, limits_.width};
+  // Above a slab the row is swept twice: as an end does not know where it is, the chains that come
+  // up to a vertex are ended there, and those that go down from it begin there.
   for (;;) {
     if (!sweep_.sweep(row, rows_.words(), ends, intake_, sink_, statistics_)) return false;
     chains_are_ended_ = row.work == trace::RowWork::end_chains;
@@ -285,6 +287,14 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
   }
   if (sink_.sealing != nullptr) sink_.sealing->end_row(sealed_, cells);
   return true;
+}
+
+// Without those of context.
+template <class Index, class Normals, class Passes>
+uint32_t Extractor<Index, Normals, Passes>::own_slices() const {
+  const uint32_t context =
+      (limits_.slab.continues_below ? 1U : 0U) + (limits_.slab.continues_above ? 1U : 0U);
+  return rows_.slices() > context ? rows_.slices() - context : 0;
 }
 
 // Offers an event that tells of rows and slices.
@@ -298,6 +308,7 @@ bool Extractor<Index, Normals, Passes>::tell(Event::Kind kind) {
   event.repeated = skip_repeated_;
   event.abandoned = abandoned_;
   event.statistics = &statistics_;
+  if (kind == Event::Kind::finish) event.slice = own_slices();
   return sink_.take(sink_.context, event) == Answer::taken;
 }
 

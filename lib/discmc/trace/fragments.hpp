@@ -8,8 +8,8 @@
 
 namespace discmc::trace {
 
-/// How a link changes the place on its line, and what tells links from places: how many times it
-/// can be halved, and the inverse of what is left, modulo a power of two.
+/// Counts the links between two places: (to - from) / step, modulo a power of two. As step is
+/// odd * 2^halvings, and `inverse` that of odd, the division is a shift and a product.
 struct LinkStep {
   int8_t step;
   uint8_t halvings;
@@ -42,8 +42,7 @@ inline Place next_place(Place from, Link link) {
          ((1U << place_bits) - 1);
 }
 
-/// A side is broken off at this length, so that two which join have a length that is told by their
-/// places.
+/// The longest side that is kept whole: two such sides may join, and places still tell the length.
 inline uint32_t longest_side(Link link) {
   return ((1U << place_bits) >> link_steps.of[link].halvings) / 2 - 4;
 }
@@ -94,7 +93,7 @@ class Fragments {
   /// So many records more, or half of all, are kept from ends that wait for the next slice.
   static constexpr uint32_t most_kept = 80;
 
-  /// sends: a shortage of records sends loose fragments; without it there must be none.
+  /// sends: the sink takes loose fragments. Else records must never run short (Sealing sees to it).
   void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues, bool sends) {
     records_.start(records, capacity);
     queues_.start(queues);
@@ -120,7 +119,7 @@ class Fragments {
   void begin_below(const Pass& pass, const Vertex& vertex);
 
   /// Whether what comes from below is another slab's.
-  void lose_below(bool is_lost) { is_below_lost_ = is_lost; }
+  void set_below_is_lost(bool is_lost) { is_below_lost_ = is_lost; }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   Outgoing<Index> take_outgoing() {
@@ -161,8 +160,8 @@ class Fragments {
   void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
   void send_begin(const Pass& pass, const Vertex& vertex, Index begin);
   void send_tail(const Pass& pass, const Vertex& vertex, Index tail);
-  // The runs of the fragment of a begin.
-  Index& runs_before(Index begin) {
+  // The runs of the fragment that has this begin.
+  Index& runs_of(Index begin) {
     EndRecord& record = end(begin);
     return is_loose(record.mate) ? record.last : end(record.mate).last;
   }
@@ -175,11 +174,11 @@ class Fragments {
   }
   void turn_back(const Pass& pass, Index begin, Link onwards, Place corner, Link came,
                  Normal normal);
-  void close(const Pass& pass, const Vertex& vertex, Index tail);
+  void meet_begin(const Pass& pass, const Vertex& vertex, Index tail);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
-  void wire(Index begin, Index tail, Index list);
+  void connect(Index begin, Index tail, Index list);
 
   [[gnu::always_inline]] Index pop(uint8_t queue) {
     const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
@@ -237,7 +236,7 @@ template <class Normals>
     }
   }
   if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
-  if (!pass.goes_ahead()) return close(pass, vertex, tail);
+  if (!pass.goes_ahead()) return meet_begin(pass, vertex, tail);
   if (!admits(pass.out, is_loose(end(tail).mate))) {
     queues_.push_lost(records_, pass.out);
     return lose_tail(pass, vertex, tail);
@@ -335,7 +334,7 @@ template <class Normals>
 template <class Index, class Normal>
 void Fragments<Index, Normal>::lose_begin(const Pass& pass, const Vertex& vertex, Index begin) {
   const Index tail = end(begin).mate;
-  const Index list = runs_before(begin);
+  const Index list = runs_of(begin);
   queues_.push_lost(records_, pass.in);
   records_.give(begin);
   const Index loose = loose_end<Index>(direction(pass, pass.came));
@@ -369,14 +368,14 @@ void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onw
   run.run = short_run(side.direction(), links_between(corner, side.place(), onwards));
   run.set_normal(normal);
   record.side = Side(direction(pass, came), corner);
-  Lists::prepend(records_, runs_before(begin), run);
+  Lists::prepend(records_, runs_of(begin), run);
 }
 
 // ---- how it goes on ----
 
 // It goes on as one that has waited, or closes, or along a link whose end was lost.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::close(const Pass& pass, const Vertex& vertex, Index tail) {
+void Fragments<Index, Normal>::meet_begin(const Pass& pass, const Vertex& vertex, Index tail) {
   const Index begin = pop(pass.out);
   if (begin != no_record)
     join(pass, vertex, tail, begin);
@@ -399,7 +398,7 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
   if (is_loose(record.mate) || should_send(record.last))
     return send(pass, record.mate, loose_end<Index>(), record.last,
                 begin_of(pass.incidence, record.last, vertex));
-  wire(record.mate, loose_end<Index>(), record.last);
+  connect(record.mate, loose_end<Index>(), record.last);
 }
 
 template <class Index, class Normal>
@@ -418,7 +417,7 @@ void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& verte
   if (end(begin).side.place() != place_of(next))
     turn_back(pass, begin, pass.second, place_of(next), pass.second, {});
   const EndRecord record = end(begin);
-  const Index list = runs_before(begin);
+  const Index list = runs_of(begin);
   records_.give(begin);
   const Index loose = loose_end<Index>(direction(pass, pass.second));
   if (list != no_record && (is_loose(record.mate) || should_send(list)))
@@ -450,7 +449,7 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   const bool is_sent = is_closed || (is_loose(before.mate) && is_loose(after.mate)) ||
                        should_send(before.last, list);
   if (!is_sent)
-    return wire(before.mate, after.mate, Lists::concatenate(records_, before.last, list));
+    return connect(before.mate, after.mate, Lists::concatenate(records_, before.last, list));
   const Vertex last = last_corner(pass, vertex);
   const Vertex corner =
       moved(last, pass.second, links_between(place_of(last), after.side.place(), pass.second));
@@ -465,7 +464,7 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
 
 // Makes the two ends of a fragment name each other, and one of them its runs.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::wire(Index begin, Index tail, Index list) {
+void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
   if (!is_loose(begin)) {
     end(begin).mate = tail;
     end(begin).last = is_loose(tail) ? list : Index{no_record};
@@ -486,7 +485,7 @@ uint32_t Fragments<Index, Normal>::least_spare(uint8_t queue, bool has_loose_mat
   if (queue < first_rising_queue) return records_a_pass;
   uint32_t least = records_a_pass + kept_for_slice_;
   if (has_loose_mate) least += kept_for_slice_ / 2;
-  if (queues_.ends_lost(records_, queue)) least += kept_for_slice_ / 4;
+  if (queues_.last_is_lost(records_, queue)) least += kept_for_slice_ / 4;
   return least;
 }
 
@@ -504,7 +503,7 @@ bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
 // Sends the runs of a fragment that has been lengthened, if there are too many.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send_begin(const Pass& pass, const Vertex& vertex, Index begin) {
-  const Index list = runs_before(begin);
+  const Index list = runs_of(begin);
   if (!is_long(list, no_record)) return;
   const bool starts_here = end(begin).side.place() == place_of(vertex);
   send(pass, begin, end(begin).mate, list, starts_here ? vertex : last_corner(pass, vertex));
@@ -541,8 +540,8 @@ void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, I
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
   outgoing_ = {Outgoing<Index>::Kind::fragment, pass.incidence, came, list, start};
   const Direction last = direction_of(Lists::last_run(records_, list));
-  wire(begin, loose_end<Index>(), no_record);
-  wire(loose_end<Index>(last), tail, no_record);
+  connect(begin, loose_end<Index>(), no_record);
+  connect(loose_end<Index>(last), tail, no_record);
 }
 
 }  // namespace discmc::trace

@@ -3,8 +3,11 @@
 namespace discmc::trace {
 
 void LearntPasses::learn_in(Memory memory) {
+  // What it may take to align the first.
+  constexpr size_t lost = Arena::alignment - 1;
+  const size_t entries = memory.bytes < lost ? 0 : (memory.bytes - lost) / sizeof(Entry);
   uint32_t bits = 0;
-  while (bits < key_bits && sizeof(Entry) << (bits + 1) <= memory.bytes) ++bits;
+  while (bits < key_bits && size_t{2} << bits <= entries) ++bits;
   tag_bits_ = key_bits - bits;
   Arena arena(memory);
   entries_ = arena.take<Entry>(1U << bits);

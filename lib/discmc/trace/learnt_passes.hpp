@@ -12,12 +12,13 @@ namespace discmc::trace {
 
 class LearntPasses {
  public:
-  /// Forgets everything, and remembers in this memory from now on. Without memory, or with too
-  /// little for anything, passes are worked out every time. Cost: a write for every 80 bytes.
+  /// Forgets everything, and remembers in this memory from now on, however it is aligned: in the
+  /// largest power of two of entries that has room, 2^20 at most. Without memory, or with too
+  /// little for anything, passes are worked out every time. Cost: a write an entry, of 76 bytes.
   void learn_in(Memory memory);
 
-  /// See DerivedPasses.
-  const PassList& at(const EdgePlace& edge, uint32_t absent, PassList& scratch) const {
+  /// See DerivedPasses. What it returns is valid until the next call.
+  const PassList& at(const EdgePlace& edge, uint32_t absent, PassList& scratch) {
     // Ends of rows, where cells are absent, are few.
     if (entries_ == nullptr || absent != 0) return derived(edge, absent, scratch);
     // Multiplied by an odd number no two keys become one: so the bits that are not the place tell

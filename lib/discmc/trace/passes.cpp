@@ -5,8 +5,8 @@ namespace discmc::trace {
 
 namespace {
 
-// The eight sectors around a vertex have a nibble each in a word, and so have the rays between
-// them: a ray is named by where its nibble begins.
+// The eight sectors around a vertex have a nibble each in a word: a heading, 8 for none, 15 where
+// the cell is absent. So have the rays between them: a ray is named by where its nibble begins.
 class Surroundings {
  public:
   Surroundings(const EdgePlace& edge, uint32_t absent)
@@ -19,7 +19,8 @@ class Surroundings {
       headings_ |= uint32_t{seen.headings} << 8 * quadrant;
       parts_ += sector_table.part[seen.part];
     }
-    // Turned from quadrant 0 to their own: 2 lines on a quadrant, but for those that head nowhere.
+    // Turned from quadrant 0 to their own: adds 2q, modulo 8, to both headings of quadrant q, and
+    // leaves an 8, no heading, alone.
     const uint32_t nowhere = headings_ & 0x88888888;
     headings_ = ((headings_ + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
     if (absent != 0) remove(absent);
@@ -81,12 +82,12 @@ class Surroundings {
     pass.first = first;
     pass.second = way.link();
     pass.out = way.queue_out();
-    pass.onwards = static_cast<uint8_t>(centroid | (way.is_ahead() ? Pass::ahead : 0));
+    pass.flags = static_cast<uint8_t>(centroid | (way.is_ahead() ? Pass::ahead : 0));
   }
 
   const AxisTable& axis_;
   uint32_t lower_is_on_;
-  uint32_t lines_;  // once and once more
+  uint32_t lines_;  // twice, so that quadrant 3, of the lines 6, 7 and 0, is one shift, too
   uint32_t headings_ = 0;
   uint32_t parts_ = 0;
 };

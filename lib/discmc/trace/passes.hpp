@@ -1,8 +1,8 @@
 // The passes at a vertex: which chains go through it, from where to where.
 //
-// Where two sectors around the vertex differ runs a boundary link, a ray. Through the sectors
-// between two rays, a wedge, one chain passes: it comes in along one ray and goes out along the
-// other, with the wedge on its left. Where all sectors are alike there is nothing to do.
+// A ray is a boundary link that leaves the vertex between two different sectors. Through the
+// sectors between two rays, a wedge, one chain passes: it comes in along one ray and goes out along
+// the other, with the wedge on its left. Where all sectors are alike there is nothing to do.
 #ifndef DISCMC_TRACE_PASSES_HPP
 #define DISCMC_TRACE_PASSES_HPP
 
@@ -15,16 +15,16 @@ namespace discmc::trace {
 /// the link that goes out may have a corner on the way.
 struct Pass {
   Incidence incidence;
-  Link came;        ///< the way in which the chain comes to the vertex
-  Link first;       ///< the way in which it goes on,
-  Link second;      ///< and the way from the centroid; the same where there is none, or no corner
-  uint8_t in, out;  ///< queues of the links that come in and go out
+  Link came;    ///< by which the chain comes to the vertex
+  Link first;   ///< by which it goes on: to the next vertex, or to the centroid on the way there
+  Link second;  ///< from the centroid on; equal to `first` without one, or without a corner there
+  uint8_t in, out;        ///< queues of the links that come in and go out
   bool comes_from_ahead;  ///< the vertex before is visited later
-  uint8_t onwards;
+  uint8_t flags;          ///< ahead, by_centroid
 
   static constexpr uint8_t ahead = 1, by_centroid = 2;
-  bool goes_ahead() const { return (onwards & ahead) != 0; }  ///< the vertex after is visited later
-  bool has_centroid() const { return (onwards & by_centroid) != 0; }
+  bool goes_ahead() const { return (flags & ahead) != 0; }  ///< the vertex after is visited later
+  bool has_centroid() const { return (flags & by_centroid) != 0; }
   bool turns() const { return came != first; }
   bool turns_at_centroid() const { return first != second; }
 };

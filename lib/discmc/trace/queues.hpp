@@ -29,8 +29,8 @@ class Queues {
     for (int i = 0; i < queue_count; ++i) queues_[i].head = no_record;
   }
 
-  /// Whether the last of what waits is a lost end.
-  bool ends_lost(const Records& records, uint8_t number) const {
+  /// Whether the last of what waits in a queue is a lost end.
+  bool last_is_lost(const Records& records, uint8_t number) const {
     const Queue<Index>& queue = queues_[number];
     if (queue.head == no_record) return false;
     return is_count(queue) || records[queue.tail].end.mate == no_record;

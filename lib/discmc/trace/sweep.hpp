@@ -1,6 +1,6 @@
 // The sweep: visits the vertices of a row and hands their passes to the fragments.
 //
-// A vertex is visited with the voxel at the lower end of its edge: voxels in the order x, y, z, and
+// A vertex is visited with the voxel at the lower end of its edge: voxels as they come, and
 // at each its edges in the same order. The sweep may be suspended between any two passes.
 #ifndef DISCMC_TRACE_SWEEP_HPP
 #define DISCMC_TRACE_SWEEP_HPP
@@ -65,18 +65,18 @@ class PartCount {
 template <class Index, class Normal, class Passes>
 class Sweep {
  public:
-  Fragments<Index, Normal>& chains() { return chains_; }
+  Fragments<Index, Normal>& fragments() { return fragments_; }
   Delivery<Index, Normal>& delivery() { return delivery_; }
   Passes& passes() { return passes_; }
   /// After the last vertex: delivers holes that still wait, loose. As sweep().
   bool settle_holes(const Sink& sink, Statistics& statistics) {
-    return delivery_.settle_holes(chains_, sink, statistics);
+    return delivery_.settle_holes(fragments_, sink, statistics);
   }
-  const Fragments<Index, Normal>& chains() const { return chains_; }
+  const Fragments<Index, Normal>& fragments() const { return fragments_; }
   const Delivery<Index, Normal>& delivery() const { return delivery_; }
 
   void clear() {
-    chains_.clear();
+    fragments_.clear();
     delivery_.clear();
     cells_ = facets_ = triangles_ = {};
     suspension_ = Suspension{};
@@ -118,7 +118,7 @@ class Sweep {
   };
   Suspension suspension_;
   PartCount cells_, facets_, triangles_;
-  Fragments<Index, Normal> chains_;
+  Fragments<Index, Normal> fragments_;
   Delivery<Index, Normal> delivery_;
   Passes passes_;
 };
@@ -143,7 +143,7 @@ template <class Normals>
 bool Sweep<Index, Normal, Passes>::sweep(const SweptRow& row, uint32_t words, const RowEnds& ends,
                                          const Normals& normals, const Sink& sink,
                                          Statistics& statistics) {
-  if (!delivery_.settle(chains_, sink, statistics)) return false;
+  if (!delivery_.settle(fragments_, sink, statistics)) return false;
   const int32_t y = 2 * row.y, z = 2 * row.z;
   const Visits<Normals> visits{row,  ends,       normals,
                                sink, statistics, {{1, y, z}, {0, y + 1, z}, {0, y, z + 1}}};
@@ -190,7 +190,7 @@ bool Sweep<Index, Normal, Passes>::visit(const Visits<Normals>& visits, uint32_t
   if (suspension_.passes == 0 && visits.row.work == RowWork::take_passes) count(passes.parts);
   for (uint32_t i = suspension_.passes; i < passes.count; ++i) {
     pass_through(visits, passes.pass[i], vertex);
-    if (!chains_.has_outgoing() || delivery_.settle(chains_, visits.sink, visits.statistics))
+    if (!fragments_.has_outgoing() || delivery_.settle(fragments_, visits.sink, visits.statistics))
       continue;
     suspension_.passes = i + 1;
     return false;
@@ -204,11 +204,11 @@ template <class Normals>
 void Sweep<Index, Normal, Passes>::pass_through(const Visits<Normals>& visits, const Pass& pass,
                                                 const Vertex& vertex) {
   if (visits.row.work == RowWork::take_passes)
-    chains_.take(pass, vertex, visits.normals);
+    fragments_.take(pass, vertex, visits.normals);
   else if (visits.row.work == RowWork::end_chains)
-    chains_.end_at(pass, vertex);
+    fragments_.end_at(pass, vertex);
   else
-    chains_.begin_below(pass, vertex);
+    fragments_.begin_below(pass, vertex);
 }
 
 }  // namespace discmc::trace

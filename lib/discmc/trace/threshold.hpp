@@ -7,7 +7,7 @@
 
 #include <discmc/compiler.hpp>
 
-namespace discmc {
+namespace discmc::trace {
 
 /// Compares all lanes of a word, as unsigned numbers, with a level.
 template <uint32_t lane_bits>
@@ -137,6 +137,6 @@ class Threshold {
   Lanes lanes_;
 };
 
-}  // namespace discmc
+}  // namespace discmc::trace
 
 #endif
