@@ -5,6 +5,7 @@
 //   limits.hpp            how large a scan may be
 //   capacities.hpp        what memory it takes
 //   extractor.hpp         samples in, regions out: what firmware meets
+//     learning_extractor.hpp  the same for hosts, with memory to learn in; not included here
 //     intake.hpp            where samples come in; gradient_normals.hpp keeps them for normals
 //   sink.hpp              the events that come out: regions, rings, runs, loose fragments
 //   chain.hpp, polygon.hpp  Freeman chains and the polygons they are

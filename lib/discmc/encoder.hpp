@@ -12,8 +12,7 @@ namespace discmc {
 /// Where bytes go: a UART, a ring buffer, a file. Owner: the context belongs to the caller.
 struct ByteOutput {
   void* context = nullptr;
-  /// Takes up to `count` bytes and returns how many it took; 0 means "not now". An error is no
-  /// number of bytes: answer 0.
+  /// Takes up to `count` bytes and returns how many it took; 0 means "not now". On error, return 0.
   size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
 };
 

@@ -1,6 +1,6 @@
 // An extractor for hosts, which remembers what it has worked out of neighbourhoods.
 //
-// The events are those of any other. With 2 MB to learn in a scan takes about three quarters of the
+// The events are those of any other. With 2 MiB to learn in, a scan takes about four fifths of the
 // instructions; without memory, as many as any other or a few more.
 #ifndef DISCMC_LEARNING_EXTRACTOR_HPP
 #define DISCMC_LEARNING_EXTRACTOR_HPP
