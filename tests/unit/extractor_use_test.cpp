@@ -218,7 +218,7 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
 TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a few bytes") {
   const Limits limits{3, 3};
   EventLog log;
-  Block block(minimum_bytes<uint16_t>(limits) + 16000);
+  Block block(minimum_bytes<uint16_t>(limits) + 8000);
   Extractor16 extractor;
   require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
   const std::vector<uint8_t> slice(9, 1);
