@@ -14,10 +14,10 @@ namespace {
 
 using trace::AxisTable;
 using trace::cell_edges;
+using trace::CellAtVertex;
 using trace::CellEdge;
 using trace::CountParts;
 using trace::quadrants;
-using trace::Sector;
 using trace::SectorTable;
 using trace::Way;
 
@@ -168,8 +168,8 @@ const Looks& looks_of(int axis, int quadrant) {
 
 // ---- statements ----
 
-// An edge of a quadrant's cell, of one as a Sector names it: as if the axis were x and the quadrant
-// the first.
+// An edge of a quadrant's cell, of one as CellAtVertex names it: as if the axis were x and the
+// quadrant the first.
 CellEdge edge_in(const Quadrant& quadrant, CellEdge named) {
   const Vertex at = edges().at(named);
   const Place& u = quadrant.line(0);  // where the first axis after x is turned to,
@@ -287,14 +287,14 @@ bool is_ray(const SectorTable& table, const FaceLook& seen, int axis, int lower,
 // Limit: the headings, edges and ways are as they should be.
 bool is_seen(const SectorTable& table, int axis, int quadrant, int lower, int lines) {
   const AxisTable& of_axis = table.axis[axis];
-  const Sector& sector = table.sector[lower][lines];
+  const CellAtVertex& cell = table.cell[lower][lines];
   const Look& seen =
       looks_of(axis, quadrant)[static_cast<size_t>(lower)][static_cast<size_t>(lines)];
   // Turned from the first quadrant.
   const auto turned = [quadrant](int heading) {
     return heading == trace::no_heading ? heading : (heading + 2 * quadrant) % 8;
   };
-  const int first = sector.headings & 15, second = sector.headings >> 4;
+  const int first = cell.headings & 15, second = cell.headings >> 4;
   if (first > trace::no_heading || second > trace::no_heading) return false;
   if (of_axis.incidence[lower][turned(first)] != seen.face[0].incidence ||
       of_axis.incidence[lower][turned(second)] != seen.face[1].incidence)
@@ -302,8 +302,8 @@ bool is_seen(const SectorTable& table, int axis, int quadrant, int lower, int li
   if (!is_ray(table, seen.face[0], axis, lower, quadrant, lines & 3) ||
       !is_ray(table, seen.face[1], axis, lower, (quadrant + 1) % quadrants, lines >> 4))
     return false;
-  if (seen.to == cell_edges) return first == second && sector.edges == 0;
-  const int to = sector.edges & 15, from = sector.edges >> 4;
+  if (seen.to == cell_edges) return first == second && cell.edges == 0;
+  const int to = cell.edges & 15, from = cell.edges >> 4;
   return first != second && to < cell_edges && from < cell_edges &&
          edge_in({axis, quadrant}, static_cast<CellEdge>(to)) == seen.to &&
          edge_in({axis, quadrant}, static_cast<CellEdge>(from)) == seen.from;
@@ -417,7 +417,7 @@ bool has_room(const Parts& parts) {
 bool adds_up(const SectorTable& table, int configuration) {
   Parts sum{};
   for (const PartPlace& place : places_of(configuration)) {
-    const uint32_t word = table.part[table.sector[place.lower][place.lines].part];
+    const uint32_t word = table.part[table.cell[place.lower][place.lines].part];
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     const Parts parts{word & ((1U << facet) - 1), word >> facet & ((1U << (triangle - facet)) - 1),
                       word >> triangle};
@@ -442,9 +442,9 @@ const char* broken(const SectorTable& table) {
   std::vector<Kind> kinds;
   if (!agrees_from_both_ends(table, kinds)) return "both ends of a link know one queue";
   if (!shares_no_queue(kinds)) return "no two kinds of links share a queue";
-  for (const auto& of_lower : table.sector)
-    for (const Sector& sector : of_lower)
-      if (sector.part >= std::size(table.part)) return "a sector has one of the parts";
+  for (const auto& of_lower : table.cell)
+    for (const CellAtVertex& cell : of_lower)
+      if (cell.part >= std::size(table.part)) return "a cell has one of the parts";
   for (int c = 0; c < configurations; ++c)
     if (!adds_up(table, c)) return "the parts of a cell's vertices add up to what it counts";
   return nullptr;

@@ -15,7 +15,7 @@ class Surroundings {
         lines_(edge.lines() * 0x10001) {
 #pragma GCC unroll 4
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
-      const Sector& seen = sector(quadrant);
+      const CellAtVertex& seen = cell(quadrant);
       headings_ |= uint32_t{seen.headings} << 8 * quadrant;
       parts_ += sector_table.part[seen.part];
     }
@@ -55,7 +55,7 @@ class Surroundings {
       come(way, opposite_link(way.link()), comes);
       go(way.link(), way, 0, goes);
     } else {
-      const uint32_t edges = sector(quadrant).edges;
+      const uint32_t edges = cell(quadrant).edges;
       const Link inwards = axis_.inwards[quadrant];
       come(ways[edges >> 4], opposite_link(inwards), comes);
       go(inwards, ways[edges & 15], Pass::by_centroid, goes);
@@ -67,11 +67,11 @@ class Surroundings {
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       if ((absent >> quadrant & 1) == 0) continue;
       headings_ |= uint32_t{0xFF} << 8 * quadrant;
-      parts_ -= sector_table.part[sector(quadrant).part];
+      parts_ -= sector_table.part[cell(quadrant).part];
     }
   }
-  const Sector& sector(uint32_t quadrant) const {
-    return sector_table.sector[lower_is_on_][lines_ >> 4 * quadrant & 63];
+  const CellAtVertex& cell(uint32_t quadrant) const {
+    return sector_table.cell[lower_is_on_][lines_ >> 4 * quadrant & 63];
   }
   static void come(Way way, Link link, Pass& pass) {
     pass.came = link;

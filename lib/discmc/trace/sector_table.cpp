@@ -105,7 +105,7 @@ constexpr uint8_t heading_of(Incidence incidence) {
   return no_heading;
 }
 
-constexpr Sector sector_of(int lower_is_on, int lines) {
+constexpr CellAtVertex cell_at_vertex(int lower_is_on, int lines) {
   const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
   const LoopFacets& facets = vertex.facets;
   const int i = vertex.index;
@@ -164,12 +164,12 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
   bool is_used[cell_edges][cell_edges] = {};
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& of_lower : table.sector)
-        for (const Sector& sector : of_lower)
-          if (sector.edges != 0) {
+      for (const auto& of_lower : table.cell)
+        for (const CellAtVertex& cell : of_lower)
+          if (cell.edges != 0) {
             const CellEdge own = own_edge(axis, quadrant);
-            is_used[own][edge_in(axis, quadrant, sector.edges & 15)] = true;
-            is_used[edge_in(axis, quadrant, sector.edges >> 4)][own] = true;
+            is_used[own][edge_in(axis, quadrant, cell.edges & 15)] = true;
+            is_used[edge_in(axis, quadrant, cell.edges >> 4)][own] = true;
           }
   SpokeQueues spokes{};
   const auto add = [&](int from, int to, int count) {
@@ -189,13 +189,13 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
 constexpr void add_spoke_ways(SectorTable& table, const SpokeQueues& spokes) {
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& of_lower : table.sector)
-        for (const Sector& sector : of_lower) {
+      for (const auto& of_lower : table.cell)
+        for (const CellAtVertex& cell : of_lower) {
           const CellEdge own = own_edge(axis, quadrant);
-          const uint8_t to_and_from[] = {static_cast<uint8_t>(sector.edges & 15),
-                                         static_cast<uint8_t>(sector.edges >> 4)};
+          const uint8_t to_and_from[] = {static_cast<uint8_t>(cell.edges & 15),
+                                         static_cast<uint8_t>(cell.edges >> 4)};
           for (const uint8_t way : to_and_from) {
-            if (sector.edges == 0) continue;
+            if (cell.edges == 0) continue;
             const CellEdge other = edge_in(axis, quadrant, way);
             table.axis[axis].way[quadrant][way] =
                 Way(opposite_link(link_inwards(other)), spokes.queue[own][other], other > own);
@@ -282,7 +282,7 @@ constexpr void number_parts(SectorTable& table) {
       while (number < known && table.part[number] != part) ++number;
       table.part[number] = part;
       if (number == known) ++known;
-      table.sector[lower][lines].part = static_cast<uint8_t>(number);
+      table.cell[lower][lines].part = static_cast<uint8_t>(number);
     }
 }
 
@@ -300,7 +300,8 @@ constexpr void add_incidences(AxisTable& table, int axis) {
 constexpr SectorTable derive_table() {
   SectorTable table{};
   for (int lower = 0; lower < 2; ++lower) {
-    for (int lines = 0; lines < 64; ++lines) table.sector[lower][lines] = sector_of(lower, lines);
+    for (int lines = 0; lines < 64; ++lines)
+      table.cell[lower][lines] = cell_at_vertex(lower, lines);
     for (int line = 0; line < 4; ++line) table.face_way[lower][line] = face_way_of(lower, line);
   }
   for (int axis = 0; axis < 3; ++axis) {

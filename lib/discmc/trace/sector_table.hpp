@@ -29,23 +29,24 @@ constexpr int cell_edges = 12;
 constexpr int quadrants = 4;
 constexpr uint8_t no_heading = 8;
 
-/// What a cell is at one of its vertices, turned to quadrant 0: two headings, and where the chains
-/// of its spoke lead.
-struct Sector {
+/// What a cell is at one of its vertices, turned to quadrant 0: the headings of its two sectors,
+/// and where the chains of the spoke between them lead.
+struct CellAtVertex {
   /// Of the quadrant's first sector in bits 0 to 3, of its second in bits 4 to 7. The spoke is
   /// boundary where they differ.
   uint8_t headings;
   /// The chain that leaves along the spoke goes to the edge in bits 0 to 3 by the cell's centroid,
   /// and the one that comes along it is from the edge in bits 4 to 7. Both as if the axis were x.
   uint8_t edges;
-  uint8_t part;  ///< what the cell adds to counts here: see SectorTable
+  uint8_t part;  ///< of counts: an index into SectorTable::part
 };
 
-/// Ends wait in queues, one for each kind of link and each way of the chain along it: 36 for links
-/// on faces, by the edge that they begin on and their vector, and 108 for links by the centroid of
-/// a cell, by the edges that they join. Links of one kind end in the order in which they began.
-/// Those of the first queues stay within a slice, those from `first_rising_queue` on reach the
-/// next. The queues of a link's two ways differ in their lowest bit.
+/// Ends wait in queues, one for each kind of link and each way of a chain along it: 36 for links on
+/// faces, by the edge that they begin on and their vector, and 108 for links by the centroid of a
+/// cell, by the edges that they join: 42 pairs of edges both ways, 24 one way only. Links of one
+/// kind end in the order in which they began. Those of the first queues stay within a slice, those
+/// from `first_rising_queue` on reach the next. The two queues of a link that is taken both ways
+/// differ in their lowest bit.
 constexpr int queue_count = 144;
 constexpr int first_rising_queue = 76;
 
@@ -61,7 +62,8 @@ class Way {
   constexpr Link link() const { return link_ & (ahead - 1); }
   /// Whether the other vertex is visited later.
   constexpr bool is_ahead() const { return link_ >= ahead; }
-  /// Where the chains wait that go along the ray, and those that come along it.
+  /// Where the chains wait that go along the ray, and those that come along it; where none ever do,
+  /// a queue of others.
   constexpr uint8_t queue_out() const { return queue_; }
   constexpr uint8_t queue_in() const { return queue_ ^ 1; }
 
@@ -71,8 +73,8 @@ class Way {
   uint8_t link_ = 0;
 };
 
-/// The ways of a quadrant: along its spoke by the edge where it leads (as in a Sector), and on its
-/// face straight, down or up the axis.
+/// The ways of a quadrant: along its spoke by the edge where it leads (as in CellAtVertex), and on
+/// its face straight, down or up the axis.
 constexpr int ways = cell_edges + 3;
 constexpr uint8_t straight_way = cell_edges, downward_way = cell_edges + 1,
                   upward_way = cell_edges + 2;
@@ -93,7 +95,7 @@ struct CountParts {
 };
 
 struct SectorTable {
-  Sector sector[2][64];  ///< [lower end is on][bits of the quadrant's three lines]
+  CellAtVertex cell[2][64];  ///< [lower end is on][bits of the quadrant's three lines]
   AxisTable axis[3];
   uint8_t face_way[2][4];  ///< [lower end is on][bits of the line]: one of the ways on the face
   Direction direction[incidence_codes][link_codes];  ///< of a link in a plane, or no_direction

@@ -53,9 +53,9 @@ const char* beyond_ring(size_t byte) {
 
 const char* beyond_parts(size_t byte) {
   size_t parts = 0;
-  for (const auto& of_lower : sector_table.sector)
-    for (const Sector& sector : of_lower) parts = std::max(parts, size_t{1} + sector.part);
-  return byte / sizeof(uint32_t) >= parts ? "a part that no sector has is never read" : nullptr;
+  for (const auto& of_lower : sector_table.cell)
+    for (const CellAtVertex& cell : of_lower) parts = std::max(parts, size_t{1} + cell.part);
+  return byte / sizeof(uint32_t) >= parts ? "a part that no cell has is never read" : nullptr;
 }
 
 // ---- the tables ----
@@ -72,7 +72,7 @@ constexpr Field facet_fields[] = {
     DISCMC_FIELD(FacetTables, rings, beyond_ring), DISCMC_FIELD(FacetTables, facts, never)};
 
 constexpr Field sector_fields[] = {
-    DISCMC_FIELD(SectorTable, sector, never), DISCMC_FIELD(SectorTable, axis, never),
+    DISCMC_FIELD(SectorTable, cell, never), DISCMC_FIELD(SectorTable, axis, never),
     DISCMC_FIELD(SectorTable, face_way, never), DISCMC_FIELD(SectorTable, direction, never),
     DISCMC_FIELD(SectorTable, part, beyond_parts)};
 
