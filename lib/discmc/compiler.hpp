@@ -38,8 +38,7 @@ struct BitPlaces {
 };
 constexpr BitPlaces bit_places() {
   BitPlaces places{};
-  for (uint8_t bit = 0; bit < 32; ++bit)
-    places.of[(uint32_t{1} << bit) * de_bruijn >> 27] = bit;
+  for (uint8_t bit = 0; bit < 32; ++bit) places.of[(uint32_t{1} << bit) * de_bruijn >> 27] = bit;
   return places;
 }
 

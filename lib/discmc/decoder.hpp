@@ -11,7 +11,7 @@
 
 namespace discmc {
 
-/// How a stream arrived. Lost counts grow when the next whole packet tells of the gap.
+/// How a stream arrived. Lost counts grow when the next whole packet reveals the gap.
 struct StreamReport {
   bool has_header = false;
   bool has_trailer = false;

@@ -36,10 +36,10 @@ Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t
   return {true, static_cast<uint32_t>(first), static_cast<uint32_t>(second)};
 }
 
-// Printed by train_region_model (tests/bench) for streams of two balls (r^2 = 400 and 1,002), a small
-// CT head (at 500 and 1,150), an engine (80) and an MRI head (60) with memory to spare, and of a CT
-// head (500 and 1,300 in 24, 32 and 48 KiB), the engine (80 in 24 and 32 KiB, 180 in 24 KiB) and the
-// MRI head (60 in 32 KiB) in little memory.
+// Printed by train_region_model (tests/bench) for streams of two balls (r^2 = 400 and 1,002), a
+// small CT head (at 500 and 1,150), an engine (80) and an MRI head (60) with memory to spare, and
+// of a CT head (500 and 1,300 in 24, 32 and 48 KiB), the engine (80 in 24 and 32 KiB, 180 in 24
+// KiB) and the MRI head (60 in 32 KiB) in little memory.
 // clang-format off
 const Probability region_model[context::count] = {
 128, 159, 247, 119, 144, 31, 212, 41, 168, 243, 251, 1, 4, 128, 174, 7, 128, 128, 59, 133, 64, 47,

@@ -11,8 +11,7 @@ namespace discmc::trace {
 /// Counts the links between two places: (to - from) / step, modulo a power of two. As step is
 /// odd * 2^halvings, and `inverse` that of odd, the division is a shift and a product.
 struct LinkStep {
-  int8_t step;
-  uint8_t halvings;
+  uint16_t halvings;
   uint16_t inverse;
 };
 struct LinkSteps {
@@ -25,7 +24,6 @@ constexpr LinkSteps link_steps() {
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex v = link_vector(link);
     int odd = v.x + 2 * v.y + 3 * v.z;
-    steps.of[link].step = static_cast<int8_t>(odd);
     for (; odd % 2 == 0; odd /= 2) ++steps.of[link].halvings;
     uint32_t inverse = 1;
     while (((inverse * static_cast<uint32_t>(odd)) & (modulus - 1)) != 1) inverse += 2;
@@ -35,12 +33,6 @@ constexpr LinkSteps link_steps() {
 }
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
-
-/// The place one link on.
-inline Place next_place(Place from, Link link) {
-  return (from + static_cast<uint32_t>(int32_t{link_steps.of[link].step})) &
-         ((1U << place_bits) - 1);
-}
 
 /// The longest side that is kept whole: two such sides may join, and places still tell the length.
 inline uint32_t longest_side(Link link) {

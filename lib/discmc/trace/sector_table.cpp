@@ -219,8 +219,7 @@ constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& beg
     for (const auto& of_quadrant : table.axis[axis].way)
       for (int i = straight_way; i < ways; ++i) {
         const Way& way = of_quadrant[i];
-        if (lowest_on_axis(axis) == begin && way.link() == link && way.is_ahead())
-          return way.queue_out();
+        if (lowest_on_axis(axis) == begin && way.link() == link) return way.queue_out();
       }
   return queue_count;
 }

@@ -23,9 +23,7 @@ constexpr size_t learning_bytes = size_t{2} << 20;
 class Scan {
  public:
   explicit Scan(const Volume& volume)
-      : volume_(volume),
-        memory_(new uint8_t[arena_bytes]),
-        learnt_(new uint8_t[learning_bytes]) {}
+      : volume_(volume), memory_(new uint8_t[arena_bytes]), learnt_(new uint8_t[learning_bytes]) {}
 
   void extract(const Sink& sink) {
     extractor_.learn_in({learnt_.get(), learning_bytes});
