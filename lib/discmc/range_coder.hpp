@@ -1,10 +1,6 @@
 // A binary range coder in 32-bit integers.
 //
-<<<<<<< HEAD
 // Probabilities are fixed, in 256ths: p of 1 to 255 says that a bit is 1 with p / 256.
-=======
-// Probabilities are fixed, in 256ths: a p of 1 to 255 says that a bit is 1 with p / 256.
->>>>>>> docs
 // G. N. N. Martin, "Range encoding: an algorithm for removing redundancy from a digitised message",
 // 1979.
 #ifndef DISCMC_RANGE_CODER_HPP
