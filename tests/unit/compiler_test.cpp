@@ -4,9 +4,13 @@
 
 using namespace discmc;
 
+namespace {
+constexpr uint32_t patterns[] = {0, 1, 0x5A5A5A5A, 0xFFFFFFFF};
+}
+
 TEST_CASE("the zeros below the lowest bit are counted alike by the processor and by the table") {
   for (uint32_t bit = 0; bit < 32; ++bit)
-    for (const uint32_t above : {0U, 1U, 0x5A5A5A5AU, ~0U}) {
+    for (const uint32_t above : patterns) {
       const uint32_t bits = (above << 1 | 1) << bit;
       CHECK(trailing_zeros(bits) == bit);
       CHECK(trailing_zeros_by_table(bits) == bit);
