@@ -194,7 +194,7 @@ void Collector::add_layer(const Event& event) {
 
 void Collector::finish(const Event& event) {
   require(place_ == Place::between, "finish inside something else");
-  require(event.slice == slice(), "finish counts other slices than were marked");
+  require(event.slice == own_slices(), "finish counts other slices than were marked");
   require(event.statistics != nullptr, "finish without statistics");
   statistics_ = *event.statistics;
   was_abandoned_ = event.abandoned;

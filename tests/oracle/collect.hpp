@@ -6,6 +6,7 @@
 #define DISCMC_TESTS_ORACLE_COLLECT_HPP
 
 #include <cstdint>
+#include <discmc/limits.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,9 +42,8 @@ struct Fragment {
 /// Collects one scan. The regions have sweep rings, in the order in which they came.
 class Collector {
  public:
-  /// first_slice: that is pushed, of a slab.
-  explicit Collector(bool takes_fragments = true, uint32_t first_slice = 0)
-      : takes_fragments_(takes_fragments), first_slice_(first_slice) {}
+  explicit Collector(bool takes_fragments = true, const Slab& slab = {})
+      : takes_fragments_(takes_fragments), slab_(slab) {}
 
   /// Always answers `taken`. Errors: throws GrammarError.
   Answer take(const Event& event);
@@ -77,11 +77,19 @@ class Collector {
   void add_layer(const Event& event);
   void finish(const Event& event);
   /// The slice whose layer mark comes next.
-  uint32_t slice() const { return first_slice_ + static_cast<uint32_t>(layers_.size()); }
+  // The slice that is under way, and the slices that were marked, but for those of context.
+  uint32_t slice() const {
+    return slab_.first - (slab_.continues_below ? 1U : 0U) + static_cast<uint32_t>(layers_.size());
+  }
+  uint32_t own_slices() const {
+    const uint32_t context = (slab_.continues_below ? 1U : 0U) + (slab_.continues_above ? 1U : 0U);
+    const auto marked = static_cast<uint32_t>(layers_.size());
+    return marked > context ? marked - context : 0;
+  }
 
   Place place_ = Place::between;
   bool takes_fragments_;
-  uint32_t first_slice_;
+  Slab slab_;
   Region region_{};
   int32_t plane_ = 0;
   Vertex start_{};

@@ -128,8 +128,8 @@ class EventLog {
 
 /// The events, put together by a Collector. Errors: throws GrammarError.
 inline Collector collected(const Events& events, bool takes_fragments = true,
-                           uint32_t first_slice = 0) {
-  Collector collector(takes_fragments, first_slice);
+                           const Slab& slab = {}) {
+  Collector collector(takes_fragments, slab);
   for (const RecordedEvent& event : events) (void)collector.take(event.event());
   return collector;
 }

@@ -144,7 +144,7 @@ std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32
              std::vector<uint8_t>(volume.on.data() + from * slice, volume.on.data() + to * slice));
     finish_all(extractor);
     if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
-    scans.push_back(collected(log.events, true, from));
+    scans.push_back(collected(log.events, true, limits.slab));
   }
   return scans;
 }
