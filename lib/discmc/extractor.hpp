@@ -119,7 +119,7 @@ class Extractor {
 
   /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next. None
   /// to begin with, and none after restore(). Owner: the memory is the caller's, as long as scans
-  /// last. Limit: a LearningExtractor. Cost: a write for every 80 bytes.
+  /// last. Limit: a LearningExtractor. Cost: a write for every 76 bytes.
   template <class P = Passes>
   void learn_in(Memory memory) {
     P& passes = sweep_.passes();

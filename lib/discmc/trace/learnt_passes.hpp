@@ -13,7 +13,7 @@ namespace discmc::trace {
 class LearntPasses {
  public:
   /// Forgets everything, and remembers in this memory from now on. Without memory, or with too
-  /// little for anything, passes are worked out every time. Cost: a write for every 80 bytes.
+  /// little for anything, passes are worked out every time. Cost: a write for every 76 bytes.
   void learn_in(Memory memory);
 
   /// See DerivedPasses.
