@@ -117,16 +117,10 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
-<<<<<<< HEAD
   /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2 MB
   /// are a good size. Call it before push(). Nothing is remembered before, and after restore().
   /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
   /// Cost: a write for every 76 bytes.
-=======
-  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next. None
-  /// to begin with, and none after restore(). Owner: the memory is the caller's, as long as scans
-  /// last. Limit: a LearningExtractor. Cost: a write for every 76 bytes.
->>>>>>> docs
   template <class P = Passes>
   void learn_in(Memory memory) {
     P& passes = sweep_.passes();
