@@ -63,10 +63,10 @@ void check_ring(uint8_t incidence, discmc_vertex start, std::vector<discmc_run> 
   const auto count = static_cast<uint32_t>(runs.size());
   require(discmc_is_closed(incidence, runs.data(), count) == 1, "a ring that is not closed");
   const int64_t area = discmc_twice_area(incidence, runs.data(), count);
-  const auto links = static_cast<uint32_t>(discmc_link_count(runs.data(), count));
-  std::vector<discmc_vertex> vertices(links);
+  const auto link_total = static_cast<uint32_t>(discmc_link_count(runs.data(), count));
+  std::vector<discmc_vertex> vertices(link_total);
   discmc_unfold(incidence, start, runs.data(), count, vertices.data());
-  require(discmc_twice_area_of_ring(incidence, vertices.data(), links) == area,
+  require(discmc_twice_area_of_ring(incidence, vertices.data(), link_total) == area,
           "a chain and its vertices have different areas");
 
   struct Sum {
