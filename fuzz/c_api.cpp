@@ -86,8 +86,8 @@ void check_ring(uint8_t incidence, discmc_vertex start, std::vector<discmc_run> 
         require(discmc_twice_area_of_ring(to.incidence, corners.data(), left) == part,
                 "corners alone have another area");
       }};
-  std::vector<uint32_t> scratch(size_t{2} * links);
-  discmc_split_ring(vertices.data(), links, scratch.data(), &receiver);
+  std::vector<uint32_t> scratch(size_t{2} * link_total);
+  discmc_split_ring(vertices.data(), link_total, scratch.data(), &receiver);
   require(sum.area == area, "simple rings have another area than their ring");
   discmc_reverse(incidence, runs.data(), count);
   require(discmc_twice_area(incidence, runs.data(), count) == -area, "turned round, another area");
