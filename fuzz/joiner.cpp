@@ -14,6 +14,7 @@
 #include "oracle/merge.hpp"
 #include "oracle/stream.hpp"
 #include "require.hpp"
+#include "small_volume.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -48,19 +49,6 @@ void read_scenario(Input& input, Scenario& scenario) {
   if (scenario.plan.order == InputOrder::any)
     scenario.cuts.slab = static_cast<int32_t>(input.below(6));
   scenario.chance = test::Chance(input.word());
-}
-
-BitVolume read_volume(Input& input) {
-  Size size{1 + input.below(12), 1 + input.below(12), 1 + input.below(6)};
-  // The reference takes longer than all else: few voxels, so that there are many volumes.
-  size.depth = std::min(size.depth, 1 + 150 / (size.width * size.height));
-  BitVolume volume(size);
-  for (size_t i = 0; i < volume.on.size(); i += 8) {
-    const uint32_t bits = input.byte();
-    for (size_t k = i; k < i + 8 && k < volume.on.size(); ++k)
-      volume.on[k] = static_cast<uint8_t>(bits >> (k - i) & 1);
-  }
-  return volume;
 }
 
 // As it may be in the order that the plan tells.
@@ -120,7 +108,8 @@ void check_rest(const Joined& joined, const Scenario& scenario, const std::vecto
 }
 
 void check_surface(Input& input, Scenario& scenario) {
-  const std::vector<Region> regions = canonical(merge(read_volume(input), !scenario.is_open));
+  const std::vector<Region> regions =
+      canonical(merge(read_small_volume(input, {12, 12, 6}), !scenario.is_open));
   const Pieces pieces = dealt(cut(regions, scenario.cuts), scenario);
   std::vector<size_t> lost(regions.size());
   const Events events =

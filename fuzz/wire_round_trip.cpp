@@ -4,12 +4,11 @@
 //
 //   fuzz_wire_round_trip -max_len=400 corpus/wire_round_trip      with libFuzzer
 //   fuzz_wire_round_trip corpus/wire_round_trip                   with replay_main.cpp
-#include <algorithm>
-
 #include "input.hpp"
 #include "little_memory.hpp"
 #include "oracle/stream_samples.hpp"
 #include "require.hpp"
+#include "small_volume.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -17,26 +16,13 @@ using reference::BitVolume;
 
 namespace {
 
-BitVolume read_volume(Input& input) {
-  reference::Size size{1 + input.below(12), 1 + input.below(8), 1 + input.below(6)};
-  // Few voxels, so that there are many volumes.
-  size.depth = std::min(size.depth, 1 + 150 / (size.width * size.height));
-  BitVolume volume(size);
-  for (size_t i = 0; i < volume.on.size(); i += 8) {
-    const uint32_t bits = input.byte();
-    for (size_t k = i; k < i + 8 && k < volume.on.size(); ++k)
-      volume.on[k] = static_cast<uint8_t>(bits >> (k - i) & 1);
-  }
-  return volume;
-}
-
 Events read_scan(Input& input, StreamHeader& header) {
   reference::Plan plan;
   const uint32_t flags = input.byte();
   plan.border = (flags & 1) != 0 ? Border::open : Border::closed;
   plan.takes_fragments = (flags & 2) == 0;
   const Capacities capacities = read_little_memory(input);
-  const BitVolume volume = read_volume(input);
+  const BitVolume volume = read_small_volume(input, {12, 8, 6});
   header = header_of(volume, plan.border);
   const Events events = events_of(volume, capacities, plan);
   return (flags & 4) != 0 ? with_loose_fragments(events, 1 + flags / 8) : events;

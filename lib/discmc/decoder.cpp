@@ -1,5 +1,6 @@
 #include <discmc/crc32.hpp>
 #include <discmc/decoder.hpp>
+#include <discmc/plane.hpp>
 
 namespace discmc {
 
@@ -243,7 +244,7 @@ bool Decoder::read_ring(Chain chain) {
   for (uint32_t i = 0; i < (is_parallelogram ? 2 : count); ++i) {
     direction[0] = direction[1];
     direction[1] = model_.direction(0);
-    if (!is_direction(record_.incidence, direction[1])) return false;
+    if (!is_direction_of(record_.incidence, direction[1])) return false;
     if (i + 2 >= count) continue;
     length[0] = length[1];
     length[1] = model_.length(1);
@@ -282,10 +283,10 @@ bool Decoder::read_fragment() {
   bool is_last = false;
   for (bool is_first = true; !is_last; is_first = false) {
     const Direction direction = model_.direction(0);
-    if (!is_direction(incidence, direction)) return false;
+    if (!is_direction_of(incidence, direction)) return false;
     if (is_first) {
       start = model_.fragment_vertex(Vertex{0, 0, 0});
-      if (is_backwards) start = after_links(start, direction_vector(incidence, direction), 1);
+      if (is_backwards) start = moved(start, direction_vector(incidence, direction), 1);
     } else {
       is_last = model_.is_last_link(false);
     }
@@ -296,8 +297,7 @@ bool Decoder::read_fragment() {
     const uint32_t length = model_.length(1);
     if (length > Run::max_length || !record_.has_room(1)) return false;
     record_.add_run(Run::straight(direction, length));
-    if (is_backwards)
-      start = after_links(start, direction_vector(incidence, direction), 0U - length);
+    if (is_backwards) start = moved(start, direction_vector(incidence, direction), 0U - length);
   }
   record_.set_start(0, start);
   if (is_backwards) record_.reverse_runs();
@@ -307,7 +307,7 @@ bool Decoder::read_fragment() {
 bool Decoder::read_part() {
   record_.begin(no_incidence);
   model_.part(record_);
-  if (record_.is_fragment && !is_direction(record_.incidence, record_.came)) return false;
+  if (record_.is_fragment && !is_direction_of(record_.incidence, record_.came)) return false;
   for (;;) {
     if (!record_.has_room(1)) {
       if (model_.item_kind(Item::end) != Item::end) return false;
@@ -321,7 +321,7 @@ bool Decoder::read_part() {
       record_.add_ring(model_.start(Vertex{0, 0, 0}, is_first ? Chain::first : Chain::further));
     } else {
       const Direction direction = model_.direction(0);
-      if (!is_direction(record_.incidence, direction)) return false;
+      if (!is_direction_of(record_.incidence, direction)) return false;
       const uint32_t length = model_.length(1);
       if (length > Run::max_length) return false;
       record_.add_run(Run::straight(direction, length));

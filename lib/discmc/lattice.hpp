@@ -39,6 +39,21 @@ constexpr Vertex operator-(const Vertex& a, const Vertex& b) {
 constexpr Vertex operator-(const Vertex& a) {
   return {-a.x, -a.y, -a.z};
 }
+/// Moves v along a vector so many times. Coordinates wrap.
+constexpr void move(Vertex& v, const Vertex& step, uint32_t times) {
+  const auto add = [times](int32_t& coordinate, int32_t by) {
+    coordinate =
+        static_cast<int32_t>(static_cast<uint32_t>(coordinate) + static_cast<uint32_t>(by) * times);
+  };
+  add(v.x, step.x);
+  add(v.y, step.y);
+  add(v.z, step.z);
+}
+/// v moved so.
+constexpr Vertex moved(Vertex v, const Vertex& step, uint32_t times) {
+  move(v, step, times);
+  return v;
+}
 constexpr int32_t dot(const Vertex& a, const Vertex& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }

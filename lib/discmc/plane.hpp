@@ -22,12 +22,7 @@ constexpr bool is_run_of(Incidence incidence, Run run) {
 
 /// Where a run leads.
 constexpr Vertex after_run(Incidence incidence, const Vertex& from, Run run) {
-  const Vertex step = direction_vector(incidence, run.direction());
-  const auto moved = [run](int32_t coordinate, int32_t by) {
-    return static_cast<int32_t>(static_cast<uint32_t>(coordinate) +
-                                static_cast<uint32_t>(by) * run.length());
-  };
-  return {moved(from.x, step.x), moved(from.y, step.y), moved(from.z, step.z)};
+  return moved(from, direction_vector(incidence, run.direction()), run.length());
 }
 
 /// The offset n.p of the plane that a vertex lies in.

@@ -4,18 +4,6 @@ namespace discmc {
 
 namespace {
 
-// Goes along a run. Wraps.
-void go_along(Vertex& at, Incidence incidence, Run run) {
-  const Vertex link = direction_vector(incidence, run.direction());
-  const auto go = [run](int32_t& coordinate, int32_t step) {
-    const uint32_t way = static_cast<uint32_t>(step) * run.length();
-    coordinate = wrapped_sum(coordinate, static_cast<int32_t>(way));
-  };
-  go(at.x, link.x);
-  go(at.y, link.y);
-  go(at.z, link.z);
-}
-
 // About what it costs to tell a vertex relative to the one before: a step in z most of all.
 uint32_t cost_of_vertex(const Vertex& vertex, const Vertex& before) {
   const auto distance = [](int32_t to, int32_t from) {
@@ -34,7 +22,7 @@ uint32_t compact_runs(const Record& record, uint32_t first) {
   for (; end < record.count && record.word[end] != Record::ring_mark; ++end) {
     const Run run = Run::from_code(record.word[end]);
     if (run.length() > max_compact_length) return 0;
-    go_along(way, record.incidence, run);
+    move(way, direction_vector(record.incidence, run.direction()), run.length());
   }
   return way == Vertex{0, 0, 0} ? end - first : 0;
 }
@@ -45,7 +33,7 @@ Chain cheaper_end(const Record& record, const Vertex& before, Vertex& vertex) {
   for (uint32_t i = Record::ring_words; i < record.count; ++i) {
     Run run = Run::from_code(record.word[i]);
     if (i + 1 == record.count) run = Run::straight(run.direction(), run.length() - 1);
-    go_along(vertex, record.incidence, run);
+    move(vertex, direction_vector(record.incidence, run.direction()), run.length());
   }
   if (cost_of_vertex(vertex, before) < cost_of_vertex(start, before)) return Chain::backwards;
   vertex = start;

@@ -79,19 +79,6 @@ constexpr int32_t wrapped_difference(uint32_t a, uint32_t b) {
 constexpr int32_t wrapped_sum(int32_t a, int32_t b) {
   return static_cast<int32_t>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
 }
-/// Where so many links of one vector lead.
-constexpr Vertex after_links(const Vertex& from, const Vertex& link, uint32_t count) {
-  const auto moved = [count](int32_t coordinate, int32_t step) {
-    return wrapped_sum(coordinate, static_cast<int32_t>(static_cast<uint32_t>(step) * count));
-  };
-  return {moved(from.x, link.x), moved(from.y, link.y), moved(from.z, link.z)};
-}
-
-/// Whether a decoded direction is one of the incidence's.
-constexpr bool is_direction(Incidence incidence, Direction direction) {
-  return direction < direction_count(incidence);
-}
-
 /// 1 when it is odd.
 constexpr uint32_t parity_of(int32_t coordinate) {
   return static_cast<uint32_t>(coordinate) & 1;
@@ -165,7 +152,7 @@ class RegionModel {
                is_last);
   }
   /// A run's direction, or that by which a fragment's chain comes to its start. Decoding, any of 8
-  /// may come back: see is_direction().
+  /// may come back: see is_direction_of().
   Direction direction(Direction direction);
   /// Whether the last direction of a ring is that of the run before, or opposite to it.
   bool is_parallel() const { return turns_ == 1 || turns_ == 1 + direction_count() / 2; }

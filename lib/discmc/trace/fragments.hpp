@@ -48,11 +48,7 @@ inline uint32_t links_between(Place from, Place to, Link link) {
 
 /// v moved along a link. Coordinates wrap.
 inline Vertex moved(const Vertex& v, Link link, uint32_t times) {
-  const Vertex step = link_vector(link);
-  const auto add = [times](int32_t from, int32_t by) {
-    return static_cast<int32_t>(static_cast<uint32_t>(from) + static_cast<uint32_t>(by) * times);
-  };
-  return {add(v.x, step.x), add(v.y, step.y), add(v.z, step.z)};
+  return moved(v, link_vector(link), times);
 }
 inline Vertex moved_back(const Vertex& v, Link link, uint32_t times) {
   return moved(v, link, 0 - times);
@@ -76,8 +72,6 @@ class Fragments {
   using Records = Pool<Record<Index, Normal>, Index>;
   using Lists = RunLists<Index, Normal>;
 
-  /// The least capacity with which a scan works.
-  static constexpr uint32_t least_capacity = 4;
   /// With as many records left no fragment is sent early.
   static constexpr uint32_t plenty = 1024;
   /// What a pass may take.
@@ -141,12 +135,11 @@ class Fragments {
   }
 
   template <class Normals>
-  Index begin_loose(const Pass& pass, const Vertex& vertex, const Normals& normals);
-  template <class Normals>
   void begin_and_lose(const Pass& pass, const Vertex& vertex, const Normals& normals);
   template <class Normals>
   Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
-  Index new_tail(const Pass& pass, Place place, Index mate);
+  template <class Normals>
+  Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
   template <class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
   void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
@@ -161,7 +154,7 @@ class Fragments {
   template <class Normals>
   void turn_at_centroid(const Pass& pass, const Vertex& vertex, Index tail,
                         const Normals& normals) {
-    const Vertex corner = moved(vertex, pass.first, 1);
+    const Vertex corner = last_corner(pass, vertex);
     turn(pass, tail, pass.first, place_of(corner), pass.second, normals.normal_at(corner));
   }
   void turn_back(const Pass& pass, Index begin, Link onwards, Place corner, Link came,
@@ -218,7 +211,8 @@ template <class Normals>
   } else {
     tail = pop(pass.in);
     if (tail == no_record) {
-      tail = begin_loose(pass, vertex, normals);
+      // It comes along a link whose end was lost.
+      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
     } else if (pass.turns()) {
       turn(pass, tail, pass.came, here, pass.first, normals.normal_at(vertex));
       has_new_runs = true;
@@ -239,17 +233,6 @@ template <class Normals>
 
 // ---- how a chain comes to the vertex ----
 
-// It comes along a link whose end was lost.
-template <class Index, class Normal>
-template <class Normals>
-[[gnu::noinline]] Index Fragments<Index, Normal>::begin_loose(const Pass& pass,
-                                                              const Vertex& vertex,
-                                                              const Normals& normals) {
-  const Index tail = new_tail(pass, place_of(vertex), loose_end<Index>(direction(pass, pass.came)));
-  if (pass.turns()) end(tail).set_normal(normals.normal_at(vertex));
-  return tail;
-}
-
 // It comes from ahead, and goes on along a link whose end was lost.
 template <class Index, class Normal>
 template <class Normals>
@@ -261,15 +244,17 @@ template <class Normals>
   lose_tail(pass, vertex, tail);
 }
 
-// A tail that starts here.
+// A tail that starts here. mate: its fragment's begin, or where that is loose the mark for it.
 template <class Index, class Normal>
-Index Fragments<Index, Normal>::new_tail(const Pass& pass, Place place, Index mate) {
+template <class Normals>
+[[gnu::noinline]] Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex,
+                                                           Index mate, const Normals& normals) {
   const Index tail = records_.take();
   EndRecord& record = end(tail);
   record.mate = mate;
   record.last = no_record;
-  record.side = Side(direction(pass, pass.first), place);
-  record.set_normal({});
+  record.side = Side(direction(pass, pass.first), place_of(vertex));
+  record.set_normal(pass.turns() ? normals.normal_at(vertex) : Normal{});
   return tail;
 }
 
@@ -278,7 +263,6 @@ template <class Normals>
 [[gnu::noinline]] Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
                                                                  const Vertex& vertex,
                                                                  const Normals& normals) {
-  const Place here = place_of(vertex);
   const Direction came = direction(pass, pass.came);
   Index begin = no_record;
   if (admits(pass.in, !pass.goes_ahead())) {
@@ -287,13 +271,13 @@ template <class Normals>
   } else {
     queues_.push_lost(records_, pass.in);
   }
-  const Index tail = new_tail(pass, here, begin != no_record ? begin : loose_end<Index>(came));
-  if (pass.turns()) end(tail).set_normal(normals.normal_at(vertex));
+  const Index mate = begin != no_record ? begin : loose_end<Index>(came);
+  const Index tail = new_tail(pass, vertex, mate, normals);
   if (begin == no_record) return tail;
   EndRecord& record = end(begin);
   record.mate = tail;
   record.last = no_record;
-  record.side = Side(came, here);
+  record.side = Side(came, place_of(vertex));
   return tail;
 }
 
@@ -307,7 +291,7 @@ template <class Normals>
   const bool is_waiting = admits(pass.in, is_loose(end(begin).mate));
   bool has_new_runs = true;
   if (pass.turns_at_centroid()) {
-    const Vertex corner = moved(vertex, pass.first, 1);
+    const Vertex corner = last_corner(pass, vertex);
     turn_back(pass, begin, pass.second, place_of(corner), pass.first, normals.normal_at(corner));
   }
   if (pass.turns())

@@ -7,17 +7,10 @@
 #ifndef DISCMC_TRACE_HOLES_HPP
 #define DISCMC_TRACE_HOLES_HPP
 
+#include <discmc/plane.hpp>
 #include <discmc/trace/fragments.hpp>
 
 namespace discmc::trace {
-
-/// The plane of a vertex among those of an incidence. Wraps.
-inline uint32_t plane_of(Incidence incidence, const Vertex& v) {
-  const Vertex n = normal(incidence);
-  return static_cast<uint32_t>(n.x) * static_cast<uint32_t>(v.x) +
-         static_cast<uint32_t>(n.y) * static_cast<uint32_t>(v.y) +
-         static_cast<uint32_t>(n.z) * static_cast<uint32_t>(v.z);
-}
 
 inline int32_t coordinate(const Vertex& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -60,10 +53,11 @@ class Holes {
   void any_plane(const Records& records, Incidence& incidence, Vertex& at) const;
 
  private:
-  Index& head_of(Incidence incidence, uint32_t plane) const {
+  Index& head_of(Incidence incidence, int32_t plane) const {
     // Multiplication by an odd constant near 2^32 over the golden ratio spreads neighbouring keys
     // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
-    const uint32_t spread = (plane * incidence_codes + incidence) * 0x9E3779B1U;
+    const uint32_t spread =
+        (static_cast<uint32_t>(plane) * incidence_codes + incidence) * 0x9E3779B1U;
     return heads_[spread >> 16 & heads_mask_];
   }
   static bool surrounds(const Records& records, const Outgoing<Index>& ring, const Vertex& start,
@@ -82,7 +76,7 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
   const Index index = records.take();
   const Index start = records.take();
   records[start].hole_start.set(ring.start);
-  Index& head = head_of(ring.incidence, plane_of(ring.incidence, ring.start));
+  Index& head = head_of(ring.incidence, plane_offset(ring.incidence, ring.start));
   Hole<Index>& hole = records[index].hole;
   hole.next = head;
   hole.last = ring.last;
@@ -97,12 +91,12 @@ template <class Index, class Normal>
 uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by) const {
   uint32_t marked = 0;
   if (count_ == 0) return marked;
-  const uint32_t plane = plane_of(by.incidence, by.start);
+  const int32_t plane = plane_offset(by.incidence, by.start);
   for (Index i = head_of(by.incidence, plane); i != no_record; i = records[i].linked.next) {
     Hole<Index>& hole = records[i].hole;
     if (hole.incidence != by.incidence) continue;
     const Vertex start = records[hole.start].hole_start.get();
-    if (plane_of(by.incidence, start) != plane) continue;
+    if (plane_offset(by.incidence, start) != plane) continue;
     const Direction first = direction_of(Cursor(records, hole.last).run(records));
     if (by.kind == Outgoing<Index>::Kind::ring && !surrounds(records, by, start, first)) continue;
     hole.is_marked = 1;
@@ -114,7 +108,7 @@ uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by)
 template <class Index, class Normal>
 void Holes<Index, Normal>::take(Records& records, const Outgoing<Index>& by, Index& last,
                                 Vertex& start) {
-  Index* link = &head_of(by.incidence, plane_of(by.incidence, by.start));
+  Index* link = &head_of(by.incidence, plane_offset(by.incidence, by.start));
   while (records[*link].hole.is_marked == 0) link = &records[*link].linked.next;
   const Index index = *link;
   const Hole<Index>& hole = records[index].hole;
