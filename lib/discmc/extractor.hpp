@@ -120,7 +120,7 @@ class Extractor {
   /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2 MB
   /// are a good size. Call it before push(). Nothing is remembered before, and after restore().
   /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
-  /// Cost: a write for every 76 bytes.
+  /// Cost: a fifth of it is written.
   template <class P = Passes>
   void learn_in(Memory memory) {
     P& passes = sweep_.passes();

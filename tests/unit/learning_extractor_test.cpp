@@ -3,6 +3,10 @@
 
 #include <discmc/learning_extractor.hpp>
 
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
 #include "oracle/event_log.hpp"
 #include "oracle/scan.hpp"
 
@@ -94,23 +98,73 @@ TEST_CASE("what is learnt is no part of a checkpoint") {
   CHECK(log.events == expected.events);
 }
 
-TEST_CASE("passes are remembered from room for one neighbourhood on, wherever the memory lies") {
-  const uint32_t on = 0x15, off = 0;
-  trace::RowBlock rows;
-  for (auto& slice : rows.row)
-    for (const uint32_t*& row : slice) row = &off;
-  rows.row[1][1] = &on;
-  constexpr size_t entry = sizeof(uint32_t) + sizeof(trace::PassList);
-  constexpr size_t most_lost = Arena::alignment - 1;
-  alignas(8) uint8_t memory[4 * entry + 8];
-  trace::PassList scratch;
-  for (size_t offset = 0; offset < 4; ++offset) {
-    trace::LearntPasses passes;
-    for (size_t bytes = 0; bytes < 4 * entry; bytes += 1) {
-      passes.learn_in({memory + offset, bytes});
-      const bool is_remembered = &passes.at({rows, 0, 2, 0}, 0, scratch) != &scratch;
-      CHECK(is_remembered == (bytes >= entry + most_lost));
+// Nine rows of 40 voxels: there are crossings in both words of the middle one.
+struct Rows {
+  uint32_t words[9][2] = {};
+
+  Rows() {
+    const BitVolume volume = random({40, 3, 3}, 80, 5);
+    for (int row = 0; row < 9; ++row)
+      for (uint32_t word = 0; word < 2; ++word)
+        for (uint32_t bit = 0; bit < 32; ++bit) {
+          const uint32_t x = trace::column_of(word, bit);
+          if (x < 40 && volume.on[static_cast<size_t>(row) * 40 + x] != 0)
+            words[row][word] |= 1U << bit;
+        }
+  }
+  trace::SweptRow swept() const {
+    trace::SweptRow row{};
+    for (int i = 0; i < 9; ++i) row.rows.row[i / 3][i % 3] = words[i];
+    row.words = 2;
+    row.width = 40;
+    row.axes = 7;
+    return row;
+  }
+};
+
+using FoundPass = std::tuple<int32_t, int32_t, int32_t, int, int, int>;
+
+template <class Passes>
+std::vector<FoundPass> passes_found(Passes& passes, const trace::SweptRow& row) {
+  std::vector<FoundPass> found;
+  trace::CellCounts counts;
+  while (passes.find(row, counts))
+    for (; passes.has_next(); passes.advance())
+      found.emplace_back(passes.vertex().x, passes.vertex().y, passes.vertex().z,
+                         passes.pass().incidence, passes.pass().in, passes.pass().out);
+  return found;
+}
+
+TEST_CASE("the same passes are found with memory of any size, wherever it lies, again and again") {
+  const Rows rows;
+  trace::SweptRow row = rows.swept();
+  std::vector<uint8_t> memory(2000);
+  for (const bool is_missing_cells : {false, true}) {
+    row.has_open_ends = is_missing_cells;
+    row.missing[1] = is_missing_cells ? 9 : 0;
+    trace::DerivedPasses derived;
+    const std::vector<FoundPass> expected = passes_found(derived, row);
+    REQUIRE(expected.size() > 40);
+    for (size_t bytes = 0; bytes < memory.size(); bytes += 37) {
+      trace::LearntPasses learnt;
+      learnt.learn_in({memory.data() + bytes % 8, bytes - bytes % 8});
+      CHECK(passes_found(learnt, row) == expected);
+      CHECK(passes_found(learnt, row) == expected);
     }
-    CHECK(&passes.at({rows, 0, 2, 0}, 3, scratch) == &scratch);  // cells are absent
+  }
+}
+
+TEST_CASE("passes are remembered from room for two neighbourhoods on") {
+  const Rows rows;
+  constexpr size_t entry = 40, most_lost = 2 * (Arena::alignment - 1);
+  for (size_t bytes = 0; bytes < 4 * entry; ++bytes) {
+    std::vector<uint8_t> memory(bytes + 1, 0xA5);
+    trace::LearntPasses passes;
+    passes.learn_in({memory.data(), bytes});
+    (void)passes_found(passes, rows.swept());
+    const auto is_written = [](uint8_t byte) { return byte != 0xA5; };
+    CHECK(std::any_of(memory.begin(), memory.end(), is_written) ==
+          (bytes >= 2 * entry + most_lost));
+    CHECK(memory.back() == 0xA5);
   }
 }

@@ -258,11 +258,11 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
   const int32_t z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
                     (limits_.slab.continues_below ? 1 : 0);
-  trace::SweptRow row{rows_.around(y), {}, y, z, {}, 0};
+  trace::SweptRow row{rows_.around(y), rows_.words(), limits_.width, y, z, {}, is_open, 0, {}};
   const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
   const bool ends_behind = is_open && y + 1 == static_cast<int32_t>(limits_.height);
   const bool ends_above = is_above_slab || (is_open && is_last_slice());
-  row.axes = 7U - (ends_behind ? 2U : 0U) - (ends_above ? 4U : 0U);
+  row.axes = static_cast<uint8_t>(7U - (ends_behind ? 2U : 0U) - (ends_above ? 4U : 0U));
   // The rows of cells around that take no part, a bit each: 2 * layer + row.
   uint32_t absent = (ends_behind ? 10U : 0U) | (ends_above ? 12U : 0U);
   if (is_open && y == 0) absent |= 5;
@@ -272,15 +272,14 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
       !sink_.sealing->begin_row(sealed_, cells, sweep_.fragments().spare(), sink_, statistics_))
     return false;
   sweep_.fragments().set_below_is_lost(limits_.slab.continues_below && middle_slice() == 1);
-  row.set_absent(absent);
+  row.set_missing(absent);
   row.work = !is_above_slab      ? trace::RowWork::take_passes
              : chains_are_ended_ ? trace::RowWork::begin_chains
                                  : trace::RowWork::end_chains;
-  const trace::RowEnds ends{is_open, limits_.width};
   // Above a slab the row is swept twice: as an end does not know where it is, the chains that come
   // up to a vertex are ended there, and those that go down from it begin there.
   for (;;) {
-    if (!sweep_.sweep(row, rows_.words(), ends, intake_, sink_, statistics_)) return false;
+    if (!sweep_.sweep(row, intake_, sink_, statistics_)) return false;
     chains_are_ended_ = row.work == trace::RowWork::end_chains;
     if (!chains_are_ended_) break;
     row.work = trace::RowWork::begin_chains;

@@ -1,63 +1,73 @@
 // The passes of a neighbourhood, worked out once and remembered: for hosts, which have memory.
 //
 // A table without chains: a neighbourhood has one place in it, and what is found there by the next
-// with the same place is forgotten.
+// with the same place is forgotten. Edges are collected, looked up and taken many at a time, each
+// in a loop of its own: so hardly a branch depends on the surface, and look-ups do not wait for one
+// another.
 #ifndef DISCMC_TRACE_LEARNT_PASSES_HPP
 #define DISCMC_TRACE_LEARNT_PASSES_HPP
 
 #include <discmc/arena.hpp>
 #include <discmc/trace/passes.hpp>
+#include <discmc/trace/swept_row.hpp>
 
 namespace discmc::trace {
 
+/// What DerivedPasses finds, found faster.
 class LearntPasses {
  public:
   /// Forgets everything, and remembers in this memory from now on, however it is aligned: in the
-  /// largest power of two of entries that has room, 2^20 at most. Without memory, or with too
-  /// little for anything, passes are worked out every time. Cost: a write an entry, of 76 bytes.
+  /// largest power of two of entries of 40 bytes that has room, 2^20 at most. Without memory, or
+  /// with too little for anything, passes are worked out every time. Cost: 8 bytes cleared an
+  /// entry.
   void learn_in(Memory memory);
 
-  /// See DerivedPasses. What it returns is valid until the next call.
-  const PassList& at(const EdgePlace& edge, uint32_t absent, PassList& scratch) {
-    // Ends of rows, where cells are absent, are few.
-    if (entries_ == nullptr || absent != 0) return derived(edge, absent, scratch);
-    // Multiplied by an odd number no two keys become one: so the bits that are not the place tell
-    // the keys with one place apart.
-    const uint32_t spread = key(edge) * 0x9E375 & (keys - 1);
-    Entry& entry = entries_[spread >> tag_bits_];
-    const uint32_t tag = spread & ((1U << tag_bits_) - 1);
-    if (entry.tag == tag) return entry.passes;
-    entry.tag = tag;
-    return derived(edge, absent, entry.passes);
-  }
+  // As DerivedPasses has them.
+  void clear() { word_ = edges_ = passes_ = next_ = 0; }
+  bool find(const SweptRow& row, CellCounts& counts);
+  bool has_next() const { return next_ < passes_; }
+  const Pass& pass() const { return pass_[next_]; }
+  const Vertex& vertex() const { return vertex_[of_[next_]]; }
+  void advance() { ++next_; }
 
  private:
-  static constexpr uint32_t key_bits = 20, keys = 1U << key_bits;
-  static constexpr uint32_t no_tag = keys;
-  struct Entry {
-    uint32_t tag;
-    PassList passes;
+  static constexpr uint32_t most_entry_bits = 20;
+  static constexpr uint32_t count_bits = 3;
+  // Of those with more there are few.
+  static constexpr uint32_t most_learnt = 4;
+  // Edges at a time: those of a word and many more.
+  static constexpr uint32_t most_edges = 256;
+  static constexpr uint32_t most_passes = most_edges * PassList::most;
+
+  struct Edge {
+    uint32_t key;  // the 27 voxels around the voxel less those not around the edge, and the axis
+    uint32_t x;
+  };
+  struct Known {
+    uint32_t code;  // the key, and in the lowest bits how many passes there are; 0 if nothing
+    uint32_t parts;
+  };
+  struct Learnt {
+    Pass pass[most_learnt];
   };
 
-  // The axis, and the 18 voxels of the cells around the edge.
-  static uint32_t key(const EdgePlace& edge) {
-    const auto& row = edge.rows.row;
-    const uint32_t word = edge.word;
-    const auto two = [&](int k, int j) { return row[k][j][word] >> edge.bit & 3; };
-    const auto three = [&](int k, int j) { return row[k][j][word] >> (edge.bit - 1) & 7; };
-    if (edge.axis == 0)
-      return two(0, 0) | two(0, 1) << 2 | two(0, 2) << 4 | two(1, 0) << 6 | two(1, 1) << 8 |
-             two(1, 2) << 10 | two(2, 0) << 12 | two(2, 1) << 14 | two(2, 2) << 16;
-    if (edge.axis == 1)
-      return three(0, 1) | three(0, 2) << 3 | three(1, 1) << 6 | three(1, 2) << 9 |
-             three(2, 1) << 12 | three(2, 2) << 15 | 1U << 18;
-    return three(1, 0) | three(2, 0) << 3 | three(1, 1) << 6 | three(2, 1) << 9 |
-           three(1, 2) << 12 | three(2, 2) << 15 | 2U << 18;
-  }
-  static const PassList& derived(const EdgePlace& edge, uint32_t absent, PassList& passes);
+  bool collect(const SweptRow& row);
+  void look_up(const SweptRow& row, CellCounts& counts);
+  void derive(const SweptRow& row, const Edge& edge, uint32_t absent, PassList& passes) const;
+  void learn(uint32_t key, uint32_t place, const PassList& passes);
 
-  Entry* entries_ = nullptr;
-  uint32_t tag_bits_ = 0;
+  Known* known_ = nullptr;
+  Learnt* learnt_ = nullptr;
+  uint32_t shift_ = 31;
+
+  uint32_t word_ = 0;  // the next whose edges are to be collected
+  uint32_t edges_ = 0;
+  uint32_t passes_ = 0;
+  uint32_t next_ = 0;
+  Edge edge_[most_edges + 3];
+  Vertex vertex_[most_edges];
+  Pass pass_[most_passes + most_learnt];
+  uint8_t of_[most_passes + most_learnt];  // the vertex of a pass
 };
 
 }  // namespace discmc::trace

@@ -42,15 +42,6 @@ struct PassList {
 /// none that takes part.
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
 
-/// The passes that a sweep takes: worked out at every vertex.
-struct DerivedPasses {
-  /// scratch: where they may be put.
-  const PassList& at(const EdgePlace& edge, uint32_t absent, PassList& scratch) const {
-    derive_passes(edge, absent, scratch);
-    return scratch;
-  }
-};
-
 }  // namespace discmc::trace
 
 #endif

@@ -1,0 +1,109 @@
+// A row of voxels as a sweep sees it: the crossing edges along it, and what takes part around them.
+//
+// A vertex is visited with the voxel at the lower end of its edge: voxels as they come, and at each
+// its edges in the order of their axes.
+#ifndef DISCMC_TRACE_SWEPT_ROW_HPP
+#define DISCMC_TRACE_SWEPT_ROW_HPP
+
+#include <discmc/sink.hpp>
+#include <discmc/trace/bit_rows.hpp>
+#include <discmc/trace/sector_table.hpp>
+
+namespace discmc::trace {
+
+/// What is done at the vertices of a row.
+enum class RowWork : uint8_t {
+  take_passes,
+  end_chains,   ///< above a slab: the chains that come up to it end,
+  begin_chains  ///< and those that go down from it begin
+};
+
+/// A row of voxels and what of its surroundings takes part.
+struct SweptRow {
+  RowBlock rows;
+  uint32_t words;
+  uint32_t width;
+  int32_t y, z;
+  RowWork work;
+  bool has_open_ends;  ///< its first and its last column are those of an open border
+  uint8_t axes;        ///< whose edges are there, a bit each
+  uint8_t missing[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
+
+  /// cells: of the four rows of cells around, a bit each: 2 * layer + row.
+  void set_missing(uint32_t cells) {
+    const uint32_t front_below = cells & 1, back_below = cells >> 1 & 1;
+    const uint32_t front_above = cells >> 2 & 1, back_above = cells >> 3;
+    missing[0] =
+        static_cast<uint8_t>(back_above | front_above << 1 | front_below << 2 | back_below << 3);
+    missing[1] = static_cast<uint8_t>(9 * back_above | 6 * back_below);
+    missing[2] = static_cast<uint8_t>(3 * back_above | 12 * front_above);
+  }
+  /// Quadrants without a cell around an edge of the voxel at x, a bit each.
+  uint32_t absent(int axis, uint32_t x) const {
+    uint32_t absent = missing[axis];
+    if (!has_open_ends || (x != 0 && x + 1 != width) || axis == 0) return absent;
+    const uint32_t before = axis == 1 ? 12 : 6;
+    if (x == 0) absent |= before;
+    if (x + 1 == width) absent |= before ^ 15;
+    return absent;
+  }
+  /// The vertex on an edge of the voxel at x (-1 wraps).
+  Vertex vertex(int axis, uint32_t x) const {
+    return {2 * static_cast<int32_t>(x) + (axis == 0 ? 1 : 0), 2 * y + (axis == 1 ? 1 : 0),
+            2 * z + (axis == 2 ? 1 : 0)};
+  }
+};
+
+/// The voxel's place in its row, of a bit of a word. -1 wraps.
+constexpr uint32_t column_of(uint32_t word, uint32_t bit) {
+  return word * columns_per_word + bit - 2;
+}
+
+/// Bits of the voxels in a word whose edges cross, by axis.
+struct Crossings {
+  uint32_t of[3];
+
+  uint32_t voxels() const { return of[0] | of[1] | of[2]; }
+
+  /// False when there are none, and then nothing changes.
+  bool find(const SweptRow& row, uint32_t word) {
+    const auto& rows = row.rows.row;
+    const uint32_t here = rows[1][1][word];
+    const uint32_t x = here ^ here >> 1;
+    const uint32_t y = here ^ rows[1][2][word];
+    const uint32_t z = here ^ rows[2][1][word];
+    if (((x | y | z) & own_columns) == 0) return false;
+    of[0] = x & (row.has_open_ends ? inner_columns(word, row.width) : own_columns);
+    of[1] = (row.axes & 2) != 0 ? y & own_columns : 0;
+    of[2] = (row.axes & 4) != 0 ? z & own_columns : 0;
+    return true;
+  }
+};
+
+/// Counts of cells, out of the parts that vertices add (CountParts).
+class CellCounts {
+ public:
+  void add(uint32_t parts) {
+    constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
+    cells_ += parts & ((1U << facet) - 1);
+    facets_ += parts >> facet & ((1U << (triangle - facet)) - 1);
+    triangles_ += parts >> triangle;
+  }
+  /// Moves what is whole to the statistics.
+  void add_to(Statistics& statistics) {
+    move(cells_, CountParts::cell, statistics.cells);
+    move(facets_, CountParts::facet, statistics.facets);
+    move(triangles_, CountParts::triangle, statistics.classic_triangles);
+  }
+
+ private:
+  static void move(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
+    total += parts / parts_of_one;
+    parts %= parts_of_one;
+  }
+  uint32_t cells_ = 0, facets_ = 0, triangles_ = 0;
+};
+
+}  // namespace discmc::trace
+
+#endif
