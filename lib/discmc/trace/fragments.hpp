@@ -34,12 +34,14 @@ constexpr LinkSteps link_steps() {
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
-/// The longest side that is kept whole: two such sides may join, and places still tell the length.
-inline uint32_t longest_side(Link link) {
-  return ((1U << place_bits) >> link_steps.of[link].halvings) / 2 - 4;
+/// Whether a side from one place to another is as long as may be kept whole: two such sides may
+/// join, and places still tell the length.
+inline bool is_longest_side(Place from, Place to) {
+  constexpr uint32_t longest = 4080;
+  return (to - from + longest) % (1U << place_bits) >= 2 * longest;
 }
 
-/// How many links lead from one place to another. Limit: fewer than 2 * longest_side(link) + 8.
+/// How many links lead from one place to another. Limit: the places are less than 8,192 apart.
 inline uint32_t links_between(Place from, Place to, Link link) {
   constexpr uint32_t all = (1U << place_bits) - 1;
   const LinkStep step = link_steps.of[link];
@@ -165,7 +167,7 @@ class Fragments {
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
   void connect(Index begin, Index tail, Index list);
 
-  [[gnu::always_inline]] Index pop(uint8_t queue) {
+  Index pop(uint8_t queue) {
     const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
     return is_lost ? Index{no_record} : queues_.pop(records_, queue);
   }
@@ -216,7 +218,7 @@ template <class Normals>
     } else if (pass.turns()) {
       turn(pass, tail, pass.came, here, pass.first, normals.normal_at(vertex));
       has_new_runs = true;
-    } else if (links_between(end(tail).side.place(), here, pass.came) >= longest_side(pass.came)) {
+    } else if (is_longest_side(end(tail).side.place(), here)) {
       turn(pass, tail, pass.came, here, pass.first, {});
       has_new_runs = true;
     }
@@ -296,8 +298,7 @@ template <class Normals>
   }
   if (pass.turns())
     turn_back(pass, begin, pass.first, here, pass.came, normals.normal_at(vertex));
-  else if (!is_waiting ||
-           links_between(here, end(begin).side.place(), pass.first) >= longest_side(pass.first))
+  else if (!is_waiting || is_longest_side(here, end(begin).side.place()))
     turn_back(pass, begin, pass.first, here, pass.came, {});
   else
     has_new_runs = pass.turns_at_centroid();
