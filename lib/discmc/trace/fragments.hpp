@@ -93,7 +93,6 @@ class Fragments {
     records_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
-    is_below_lost_ = false;
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
@@ -101,13 +100,22 @@ class Fragments {
   template <class Normals>
   void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
 
+  /// What a slab does with a chain where it ends. Reached through a pointer: other programs do not
+  /// link it.
+  using AtSeam = void (*)(Fragments& fragments, const Pass& pass, const Vertex& vertex, bool ends);
+  static void cut_at_seam(Fragments& fragments, const Pass& pass, const Vertex& vertex, bool ends);
+  /// at_seam: cut_at_seam, or null for a whole volume.
+  void set_at_seam(AtSeam at_seam) { at_seam_ = at_seam; }
+
   /// At a vertex of the slice above a slab: the chains that come up to it end there, and those that
   /// go down from it begin below, loose. Limits and cost as take().
-  void end_at(const Pass& pass, const Vertex& vertex);
-  void begin_below(const Pass& pass, const Vertex& vertex);
+  void end_at(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, true); }
+  void begin_below(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, false); }
 
   /// Whether what comes from below is another slab's.
-  void set_below_is_lost(bool is_lost) { is_below_lost_ = is_lost; }
+  void set_below_is_lost(bool is_lost) {
+    queues_.lose_from(is_lost ? first_rising_queue : queue_count);
+  }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   Outgoing<Index> take_outgoing() {
@@ -164,13 +172,12 @@ class Fragments {
   void meet_begin(const Pass& pass, const Vertex& vertex, Index tail);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
+  void end_at_seam(const Pass& pass, const Vertex& vertex);
+  void begin_below_seam(const Pass& pass, const Vertex& vertex);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
   void connect(Index begin, Index tail, Index list);
 
-  Index pop(uint8_t queue) {
-    const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
-    return is_lost ? Index{no_record} : queues_.pop(records_, queue);
-  }
+  Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, bool has_loose_mate) const {
     return spare() >= enough_for_ends_ || spare() >= least_spare(queue, has_loose_mate);
@@ -185,13 +192,13 @@ class Fragments {
   Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  bool is_below_lost_ = false;
   uint32_t plenty_ = 0;
   uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;
   Records records_;
   Queues<Index, Normal> queues_;
+  AtSeam at_seam_ = nullptr;
 };
 
 // ---- implementation ----
@@ -376,30 +383,6 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
     return send(pass, record.mate, loose_end<Index>(), record.last,
                 begin_of(pass.incidence, record.last, vertex));
   connect(record.mate, loose_end<Index>(), record.last);
-}
-
-template <class Index, class Normal>
-void Fragments<Index, Normal>::end_at(const Pass& pass, const Vertex& vertex) {
-  if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
-  const Index tail = queues_.pop(records_, pass.in);
-  if (tail != no_record) end_tail(pass, tail, pass.came, vertex);
-}
-
-template <class Index, class Normal>
-void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& vertex) {
-  if (pass.goes_ahead() || pass.out < first_rising_queue) return;
-  const Index begin = queues_.pop(records_, pass.out);
-  if (begin == no_record) return;
-  const Vertex next = next_vertex(pass, vertex);
-  if (end(begin).side.place() != place_of(next))
-    turn_back(pass, begin, pass.second, place_of(next), pass.second, {});
-  const EndRecord record = end(begin);
-  const Index list = runs_of(begin);
-  records_.give(begin);
-  const Index loose = loose_end<Index>(direction(pass, pass.second));
-  if (list != no_record && (is_loose(record.mate) || should_send(list)))
-    return send(pass, loose, record.mate, list, next);
-  if (!is_loose(record.mate)) end(record.mate).mate = loose;
 }
 
 // The fragment goes on as one that has waited, or closes.

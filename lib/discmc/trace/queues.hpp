@@ -66,8 +66,12 @@ class Queues {
     queue.tail = lost;
   }
 
+  /// Takes everything that is asked for in these queues and those behind them for lost.
+  void lose_from(int number) { first_lost_ = static_cast<uint8_t>(number); }
+
   /// Takes out what has waited longest: an end, or no_record for one that was lost.
   Index pop(Records& records, uint8_t number) {
+    if (number >= first_lost_) return no_record;
     Queue<Index>& queue = queues_[number];
     const Index head = queue.head;
     if (is_count(queue) || records[head].end.mate == no_record) return pop_lost(records, queue);
@@ -126,6 +130,7 @@ class Queues {
   }
 
   Queue<Index>* queues_ = nullptr;
+  uint8_t first_lost_ = queue_count;
 };
 
 }  // namespace discmc::trace
