@@ -118,11 +118,8 @@ class Fragments {
   }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
-  Outgoing<Index> take_outgoing() {
-    const Outgoing<Index> out = outgoing_;
-    outgoing_.kind = Outgoing<Index>::Kind::none;
-    return out;
-  }
+  /// What goes out, until whoever delivers it sets its kind to none.
+  Outgoing<Index>& outgoing() { return outgoing_; }
   Records& records() { return records_; }
   const Records& records() const { return records_; }
   /// Records that may be taken without more ado.
