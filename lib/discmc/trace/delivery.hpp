@@ -148,19 +148,23 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
   bool has_begun = false;
   bool is_hole = false;
   Direction before = direction_of(Lists::last_run(records, last_));
-  Lists::for_each(records, last_, [&](ShortRun run, Index record, uint8_t slot) {
+  const Cursor end(records, last_);
+  Cursor cursor = end;
+  do {
+    const ShortRun run = cursor.run(records);
     const Direction direction = direction_of(run);
     const bool is_top = (ascending >> before & ~(ascending >> direction) & 1) != 0;
     if (is_top && !precedes(way, here)) {
       is_hole = (is_hole && way == here) || turns_right(incidence, before, direction);
       has_begun = true;
       way = here;
-      first_ = Cursor(record, slot);
+      first_ = cursor;
       event_.came = before;
     }
     if (has_begun) way = moved(way, link_of(incidence, direction), length_of(run));
     before = direction;
-  });
+    cursor.advance(records);
+  } while (cursor != end);
   event_.start = event_.start - way;
   event_.hole = is_hole;
 }
