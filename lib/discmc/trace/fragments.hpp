@@ -131,7 +131,7 @@ class Fragments {
 
   EndRecord& end(Index index) { return records_[index].end; }
   static Direction direction(const Pass& pass, Link link) {
-    return sector_table.direction[pass.incidence][link];
+    return sector_table.direction(pass.incidence, link);
   }
   // Where the side begins that a chain leaves along, and the vertex that it comes to.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
