@@ -3,7 +3,6 @@
 // asserts) notice. What they need not notice is listed below, with the reason. Prints a line a
 // field and a line a statement; exit code 1 for a survivor. Under an address sanitizer one value
 // in 37.
-#include <algorithm>
 #include <cinttypes>
 #include <cstddef>
 #include <cstdio>
