@@ -53,13 +53,19 @@ class Extractor {
   /// scan lasts. Errors: bad_limits, bad_sink, too_little_memory; then memory is untouched. Cost: a
   /// write for each queue, and for each word of a row.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
-                             const Sink& sink);
+                             const Sink& sink) {
+    return start(limits, default_capacities<Index, Normals>(limits, memory.bytes), threshold,
+                 memory, sink);
+  }
 
   /// The same with explicit capacities: memory of at least
   /// bytes_for<Index, Normals>(limits, capacities).
   /// Errors: also bad_capacities.
   [[nodiscard]] Status start(const Limits& limits, const Capacities& capacities, int32_t threshold,
-                             Memory memory, const Sink& sink);
+                             Memory memory, const Sink& sink) {
+    // Decided here, where limits may be constants: then the linker drops what slabs alone need.
+    return start(limits, capacities, threshold, memory, sink, at_seam_of(limits.slab));
+  }
 
   /// Tells how far apart voxels are, for the normals of the scans to come, until told otherwise:
   /// without it voxels are cubes. It is not told to the stream: StreamHeader::spacing_nm has to say
@@ -147,7 +153,15 @@ class Extractor {
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
   using Normal = typename Normals::Normal;
+  using Chains = trace::Fragments<Index, Normal>;
+  using AtSeam = typename Chains::AtSeam;
 
+  static AtSeam at_seam_of(const Slab& slab) {
+    return slab.is_part() ? Chains::cut_at_seam : nullptr;
+  }
+
+  Status start(const Limits& limits, const Capacities& capacities, int32_t threshold, Memory memory,
+               const Sink& sink, AtSeam at_seam);
   PushResult push_row_of_bits(const uint8_t* bits);
   bool lay_out(Memory memory);
   bool is_suspended() const;

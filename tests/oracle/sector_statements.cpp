@@ -222,11 +222,10 @@ bool points_where_headings_lie(const SectorTable& table) {
 bool tells_directions(const SectorTable& table) {
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
     for (Link link = 0; link < link_codes; ++link) {
-      Direction expected = no_direction;
-      if (incidence != no_incidence)
-        for (Direction i = 0; i < direction_count(incidence); ++i)
-          if (link_of(incidence, i) == link) expected = i;
-      if (table.direction[incidence][link] != expected) return false;
+      Direction expected = 0;
+      for (Direction i = 0; i < direction_count(incidence); ++i)
+        if (link_of(incidence, i) == link) expected = i;
+      if (table.direction(incidence, link) != expected) return false;
     }
   return true;
 }

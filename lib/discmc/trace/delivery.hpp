@@ -63,26 +63,20 @@ class Delivery {
 
   void begin(Chains& chains);
   void begin_ring(const Records& records);
-  template <class IsTop>
-  void begin_at_last_top(const Records& records, IsTop is_top);
-  bool begin_hole(Records& records);
-  void begin_next_loose(Records& records);
-  bool deliver_runs(Event& event, const Records& records, const Sink& sink, Statistics& statistics);
-  void go_on(Records& records, Statistics& statistics);
+  bool begin_hole(Chains& chains);
+  void begin_next_loose(Chains& chains);
+  void next_run(const Records& records);
+  void go_on(Chains& chains, Statistics& statistics);
 
   bool sends_ = false;
   bool is_delivering_ = false;
   bool is_fragment_ = false;
-  bool is_hole_ = false;
-  Event::Kind next_event_ = Event::Kind::region;
   uint32_t most_holes_ = 0;
   uint32_t holes_due_ = 0;  // marked ones: of the region, or to go before a loose fragment
-  Out out_;                 // what is delivered; of kind none once no more than holes are due
-  Index last_ = no_record;  // of the runs: those of out_, or of a hole
-  Direction came_ = 0;      // by which their chain comes to their start
-  Vertex start_{0, 0, 0};   // where the first run starts
+  Event event_{};           // the next one; its start is that of the chain
+  Index last_ = no_record;  // of the chain's runs
   Cursor first_;
-  Cursor cursor_;
+  Cursor cursor_;  // behind the next event's run
   Holes<Index, Normal> holes_;
 };
 
@@ -90,21 +84,10 @@ class Delivery {
 
 template <class Index, class Normal>
 bool Delivery<Index, Normal>::settle(Chains& chains, const Sink& sink, Statistics& statistics) {
-  Records& records = chains.records();
   if (!is_delivering_ && chains.has_outgoing()) begin(chains);
-  Event event{};
   while (is_delivering_) {
-    event.kind = next_event_;
-    event.incidence = out_.incidence;
-    event.came = came_;
-    event.hole = is_hole_;
-    event.start = start_;
-    if (next_event_ == Event::Kind::run) {
-      if (!deliver_runs(event, records, sink, statistics)) return false;
-    } else if (sink.take(sink.context, event) != Answer::taken) {
-      return false;
-    }
-    go_on(records, statistics);
+    if (sink.take(sink.context, event_) != Answer::taken) return false;
+    go_on(chains, statistics);
   }
   return true;
 }
@@ -112,13 +95,13 @@ bool Delivery<Index, Normal>::settle(Chains& chains, const Sink& sink, Statistic
 template <class Index, class Normal>
 bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
                                            Statistics& statistics) {
-  Records& records = chains.records();
   while (is_delivering_ || holes_.count() > 0) {
     if (!is_delivering_) {
-      out_.kind = Out::Kind::none;
-      holes_.any_plane(records, out_.incidence, out_.start);
-      holes_due_ = holes_.mark(records, out_);
-      begin_next_loose(records);
+      Out& out = chains.outgoing();
+      holes_.any_plane(chains.records(), out.incidence, out.start);
+      event_.incidence = out.incidence;
+      holes_due_ = holes_.mark(chains.records(), out);
+      begin_next_loose(chains);
     }
     if (!settle(chains, sink, statistics)) return false;
   }
@@ -128,151 +111,135 @@ bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin(Chains& chains) {
   Records& records = chains.records();
-  out_ = chains.take_outgoing();
-  last_ = out_.last;
-  start_ = out_.start;
-  is_hole_ = false;
-  if (out_.kind == Out::Kind::ring) {
+  Out& out = chains.outgoing();
+  last_ = out.last;
+  event_.incidence = out.incidence;
+  event_.start = out.start;
+  event_.hole = false;
+  holes_due_ = 0;
+  if (out.kind == Out::Kind::ring) {
     begin_ring(records);
-    if (is_hole_ && (!sends_ || (holes_.count() < most_holes_ &&
-                                 chains.spare() >= 4 + Holes<Index, Normal>::records_each)))
-      return holes_.keep(records, out_);
+    if (event_.hole && (!sends_ || (holes_.count() < most_holes_ &&
+                                    chains.spare() >= 4 + Holes<Index, Normal>::records_each))) {
+      holes_.keep(records, out);
+      out.kind = Out::Kind::none;
+      return;
+    }
   }
-  holes_due_ = is_hole_ ? 0 : holes_.mark(records, out_);
-  if (out_.kind == Out::Kind::fragment) return begin_next_loose(records);
+  if (!event_.hole) holes_due_ = holes_.mark(records, out);
+  if (out.kind == Out::Kind::fragment) return begin_next_loose(chains);
   is_delivering_ = true;
-  is_fragment_ = is_hole_;
-  next_event_ = is_hole_ ? Event::Kind::fragment : Event::Kind::region;
+  is_fragment_ = event_.hole;
+  event_.kind = is_fragment_ ? Event::Kind::fragment : Event::Kind::region;
 }
 
 // Finds where to begin, whether the ring is a hole, and the direction before its first run.
 //
 // A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
 // front of the sweep, and there only some directions are left: so it takes few bits to tell. It is
-// a top: the ring ascends to it and descends from it. Most rings have one.
+// a top: the ring ascends to it and descends from it. Most rings have one. A hole that touches
+// itself at its last vertex turns right there once, and an outer ring never.
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
-  const uint32_t ascending = ascending_directions.of[out_.incidence];
-  const auto is_top = [ascending](Direction before, Direction after) {
-    return (ascending >> before & ~(ascending >> after) & 1) != 0;
-  };
-  Direction before = direction_of(Lists::last_run(records, last_));
-  Direction after = before;  // the top
-  uint32_t tops = 0;
-  Lists::for_each(records, last_, [&](ShortRun run, Index record, uint8_t slot) {
-    const Direction direction = direction_of(run);
-    if (is_top(before, direction)) {
-      ++tops;
-      first_ = Cursor(record, slot);
-      came_ = before;
-      after = direction;
-    }
-    before = direction;
-  });
-  if (tops > 1) return begin_at_last_top(records, is_top);
-  is_hole_ = turns_right(out_.incidence, came_, after);
-  const Cursor end(records, last_);
-  for (Cursor cursor = first_; cursor != end; cursor.advance(records)) {
-    const ShortRun run = cursor.run(records);
-    start_ = moved_back(start_, link_of(out_.incidence, direction_of(run)), length_of(run));
-  }
-}
-
-// A hole that touches itself at its last vertex turns right there once, and an outer ring never.
-template <class Index, class Normal>
-template <class IsTop>
-void Delivery<Index, Normal>::begin_at_last_top(const Records& records, IsTop is_top) {
-  Direction before = direction_of(Lists::last_run(records, last_));
-  Vertex at = start_;
+  const Incidence incidence = event_.incidence;
+  const uint32_t ascending = ascending_directions.of[incidence];
+  constexpr Vertex here{0, 0, 0};
+  Vertex way = here;  // from the last top so far
   bool has_begun = false;
-  Lists::for_each(records, last_, [&](ShortRun run, Index record, uint8_t slot) {
+  bool is_hole = false;
+  Direction before = direction_of(Lists::last_run(records, last_));
+  const Cursor end(records, last_);
+  Cursor cursor = end;
+  do {
+    const ShortRun run = cursor.run(records);
     const Direction direction = direction_of(run);
-    if (is_top(before, direction) && !(has_begun && precedes(at, start_))) {
-      const bool is_same = has_begun && at == start_;
-      is_hole_ = (is_same && is_hole_) || turns_right(out_.incidence, before, direction);
+    const bool is_top = (ascending >> before & ~(ascending >> direction) & 1) != 0;
+    if (is_top && !precedes(way, here)) {
+      is_hole = (is_hole && way == here) || turns_right(incidence, before, direction);
       has_begun = true;
-      start_ = at;
-      first_ = Cursor(record, slot);
-      came_ = before;
+      way = here;
+      first_ = cursor;
+      event_.came = before;
     }
-    at = moved(at, link_of(out_.incidence, direction), length_of(run));
+    if (has_begun) way = moved(way, link_of(incidence, direction), length_of(run));
     before = direction;
-  });
+    cursor.advance(records);
+  } while (cursor != end);
+  event_.start = event_.start - way;
+  event_.hole = is_hole;
 }
 
 // Begins with the next of the marked holes. False when there is none.
 template <class Index, class Normal>
-bool Delivery<Index, Normal>::begin_hole(Records& records) {
+bool Delivery<Index, Normal>::begin_hole(Chains& chains) {
   if (holes_due_ == 0) return false;
   --holes_due_;
-  holes_.take(records, out_, last_, start_);
-  begin_ring(records);
+  holes_.take(chains.records(), chains.outgoing(), last_, event_.start);
+  begin_ring(chains.records());
   return true;
 }
 
 // A loose fragment may be the last of the ring around holes of its plane: they go before it.
 template <class Index, class Normal>
-void Delivery<Index, Normal>::begin_next_loose(Records& records) {
+void Delivery<Index, Normal>::begin_next_loose(Chains& chains) {
   is_fragment_ = true;
-  next_event_ = Event::Kind::fragment;
+  event_.kind = Event::Kind::fragment;
   is_delivering_ = true;
-  if (begin_hole(records)) return;
-  is_delivering_ = out_.kind == Out::Kind::fragment;
+  if (begin_hole(chains)) return;
+  Out& out = chains.outgoing();
+  is_delivering_ = out.kind == Out::Kind::fragment;
+  out.kind = Out::Kind::none;
   if (!is_delivering_) return;
-  out_.kind = Out::Kind::none;
-  last_ = out_.last;
-  came_ = out_.came;
-  start_ = out_.start;
-  first_ = Cursor(records, last_);
+  last_ = out.last;
+  event_.came = out.came;
+  event_.start = out.start;
+  event_.hole = false;
+  first_ = Cursor(chains.records(), last_);
 }
 
 // Runs of one direction go out as one.
 template <class Index, class Normal>
-bool Delivery<Index, Normal>::deliver_runs(Event& event, const Records& records, const Sink& sink,
-                                           Statistics& statistics) {
-  const Cursor first = first_;
-  Cursor cursor = cursor_;
-  do {
-    cursor_ = cursor;
-    const Slot& slot = cursor.slot(records);
-    event.run = long_run(slot.run);
-    if constexpr (sizeof(Slot) > sizeof(ShortRun)) event.normal = slot.normal();
-    do cursor.advance(records);
-    while (cursor != first && event.run.absorb(long_run(cursor.run(records))));
-    if (sink.take(sink.context, event) != Answer::taken) return false;
-    statistics.links += event.run.length();
-  } while (cursor != first);
-  return true;
+void Delivery<Index, Normal>::next_run(const Records& records) {
+  event_.kind = Event::Kind::run;
+  const Slot& slot = cursor_.slot(records);
+  event_.run = long_run(slot.run);
+  if constexpr (sizeof(Slot) > sizeof(ShortRun)) event_.normal = slot.normal();
+  do cursor_.advance(records);
+  while (cursor_ != first_ && event_.run.absorb(long_run(cursor_.run(records))));
 }
 
-// The sink has taken an event, or all runs of a chain: what comes next?
+// The sink has taken an event: what comes next?
 template <class Index, class Normal>
-void Delivery<Index, Normal>::go_on(Records& records, Statistics& statistics) {
-  switch (next_event_) {
+void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& statistics) {
+  Records& records = chains.records();
+  switch (event_.kind) {
     case Event::Kind::region:
-      next_event_ = Event::Kind::ring;
+      event_.kind = Event::Kind::ring;
       break;
     case Event::Kind::ring:
     case Event::Kind::fragment:
       cursor_ = first_;
-      next_event_ = Event::Kind::run;
+      next_run(records);
       break;
     case Event::Kind::run:
+      statistics.links += event_.run.length();
+      if (cursor_ != first_) return next_run(records);
       RunLists<Index, Normal>::give(records, last_);
       if (is_fragment_) {
-        next_event_ = Event::Kind::fragment_end;
+        event_.kind = Event::Kind::fragment_end;
         break;
       }
       ++statistics.rings;
-      next_event_ = begin_hole(records) ? Event::Kind::ring : Event::Kind::region_end;
+      event_.kind = begin_hole(chains) ? Event::Kind::ring : Event::Kind::region_end;
       break;
     case Event::Kind::region_end:
       ++statistics.regions;
+      chains.outgoing().kind = Out::Kind::none;
       is_delivering_ = false;
       break;
     default:  // fragment_end
       ++statistics.fragments;
-      begin_next_loose(records);
+      begin_next_loose(chains);
   }
 }
 

@@ -3,26 +3,20 @@
 #define DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 
 #include <discmc/extractor.hpp>
+#include <discmc/trace/seams.hpp>
 
 namespace discmc {
 
 template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::start(const Limits& limits, int32_t threshold,
-                                                Memory memory, const Sink& sink) {
-  return start(limits, default_capacities<Index, Normals>(limits, memory.bytes), threshold, memory,
-               sink);
-}
-
-template <class Index, class Normals, class Passes>
 Status Extractor<Index, Normals, Passes>::start(const Limits& limits, const Capacities& capacities,
-                                                int32_t threshold, Memory memory,
-                                                const Sink& sink) {
+                                                int32_t threshold, Memory memory, const Sink& sink,
+                                                AtSeam at_seam) {
   static_assert(sizeof(trace::Record<Index, Normal>) == sizing::record_bytes<Index, Normals>,
                 "what is said of the size of a record is true");
-  const bool is_slab = limits.slab.continues_below || limits.slab.continues_above;
   if (!limits.is_valid()) return Status::bad_limits;
   if (!is_valid<Index>(capacities)) return Status::bad_capacities;
-  if (sink.take == nullptr || (is_slab && !sink.takes_fragments())) return Status::bad_sink;
+  if (sink.take == nullptr || (at_seam != nullptr && !sink.takes_fragments()))
+    return Status::bad_sink;
   state_ = State::idle;
   // Member by member: what lies between them in the caller's is not for a checkpoint.
   limits_.width = limits.width;
@@ -35,6 +29,7 @@ Status Extractor<Index, Normals, Passes>::start(const Limits& limits, const Capa
   sink_ = sink;
   sends_fragments_ = sink.takes_fragments();
   threshold_ = threshold;
+  sweep_.fragments().set_at_seam(at_seam);
   if (!lay_out(memory)) return Status::too_little_memory;
   state_ = State::scanning;
   return reset();
@@ -180,6 +175,7 @@ Status Extractor<Index, Normals, Passes>::save(Checkpoint<Extractor>& checkpoint
   image.sink_ = {};
   image.lay_out({});
   image.sweep_.passes() = Passes{};
+  image.sweep_.fragments().set_at_seam(nullptr);
   image.memory_ = {nullptr, memory_.bytes};
   checkpoint.seal({memory_.data, bytes_used()});
   return Status::ok;
@@ -197,6 +193,7 @@ Status Extractor<Index, Normals, Passes>::restore(const Checkpoint<Extractor>& c
     return Status::too_little_memory;
   *this = image;
   sink_ = sink;
+  sweep_.fragments().set_at_seam(at_seam_of(limits_.slab));
   lay_out(memory);
   return Status::ok;
 }

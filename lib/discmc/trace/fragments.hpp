@@ -34,12 +34,14 @@ constexpr LinkSteps link_steps() {
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
-/// The longest side that is kept whole: two such sides may join, and places still tell the length.
-inline uint32_t longest_side(Link link) {
-  return ((1U << place_bits) >> link_steps.of[link].halvings) / 2 - 4;
+/// Whether a side from one place to another is as long as may be kept whole: two such sides may
+/// join, and places still tell the length.
+inline bool is_longest_side(Place from, Place to) {
+  constexpr uint32_t longest = 4080;
+  return (to - from + longest) % (1U << place_bits) >= 2 * longest;
 }
 
-/// How many links lead from one place to another. Limit: fewer than 2 * longest_side(link) + 8.
+/// How many links lead from one place to another. Limit: the places are less than 8,192 apart.
 inline uint32_t links_between(Place from, Place to, Link link) {
   constexpr uint32_t all = (1U << place_bits) - 1;
   const LinkStep step = link_steps.of[link];
@@ -91,7 +93,6 @@ class Fragments {
     records_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
-    is_below_lost_ = false;
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
@@ -99,20 +100,26 @@ class Fragments {
   template <class Normals>
   void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
 
+  /// What a slab does with a chain where it ends. Reached through a pointer: other programs do not
+  /// link it.
+  using AtSeam = void (*)(Fragments& fragments, const Pass& pass, const Vertex& vertex, bool ends);
+  static void cut_at_seam(Fragments& fragments, const Pass& pass, const Vertex& vertex, bool ends);
+  /// at_seam: cut_at_seam, or null for a whole volume.
+  void set_at_seam(AtSeam at_seam) { at_seam_ = at_seam; }
+
   /// At a vertex of the slice above a slab: the chains that come up to it end there, and those that
   /// go down from it begin below, loose. Limits and cost as take().
-  void end_at(const Pass& pass, const Vertex& vertex);
-  void begin_below(const Pass& pass, const Vertex& vertex);
+  void end_at(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, true); }
+  void begin_below(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, false); }
 
   /// Whether what comes from below is another slab's.
-  void set_below_is_lost(bool is_lost) { is_below_lost_ = is_lost; }
+  void set_below_is_lost(bool is_lost) {
+    queues_.lose_from(is_lost ? first_rising_queue : queue_count);
+  }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
-  Outgoing<Index> take_outgoing() {
-    const Outgoing<Index> out = outgoing_;
-    outgoing_.kind = Outgoing<Index>::Kind::none;
-    return out;
-  }
+  /// What goes out, until whoever delivers it sets its kind to none.
+  Outgoing<Index>& outgoing() { return outgoing_; }
   Records& records() { return records_; }
   const Records& records() const { return records_; }
   /// Records that may be taken without more ado.
@@ -124,7 +131,7 @@ class Fragments {
 
   EndRecord& end(Index index) { return records_[index].end; }
   static Direction direction(const Pass& pass, Link link) {
-    return sector_table.direction[pass.incidence][link];
+    return sector_table.direction(pass.incidence, link);
   }
   // Where the side begins that a chain leaves along, and the vertex that it comes to.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
@@ -135,7 +142,9 @@ class Fragments {
   }
 
   template <class Normals>
-  void begin_and_lose(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  static Normal normal_where(bool is_corner, const Vertex& vertex, const Normals& normals) {
+    return is_corner ? normals.normal_at(vertex) : Normal{};
+  }
   template <class Normals>
   Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
   template <class Normals>
@@ -159,21 +168,19 @@ class Fragments {
   }
   void turn_back(const Pass& pass, Index begin, Link onwards, Place corner, Link came,
                  Normal normal);
-  void meet_begin(const Pass& pass, const Vertex& vertex, Index tail);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
+  void end_at_seam(const Pass& pass, const Vertex& vertex);
+  void begin_below_seam(const Pass& pass, const Vertex& vertex);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
   void connect(Index begin, Index tail, Index list);
 
-  [[gnu::always_inline]] Index pop(uint8_t queue) {
-    const bool is_lost = is_below_lost_ && queue >= first_rising_queue;
-    return is_lost ? Index{no_record} : queues_.pop(records_, queue);
-  }
+  Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
   // Whether an end may wait.
-  bool admits(uint8_t queue, bool has_loose_mate) const {
-    return spare() >= enough_for_ends_ || spare() >= least_spare(queue, has_loose_mate);
+  bool admits(uint8_t queue, Index mate) const {
+    return spare() >= enough_for_ends_ || spare() >= least_spare(queue, mate);
   }
-  uint32_t least_spare(uint8_t queue, bool has_loose_mate) const;
+  uint32_t least_spare(uint8_t queue, Index mate) const;
   // Whether fragments may have to be sent early.
   bool is_short() const { return spare() < plenty_; }
   bool should_send(Index list, Index other = no_record) const {
@@ -183,13 +190,13 @@ class Fragments {
   Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  bool is_below_lost_ = false;
   uint32_t plenty_ = 0;
   uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;
   Records records_;
   Queues<Index, Normal> queues_;
+  AtSeam at_seam_ = nullptr;
 };
 
 // ---- implementation ----
@@ -199,50 +206,36 @@ template <class Normals>
 [[gnu::noinline]] void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
                                                       const Normals& normals) {
   const Place here = place_of(vertex);
+  const Index begin = pass.goes_ahead() ? Index{no_record} : pop(pass.out);
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
-    if (!pass.goes_ahead()) {
-      const Index begin = pop(pass.out);
-      if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
-      return begin_and_lose(pass, vertex, normals);
-    }
+    if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
     tail = begin_fragment(pass, vertex, normals);
   } else {
     tail = pop(pass.in);
     if (tail == no_record) {
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
-    } else if (pass.turns()) {
-      turn(pass, tail, pass.came, here, pass.first, normals.normal_at(vertex));
-      has_new_runs = true;
-    } else if (links_between(end(tail).side.place(), here, pass.came) >= longest_side(pass.came)) {
-      turn(pass, tail, pass.came, here, pass.first, {});
+    } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
+      turn(pass, tail, pass.came, here, pass.first, normal_where(pass.turns(), vertex, normals));
       has_new_runs = true;
     }
   }
   if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
-  if (!pass.goes_ahead()) return meet_begin(pass, vertex, tail);
-  if (!admits(pass.out, is_loose(end(tail).mate))) {
+  if (begin != no_record) return join(pass, vertex, tail, begin);
+  if (pass.goes_ahead()) {
+    if (admits(pass.out, end(tail).mate)) {
+      queues_.push(records_, pass.out, tail);
+      if (has_new_runs && is_short()) send_tail(pass, vertex, tail);
+      return;
+    }
     queues_.push_lost(records_, pass.out);
-    return lose_tail(pass, vertex, tail);
   }
-  queues_.push(records_, pass.out, tail);
-  if (has_new_runs && is_short()) send_tail(pass, vertex, tail);
+  lose_tail(pass, vertex, tail);
 }
 
 // ---- how a chain comes to the vertex ----
-
-// It comes from ahead, and goes on along a link whose end was lost.
-template <class Index, class Normal>
-template <class Normals>
-[[gnu::noinline]] void Fragments<Index, Normal>::begin_and_lose(const Pass& pass,
-                                                                const Vertex& vertex,
-                                                                const Normals& normals) {
-  const Index tail = begin_fragment(pass, vertex, normals);
-  if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
-  lose_tail(pass, vertex, tail);
-}
 
 // A tail that starts here. mate: its fragment's begin, or where that is loose the mark for it.
 template <class Index, class Normal>
@@ -254,7 +247,7 @@ template <class Normals>
   record.mate = mate;
   record.last = no_record;
   record.side = Side(direction(pass, pass.first), place_of(vertex));
-  record.set_normal(pass.turns() ? normals.normal_at(vertex) : Normal{});
+  record.set_normal(normal_where(pass.turns(), vertex, normals));
   return tail;
 }
 
@@ -264,20 +257,17 @@ template <class Normals>
                                                                  const Vertex& vertex,
                                                                  const Normals& normals) {
   const Direction came = direction(pass, pass.came);
-  Index begin = no_record;
-  if (admits(pass.in, !pass.goes_ahead())) {
-    begin = records_.take();
-    queues_.push(records_, pass.in, begin);
+  Index mate = loose_end<Index>(came);
+  if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
+    mate = records_.take();
+    queues_.push(records_, pass.in, mate);
+    end(mate).last = no_record;
+    end(mate).side = Side(came, place_of(vertex));
   } else {
     queues_.push_lost(records_, pass.in);
   }
-  const Index mate = begin != no_record ? begin : loose_end<Index>(came);
   const Index tail = new_tail(pass, vertex, mate, normals);
-  if (begin == no_record) return tail;
-  EndRecord& record = end(begin);
-  record.mate = tail;
-  record.last = no_record;
-  record.side = Side(came, place_of(vertex));
+  if (!is_loose(mate)) end(mate).mate = tail;
   return tail;
 }
 
@@ -288,19 +278,17 @@ template <class Normals>
                                                                 const Vertex& vertex, Index begin,
                                                                 const Normals& normals) {
   const Place here = place_of(vertex);
-  const bool is_waiting = admits(pass.in, is_loose(end(begin).mate));
-  bool has_new_runs = true;
-  if (pass.turns_at_centroid()) {
+  const bool is_waiting = admits(pass.in, end(begin).mate);
+  bool has_new_runs = pass.turns_at_centroid();
+  if (has_new_runs) {
     const Vertex corner = last_corner(pass, vertex);
     turn_back(pass, begin, pass.second, place_of(corner), pass.first, normals.normal_at(corner));
   }
-  if (pass.turns())
-    turn_back(pass, begin, pass.first, here, pass.came, normals.normal_at(vertex));
-  else if (!is_waiting ||
-           links_between(here, end(begin).side.place(), pass.first) >= longest_side(pass.first))
-    turn_back(pass, begin, pass.first, here, pass.came, {});
-  else
-    has_new_runs = pass.turns_at_centroid();
+  if (pass.turns() || !is_waiting || is_longest_side(here, end(begin).side.place())) {
+    turn_back(pass, begin, pass.first, here, pass.came,
+              normal_where(pass.turns(), vertex, normals));
+    has_new_runs = true;
+  }
   if (!is_waiting) return lose_begin(pass, vertex, begin);
   queues_.push(records_, pass.in, begin);
   if (has_new_runs && is_short()) send_begin(pass, vertex, begin);
@@ -349,16 +337,6 @@ void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onw
 
 // ---- how it goes on ----
 
-// It goes on as one that has waited, or closes, or along a link whose end was lost.
-template <class Index, class Normal>
-void Fragments<Index, Normal>::meet_begin(const Pass& pass, const Vertex& vertex, Index tail) {
-  const Index begin = pop(pass.out);
-  if (begin != no_record)
-    join(pass, vertex, tail, begin);
-  else
-    lose_tail(pass, vertex, tail);
-}
-
 // The fragment ends loose at the next vertex.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Vertex& vertex, Index tail) {
@@ -375,30 +353,6 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
     return send(pass, record.mate, loose_end<Index>(), record.last,
                 begin_of(pass.incidence, record.last, vertex));
   connect(record.mate, loose_end<Index>(), record.last);
-}
-
-template <class Index, class Normal>
-void Fragments<Index, Normal>::end_at(const Pass& pass, const Vertex& vertex) {
-  if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
-  const Index tail = queues_.pop(records_, pass.in);
-  if (tail != no_record) end_tail(pass, tail, pass.came, vertex);
-}
-
-template <class Index, class Normal>
-void Fragments<Index, Normal>::begin_below(const Pass& pass, const Vertex& vertex) {
-  if (pass.goes_ahead() || pass.out < first_rising_queue) return;
-  const Index begin = queues_.pop(records_, pass.out);
-  if (begin == no_record) return;
-  const Vertex next = next_vertex(pass, vertex);
-  if (end(begin).side.place() != place_of(next))
-    turn_back(pass, begin, pass.second, place_of(next), pass.second, {});
-  const EndRecord record = end(begin);
-  const Index list = runs_of(begin);
-  records_.give(begin);
-  const Index loose = loose_end<Index>(direction(pass, pass.second));
-  if (list != no_record && (is_loose(record.mate) || should_send(list)))
-    return send(pass, loose, record.mate, list, next);
-  if (!is_loose(record.mate)) end(record.mate).mate = loose;
 }
 
 // The fragment goes on as one that has waited, or closes.
@@ -457,10 +411,10 @@ void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
 // others those are lost first whose chain has lost an end before, so that more regions stay whole,
 // and those behind a lost one, where that takes no record.
 template <class Index, class Normal>
-uint32_t Fragments<Index, Normal>::least_spare(uint8_t queue, bool has_loose_mate) const {
+uint32_t Fragments<Index, Normal>::least_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return records_a_pass;
   uint32_t least = records_a_pass + kept_for_slice_;
-  if (has_loose_mate) least += kept_for_slice_ / 2;
+  if (is_loose(mate)) least += kept_for_slice_ / 2;
   if (queues_.last_is_lost(records_, queue)) least += kept_for_slice_ / 4;
   return least;
 }

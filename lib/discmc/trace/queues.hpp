@@ -66,21 +66,17 @@ class Queues {
     queue.tail = lost;
   }
 
+  /// Takes everything that is asked for in these queues and those behind them for lost.
+  void lose_from(int number) { first_lost_ = static_cast<uint8_t>(number); }
+
   /// Takes out what has waited longest: an end, or no_record for one that was lost.
-  [[gnu::always_inline]] Index pop(Records& records, uint8_t number) {
+  Index pop(Records& records, uint8_t number) {
+    if (number >= first_lost_) return no_record;
     Queue<Index>& queue = queues_[number];
     const Index head = queue.head;
-    if (is_count(queue)) {
-      set_count(queue, count_of(queue) - 1);
-      return no_record;
-    }
-    const End<Index, Normal>& end = records[head].end;
-    if (end.mate == no_record) {
-      pop_lost(records, queue);
-      return no_record;
-    }
-    queue.head = end.next;
-    if (end.next == no_record) records.release();
+    if (is_count(queue) || records[head].end.mate == no_record) return pop_lost(records, queue);
+    queue.head = records[head].linked.next;
+    if (queue.head == no_record) records.release();
     return head;
   }
 
@@ -118,16 +114,23 @@ class Queues {
     queue.head = lost;
     records.reserve();
   }
-  [[gnu::noinline]] void pop_lost(Records& records, Queue<Index>& queue) {
+  [[gnu::noinline]] Index pop_lost(Records& records, Queue<Index>& queue) {
+    if (is_count(queue)) {
+      set_count(queue, count_of(queue) - 1);
+      return no_record;
+    }
     const Index lost = queue.head;
     End<Index, Normal>& end = records[lost].end;
-    const uint32_t count = lost_of(end) - 1;
-    if (count > 0) return set_lost(end, count);
-    queue.head = end.next;
-    records.give(lost);
+    set_lost(end, lost_of(end) - 1);
+    if (lost_of(end) == 0) {
+      queue.head = end.next;
+      records.give(lost);
+    }
+    return no_record;
   }
 
   Queue<Index>* queues_ = nullptr;
+  uint8_t first_lost_ = queue_count;
 };
 
 }  // namespace discmc::trace

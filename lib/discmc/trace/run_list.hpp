@@ -45,18 +45,6 @@ struct RunLists {
     return slot[2].run != 0 ? slot[2].run : slot[1].run != 0 ? slot[1].run : slot[0].run;
   }
 
-  /// Calls visit(run, record, slot) for each run, in order. Limit: not empty.
-  template <class Visit>
-  static void for_each(const Records& records, Index last, Visit visit) {
-    Index index = last;
-    do {
-      index = records[index].linked.next;
-      const Slot* const slot = records[index].runs.slot;
-      for (uint8_t i = 0; i < slots; ++i)
-        if (slot[i].run != 0) visit(slot[i].run, index, i);
-    } while (index != last);
-  }
-
   /// Makes one list of two, which are then void.
   static Index concatenate(Records& records, Index first, Index second) {
     if (first == no_record) return second;
@@ -116,33 +104,33 @@ class RunCursor {
   using Slot = typename RunRecord<Index, Normal>::Slot;
 
   RunCursor() = default;
-  /// At a slot that has a run.
-  RunCursor(Index record, uint8_t slot) : record_(record), slot_(slot) {}
   /// At the first run of a list. Limit: not empty.
-  RunCursor(const Records& records, Index last) : record_(records[last].linked.next) {
+  RunCursor(const Records& records, Index last) : place_(first_of(records[last].linked.next)) {
     if (run(records) == 0) advance(records);
   }
 
-  const Slot& slot(const Records& records) const { return records[record_].runs.slot[slot_]; }
+  const Slot& slot(const Records& records) const {
+    return records[record()].runs.slot[place_ % places];
+  }
   ShortRun run(const Records& records) const { return slot(records).run; }
   void advance(const Records& records) {
-    const RunRecord<Index, Normal>* record = &records[record_].runs;
     do {
-      if (++slot_ < RunLists<Index, Normal>::slots) continue;
-      slot_ = 0;
-      record_ = record->next;
-      record = &records[record_].runs;
-    } while (record->slot[slot_].run == 0);
+      ++place_;
+      if (place_ % places == RunLists<Index, Normal>::slots)
+        place_ = first_of(records[record()].linked.next);
+    } while (run(records) == 0);
   }
 
-  bool operator==(const RunCursor& other) const {
-    return record_ == other.record_ && slot_ == other.slot_;
-  }
-  bool operator!=(const RunCursor& other) const { return !(*this == other); }
+  bool operator==(const RunCursor& other) const { return place_ == other.place_; }
+  bool operator!=(const RunCursor& other) const { return place_ != other.place_; }
 
  private:
-  Index record_ = no_record;
-  uint8_t slot_ = 0;
+  static constexpr size_t places = 4;  // of a record: its slots, and one more
+
+  static size_t first_of(Index record) { return size_t{record} * places; }
+  Index record() const { return static_cast<Index>(place_ / places); }
+
+  size_t place_ = 0;
 };
 
 }  // namespace discmc::trace

@@ -296,6 +296,15 @@ constexpr void add_incidences(AxisTable& table, int axis) {
     }
 }
 
+constexpr void add_directions(SectorTable& table) {
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    for (Direction i = 0; i < direction_count(incidence); ++i) {
+      const Link link = link_of(incidence, i);
+      uint8_t& two = table.directions[incidence][link / 2];
+      two = static_cast<uint8_t>(two | i << 4 * (link % 2));
+    }
+}
+
 constexpr SectorTable derive_table() {
   SectorTable table{};
   for (int lower = 0; lower < 2; ++lower) {
@@ -308,10 +317,7 @@ constexpr SectorTable derive_table() {
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
       table.axis[axis].inwards[quadrant] = link_inwards(own_edge(axis, quadrant));
   }
-  for (int i = 0; i < incidence_codes; ++i)
-    for (Link link = 0; link < link_codes; ++link)
-      table.direction[i][link] =
-          i == no_incidence ? no_direction : direction_of(static_cast<Incidence>(i), link);
+  add_directions(table);
   QueueNumbers numbers;
   add_face_ways(table, numbers);
   add_spoke_ways(table, number_spoke_queues(table, numbers));

@@ -98,8 +98,13 @@ struct SectorTable {
   CellAtVertex cell[2][64];  ///< [lower end is on][bits of the quadrant's three lines]
   AxisTable axis[3];
   uint8_t face_way[2][4];  ///< [lower end is on][bits of the line]: one of the ways on the face
-  Direction direction[incidence_codes][link_codes];  ///< of a link in a plane, or no_direction
-  uint32_t part[32];  ///< of counts (CountParts), by the number that a sector has of it
+  uint8_t directions[incidence_codes][link_codes / 2];  ///< of two links in a plane, a nibble each
+  uint32_t part[15];  ///< of counts (CountParts), by the number that a sector has of it
+
+  /// Of a link in a plane, or 0 where it does not lie in it.
+  constexpr Direction direction(Incidence incidence, Link link) const {
+    return directions[incidence][link / 2] >> 4 * (link % 2) & 15;
+  }
 };
 
 extern const SectorTable sector_table;

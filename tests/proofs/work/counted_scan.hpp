@@ -67,8 +67,8 @@ class CountedScan {
     uint64_t events = 0, holes = 0, hole_runs = 0;
     bool is_in_hole = false;
     Answer take(const Event& event) {
-      // A long side is kept in pieces (trace::longest_side()).
-      events += 1 + event.run.length() / 1020;
+      // A long side is kept in pieces (trace::is_longest_side()).
+      events += 1 + event.run.length() / 680;
       if (event.kind == Event::Kind::ring || event.kind == Event::Kind::fragment)
         holes += is_in_hole = event.hole;
       if (event.kind == Event::Kind::run) hole_runs += is_in_hole;

@@ -1,0 +1,45 @@
+// Where a slab ends: included where Extractor is instantiated, so that only programs that scan
+// slabs link it.
+#ifndef DISCMC_TRACE_SEAMS_HPP
+#define DISCMC_TRACE_SEAMS_HPP
+
+#include <discmc/trace/fragments.hpp>
+
+namespace discmc::trace {
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::cut_at_seam(Fragments& fragments, const Pass& pass,
+                                           const Vertex& vertex, bool ends) {
+  if (ends)
+    fragments.end_at_seam(pass, vertex);
+  else
+    fragments.begin_below_seam(pass, vertex);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& vertex) {
+  if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
+  const Index tail = pop(pass.in);
+  if (tail != no_record) end_tail(pass, tail, pass.came, vertex);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::begin_below_seam(const Pass& pass, const Vertex& vertex) {
+  if (pass.goes_ahead() || pass.out < first_rising_queue) return;
+  const Index begin = pop(pass.out);
+  if (begin == no_record) return;
+  const Vertex next = next_vertex(pass, vertex);
+  if (end(begin).side.place() != place_of(next))
+    turn_back(pass, begin, pass.second, place_of(next), pass.second, {});
+  const EndRecord record = end(begin);
+  const Index list = runs_of(begin);
+  records_.give(begin);
+  const Index loose = loose_end<Index>(direction(pass, pass.second));
+  if (list != no_record && (is_loose(record.mate) || should_send(list)))
+    return send(pass, loose, record.mate, list, next);
+  if (!is_loose(record.mate)) end(record.mate).mate = loose;
+}
+
+}  // namespace discmc::trace
+
+#endif
