@@ -1,4 +1,4 @@
-#include <string.h>
+
 #include <discmc/compiler.hpp>
 #include <discmc/trace/learnt_passes.hpp>
 
@@ -123,15 +123,15 @@ void LearntPasses::look_up(const SweptRow& row, CellCounts& counts) {
         known != nullptr ? known[place].code ^ edge.key << count_bits : most_learnt + 1;
     if (absent == 0 && count <= most_learnt) {
       // Four, whatever the count.
-      memcpy(pass_ + passes, learnt + place, sizeof(Learnt));
-      memset(of_ + passes, static_cast<uint8_t>(vertices), most_learnt);
+      __builtin_memcpy(pass_ + passes, learnt + place, sizeof(Learnt));
+      __builtin_memset(of_ + passes, static_cast<uint8_t>(vertices), most_learnt);
       sum.add(known[place].parts);
     } else {
       PassList list;
       derive(row, edge, absent, list);
       count = list.count;
       for (uint32_t k = 0; k < count; ++k) pass_[passes + k] = list.pass[k];
-      memset(of_ + passes, static_cast<uint8_t>(vertices), count);
+      __builtin_memset(of_ + passes, static_cast<uint8_t>(vertices), count);
       sum.add(list.parts);
       if (known != nullptr && absent == 0) learn(edge.key, place, list);
     }
