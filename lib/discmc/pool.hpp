@@ -37,9 +37,10 @@ class RecordAccount {
   /// The most that have been in use at once, those reserved not counted.
   uint32_t high_water() const { return fresh_; }
 
-  /// Sets a record aside, whichever it will be, until it is released. Limit: available() > 0.
-  void reserve() { --available_; }
-  void release() { ++available_; }
+  /// Sets records aside, whichever they will be, until they are released. Limit: so many are
+  /// available().
+  void reserve(uint32_t count = 1) { available_ -= count; }
+  void release(uint32_t count = 1) { available_ += count; }
 
  protected:
   Index take(uint32_t record_bytes) {

@@ -49,6 +49,8 @@ class Delivery {
 
   /// Delivers what goes out, if anything. False when the sink said "not now": call again.
   bool settle(Chains& chains, const Sink& sink, Statistics& statistics);
+  /// The same, faster, on hosts: see flat_ring.hpp.
+  bool settle_at_once(Chains& chains, const Sink& sink, Statistics& statistics);
 
   /// After the last vertex: delivers holes that still wait, loose. As settle().
   bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);

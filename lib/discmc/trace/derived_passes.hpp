@@ -10,6 +10,8 @@ namespace discmc::trace {
 
 class DerivedPasses {
  public:
+  static constexpr bool finds_many = false;
+
   /// Forgets where it is in a row, and what it has found.
   void clear() {
     passes_.count = 0;

@@ -67,6 +67,10 @@ struct Outgoing {
   Vertex start{0, 0, 0};
 };
 
+/// What a pass finds. Ample: no chain has been cut so far, and there is room for all that the pass
+/// may take, so none will be. Then there is less to ask; what comes of it is the same.
+enum class Supply : uint8_t { scarce, ample };
+
 /// Index and Normal as of the records.
 template <class Index, class Normal>
 class Fragments {
@@ -93,12 +97,24 @@ class Fragments {
     records_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
+    is_cut_ = false;
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
   /// normals.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
   template <class Normals>
-  void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  [[gnu::noinline]] void take(const Pass& pass, const Vertex& vertex, const Normals& normals) {
+    take_from<Supply::scarce>(pass, vertex, normals);
+  }
+  /// The same, faster, where the supply is ample.
+  template <class Normals>
+  void take_amply(const Pass& pass, const Vertex& vertex, const Normals& normals) {
+    if (!go_straight(pass, vertex)) take_from<Supply::ample>(pass, vertex, normals);
+  }
+  /// Whether the supply is ample for so many passes.
+  bool has_ample(uint32_t passes) const {
+    return !is_cut_ && spare() >= plenty_ + enough_for_ends_ + records_a_pass * passes;
+  }
 
   /// What a slab does with a chain where it ends. Reached through a pointer: other programs do not
   /// link it.
@@ -115,6 +131,7 @@ class Fragments {
   /// Whether what comes from below is another slab's.
   void set_below_is_lost(bool is_lost) {
     queues_.lose_from(is_lost ? first_rising_queue : queue_count);
+    if (is_lost) is_cut_ = true;
   }
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
@@ -145,11 +162,15 @@ class Fragments {
   static Normal normal_where(bool is_corner, const Vertex& vertex, const Normals& normals) {
     return is_corner ? normals.normal_at(vertex) : Normal{};
   }
-  template <class Normals>
+  template <Supply supply, class Normals>
+  void take_from(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  // Takes a chain that goes straight on: all that happens is that its end changes queues.
+  bool go_straight(const Pass& pass, const Vertex& vertex);
+  template <Supply supply, class Normals>
   Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
   template <class Normals>
   Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
-  template <class Normals>
+  template <Supply supply, class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
   void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
   void send_begin(const Pass& pass, const Vertex& vertex, Index begin);
@@ -172,24 +193,51 @@ class Fragments {
   void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
   void end_at_seam(const Pass& pass, const Vertex& vertex);
   void begin_below_seam(const Pass& pass, const Vertex& vertex);
+  template <Supply supply>
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
+  template <Supply supply = Supply::scarce>
   void connect(Index begin, Index tail, Index list);
 
-  Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
+  template <Supply supply = Supply::scarce>
+  Index pop(uint8_t queue) {
+    if (supply == Supply::ample) return queues_.pop_end(records_, queue);
+    return queues_.pop(records_, queue);
+  }
+  template <Supply supply>
+  void push(uint8_t queue, Index end) {
+    if (supply == Supply::ample) return queues_.push_end(records_, queue, end);
+    queues_.push(records_, queue, end);
+  }
+  void push_lost(uint8_t queue) {
+    is_cut_ = true;
+    queues_.push_lost(records_, queue);
+  }
+  // Whether the other end is loose.
+  template <Supply supply>
+  static bool is_cut(Index mate) {
+    return supply == Supply::scarce && is_loose(mate);
+  }
   // Whether an end may wait.
+  template <Supply supply>
   bool admits(uint8_t queue, Index mate) const {
-    return spare() >= enough_for_ends_ || spare() >= least_spare(queue, mate);
+    return supply == Supply::ample || spare() >= enough_for_ends_ ||
+           spare() >= least_spare(queue, mate);
   }
   uint32_t least_spare(uint8_t queue, Index mate) const;
   // Whether fragments may have to be sent early.
-  bool is_short() const { return spare() < plenty_; }
+  template <Supply supply = Supply::scarce>
+  bool is_short() const {
+    return supply == Supply::scarce && spare() < plenty_;
+  }
+  template <Supply supply = Supply::scarce>
   bool should_send(Index list, Index other = no_record) const {
-    return is_short() && is_long(list, other);
+    return is_short<supply>() && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
   Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
+  bool is_cut_ = false;  // a chain has been
   uint32_t plenty_ = 0;
   uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
@@ -202,19 +250,19 @@ class Fragments {
 // ---- implementation ----
 
 template <class Index, class Normal>
-template <class Normals>
-[[gnu::noinline]] void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
-                                                      const Normals& normals) {
+template <Supply supply, class Normals>
+void Fragments<Index, Normal>::take_from(const Pass& pass, const Vertex& vertex,
+                                         const Normals& normals) {
   const Place here = place_of(vertex);
-  const Index begin = pass.goes_ahead() ? Index{no_record} : pop(pass.out);
+  const Index begin = pass.goes_ahead() ? Index{no_record} : pop<supply>(pass.out);
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
-    if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
-    tail = begin_fragment(pass, vertex, normals);
+    if (begin != no_record) return lengthen_begin<supply>(pass, vertex, begin, normals);
+    tail = begin_fragment<supply>(pass, vertex, normals);
   } else {
-    tail = pop(pass.in);
-    if (tail == no_record) {
+    tail = pop<supply>(pass.in);
+    if (supply == Supply::scarce && tail == no_record) {
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
     } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
@@ -223,16 +271,28 @@ template <class Normals>
     }
   }
   if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
-  if (begin != no_record) return join(pass, vertex, tail, begin);
+  if (begin != no_record) return join<supply>(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
-    if (admits(pass.out, end(tail).mate)) {
-      queues_.push(records_, pass.out, tail);
-      if (has_new_runs && is_short()) send_tail(pass, vertex, tail);
+    if (admits<supply>(pass.out, end(tail).mate)) {
+      push<supply>(pass.out, tail);
+      if (has_new_runs && is_short<supply>()) send_tail(pass, vertex, tail);
       return;
     }
-    queues_.push_lost(records_, pass.out);
+    push_lost(pass.out);
   }
   lose_tail(pass, vertex, tail);
+}
+
+template <class Index, class Normal>
+bool Fragments<Index, Normal>::go_straight(const Pass& pass, const Vertex& vertex) {
+  if (pass.turns() || pass.turns_at_centroid() || pass.comes_from_ahead == pass.goes_ahead())
+    return false;
+  const uint8_t from = pass.comes_from_ahead ? pass.out : pass.in;
+  const uint8_t to = pass.comes_from_ahead ? pass.in : pass.out;
+  const Index waiting = queues_.first(from);
+  if (is_longest_side(end(waiting).side.place(), place_of(vertex))) return false;
+  push<Supply::ample>(to, pop<Supply::ample>(from));
+  return true;
 }
 
 // ---- how a chain comes to the vertex ----
@@ -252,33 +312,33 @@ template <class Normals>
 }
 
 template <class Index, class Normal>
-template <class Normals>
+template <Supply supply, class Normals>
 [[gnu::noinline]] Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
                                                                  const Vertex& vertex,
                                                                  const Normals& normals) {
   const Direction came = direction(pass, pass.came);
   Index mate = loose_end<Index>(came);
-  if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
+  if (admits<supply>(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
     mate = records_.take();
-    queues_.push(records_, pass.in, mate);
+    push<supply>(pass.in, mate);
     end(mate).last = no_record;
     end(mate).side = Side(came, place_of(vertex));
   } else {
-    queues_.push_lost(records_, pass.in);
+    push_lost(pass.in);
   }
   const Index tail = new_tail(pass, vertex, mate, normals);
-  if (!is_loose(mate)) end(mate).mate = tail;
+  if (!is_cut<supply>(mate)) end(mate).mate = tail;
   return tail;
 }
 
 // A chain that comes from ahead goes on as a fragment that has waited for it.
 template <class Index, class Normal>
-template <class Normals>
+template <Supply supply, class Normals>
 [[gnu::noinline]] void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
                                                                 const Vertex& vertex, Index begin,
                                                                 const Normals& normals) {
   const Place here = place_of(vertex);
-  const bool is_waiting = admits(pass.in, end(begin).mate);
+  const bool is_waiting = admits<supply>(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
   if (has_new_runs) {
     const Vertex corner = last_corner(pass, vertex);
@@ -290,8 +350,8 @@ template <class Normals>
     has_new_runs = true;
   }
   if (!is_waiting) return lose_begin(pass, vertex, begin);
-  queues_.push(records_, pass.in, begin);
-  if (has_new_runs && is_short()) send_begin(pass, vertex, begin);
+  push<supply>(pass.in, begin);
+  if (has_new_runs && is_short<supply>()) send_begin(pass, vertex, begin);
 }
 
 // The fragment begins loose at the vertex.
@@ -299,7 +359,7 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::lose_begin(const Pass& pass, const Vertex& vertex, Index begin) {
   const Index tail = end(begin).mate;
   const Index list = runs_of(begin);
-  queues_.push_lost(records_, pass.in);
+  push_lost(pass.in);
   records_.give(begin);
   const Index loose = loose_end<Index>(direction(pass, pass.came));
   if (is_loose(tail) || should_send(list)) return send(pass, loose, tail, list, vertex);
@@ -357,14 +417,15 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
 
 // The fragment goes on as one that has waited, or closes.
 template <class Index, class Normal>
+template <Supply supply>
 void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
                                     Index begin) {
   const EndRecord after = end(begin);
   EndRecord before = end(tail);
   const bool is_closed = before.mate == begin;
-  Index list = is_closed              ? Index{no_record}
-               : is_loose(after.mate) ? after.last
-                                      : end(after.mate).last;
+  Index list = is_closed                    ? Index{no_record}
+               : is_cut<supply>(after.mate) ? after.last
+                                            : end(after.mate).last;
   Slot run;
   run.run = short_run(after.side.direction(),
                       links_between(before.side.place(), after.side.place(), pass.second));
@@ -376,10 +437,11 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
     Lists::append(records_, before.last, run);
   records_.give(tail);
   records_.give(begin);
-  const bool is_sent = is_closed || (is_loose(before.mate) && is_loose(after.mate)) ||
-                       should_send(before.last, list);
+  const bool is_sent = is_closed || (is_cut<supply>(before.mate) && is_cut<supply>(after.mate)) ||
+                       should_send<supply>(before.last, list);
   if (!is_sent)
-    return connect(before.mate, after.mate, Lists::concatenate(records_, before.last, list));
+    return connect<supply>(before.mate, after.mate,
+                           Lists::concatenate(records_, before.last, list));
   const Vertex last = last_corner(pass, vertex);
   const Vertex corner =
       moved(last, pass.second, links_between(place_of(last), after.side.place(), pass.second));
@@ -394,12 +456,13 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
 
 // Makes the two ends of a fragment name each other, and one of them its runs.
 template <class Index, class Normal>
+template <Supply supply>
 void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
-  if (!is_loose(begin)) {
+  if (!is_cut<supply>(begin)) {
     end(begin).mate = tail;
-    end(begin).last = is_loose(tail) ? list : Index{no_record};
+    end(begin).last = is_cut<supply>(tail) ? list : Index{no_record};
   }
-  if (!is_loose(tail)) {
+  if (!is_cut<supply>(tail)) {
     end(tail).mate = begin;
     end(tail).last = list;
   }
@@ -466,6 +529,7 @@ Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index list,
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, Index list,
                                     const Vertex& start) {
+  is_cut_ = true;
   const Direction came =
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
   outgoing_ = {Outgoing<Index>::Kind::fragment, pass.incidence, came, list, start};

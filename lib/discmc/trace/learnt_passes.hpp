@@ -23,12 +23,15 @@ class LearntPasses {
   void learn_in(Memory memory);
 
   // As DerivedPasses has them.
+  static constexpr bool finds_many = true;
   void clear() { word_ = edges_ = passes_ = next_ = 0; }
   bool find(const SweptRow& row, CellCounts& counts);
   bool has_next() const { return next_ < passes_; }
   const Pass& pass() const { return pass_[next_]; }
   const Vertex& vertex() const { return vertex_[of_[next_]]; }
   void advance() { ++next_; }
+  /// How many have been found and not taken.
+  uint32_t left() const { return passes_ - next_; }
 
  private:
   static constexpr uint32_t most_entry_bits = 20;

@@ -5,6 +5,7 @@
 
 #include <discmc/trace/delivery.hpp>
 #include <discmc/trace/derived_passes.hpp>
+#include <discmc/trace/flat_ring.hpp>
 
 namespace discmc::trace {
 
@@ -35,6 +36,9 @@ class Sweep {
   }
 
  private:
+  template <class Normals>
+  bool take_passes(const Normals& normals, const Sink& sink, Statistics& statistics);
+
   Passes passes_;
   CellCounts counts_;
   Fragments<Index, Normal> fragments_;
@@ -47,6 +51,11 @@ bool Sweep<Index, Normal, Passes>::sweep(const SweptRow& row, const Normals& nor
                                          const Sink& sink, Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   do {
+    if constexpr (Passes::finds_many) {
+      if (row.work == RowWork::take_passes && fragments_.has_ample(passes_.left()) &&
+          !take_passes(normals, sink, statistics))
+        return false;
+    }
     while (passes_.has_next()) {
       const Pass& pass = passes_.pass();
       const Vertex& vertex = passes_.vertex();
@@ -62,6 +71,22 @@ bool Sweep<Index, Normal, Passes>::sweep(const SweptRow& row, const Normals& nor
     }
   } while (passes_.find(row, counts_));
   counts_.add_to(statistics);
+  return true;
+}
+
+// Takes the passes that have been found, for which there is ample supply.
+template <class Index, class Normal, class Passes>
+template <class Normals>
+bool Sweep<Index, Normal, Passes>::take_passes(const Normals& normals, const Sink& sink,
+                                               Statistics& statistics) {
+  while (passes_.has_next()) {
+    const Pass& pass = passes_.pass();
+    const Vertex& vertex = passes_.vertex();
+    passes_.advance();
+    fragments_.take_amply(pass, vertex, normals);
+    if (fragments_.has_outgoing() && !delivery_.settle_at_once(fragments_, sink, statistics))
+      return false;
+  }
   return true;
 }
 
