@@ -359,37 +359,38 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
 template <class Index, class Normal>
 void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
                                     Index begin) {
-  const EndRecord after = end(begin);
-  EndRecord before = end(tail);
-  const bool is_closed = before.mate == begin;
-  Index list = is_closed              ? Index{no_record}
-               : is_loose(after.mate) ? after.last
-                                      : end(after.mate).last;
+  EndRecord& before = end(tail);
+  const Side after = end(begin).side;
+  const Index first_end = before.mate;
+  const Index last_end = end(begin).mate;
+  const bool is_closed = first_end == begin;
+  Index& runs_after = runs_of(begin);  // where it closes, those before
   Slot run;
-  run.run = short_run(after.side.direction(),
-                      links_between(before.side.place(), after.side.place(), pass.second));
+  run.run =
+      short_run(after.direction(), links_between(before.side.place(), after.place(), pass.second));
   run.set_normal(before.normal());
-  const bool is_prepended = before.last == no_record && list != no_record;
+  const bool is_prepended = before.last == no_record && runs_after != no_record;
   if (is_prepended)
-    Lists::prepend(records_, list, run);
+    Lists::prepend(records_, runs_after, run);
   else
     Lists::append(records_, before.last, run);
+  const Index list = before.last;
+  const Index list_after = runs_after;
   records_.give(tail);
   records_.give(begin);
-  const bool is_sent = is_closed || (is_loose(before.mate) && is_loose(after.mate)) ||
-                       should_send(before.last, list);
-  if (!is_sent)
-    return connect(before.mate, after.mate, Lists::concatenate(records_, before.last, list));
+  const bool is_loose_piece = is_loose(first_end) && is_loose(last_end);
+  if (!is_closed && !is_loose_piece && !should_send(list, list_after))
+    return connect(first_end, last_end, Lists::concatenate(records_, list, list_after));
   const Vertex last = last_corner(pass, vertex);
   const Vertex corner =
-      moved(last, pass.second, links_between(place_of(last), after.side.place(), pass.second));
+      moved(last, pass.second, links_between(place_of(last), after.place(), pass.second));
   if (is_closed) {
-    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, before.last, corner};
+    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, list, corner};
     return;
   }
   const Vertex start = is_prepended ? moved_back(corner, pass.second, length_of(run.run))
-                                    : begin_of(pass.incidence, before.last, corner);
-  send(pass, before.mate, after.mate, Lists::concatenate(records_, before.last, list), start);
+                                    : begin_of(pass.incidence, list, corner);
+  send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), start);
 }
 
 // Makes the two ends of a fragment name each other, and one of them its runs.
