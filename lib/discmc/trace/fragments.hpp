@@ -23,7 +23,7 @@ constexpr LinkSteps link_steps() {
   LinkSteps steps{};
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex v = link_vector(link);
-    int odd = v.x + 2 * v.y + 3 * v.z;
+    int odd = 3 * v.x + 2 * v.y + v.z;
     for (; odd % 2 == 0; odd /= 2) ++steps.of[link].halvings;
     uint32_t inverse = 1;
     while (((inverse * static_cast<uint32_t>(odd)) & (modulus - 1)) != 1) inverse += 2;

@@ -26,14 +26,14 @@ struct NormalPart<NoNormal> {
   void set_normal(NoNormal) {}
 };
 
-/// Where a vertex lies along a line of links, in one number whatever the line: x + 2 y + 3 z modulo
-/// 8,192. Every link changes it, by 1 to 6.
+/// Where a vertex lies along a line of links, in one number whatever the line: 3 x + 2 y + z modulo
+/// 8,192. Every link changes it, by 1 to 6; those along z by 2, as sides may be longest there.
 using Place = uint32_t;
 
 constexpr uint32_t place_bits = 13;
 constexpr Place place_of(const Vertex& v) {
-  return (static_cast<uint32_t>(v.x) + 2 * static_cast<uint32_t>(v.y) +
-          3 * static_cast<uint32_t>(v.z)) &
+  return (3 * static_cast<uint32_t>(v.x) + 2 * static_cast<uint32_t>(v.y) +
+          static_cast<uint32_t>(v.z)) &
          ((1U << place_bits) - 1);
 }
 
