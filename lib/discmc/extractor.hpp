@@ -169,6 +169,7 @@ class Extractor {
   void note(Arrival arrival);
 
   bool work();
+  uint32_t rows_outside(int32_t y) const;
   bool sweep_row();
   int32_t middle_slice() const;
   uint32_t ready_rows() const;

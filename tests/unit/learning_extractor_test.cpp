@@ -117,7 +117,7 @@ struct Rows {
     for (int i = 0; i < 9; ++i) row.rows.row[i / 3][i % 3] = words[i];
     row.words = 2;
     row.width = 40;
-    row.axes = 7;
+    row.has_y = row.has_z = true;
     return row;
   }
 };

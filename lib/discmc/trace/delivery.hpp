@@ -176,7 +176,7 @@ template <class Index, class Normal>
 bool Delivery<Index, Normal>::begin_hole(Chains& chains) {
   if (holes_due_ == 0) return false;
   --holes_due_;
-  holes_.take(chains.records(), chains.outgoing(), last_, event_.start);
+  holes_.take(chains.records(), last_, event_.start);
   begin_ring(chains.records());
   return true;
 }

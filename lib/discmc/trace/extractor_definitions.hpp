@@ -249,30 +249,42 @@ uint32_t Extractor<Index, Normals, Passes>::ready_rows() const {
   return is_closed || arrived == 0 ? arrived : arrived - 1;
 }
 
+// The rows of cells around row y that lie outside the volume, a bit each: 2 * layer + row.
+template <class Index, class Normals, class Passes>
+uint32_t Extractor<Index, Normals, Passes>::rows_outside(int32_t y) const {
+  if (limits_.border == Border::closed) return 0;
+  uint32_t outside = 0;
+  if (y == 0) outside |= 5;
+  if (y + 1 == static_cast<int32_t>(limits_.height)) outside |= 10;
+  if (middle_slice() == 0) outside |= 3;
+  if (is_last_slice()) outside |= 12;
+  return outside;
+}
+
 template <class Index, class Normals, class Passes>
 bool Extractor<Index, Normals, Passes>::sweep_row() {
   const bool is_open = limits_.border == Border::open;
+  const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
   const int32_t z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
                     (limits_.slab.continues_below ? 1 : 0);
-  trace::SweptRow row{rows_.around(y), rows_.words(), limits_.width, y, z, {}, is_open, 0, {}};
-  const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
-  const bool ends_behind = is_open && y + 1 == static_cast<int32_t>(limits_.height);
-  const bool ends_above = is_above_slab || (is_open && is_last_slice());
-  row.axes = static_cast<uint8_t>(7U - (ends_behind ? 2U : 0U) - (ends_above ? 4U : 0U));
-  // The rows of cells around that take no part, a bit each: 2 * layer + row.
-  uint32_t absent = (ends_behind ? 10U : 0U) | (ends_above ? 12U : 0U);
-  if (is_open && y == 0) absent |= 5;
-  if (is_open && middle_slice() == 0) absent |= 3;
+  uint32_t absent = rows_outside(y) | (is_above_slab ? 12U : 0U);
+  trace::SweptRow row;
+  row.rows = rows_.around(y);
+  row.words = rows_.words();
+  row.width = limits_.width;
+  row.y = y;
+  row.z = z;
+  row.has_open_ends = is_open;
+  row.work = !is_above_slab      ? trace::RowWork::take_passes
+             : chains_are_ended_ ? trace::RowWork::begin_chains
+                                 : trace::RowWork::end_chains;
   const trace::CellRows cells{limits_, row.rows, y, z, absent};
   if (sink_.sealing != nullptr &&
       !sink_.sealing->begin_row(sealed_, cells, sweep_.fragments().spare(), sink_, statistics_))
     return false;
-  sweep_.fragments().set_below_is_lost(limits_.slab.continues_below && middle_slice() == 1);
   row.set_missing(absent);
-  row.work = !is_above_slab      ? trace::RowWork::take_passes
-             : chains_are_ended_ ? trace::RowWork::begin_chains
-                                 : trace::RowWork::end_chains;
+  sweep_.fragments().set_below_is_lost(limits_.slab.continues_below && middle_slice() == 1);
   // Above a slab the row is swept twice: as an end does not know where it is, the chains that come
   // up to a vertex are ended there, and those that go down from it begin there.
   for (;;) {

@@ -23,7 +23,7 @@ constexpr LinkSteps link_steps() {
   LinkSteps steps{};
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex v = link_vector(link);
-    int odd = v.x + 2 * v.y + 3 * v.z;
+    int odd = 3 * v.x + 2 * v.y + v.z;
     for (; odd % 2 == 0; odd /= 2) ++steps.of[link].halvings;
     uint32_t inverse = 1;
     while (((inverse * static_cast<uint32_t>(odd)) & (modulus - 1)) != 1) inverse += 2;
@@ -176,9 +176,10 @@ class Fragments {
   void send_begin(const Pass& pass, const Vertex& vertex, Index begin);
   void send_tail(const Pass& pass, const Vertex& vertex, Index tail);
   // The runs of the fragment that has this begin.
+  template <Supply supply = Supply::scarce>
   Index& runs_of(Index begin) {
     EndRecord& record = end(begin);
-    return is_loose(record.mate) ? record.last : end(record.mate).last;
+    return is_cut<supply>(record.mate) ? record.last : end(record.mate).last;
   }
   void turn(const Pass& pass, Index tail, Link came, Place corner, Link onwards, Normal normal);
   template <class Normals>
@@ -420,38 +421,38 @@ template <class Index, class Normal>
 template <Supply supply>
 void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
                                     Index begin) {
-  const EndRecord after = end(begin);
-  EndRecord before = end(tail);
-  const bool is_closed = before.mate == begin;
-  Index list = is_closed                    ? Index{no_record}
-               : is_cut<supply>(after.mate) ? after.last
-                                            : end(after.mate).last;
+  EndRecord& before = end(tail);
+  const Side after = end(begin).side;
+  const Index first_end = before.mate;
+  const Index last_end = end(begin).mate;
+  const bool is_closed = first_end == begin;
+  Index& runs_after = runs_of<supply>(begin);  // where it closes, those before
   Slot run;
-  run.run = short_run(after.side.direction(),
-                      links_between(before.side.place(), after.side.place(), pass.second));
+  run.run =
+      short_run(after.direction(), links_between(before.side.place(), after.place(), pass.second));
   run.set_normal(before.normal());
-  const bool is_prepended = before.last == no_record && list != no_record;
+  const bool is_prepended = before.last == no_record && runs_after != no_record;
   if (is_prepended)
-    Lists::prepend(records_, list, run);
+    Lists::prepend(records_, runs_after, run);
   else
     Lists::append(records_, before.last, run);
+  const Index list = before.last;
+  const Index list_after = runs_after;
   records_.give(tail);
   records_.give(begin);
-  const bool is_sent = is_closed || (is_cut<supply>(before.mate) && is_cut<supply>(after.mate)) ||
-                       should_send<supply>(before.last, list);
-  if (!is_sent)
-    return connect<supply>(before.mate, after.mate,
-                           Lists::concatenate(records_, before.last, list));
+  const bool is_loose_piece = is_cut<supply>(first_end) && is_cut<supply>(last_end);
+  if (!is_closed && !is_loose_piece && !should_send<supply>(list, list_after))
+    return connect<supply>(first_end, last_end, Lists::concatenate(records_, list, list_after));
   const Vertex last = last_corner(pass, vertex);
   const Vertex corner =
-      moved(last, pass.second, links_between(place_of(last), after.side.place(), pass.second));
+      moved(last, pass.second, links_between(place_of(last), after.place(), pass.second));
   if (is_closed) {
-    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, before.last, corner};
+    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, list, corner};
     return;
   }
   const Vertex start = is_prepended ? moved_back(corner, pass.second, length_of(run.run))
-                                    : begin_of(pass.incidence, before.last, corner);
-  send(pass, before.mate, after.mate, Lists::concatenate(records_, before.last, list), start);
+                                    : begin_of(pass.incidence, list, corner);
+  send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), start);
 }
 
 // Makes the two ends of a fragment name each other, and one of them its runs.

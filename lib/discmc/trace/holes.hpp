@@ -31,6 +31,7 @@ class Holes {
   }
   void clear() {
     for (uint32_t i = 0; i <= heads_mask_; ++i) heads_[i] = no_record;
+    marked_list_ = 0;
     count_ = 0;
     high_water_ = 0;
   }
@@ -43,28 +44,29 @@ class Holes {
 
   /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
   /// is marked. Cost: the holes of the plane, times the ring's runs.
-  uint32_t mark(Records& records, const Outgoing<Index>& by) const;
+  uint32_t mark(Records& records, const Outgoing<Index>& by);
 
-  /// Takes a marked hole out: its runs, and where they start. Limit: there is one, and `by` marked
-  /// it.
-  void take(Records& records, const Outgoing<Index>& by, Index& last, Vertex& start);
+  /// Takes one of the holes out that were marked last: its runs, and where they start. Limit: there
+  /// is one.
+  void take(Records& records, Index& last, Vertex& start);
 
   /// A plane that has holes. Limit: count() > 0.
   void any_plane(const Records& records, Incidence& incidence, Vertex& at) const;
 
  private:
-  Index& head_of(Incidence incidence, int32_t plane) const {
+  uint32_t list_of(Incidence incidence, int32_t plane) const {
     // Multiplication by an odd constant near 2^32 over the golden ratio spreads neighbouring keys
     // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
     const uint32_t spread =
         (static_cast<uint32_t>(plane) * incidence_codes + incidence) * 0x9E3779B1U;
-    return heads_[spread >> 16 & heads_mask_];
+    return spread >> 16 & heads_mask_;
   }
   static bool surrounds(const Records& records, const Outgoing<Index>& ring, const Vertex& start,
                         Direction first);
 
   Index* heads_ = nullptr;
   uint32_t heads_mask_ = 0;
+  uint32_t marked_list_ = 0;
   uint32_t count_ = 0;
   uint32_t high_water_ = 0;
 };
@@ -76,7 +78,7 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
   const Index index = records.take();
   const Index start = records.take();
   records[start].hole_start.set(ring.start);
-  Index& head = head_of(ring.incidence, plane_offset(ring.incidence, ring.start));
+  Index& head = heads_[list_of(ring.incidence, plane_offset(ring.incidence, ring.start))];
   Hole<Index>& hole = records[index].hole;
   hole.next = head;
   hole.last = ring.last;
@@ -88,11 +90,12 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
 }
 
 template <class Index, class Normal>
-uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by) const {
+uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by) {
   uint32_t marked = 0;
   if (count_ == 0) return marked;
   const int32_t plane = plane_offset(by.incidence, by.start);
-  for (Index i = head_of(by.incidence, plane); i != no_record; i = records[i].linked.next) {
+  marked_list_ = list_of(by.incidence, plane);
+  for (Index i = heads_[marked_list_]; i != no_record; i = records[i].linked.next) {
     Hole<Index>& hole = records[i].hole;
     if (hole.incidence != by.incidence) continue;
     const Vertex start = records[hole.start].hole_start.get();
@@ -106,9 +109,8 @@ uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by)
 }
 
 template <class Index, class Normal>
-void Holes<Index, Normal>::take(Records& records, const Outgoing<Index>& by, Index& last,
-                                Vertex& start) {
-  Index* link = &head_of(by.incidence, plane_offset(by.incidence, by.start));
+void Holes<Index, Normal>::take(Records& records, Index& last, Vertex& start) {
+  Index* link = &heads_[marked_list_];
   while (records[*link].hole.is_marked == 0) link = &records[*link].linked.next;
   const Index index = *link;
   const Hole<Index>& hole = records[index].hole;

@@ -26,14 +26,14 @@ struct NormalPart<NoNormal> {
   void set_normal(NoNormal) {}
 };
 
-/// Where a vertex lies along a line of links, in one number whatever the line: x + 2 y + 3 z modulo
-/// 8,192. Every link changes it, by 1 to 6.
+/// Where a vertex lies along a line of links, in one number whatever the line: 3 x + 2 y + z modulo
+/// 8,192. Every link changes it, by 1 to 6; those along z by 2, as sides may be longest there.
 using Place = uint32_t;
 
 constexpr uint32_t place_bits = 13;
 constexpr Place place_of(const Vertex& v) {
-  return (static_cast<uint32_t>(v.x) + 2 * static_cast<uint32_t>(v.y) +
-          3 * static_cast<uint32_t>(v.z)) &
+  return (3 * static_cast<uint32_t>(v.x) + 2 * static_cast<uint32_t>(v.y) +
+          static_cast<uint32_t>(v.z)) &
          ((1U << place_bits) - 1);
 }
 
@@ -113,21 +113,16 @@ struct Hole : Linked<Index> {
 };
 template <class Index>
 struct HoleStart {
-  uint16_t part[4];  // x, y, lower and upper half of z
+  uint16_t x, y;  // and one: coordinates in a slice are -1 to 65,531
+  uint16_t z[2];  // lower and upper half
 
   void set(const Vertex& v) {
-    const uint32_t z = static_cast<uint32_t>(v.z);
-    const uint32_t parts[] = {static_cast<uint32_t>(v.x), static_cast<uint32_t>(v.y), z, z >> 16};
-    for (int i = 0; i < 4; ++i) part[i] = static_cast<uint16_t>(parts[i]);
+    x = static_cast<uint16_t>(v.x + 1);
+    y = static_cast<uint16_t>(v.y + 1);
+    z[0] = static_cast<uint16_t>(v.z);
+    z[1] = static_cast<uint16_t>(static_cast<uint32_t>(v.z) >> 16);
   }
-  Vertex get() const {
-    // Coordinates in a slice are -1 to 65,531.
-    const auto wide = [](uint16_t value) {
-      return value == 0xFFFF ? -1 : static_cast<int32_t>(value);
-    };
-    return {wide(part[0]), wide(part[1]),
-            static_cast<int32_t>(uint32_t{part[2]} | uint32_t{part[3]} << 16)};
-  }
+  Vertex get() const { return {x - 1, y - 1, static_cast<int32_t>(z[0] | uint32_t{z[1]} << 16)}; }
 };
 
 template <class Index, class Normal>

@@ -26,11 +26,14 @@ struct SweptRow {
   int32_t y, z;
   RowWork work;
   bool has_open_ends;  ///< its first and its last column are those of an open border
-  uint8_t axes;        ///< whose edges are there, a bit each
+  bool has_y, has_z;   ///< whether edges along y and z are visited
   uint8_t missing[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
 
-  /// cells: of the four rows of cells around, a bit each: 2 * layer + row.
+  /// cells: of the four rows of cells around, a bit each: 2 * layer + row. Where there are none
+  /// behind, or above, no edges along y, or z, are visited.
   void set_missing(uint32_t cells) {
+    has_y = (cells & 10) != 10;
+    has_z = (cells & 12) != 12;
     const uint32_t front_below = cells & 1, back_below = cells >> 1 & 1;
     const uint32_t front_above = cells >> 2 & 1, back_above = cells >> 3;
     missing[0] =
@@ -74,8 +77,8 @@ struct Crossings {
     const uint32_t z = here ^ rows[2][1][word];
     if (((x | y | z) & own_columns) == 0) return false;
     of[0] = x & (row.has_open_ends ? inner_columns(word, row.width) : own_columns);
-    of[1] = (row.axes & 2) != 0 ? y & own_columns : 0;
-    of[2] = (row.axes & 4) != 0 ? z & own_columns : 0;
+    of[1] = row.has_y ? y & own_columns : 0;
+    of[2] = row.has_z ? z & own_columns : 0;
     return true;
   }
 };
