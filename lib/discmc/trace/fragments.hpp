@@ -8,10 +8,12 @@
 
 namespace discmc::trace {
 
-/// Counts the links between two places: (to - from) / step, modulo a power of two. As step is
-/// odd * 2^halvings, and `inverse` that of odd, the division is a shift and a product.
+/// What a link adds to a place, and how to count links between two places: (to - from) / step,
+/// modulo a power of two. As step is odd * 2^halvings, and `inverse` that of odd, the division is a
+/// shift and a product.
 struct LinkStep {
-  uint16_t halvings;
+  int8_t step;
+  uint8_t halvings;
   uint16_t inverse;
 };
 struct LinkSteps {
@@ -22,8 +24,9 @@ constexpr LinkSteps link_steps() {
   constexpr uint32_t modulus = 1U << place_bits;
   LinkSteps steps{};
   for (Link link = 0; link < link_codes; ++link) {
-    const Vertex v = link_vector(link);
-    int odd = 3 * v.x + 2 * v.y + v.z;
+    const Place step = place_of(link_vector(link));
+    int odd = static_cast<int>(step < modulus / 2 ? step : step - modulus);
+    steps.of[link].step = static_cast<int8_t>(odd);
     for (; odd % 2 == 0; odd /= 2) ++steps.of[link].halvings;
     uint32_t inverse = 1;
     while (((inverse * static_cast<uint32_t>(odd)) & (modulus - 1)) != 1) inverse += 2;
@@ -46,6 +49,11 @@ inline uint32_t links_between(Place from, Place to, Link link) {
   constexpr uint32_t all = (1U << place_bits) - 1;
   const LinkStep step = link_steps.of[link];
   return (((to - from) & all) >> step.halvings) * step.inverse & (all >> step.halvings);
+}
+
+/// The place a link further on.
+inline Place moved(Place from, Link link) {
+  return from + static_cast<uint32_t>(link_steps.of[link].step);
 }
 
 /// v moved along a link. Coordinates wrap.
@@ -151,7 +159,7 @@ class Fragments {
   Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
   template <class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
-  void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
+  void lose_begin(const Pass& pass, Index begin, Link came, const Vertex& vertex);
   void send_begin(const Pass& pass, const Vertex& vertex, Index begin);
   void send_tail(const Pass& pass, const Vertex& vertex, Index tail);
   // The runs of the fragment that has this begin.
@@ -159,15 +167,14 @@ class Fragments {
     EndRecord& record = end(begin);
     return is_loose(record.mate) ? record.last : end(record.mate).last;
   }
-  void turn(const Pass& pass, Index tail, Link came, Place corner, Link onwards, Normal normal);
+  void turn(Index tail, Link came, Place corner, Direction onwards, Normal normal);
   template <class Normals>
   void turn_at_centroid(const Pass& pass, const Vertex& vertex, Index tail,
                         const Normals& normals) {
-    const Vertex corner = last_corner(pass, vertex);
-    turn(pass, tail, pass.first, place_of(corner), pass.second, normals.normal_at(corner));
+    turn(tail, pass.first, moved(place_of(vertex), pass.first), direction(pass, pass.second),
+         normals.normal_at(last_corner(pass, vertex)));
   }
-  void turn_back(const Pass& pass, Index begin, Link onwards, Place corner, Link came,
-                 Normal normal);
+  void turn_back(Index begin, Link onwards, Place corner, Direction came, Normal normal);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
   void end_at_seam(const Pass& pass, const Vertex& vertex);
@@ -218,7 +225,8 @@ template <class Normals>
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
     } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
-      turn(pass, tail, pass.came, here, pass.first, normal_where(pass.turns(), vertex, normals));
+      turn(tail, pass.came, here, direction(pass, pass.first),
+           normal_where(pass.turns(), vertex, normals));
       has_new_runs = true;
     }
   }
@@ -281,57 +289,61 @@ template <class Normals>
   const bool is_waiting = admits(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
   if (has_new_runs) {
-    const Vertex corner = last_corner(pass, vertex);
-    turn_back(pass, begin, pass.second, place_of(corner), pass.first, normals.normal_at(corner));
+    turn_back(begin, pass.second, moved(here, pass.first), direction(pass, pass.first),
+              normals.normal_at(last_corner(pass, vertex)));
   }
   if (pass.turns() || !is_waiting || is_longest_side(here, end(begin).side.place())) {
-    turn_back(pass, begin, pass.first, here, pass.came,
+    turn_back(begin, pass.first, here, direction(pass, pass.came),
               normal_where(pass.turns(), vertex, normals));
     has_new_runs = true;
   }
-  if (!is_waiting) return lose_begin(pass, vertex, begin);
+  if (!is_waiting) {
+    queues_.push_lost(records_, pass.in);
+    return lose_begin(pass, begin, pass.came, vertex);
+  }
   queues_.push(records_, pass.in, begin);
   if (has_new_runs && is_short()) send_begin(pass, vertex, begin);
 }
 
-// The fragment begins loose at the vertex.
+// The fragment begins loose at a vertex, where it comes by a link.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::lose_begin(const Pass& pass, const Vertex& vertex, Index begin) {
+void Fragments<Index, Normal>::lose_begin(const Pass& pass, Index begin, Link came,
+                                          const Vertex& vertex) {
   const Index tail = end(begin).mate;
   const Index list = runs_of(begin);
-  queues_.push_lost(records_, pass.in);
   records_.give(begin);
-  const Index loose = loose_end<Index>(direction(pass, pass.came));
-  if (is_loose(tail) || should_send(list)) return send(pass, loose, tail, list, vertex);
-  end(tail).mate = loose;
+  const Index loose = loose_end<Index>(direction(pass, came));
+  if (list != no_record && (is_loose(tail) || should_send(list)))
+    return send(pass, loose, tail, list, vertex);
+  if (!is_loose(tail)) end(tail).mate = loose;
 }
 
 // ---- corners ----
 
 // The side under way at a tail ends at a corner, and the next begins.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn(const Pass& pass, Index tail, Link came, Place corner,
-                                    Link onwards, Normal normal) {
+void Fragments<Index, Normal>::turn(Index tail, Link came, Place corner, Direction onwards,
+                                    Normal normal) {
   EndRecord& record = end(tail);
   const Side side = record.side;
   Slot run;
   run.run = short_run(side.direction(), links_between(side.place(), corner, came));
   run.set_normal(record.normal());
-  record.side = Side(direction(pass, onwards), corner);
+  record.side = Side(onwards, corner);
   record.set_normal(normal);
   Lists::append(records_, record.last, run);
 }
 
 // The side under way at a begin starts at a corner, and the one before it ends.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onwards, Place corner,
-                                         Link came, Normal normal) {
+void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner, Direction came,
+                                         Normal normal) {
   EndRecord& record = end(begin);
   const Side side = record.side;
   Slot run;
   run.run = short_run(side.direction(), links_between(corner, side.place(), onwards));
   run.set_normal(normal);
-  record.side = Side(direction(pass, came), corner);
+  record.side = Side(came, corner);
   Lists::prepend(records_, runs_of(begin), run);
 }
 
@@ -346,7 +358,7 @@ void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Vertex& vertex,
 template <class Index, class Normal>
 void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along,
                                         const Vertex& vertex) {
-  turn(pass, tail, along, place_of(vertex), along, {});
+  turn(tail, along, place_of(vertex), {}, {});
   const EndRecord record = end(tail);
   records_.give(tail);
   if (is_loose(record.mate) || should_send(record.last))
