@@ -213,7 +213,7 @@ enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
 /* With 16-bit indices: at most 32,759 records, which are 256 KiB. Hosts that give it more memory
  * use C++, where Extractor32 has no such limit. */
 typedef struct discmc_extractor {
-  uint64_t opaque[(sizeof(void*) == 8 ? 456 : 384) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 472 : 392) / 8];
 } discmc_extractor;
 
 /* Where a scan is, as plain bytes: see checkpoint.hpp. */

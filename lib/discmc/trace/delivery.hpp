@@ -37,8 +37,8 @@ class Delivery {
   using Chains = Fragments<Index, Normal>;
 
   /// heads: see Holes. most_holes: with as many waiting, further ones go out loose.
-  void start(Index* heads, uint32_t heads_count, uint32_t most_holes, bool sends) {
-    holes_.start(heads, heads_count);
+  void start(Index* heads, uint32_t most_holes, bool sends) {
+    holes_.start(heads);
     most_holes_ = most_holes;
     sends_ = sends;
   }
