@@ -198,6 +198,12 @@ constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
   return link_vector(link_of(incidence, direction));
 }
 
+/// Moves v along so many links of a direction; back by the complement of the number. Coordinates
+/// wrap.
+constexpr void move(Vertex& v, Incidence incidence, Direction direction, uint32_t count) {
+  move(v, direction_vector(incidence, direction), count);
+}
+
 /// The direction half a round on.
 constexpr Direction opposite_direction(Incidence incidence, Direction direction) {
   const int half = direction_count(incidence) / 2;

@@ -161,7 +161,7 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
       first_ = cursor;
       event_.came = before;
     }
-    if (has_begun) way = moved(way, link_of(incidence, direction), length_of(run));
+    if (has_begun) move(way, incidence, direction, length_of(run));
     before = direction;
     cursor.advance(records);
   } while (cursor != end);

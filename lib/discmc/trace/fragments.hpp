@@ -468,8 +468,8 @@ Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index list,
   const RunCursor<Index, Normal> first(records_, list);
   RunCursor<Index, Normal> cursor = first;
   do {
-    const Run run = long_run(cursor.run(records_));
-    at = moved_back(at, link_of(incidence, run.direction()), run.length());
+    const ShortRun run = cursor.run(records_);
+    move(at, incidence, direction_of(run), 0 - length_of(run));
     cursor.advance(records_);
   } while (cursor != first);
   return at;
