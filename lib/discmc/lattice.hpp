@@ -198,10 +198,13 @@ constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
   return link_vector(link_of(incidence, direction));
 }
 
-/// Moves v along so many links of a direction; back by the complement of the number. Coordinates
-/// wrap.
-constexpr void move(Vertex& v, Incidence incidence, Direction direction, uint32_t count) {
-  move(v, direction_vector(incidence, direction), count);
+/// Moves v so many times along a link, or a direction; back by the complement of the number.
+/// Coordinates wrap.
+constexpr void move(Vertex& v, Link link, uint32_t times) {
+  move(v, link_vector(link), times);
+}
+constexpr void move(Vertex& v, Incidence incidence, Direction direction, uint32_t times) {
+  move(v, link_of(incidence, direction), times);
 }
 
 /// The direction half a round on.

@@ -56,14 +56,6 @@ inline Place moved(Place from, Link link) {
   return from + static_cast<uint32_t>(link_steps.of[link].step);
 }
 
-/// v moved along a link. Coordinates wrap.
-inline Vertex moved(const Vertex& v, Link link, uint32_t times) {
-  return moved(v, link_vector(link), times);
-}
-inline Vertex moved_back(const Vertex& v, Link link, uint32_t times) {
-  return moved(v, link, 0 - times);
-}
-
 /// A chain that leaves the pool: a closed ring, or a loose fragment.
 template <class Index>
 struct Outgoing {
@@ -143,10 +135,15 @@ class Fragments {
   }
   // Where the side begins that a chain leaves along, and the vertex that it comes to.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
-    return pass.turns_at_centroid() ? moved(vertex, pass.first, 1) : vertex;
+    Vertex corner = vertex;
+    if (pass.turns_at_centroid()) move(corner, pass.first, 1);
+    return corner;
   }
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
-    return moved(pass.has_centroid() ? moved(vertex, pass.first, 1) : vertex, pass.second, 1);
+    Vertex next = vertex;
+    if (pass.has_centroid()) move(next, pass.first, 1);
+    move(next, pass.second, 1);
+    return next;
   }
 
   template <class Normals>
@@ -194,7 +191,7 @@ class Fragments {
     return is_short() && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
-  Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
+  void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
   uint32_t plenty_ = 0;
@@ -361,9 +358,11 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
   turn(tail, along, place_of(vertex), {}, {});
   const EndRecord record = end(tail);
   records_.give(tail);
-  if (is_loose(record.mate) || should_send(record.last))
-    return send(pass, record.mate, loose_end<Index>(), record.last,
-                begin_of(pass.incidence, record.last, vertex));
+  if (is_loose(record.mate) || should_send(record.last)) {
+    Vertex start = vertex;
+    move_to_begin(start, pass.incidence, record.last);
+    return send(pass, record.mate, loose_end<Index>(), record.last, start);
+  }
   connect(record.mate, loose_end<Index>(), record.last);
 }
 
@@ -393,16 +392,17 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   const bool is_loose_piece = is_loose(first_end) && is_loose(last_end);
   if (!is_closed && !is_loose_piece && !should_send(list, list_after))
     return connect(first_end, last_end, Lists::concatenate(records_, list, list_after));
-  const Vertex last = last_corner(pass, vertex);
-  const Vertex corner =
-      moved(last, pass.second, links_between(place_of(last), after.place(), pass.second));
+  Vertex corner = last_corner(pass, vertex);
+  move(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
   if (is_closed) {
     outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, list, corner};
     return;
   }
-  const Vertex start = is_prepended ? moved_back(corner, pass.second, length_of(run.run))
-                                    : begin_of(pass.incidence, list, corner);
-  send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), start);
+  if (is_prepended)
+    move(corner, pass.second, 0 - length_of(run.run));
+  else
+    move_to_begin(corner, pass.incidence, list);
+  send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), corner);
 }
 
 // Makes the two ends of a fragment name each other, and one of them its runs.
@@ -455,16 +455,15 @@ void Fragments<Index, Normal>::send_begin(const Pass& pass, const Vertex& vertex
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send_tail(const Pass& pass, const Vertex& vertex, Index tail) {
   const EndRecord& record = end(tail);
-  if (is_long(record.last, no_record))
-    send(pass, record.mate, tail, record.last,
-         begin_of(pass.incidence, record.last, last_corner(pass, vertex)));
+  if (!is_long(record.last, no_record)) return;
+  Vertex start = last_corner(pass, vertex);
+  move_to_begin(start, pass.incidence, record.last);
+  send(pass, record.mate, tail, record.last, start);
 }
 
-// Where a list of runs begins that ends at a vertex.
+// Moves a vertex from the end of a list of runs to where it begins.
 template <class Index, class Normal>
-Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index list,
-                                          const Vertex& end) const {
-  Vertex at = end;
+void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, Index list) const {
   const RunCursor<Index, Normal> first(records_, list);
   RunCursor<Index, Normal> cursor = first;
   do {
@@ -472,7 +471,6 @@ Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index list,
     move(at, incidence, direction_of(run), 0 - length_of(run));
     cursor.advance(records_);
   } while (cursor != first);
-  return at;
 }
 
 // Sends the runs of a fragment; what waits of it then begins or ends where they do.
