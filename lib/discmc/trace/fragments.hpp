@@ -165,15 +165,9 @@ class Fragments {
     return is_loose(record.mate) ? record.last : end(record.mate).last;
   }
   void turn(Index tail, Link came, Place corner, Direction onwards, Normal normal);
-  template <class Normals>
-  void turn_at_centroid(const Pass& pass, const Vertex& vertex, Index tail,
-                        const Normals& normals) {
-    turn(tail, pass.first, moved(place_of(vertex), pass.first), direction(pass, pass.second),
-         normals.normal_at(last_corner(pass, vertex)));
-  }
   void turn_back(Index begin, Link onwards, Place corner, Direction came, Normal normal);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
-  void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
+  void end_tail(const Pass& pass, Index tail, Link along, Vertex& at);
   void end_at_seam(const Pass& pass, const Vertex& vertex);
   void begin_below_seam(const Pass& pass, const Vertex& vertex);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
@@ -227,7 +221,9 @@ template <class Normals>
       has_new_runs = true;
     }
   }
-  if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
+  if (pass.turns_at_centroid())
+    turn(tail, pass.first, moved(here, pass.first), direction(pass, pass.second),
+         normals.normal_at(last_corner(pass, vertex)));
   if (begin != no_record) return join(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
     if (admits(pass.out, end(tail).mate)) {
@@ -349,21 +345,20 @@ void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner
 // The fragment ends loose at the next vertex.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Vertex& vertex, Index tail) {
-  end_tail(pass, tail, pass.second, next_vertex(pass, vertex));
+  Vertex next = next_vertex(pass, vertex);
+  end_tail(pass, tail, pass.second, next);
 }
 
+// It ends at a vertex, where it comes by a link. Moves the vertex.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along,
-                                        const Vertex& vertex) {
-  turn(tail, along, place_of(vertex), {}, {});
-  const EndRecord record = end(tail);
+void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along, Vertex& at) {
+  turn(tail, along, place_of(at), {}, {});
+  const Index begin = end(tail).mate;
+  const Index list = end(tail).last;
   records_.give(tail);
-  if (is_loose(record.mate) || should_send(record.last)) {
-    Vertex start = vertex;
-    move_to_begin(start, pass.incidence, record.last);
-    return send(pass, record.mate, loose_end<Index>(), record.last, start);
-  }
-  connect(record.mate, loose_end<Index>(), record.last);
+  if (!is_loose(begin) && !should_send(list)) return connect(begin, loose_end<Index>(), list);
+  move_to_begin(at, pass.incidence, list);
+  send(pass, begin, loose_end<Index>(), list, at);
 }
 
 // The fragment goes on as one that has waited, or closes.

@@ -20,7 +20,8 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& vertex) {
   if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
   const Index tail = pop(pass.in);
-  if (tail != no_record) end_tail(pass, tail, pass.came, vertex);
+  Vertex at = vertex;
+  if (tail != no_record) end_tail(pass, tail, pass.came, at);
 }
 
 template <class Index, class Normal>
