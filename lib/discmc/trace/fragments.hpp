@@ -186,6 +186,13 @@ class Fragments {
   }
   bool is_long(Index list, Index other) const;
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
+  void put_out(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
+               const Vertex& start) {
+    outgoing_.kind = kind;
+    outgoing_.incidence = incidence;
+    outgoing_.last = last;
+    outgoing_.start = start;
+  }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
   uint32_t plenty_ = 0;
@@ -390,7 +397,7 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   Vertex corner = last_corner(pass, vertex);
   move(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
   if (is_closed) {
-    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, list, corner};
+    put_out(Outgoing<Index>::Kind::ring, pass.incidence, list, corner);
     return;
   }
   if (is_prepended)
@@ -443,8 +450,10 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::send_begin(const Pass& pass, const Vertex& vertex, Index begin) {
   const Index list = runs_of(begin);
   if (!is_long(list, no_record)) return;
-  const bool starts_here = end(begin).side.place() == place_of(vertex);
-  send(pass, begin, end(begin).mate, list, starts_here ? vertex : last_corner(pass, vertex));
+  // At the vertex, or the centroid behind it.
+  Vertex start = vertex;
+  if (end(begin).side.place() != place_of(vertex)) move(start, pass.first, 1);
+  send(pass, begin, end(begin).mate, list, start);
 }
 
 template <class Index, class Normal>
@@ -474,7 +483,8 @@ void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, I
                                     const Vertex& start) {
   const Direction came =
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
-  outgoing_ = {Outgoing<Index>::Kind::fragment, pass.incidence, came, list, start};
+  put_out(Outgoing<Index>::Kind::fragment, pass.incidence, list, start);
+  outgoing_.came = came;
   const Direction last = direction_of(Lists::last_run(records_, list));
   connect(begin, loose_end<Index>(), no_record);
   connect(loose_end<Index>(last), tail, no_record);
