@@ -18,7 +18,7 @@ struct Capacities {
 
 namespace sizing {
 
-/// The lists in which holes are found.
+/// The lists in which holes are found: a power of two.
 constexpr uint32_t hole_lists = 16;
 
 constexpr uint32_t lesser(uint32_t a, uint32_t b) {

@@ -198,6 +198,15 @@ constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
   return link_vector(link_of(incidence, direction));
 }
 
+/// Moves v so many times along a link, or a direction; back by the complement of the number.
+/// Coordinates wrap.
+constexpr void move(Vertex& v, Link link, uint32_t times) {
+  move(v, link_vector(link), times);
+}
+constexpr void move(Vertex& v, Incidence incidence, Direction direction, uint32_t times) {
+  move(v, link_of(incidence, direction), times);
+}
+
 /// The direction half a round on.
 constexpr Direction opposite_direction(Incidence incidence, Direction direction) {
   const int half = direction_count(incidence) / 2;

@@ -22,7 +22,7 @@ uint32_t compact_runs(const Record& record, uint32_t first) {
   for (; end < record.count && record.word[end] != Record::ring_mark; ++end) {
     const Run run = Run::from_code(record.word[end]);
     if (run.length() > max_compact_length) return 0;
-    move(way, direction_vector(record.incidence, run.direction()), run.length());
+    move(way, record.incidence, run.direction(), run.length());
   }
   return way == Vertex{0, 0, 0} ? end - first : 0;
 }
@@ -33,7 +33,7 @@ Chain cheaper_end(const Record& record, const Vertex& before, Vertex& vertex) {
   for (uint32_t i = Record::ring_words; i < record.count; ++i) {
     Run run = Run::from_code(record.word[i]);
     if (i + 1 == record.count) run = Run::straight(run.direction(), run.length() - 1);
-    move(vertex, direction_vector(record.incidence, run.direction()), run.length());
+    move(vertex, record.incidence, run.direction(), run.length());
   }
   if (cost_of_vertex(vertex, before) < cost_of_vertex(start, before)) return Chain::backwards;
   vertex = start;

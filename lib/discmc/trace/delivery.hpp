@@ -37,8 +37,8 @@ class Delivery {
   using Chains = Fragments<Index, Normal>;
 
   /// heads: see Holes. most_holes: with as many waiting, further ones go out loose.
-  void start(Index* heads, uint32_t heads_count, uint32_t most_holes, bool sends) {
-    holes_.start(heads, heads_count);
+  void start(Index* heads, uint32_t most_holes, bool sends) {
+    holes_.start(heads);
     most_holes_ = most_holes;
     sends_ = sends;
   }
@@ -139,8 +139,8 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
 //
 // A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
 // front of the sweep, and there only some directions are left: so it takes few bits to tell. It is
-// a top: the ring ascends to it and descends from it. Most rings have one. A hole that touches
-// itself at its last vertex turns right there once, and an outer ring never.
+// a top: the ring ascends to it and descends from it. Most rings have one. At no vertex has a plane
+// two tops, so a ring passes its last vertex once; a hole turns right there, and no other ring.
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
   const Incidence incidence = event_.incidence;
@@ -148,7 +148,6 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
   constexpr Vertex here{0, 0, 0};
   Vertex way = here;  // from the last top so far
   bool has_begun = false;
-  bool is_hole = false;
   Direction before = direction_of(Lists::last_run(records, last_));
   const Cursor end(records, last_);
   Cursor cursor = end;
@@ -157,18 +156,17 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
     const Direction direction = direction_of(run);
     const bool is_top = (ascending >> before & ~(ascending >> direction) & 1) != 0;
     if (is_top && !precedes(way, here)) {
-      is_hole = (is_hole && way == here) || turns_right(incidence, before, direction);
       has_begun = true;
       way = here;
       first_ = cursor;
       event_.came = before;
     }
-    if (has_begun) way = moved(way, link_of(incidence, direction), length_of(run));
+    if (has_begun) move(way, incidence, direction, length_of(run));
     before = direction;
     cursor.advance(records);
   } while (cursor != end);
   event_.start = event_.start - way;
-  event_.hole = is_hole;
+  event_.hole = turns_right(incidence, event_.came, direction_of(first_.run(records)));
 }
 
 // Begins with the next of the marked holes. False when there is none.

@@ -47,7 +47,7 @@ bool Extractor<Index, Normals, Passes>::lay_out(Memory memory) {
   auto* const holes = arena.take<Index>(sizing::hole_lists);
   auto* const records = arena.take<trace::Record<Index, Normal>>(capacities_.records);
   sweep_.fragments().start(records, capacities_.records, queues, sends_fragments_);
-  sweep_.delivery().start(holes, sizing::hole_lists, capacities_.holes, sends_fragments_);
+  sweep_.delivery().start(holes, capacities_.holes, sends_fragments_);
   memory_ = memory;
   return !arena.is_exhausted();
 }

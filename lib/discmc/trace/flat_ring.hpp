@@ -47,10 +47,10 @@ class FlatRing {
 
   /// Copies the runs of a list. False when they are too many.
   bool load(const Pool<Record<Index, Normal>, Index>& records, Index last);
-  /// Finds where to begin, as Delivery does. False when that vertex is passed twice.
-  bool find_start(Incidence incidence);
+  /// Finds where to begin, as Delivery does.
+  void find_start(Incidence incidence);
 
-  /// Of the ring from its start on. Limit: find_start() has found it.
+  /// Of the ring from its start on. Limit: after find_start().
   bool is_hole() const { return is_hole_; }
   Direction came() const { return came_; }
   /// From where the list begins.
@@ -87,19 +87,17 @@ bool FlatRing<Index, Normal>::load(const Pool<Record<Index, Normal>, Index>& rec
 }
 
 template <class Index, class Normal>
-bool FlatRing<Index, Normal>::find_start(Incidence incidence) {
+void FlatRing<Index, Normal>::find_start(Incidence incidence) {
   const uint32_t ascending = ascending_directions.of[incidence];
   const PackedWay* const steps = packed_steps.of[incidence];
   constexpr PackedWay before_all = INT64_MIN;
   PackedWay way = 0;
   PackedWay last = before_all;
-  bool is_twice = false;
   Direction before = direction_of(slot_[count_ - 1].run);
   for (uint32_t i = 0; i < count_; ++i) {
     const Direction direction = direction_of(slot_[i].run);
     const bool is_top = (ascending >> before & ~(ascending >> direction) & 1) != 0;
-    if (is_top && way >= last) {
-      is_twice = way == last;
+    if (is_top && way > last) {
       last = way;
       start_ = i;
       came_ = before;
@@ -109,7 +107,6 @@ bool FlatRing<Index, Normal>::find_start(Incidence incidence) {
   }
   way_to_start_ = last;
   is_hole_ = turns_right(incidence, came_, direction_of(slot_[start_].run));
-  return !is_twice;
 }
 
 template <class Index, class Normal>
@@ -118,9 +115,10 @@ bool Delivery<Index, Normal>::settle_at_once(Chains& chains, const Sink& sink,
   Records& records = chains.records();
   Out& out = chains.outgoing();
   FlatRing<Index, Normal> ring;
-  if (is_delivering_ || out.kind != Out::Kind::ring || !ring.load(records, out.last) ||
-      !ring.find_start(out.incidence) || ring.is_hole() ||
-      (holes_.count() > 0 && holes_.mark(records, out) > 0))
+  if (is_delivering_ || out.kind != Out::Kind::ring || !ring.load(records, out.last))
+    return settle(chains, sink, statistics);
+  ring.find_start(out.incidence);
+  if (ring.is_hole() || (holes_.count() > 0 && holes_.mark(records, out) > 0))
     return settle(chains, sink, statistics);
 
   uint32_t taken = 0;

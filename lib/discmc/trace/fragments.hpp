@@ -8,10 +8,12 @@
 
 namespace discmc::trace {
 
-/// Counts the links between two places: (to - from) / step, modulo a power of two. As step is
-/// odd * 2^halvings, and `inverse` that of odd, the division is a shift and a product.
+/// What a link adds to a place, and how to count links between two places: (to - from) / step,
+/// modulo a power of two. As step is odd * 2^halvings, and `inverse` that of odd, the division is a
+/// shift and a product.
 struct LinkStep {
-  uint16_t halvings;
+  int8_t step;
+  uint8_t halvings;
   uint16_t inverse;
 };
 struct LinkSteps {
@@ -22,8 +24,9 @@ constexpr LinkSteps link_steps() {
   constexpr uint32_t modulus = 1U << place_bits;
   LinkSteps steps{};
   for (Link link = 0; link < link_codes; ++link) {
-    const Vertex v = link_vector(link);
-    int odd = 3 * v.x + 2 * v.y + v.z;
+    const Place step = place_of(link_vector(link));
+    int odd = static_cast<int>(step < modulus / 2 ? step : step - modulus);
+    steps.of[link].step = static_cast<int8_t>(odd);
     for (; odd % 2 == 0; odd /= 2) ++steps.of[link].halvings;
     uint32_t inverse = 1;
     while (((inverse * static_cast<uint32_t>(odd)) & (modulus - 1)) != 1) inverse += 2;
@@ -48,12 +51,9 @@ inline uint32_t links_between(Place from, Place to, Link link) {
   return (((to - from) & all) >> step.halvings) * step.inverse & (all >> step.halvings);
 }
 
-/// v moved along a link. Coordinates wrap.
-inline Vertex moved(const Vertex& v, Link link, uint32_t times) {
-  return moved(v, link_vector(link), times);
-}
-inline Vertex moved_back(const Vertex& v, Link link, uint32_t times) {
-  return moved(v, link, 0 - times);
+/// The place a link further on.
+inline Place moved(Place from, Link link) {
+  return from + static_cast<uint32_t>(link_steps.of[link].step);
 }
 
 /// A chain that leaves the pool: a closed ring, or a loose fragment.
@@ -152,10 +152,15 @@ class Fragments {
   }
   // Where the side begins that a chain leaves along, and the vertex that it comes to.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
-    return pass.turns_at_centroid() ? moved(vertex, pass.first, 1) : vertex;
+    Vertex corner = vertex;
+    if (pass.turns_at_centroid()) move(corner, pass.first, 1);
+    return corner;
   }
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
-    return moved(pass.has_centroid() ? moved(vertex, pass.first, 1) : vertex, pass.second, 1);
+    Vertex next = vertex;
+    if (pass.has_centroid()) move(next, pass.first, 1);
+    move(next, pass.second, 1);
+    return next;
   }
 
   template <class Normals>
@@ -172,7 +177,7 @@ class Fragments {
   Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
   template <Supply supply, class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
-  void lose_begin(const Pass& pass, const Vertex& vertex, Index begin);
+  void lose_begin(const Pass& pass, Index begin, Link came, const Vertex& vertex);
   void send_begin(const Pass& pass, const Vertex& vertex, Index begin);
   void send_tail(const Pass& pass, const Vertex& vertex, Index tail);
   // The runs of the fragment that has this begin.
@@ -181,17 +186,10 @@ class Fragments {
     EndRecord& record = end(begin);
     return is_cut<supply>(record.mate) ? record.last : end(record.mate).last;
   }
-  void turn(const Pass& pass, Index tail, Link came, Place corner, Link onwards, Normal normal);
-  template <class Normals>
-  void turn_at_centroid(const Pass& pass, const Vertex& vertex, Index tail,
-                        const Normals& normals) {
-    const Vertex corner = last_corner(pass, vertex);
-    turn(pass, tail, pass.first, place_of(corner), pass.second, normals.normal_at(corner));
-  }
-  void turn_back(const Pass& pass, Index begin, Link onwards, Place corner, Link came,
-                 Normal normal);
+  void turn(Index tail, Link came, Place corner, Direction onwards, Normal normal);
+  void turn_back(Index begin, Link onwards, Place corner, Direction came, Normal normal);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
-  void end_tail(const Pass& pass, Index tail, Link along, const Vertex& vertex);
+  void end_tail(const Pass& pass, Index tail, Link along, Vertex& at);
   void end_at_seam(const Pass& pass, const Vertex& vertex);
   void begin_below_seam(const Pass& pass, const Vertex& vertex);
   template <Supply supply>
@@ -235,7 +233,14 @@ class Fragments {
     return is_short<supply>() && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
-  Vertex begin_of(Incidence incidence, Index list, const Vertex& end) const;
+  void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
+  void put_out(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
+               const Vertex& start) {
+    outgoing_.kind = kind;
+    outgoing_.incidence = incidence;
+    outgoing_.last = last;
+    outgoing_.start = start;
+  }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
   bool is_cut_ = false;  // a chain has been
@@ -267,11 +272,14 @@ void Fragments<Index, Normal>::take_from(const Pass& pass, const Vertex& vertex,
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
     } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
-      turn(pass, tail, pass.came, here, pass.first, normal_where(pass.turns(), vertex, normals));
+      turn(tail, pass.came, here, direction(pass, pass.first),
+           normal_where(pass.turns(), vertex, normals));
       has_new_runs = true;
     }
   }
-  if (pass.turns_at_centroid()) turn_at_centroid(pass, vertex, tail, normals);
+  if (pass.turns_at_centroid())
+    turn(tail, pass.first, moved(here, pass.first), direction(pass, pass.second),
+         normals.normal_at(last_corner(pass, vertex)));
   if (begin != no_record) return join<supply>(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
     if (admits<supply>(pass.out, end(tail).mate)) {
@@ -342,57 +350,61 @@ template <Supply supply, class Normals>
   const bool is_waiting = admits<supply>(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
   if (has_new_runs) {
-    const Vertex corner = last_corner(pass, vertex);
-    turn_back(pass, begin, pass.second, place_of(corner), pass.first, normals.normal_at(corner));
+    turn_back(begin, pass.second, moved(here, pass.first), direction(pass, pass.first),
+              normals.normal_at(last_corner(pass, vertex)));
   }
   if (pass.turns() || !is_waiting || is_longest_side(here, end(begin).side.place())) {
-    turn_back(pass, begin, pass.first, here, pass.came,
+    turn_back(begin, pass.first, here, direction(pass, pass.came),
               normal_where(pass.turns(), vertex, normals));
     has_new_runs = true;
   }
-  if (!is_waiting) return lose_begin(pass, vertex, begin);
+  if (!is_waiting) {
+    push_lost(pass.in);
+    return lose_begin(pass, begin, pass.came, vertex);
+  }
   push<supply>(pass.in, begin);
   if (has_new_runs && is_short<supply>()) send_begin(pass, vertex, begin);
 }
 
-// The fragment begins loose at the vertex.
+// The fragment begins loose at a vertex, where it comes by a link.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::lose_begin(const Pass& pass, const Vertex& vertex, Index begin) {
+void Fragments<Index, Normal>::lose_begin(const Pass& pass, Index begin, Link came,
+                                          const Vertex& vertex) {
   const Index tail = end(begin).mate;
   const Index list = runs_of(begin);
-  push_lost(pass.in);
   records_.give(begin);
-  const Index loose = loose_end<Index>(direction(pass, pass.came));
-  if (is_loose(tail) || should_send(list)) return send(pass, loose, tail, list, vertex);
-  end(tail).mate = loose;
+  const Index loose = loose_end<Index>(direction(pass, came));
+  if (list != no_record && (is_loose(tail) || should_send(list)))
+    return send(pass, loose, tail, list, vertex);
+  if (!is_loose(tail)) end(tail).mate = loose;
 }
 
 // ---- corners ----
 
 // The side under way at a tail ends at a corner, and the next begins.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn(const Pass& pass, Index tail, Link came, Place corner,
-                                    Link onwards, Normal normal) {
+void Fragments<Index, Normal>::turn(Index tail, Link came, Place corner, Direction onwards,
+                                    Normal normal) {
   EndRecord& record = end(tail);
   const Side side = record.side;
   Slot run;
   run.run = short_run(side.direction(), links_between(side.place(), corner, came));
   run.set_normal(record.normal());
-  record.side = Side(direction(pass, onwards), corner);
+  record.side = Side(onwards, corner);
   record.set_normal(normal);
   Lists::append(records_, record.last, run);
 }
 
 // The side under way at a begin starts at a corner, and the one before it ends.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onwards, Place corner,
-                                         Link came, Normal normal) {
+void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner, Direction came,
+                                         Normal normal) {
   EndRecord& record = end(begin);
   const Side side = record.side;
   Slot run;
   run.run = short_run(side.direction(), links_between(corner, side.place(), onwards));
   run.set_normal(normal);
-  record.side = Side(direction(pass, came), corner);
+  record.side = Side(came, corner);
   Lists::prepend(records_, runs_of(begin), run);
 }
 
@@ -401,19 +413,20 @@ void Fragments<Index, Normal>::turn_back(const Pass& pass, Index begin, Link onw
 // The fragment ends loose at the next vertex.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Vertex& vertex, Index tail) {
-  end_tail(pass, tail, pass.second, next_vertex(pass, vertex));
+  Vertex next = next_vertex(pass, vertex);
+  end_tail(pass, tail, pass.second, next);
 }
 
+// It ends at a vertex, where it comes by a link. Moves the vertex.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along,
-                                        const Vertex& vertex) {
-  turn(pass, tail, along, place_of(vertex), along, {});
-  const EndRecord record = end(tail);
+void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along, Vertex& at) {
+  turn(tail, along, place_of(at), {}, {});
+  const Index begin = end(tail).mate;
+  const Index list = end(tail).last;
   records_.give(tail);
-  if (is_loose(record.mate) || should_send(record.last))
-    return send(pass, record.mate, loose_end<Index>(), record.last,
-                begin_of(pass.incidence, record.last, vertex));
-  connect(record.mate, loose_end<Index>(), record.last);
+  if (!is_loose(begin) && !should_send(list)) return connect(begin, loose_end<Index>(), list);
+  move_to_begin(at, pass.incidence, list);
+  send(pass, begin, loose_end<Index>(), list, at);
 }
 
 // The fragment goes on as one that has waited, or closes.
@@ -443,16 +456,17 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   const bool is_loose_piece = is_cut<supply>(first_end) && is_cut<supply>(last_end);
   if (!is_closed && !is_loose_piece && !should_send<supply>(list, list_after))
     return connect<supply>(first_end, last_end, Lists::concatenate(records_, list, list_after));
-  const Vertex last = last_corner(pass, vertex);
-  const Vertex corner =
-      moved(last, pass.second, links_between(place_of(last), after.place(), pass.second));
+  Vertex corner = last_corner(pass, vertex);
+  move(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
   if (is_closed) {
-    outgoing_ = {Outgoing<Index>::Kind::ring, pass.incidence, 0, list, corner};
+    put_out(Outgoing<Index>::Kind::ring, pass.incidence, list, corner);
     return;
   }
-  const Vertex start = is_prepended ? moved_back(corner, pass.second, length_of(run.run))
-                                    : begin_of(pass.incidence, list, corner);
-  send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), start);
+  if (is_prepended)
+    move(corner, pass.second, 0 - length_of(run.run));
+  else
+    move_to_begin(corner, pass.incidence, list);
+  send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), corner);
 }
 
 // Makes the two ends of a fragment name each other, and one of them its runs.
@@ -499,31 +513,31 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::send_begin(const Pass& pass, const Vertex& vertex, Index begin) {
   const Index list = runs_of(begin);
   if (!is_long(list, no_record)) return;
-  const bool starts_here = end(begin).side.place() == place_of(vertex);
-  send(pass, begin, end(begin).mate, list, starts_here ? vertex : last_corner(pass, vertex));
+  // At the vertex, or the centroid behind it.
+  Vertex start = vertex;
+  if (end(begin).side.place() != place_of(vertex)) move(start, pass.first, 1);
+  send(pass, begin, end(begin).mate, list, start);
 }
 
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send_tail(const Pass& pass, const Vertex& vertex, Index tail) {
   const EndRecord& record = end(tail);
-  if (is_long(record.last, no_record))
-    send(pass, record.mate, tail, record.last,
-         begin_of(pass.incidence, record.last, last_corner(pass, vertex)));
+  if (!is_long(record.last, no_record)) return;
+  Vertex start = last_corner(pass, vertex);
+  move_to_begin(start, pass.incidence, record.last);
+  send(pass, record.mate, tail, record.last, start);
 }
 
-// Where a list of runs begins that ends at a vertex.
+// Moves a vertex from the end of a list of runs to where it begins.
 template <class Index, class Normal>
-Vertex Fragments<Index, Normal>::begin_of(Incidence incidence, Index list,
-                                          const Vertex& end) const {
-  Vertex at = end;
+void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, Index list) const {
   const RunCursor<Index, Normal> first(records_, list);
   RunCursor<Index, Normal> cursor = first;
   do {
-    const Run run = long_run(cursor.run(records_));
-    at = moved_back(at, link_of(incidence, run.direction()), run.length());
+    const ShortRun run = cursor.run(records_);
+    move(at, incidence, direction_of(run), 0 - length_of(run));
     cursor.advance(records_);
   } while (cursor != first);
-  return at;
 }
 
 // Sends the runs of a fragment; what waits of it then begins or ends where they do.
@@ -533,7 +547,8 @@ void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, I
   is_cut_ = true;
   const Direction came =
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
-  outgoing_ = {Outgoing<Index>::Kind::fragment, pass.incidence, came, list, start};
+  put_out(Outgoing<Index>::Kind::fragment, pass.incidence, list, start);
+  outgoing_.came = came;
   const Direction last = direction_of(Lists::last_run(records_, list));
   connect(begin, loose_end<Index>(), no_record);
   connect(loose_end<Index>(last), tail, no_record);

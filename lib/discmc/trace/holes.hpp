@@ -7,6 +7,7 @@
 #ifndef DISCMC_TRACE_HOLES_HPP
 #define DISCMC_TRACE_HOLES_HPP
 
+#include <discmc/capacities.hpp>
 #include <discmc/plane.hpp>
 #include <discmc/trace/fragments.hpp>
 
@@ -24,13 +25,10 @@ class Holes {
 
   static constexpr uint32_t records_each = 2;
 
-  /// heads: of the lists; a power of two of them.
-  void start(Index* heads, uint32_t heads_count) {
-    heads_ = heads;
-    heads_mask_ = heads_count - 1;
-  }
+  /// heads: of sizing::hole_lists lists.
+  void start(Index* heads) { heads_ = heads; }
   void clear() {
-    for (uint32_t i = 0; i <= heads_mask_; ++i) heads_[i] = no_record;
+    for (uint32_t i = 0; i < sizing::hole_lists; ++i) heads_[i] = no_record;
     marked_list_ = 0;
     count_ = 0;
     high_water_ = 0;
@@ -59,13 +57,12 @@ class Holes {
     // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
     const uint32_t spread =
         (static_cast<uint32_t>(plane) * incidence_codes + incidence) * 0x9E3779B1U;
-    return spread >> 16 & heads_mask_;
+    return spread >> 16 & (sizing::hole_lists - 1);
   }
   static bool surrounds(const Records& records, const Outgoing<Index>& ring, const Vertex& start,
                         Direction first);
 
   Index* heads_ = nullptr;
-  uint32_t heads_mask_ = 0;
   uint32_t marked_list_ = 0;
   uint32_t count_ = 0;
   uint32_t high_water_ = 0;

@@ -20,7 +20,8 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& vertex) {
   if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
   const Index tail = pop(pass.in);
-  if (tail != no_record) end_tail(pass, tail, pass.came, vertex);
+  Vertex at = vertex;
+  if (tail != no_record) end_tail(pass, tail, pass.came, at);
 }
 
 template <class Index, class Normal>
@@ -30,14 +31,8 @@ void Fragments<Index, Normal>::begin_below_seam(const Pass& pass, const Vertex& 
   if (begin == no_record) return;
   const Vertex next = next_vertex(pass, vertex);
   if (end(begin).side.place() != place_of(next))
-    turn_back(pass, begin, pass.second, place_of(next), pass.second, {});
-  const EndRecord record = end(begin);
-  const Index list = runs_of(begin);
-  records_.give(begin);
-  const Index loose = loose_end<Index>(direction(pass, pass.second));
-  if (list != no_record && (is_loose(record.mate) || should_send(list)))
-    return send(pass, loose, record.mate, list, next);
-  if (!is_loose(record.mate)) end(record.mate).mate = loose;
+    turn_back(begin, pass.second, place_of(next), direction(pass, pass.second), {});
+  lose_begin(pass, begin, pass.second, next);
 }
 
 }  // namespace discmc::trace

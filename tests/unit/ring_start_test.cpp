@@ -1,0 +1,78 @@
+// A ring begins at its last vertex, which is a top: that works as it passes it once.
+#include <doctest/doctest.h>
+
+#include <discmc/trace/delivery.hpp>
+#include <discmc/trace/loop_facets.hpp>
+
+#include <algorithm>
+
+using namespace discmc;
+
+namespace {
+
+// Whether a chain that comes and goes so has a top between.
+bool is_top(const Vertex& came, const Vertex& goes) {
+  return precedes({0, 0, 0}, came) && precedes(goes, {0, 0, 0});
+}
+
+// Calls visit for the passes of every neighbourhood of an edge along an axis.
+template <class Visit>
+void for_each_neighbourhood(int axis, Visit visit) {
+  for (uint32_t around = 0; around < 1U << 18; ++around) {
+    uint32_t words[9] = {};
+    uint32_t left = around;
+    trace::RowBlock rows;
+    for (int row = 0; row < 9; ++row) {
+      rows.row[row / 3][row % 3] = &words[row];
+      for (int x = 0; x < 3; ++x) {
+        const int along = axis == 0 ? x : axis == 1 ? row % 3 : row / 3;
+        if (along == 0) continue;
+        words[row] |= (left & 1) << (x + 1);
+        left >>= 1;
+      }
+    }
+    constexpr uint32_t middle_bit = 2;
+    const int next_row = axis == 0 ? 4 : axis == 1 ? 5 : 7;
+    const uint32_t next_bit = axis == 0 ? middle_bit + 1 : middle_bit;
+    if ((words[4] >> middle_bit & 1) == (words[next_row] >> next_bit & 1)) continue;
+    trace::PassList passes;
+    trace::derive_passes({rows, 0, middle_bit, axis}, 0, passes);
+    visit(passes);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("at no vertex has a plane two tops") {
+  uint32_t neighbourhoods = 0, tops = 0, most = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for_each_neighbourhood(axis, [&](const trace::PassList& passes) {
+      ++neighbourhoods;
+      uint32_t tops_of[incidence_codes] = {};
+      for (int i = 0; i < passes.count; ++i) {
+        const trace::Pass& pass = passes.pass[i];
+        if (!is_top(link_vector(pass.came), link_vector(pass.first))) continue;
+        ++tops;
+        most = std::max(most, ++tops_of[pass.incidence]);
+      }
+    });
+  CHECK(neighbourhoods == 3 << 17);
+  CHECK(tops > neighbourhoods / 2);
+  CHECK(most == 1);
+}
+
+TEST_CASE("at no centroid does an incidence come twice") {
+  for (unsigned configuration = 0; configuration < 256; ++configuration) {
+    const Loops loops = derive::loops(static_cast<Configuration>(configuration));
+    for (int n = 0; n < loops.count; ++n) {
+      const trace::LoopFacets facets = trace::facets_of(loops.loop[n]);
+      if (!facets.is_fan || facets.is_flat()) continue;
+      bool has_come[incidence_codes] = {};
+      for (int link = 0; link < facets.loop.count; ++link) {
+        if (!facets.has_spoke(link)) continue;
+        CHECK(!has_come[facets.behind(link)]);
+        has_come[facets.behind(link)] = true;
+      }
+    }
+  }
+}
