@@ -1,10 +1,12 @@
 // Fuzz target. The promise: any small volume, fed in any portions, in any memory, to a sink that
 // refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined, or
 // for a sink that takes none pieces that make up the same surface; nothing is loose in the memory
-// of the worst case; and neither index width, portions nor refusals show.
+// of the worst case; and neither index width, portions, refusals nor what a host learns show.
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
+
+#include <discmc/learning_extractor.hpp>
 
 #include <algorithm>
 
@@ -134,10 +136,10 @@ Scenario read_scenario(Input& input) {
   return scenario;
 }
 
-template <class Index>
+template <class Scanner>
 class Feeder {
  public:
-  Feeder(Extractor<Index>& extractor, const Scenario& scenario)
+  Feeder(Scanner& extractor, const Scenario& scenario)
       : extractor_(extractor), scenario_(scenario) {}
 
   void feed_all() {
@@ -212,20 +214,29 @@ class Feeder {
     }
   }
 
-  Extractor<Index>& extractor_;
+  Scanner& extractor_;
   const Scenario& scenario_;
 };
 
 template <class Index>
+void give_memory(Extractor<Index>&) {}
+template <class Index>
+void give_memory(LearningExtractor<Index>& extractor) {
+  static uint8_t memory[1 << 14];
+  extractor.learn_in({memory, sizeof memory});
+}
+
+template <class Index, class Scanner = Extractor<Index>>
 EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   EventLog log(std::move(refuses));
   Block block(bytes_for<Index>(scenario.limits, scenario.capacities),
               scenario.chunk % 2 == 0 ? Block::Kind::exact : Block::Kind::guarded);
-  Extractor<Index> extractor;
+  Scanner extractor;
+  give_memory(extractor);
   const Status started = extractor.start(scenario.limits, scenario.capacities, 1, block.memory(),
                                          sink_to(log, scenario.takes_fragments));
   require(started == Status::ok, text(started));
-  Feeder<Index> feeder(extractor, scenario);
+  Feeder<Scanner> feeder(extractor, scenario);
   feeder.feed_all();
   feeder.end();
   require(collected(log.events, scenario.takes_fragments).is_finished(),
@@ -263,6 +274,8 @@ void check(const Scenario& scenario) {
   const EventLog log =
       scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
   check_surface(scenario, collected(log.events, scenario.takes_fragments));
+  const EventLog learnt = run<uint32_t, LearningExtractor<uint32_t>>(scenario, refuses);
+  require(learnt.events == log.events, "a host that learns gives other events");
   if (!is_valid<uint16_t>(scenario.capacities)) return;
   Scenario plain = scenario;
   plain.chunk = 1 << 20;
