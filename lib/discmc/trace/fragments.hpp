@@ -173,6 +173,8 @@ class Fragments {
   void connect(Index begin, Index tail, Index list);
 
   Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
+  void push(uint8_t queue, Index end) { queues_.push(records_, queue, end); }
+  void push_lost(uint8_t queue) { queues_.push_lost(records_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
     return spare() >= enough_for_ends_ || spare() >= least_spare(queue, mate);
@@ -233,11 +235,11 @@ template <class Normals>
   if (begin != no_record) return join(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
     if (admits(pass.out, end(tail).mate)) {
-      queues_.push(records_, pass.out, tail);
+      push(pass.out, tail);
       if (has_new_runs) send_if_long(pass, vertex, tail, true);
       return;
     }
-    queues_.push_lost(records_, pass.out);
+    push_lost(pass.out);
   }
   lose_tail(pass, vertex, tail);
 }
@@ -267,11 +269,11 @@ template <class Normals>
   Index mate = loose_end<Index>(came);
   if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
     mate = records_.take();
-    queues_.push(records_, pass.in, mate);
+    push(pass.in, mate);
     end(mate).last = no_record;
     end(mate).side = Side(came, place_of(vertex));
   } else {
-    queues_.push_lost(records_, pass.in);
+    push_lost(pass.in);
   }
   const Index tail = new_tail(pass, vertex, mate, normals);
   if (!is_loose(mate)) end(mate).mate = tail;
@@ -297,10 +299,10 @@ template <class Normals>
     has_new_runs = true;
   }
   if (!is_waiting) {
-    queues_.push_lost(records_, pass.in);
+    push_lost(pass.in);
     return lose_begin(pass, begin, pass.came, vertex);
   }
-  queues_.push(records_, pass.in, begin);
+  push(pass.in, begin);
   if (has_new_runs) send_if_long(pass, vertex, begin, false);
 }
 
