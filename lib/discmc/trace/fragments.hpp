@@ -196,11 +196,11 @@ class Fragments {
   }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
+  Records records_;  // first, so that its address is at hand
   uint32_t plenty_ = 0;
   uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;
-  Records records_;
   Queues<Index, Normal> queues_;
   AtSeam at_seam_ = nullptr;
 };
