@@ -33,9 +33,9 @@ constexpr uint32_t own_columns = 0x7FFFFFFE;
 
 /// Of them, those whose voxel and the next one lie in the volume.
 constexpr uint32_t inner_columns(uint32_t word, uint32_t width) {
-  uint32_t columns = word == 0 ? own_columns - 2 : own_columns;
-  if (word == width / columns_per_word) columns &= (uint32_t{2} << width % columns_per_word) - 1;
-  return columns;
+  const uint32_t columns = word == 0 ? own_columns - 2 : own_columns;
+  const uint32_t left = width - word * columns_per_word;
+  return left < columns_per_word ? columns & ((uint32_t{2} << left) - 1) : columns;
 }
 
 /// The nine rows around a row of voxels: [z - 1, z, z + 1][y - 1, y, y + 1].

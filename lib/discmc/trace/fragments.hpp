@@ -178,8 +178,7 @@ class Fragments {
   template <Supply supply, class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
   void lose_begin(const Pass& pass, Index begin, Link came, const Vertex& vertex);
-  void send_begin(const Pass& pass, const Vertex& vertex, Index begin);
-  void send_tail(const Pass& pass, const Vertex& vertex, Index tail);
+  void send_if_long(const Pass& pass, const Vertex& vertex, Index index, bool is_tail);
   // The runs of the fragment that has this begin.
   template <Supply supply = Supply::scarce>
   Index& runs_of(Index begin) {
@@ -243,12 +242,12 @@ class Fragments {
   }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
+  Records records_;      // first, so that its address is at hand
   bool is_cut_ = false;  // a chain has been
   uint32_t plenty_ = 0;
   uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;
-  Records records_;
   Queues<Index, Normal> queues_;
   AtSeam at_seam_ = nullptr;
 };
@@ -284,7 +283,7 @@ void Fragments<Index, Normal>::take_from(const Pass& pass, const Vertex& vertex,
   if (pass.goes_ahead()) {
     if (admits<supply>(pass.out, end(tail).mate)) {
       push<supply>(pass.out, tail);
-      if (has_new_runs && is_short<supply>()) send_tail(pass, vertex, tail);
+      if (supply == Supply::scarce && has_new_runs) send_if_long(pass, vertex, tail, true);
       return;
     }
     push_lost(pass.out);
@@ -363,7 +362,7 @@ template <Supply supply, class Normals>
     return lose_begin(pass, begin, pass.came, vertex);
   }
   push<supply>(pass.in, begin);
-  if (has_new_runs && is_short<supply>()) send_begin(pass, vertex, begin);
+  if (supply == Supply::scarce && has_new_runs) send_if_long(pass, vertex, begin, false);
 }
 
 // The fragment begins loose at a vertex, where it comes by a link.
@@ -508,24 +507,20 @@ bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
          most;
 }
 
-// Sends the runs of a fragment that has been lengthened, if there are too many.
+// Sends the runs of a fragment that has been lengthened at a vertex, if there are too many: at its
+// tail or its begin, the index.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::send_begin(const Pass& pass, const Vertex& vertex, Index begin) {
-  const Index list = runs_of(begin);
-  if (!is_long(list, no_record)) return;
-  // At the vertex, or the centroid behind it.
+void Fragments<Index, Normal>::send_if_long(const Pass& pass, const Vertex& vertex, Index index,
+                                            bool is_tail) {
+  const EndRecord& record = end(index);
+  const Index list = is_tail ? record.last : runs_of(index);
+  if (!should_send(list)) return;
+  // The corner: the vertex, or the centroid behind it.
   Vertex start = vertex;
-  if (end(begin).side.place() != place_of(vertex)) move(start, pass.first, 1);
-  send(pass, begin, end(begin).mate, list, start);
-}
-
-template <class Index, class Normal>
-void Fragments<Index, Normal>::send_tail(const Pass& pass, const Vertex& vertex, Index tail) {
-  const EndRecord& record = end(tail);
-  if (!is_long(record.last, no_record)) return;
-  Vertex start = last_corner(pass, vertex);
-  move_to_begin(start, pass.incidence, record.last);
-  send(pass, record.mate, tail, record.last, start);
+  if (record.side.place() != place_of(vertex)) move(start, pass.first, 1);
+  if (!is_tail) return send(pass, index, record.mate, list, start);
+  move_to_begin(start, pass.incidence, list);
+  send(pass, record.mate, index, list, start);
 }
 
 // Moves a vertex from the end of a list of runs to where it begins.

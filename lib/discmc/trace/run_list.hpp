@@ -14,29 +14,12 @@ struct RunLists {
   using Slot = typename RunRecord<Index, Normal>::Slot;
   static constexpr int slots = RunRecord<Index, Normal>::slots;
 
-  /// Puts a run behind the others. Cost: a record at most.
+  /// Puts a run behind the others, or before them. Cost: a record at most.
   static void append(Records& records, Index& last, const Slot& run) {
-    if (last != no_record) {
-      Slot* const slot = records[last].runs.slot;
-      if (slot[2].run == 0) {
-        slot[slot[1].run == 0 ? 1 : 2] = run;
-        return;
-      }
-    }
-    last = add_record(records, last, 0, run);
+    add(records, last, run, slots - 1);
   }
-
-  /// Puts a run before the others. Cost: a record at most.
   static void prepend(Records& records, Index& last, const Slot& run) {
-    if (last == no_record) {
-      last = add_record(records, last, 2, run);
-      return;
-    }
-    Slot* const slot = records[records[last].linked.next].runs.slot;
-    if (slot[0].run == 0)
-      slot[slot[1].run == 0 ? 1 : 0] = run;
-    else
-      add_record(records, last, 2, run);
+    add(records, last, run, 0);
   }
 
   /// The last run. Limit: not empty.
@@ -80,19 +63,28 @@ struct RunLists {
   }
 
  private:
-  // A record behind the last and before the first.
-  static Index add_record(Records& records, Index last, int place, const Slot& run) {
+  // outermost: the slot where a record is full on the side of the run: the last one behind the
+  // others, the first one before them.
+  static void add(Records& records, Index& last, const Slot& run, int outermost) {
+    const bool is_behind = outermost != 0;
+    if (last != no_record) {
+      Slot* const slot = records[is_behind ? last : records[last].linked.next].runs.slot;
+      if (slot[outermost].run == 0) {
+        slot[slot[1].run == 0 ? 1 : outermost] = run;
+        return;
+      }
+    }
     const Index index = records.take();
     RunRecord<Index, Normal>& record = records[index].runs;
     for (Slot& slot : record.slot) slot.run = 0;
-    record.slot[place] = run;
-    if (last == no_record) {
-      record.next = index;
-    } else {
+    record.slot[slots - 1 - outermost] = run;
+    // Behind the last is before the first.
+    record.next = index;
+    if (last != no_record) {
       record.next = records[last].linked.next;
       records[last].linked.next = index;
     }
-    return index;
+    if (is_behind || last == no_record) last = index;
   }
 };
 

@@ -13,7 +13,7 @@ struct Asked {
   uint64_t rows = 0;       ///< of voxels, swept
   uint64_t vertices = 0;   ///< in these rows
   uint64_t sealed = 0;     ///< active cells above these rows, where the sink takes no fragments
-  uint64_t delivered = 0;  ///< events, and one more for every 1,020 links of a run
+  uint64_t delivered = 0;  ///< events, and one more for every 680 links of a run
   bool is_short = false;   ///< of records, and the sink takes fragments
 };
 
