@@ -10,6 +10,7 @@
 //   sink.hpp              the events that come out: regions, rings, runs, loose fragments
 //   chain.hpp, polygon.hpp  Freeman chains and the polygons they are
 //   encoder.hpp           a sink that writes the stream (wire.hpp, WIRE.md)
+//     record.hpp, record_encoding.hpp, region_model.hpp, range_coder.hpp, cobs.hpp, crc32.hpp
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
 //   joiner.hpp            loose fragments of one stream or several in, regions out
@@ -19,7 +20,18 @@
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
 //
 // Everywhere: lattice.hpp (coordinates in half-steps, links, incidences), status.hpp, arena.hpp.
-// Behind the extractor works trace/: bit rows, sectors, passes, queues, fragments, holes.
+//
+// Behind the extractor works trace/, in data-flow order:
+//
+//   threshold.hpp, bit_rows.hpp       samples become bits
+//   swept_row.hpp, neighbourhood.hpp  crossing edges, and the voxels around them
+//   sector_table.hpp, passes.hpp      which chains pass a vertex; derived_passes.hpp finds them
+//   sweep.hpp                         hands them on to
+//   fragments.hpp, queues.hpp         pieces of chains, and their ends that wait
+//     records.hpp, run_list.hpp       what they are kept in
+//   delivery.hpp, holes.hpp           rings, grouped into regions, to the sink
+//   sealing.hpp, seams.hpp            for sinks that take no fragments, and for slabs
+//   learnt_passes.hpp, flat_ring.hpp  what hosts do faster
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

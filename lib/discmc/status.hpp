@@ -8,7 +8,8 @@ namespace discmc {
 
 /// Result of a call. `ok` and `more` are not errors: `more` means that the sink said "not now" and
 /// that resume() goes on with the work. After an error nothing has changed and nothing was
-/// delivered; but a start() that finds too little memory also ends the scan under way.
+/// delivered, with two exceptions: push() may have taken samples before it (PushResult::samples),
+/// and a start() that finds too little memory also ends the scan under way.
 enum class Status : uint8_t {
   ok,
   more,               ///< suspended by the sink; nothing is lost, call resume()

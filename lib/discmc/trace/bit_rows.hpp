@@ -43,6 +43,11 @@ struct RowBlock {
   const uint32_t* row[3][3];
 };
 
+/// The four rows of cells between them, bit 2 * layer + row each: those of one side.
+struct CellRowBits {
+  static constexpr uint32_t front = 5, back = 10, below = 3, above = 12;
+};
+
 /// The rows of the slice that arrives and of the two before it.
 class BitRows {
  public:

@@ -249,15 +249,15 @@ uint32_t Extractor<Index, Normals, Passes>::ready_rows() const {
   return is_closed || arrived == 0 ? arrived : arrived - 1;
 }
 
-// The rows of cells around row y that lie outside the volume, a bit each: 2 * layer + row.
+// The rows of cells around row y that lie outside the volume (CellRowBits).
 template <class Index, class Normals, class Passes>
 uint32_t Extractor<Index, Normals, Passes>::rows_outside(int32_t y) const {
   if (limits_.border == Border::closed) return 0;
   uint32_t outside = 0;
-  if (y == 0) outside |= 5;
-  if (y + 1 == static_cast<int32_t>(limits_.height)) outside |= 10;
-  if (middle_slice() == 0) outside |= 3;
-  if (is_last_slice()) outside |= 12;
+  if (y == 0) outside |= trace::CellRowBits::front;
+  if (y + 1 == static_cast<int32_t>(limits_.height)) outside |= trace::CellRowBits::back;
+  if (middle_slice() == 0) outside |= trace::CellRowBits::below;
+  if (is_last_slice()) outside |= trace::CellRowBits::above;
   return outside;
 }
 
@@ -268,7 +268,7 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
   const int32_t z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
                     (limits_.slab.continues_below ? 1 : 0);
-  uint32_t absent = rows_outside(y) | (is_above_slab ? 12U : 0U);
+  uint32_t absent = rows_outside(y) | (is_above_slab ? trace::CellRowBits::above : 0);
   trace::SweptRow row;
   row.rows = rows_.around(y);
   row.words = rows_.words();

@@ -146,7 +146,7 @@ bool begin_row(SealedRows& sealed, const CellRows& cells, uint32_t spare, const 
                Statistics& statistics) {
   using Stage = SealedRows::Stage;
   if (sealed.stage == Stage::none) {
-    const bool has_cells = (cells.absent & 8) == 0;
+    const bool has_cells = (cells.absent & CellRowBits::back & CellRowBits::above) == 0;
     sealed.stage = has_cells && decide(sealed, cells, spare) ? Stage::cells : Stage::vertices;
   }
   if (sealed.stage == Stage::cells) {

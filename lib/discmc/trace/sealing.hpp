@@ -19,7 +19,7 @@ struct CellRows {
   const Limits& limits;
   const RowBlock& rows;
   int32_t y, z;
-  uint32_t& absent;  ///< those that take no part in the sweep, a bit each: 2 * layer + row
+  uint32_t& absent;  ///< those that take no part in the sweep (CellRowBits)
 };
 
 /// Which rows of cells are sealed, and where the delivery of the last of them is.

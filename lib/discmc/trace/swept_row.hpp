@@ -29,11 +29,11 @@ struct SweptRow {
   bool has_y, has_z;   ///< whether edges along y and z are visited
   uint8_t missing[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
 
-  /// cells: of the four rows of cells around, a bit each: 2 * layer + row. Where there are none
-  /// behind, or above, no edges along y, or z, are visited.
+  /// cells: the rows of cells (CellRowBits) that take no part. Where none behind, or above, takes
+  /// part, no edges along y, or z, are visited.
   void set_missing(uint32_t cells) {
-    has_y = (cells & 10) != 10;
-    has_z = (cells & 12) != 12;
+    has_y = (cells & CellRowBits::back) != CellRowBits::back;
+    has_z = (cells & CellRowBits::above) != CellRowBits::above;
     const uint32_t front_below = cells & 1, back_below = cells >> 1 & 1;
     const uint32_t front_above = cells >> 2 & 1, back_above = cells >> 3;
     missing[0] =
