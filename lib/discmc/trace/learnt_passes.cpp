@@ -1,4 +1,3 @@
-
 #include <discmc/compiler.hpp>
 #include <discmc/trace/learnt_passes.hpp>
 
