@@ -171,6 +171,7 @@ class Extractor {
   bool work();
   uint32_t rows_outside(int32_t y) const;
   bool sweep_row();
+  bool seal(trace::SweptRow& row);
   int32_t middle_slice() const;
   uint32_t ready_rows() const;
   bool is_last_slice() const;

@@ -63,7 +63,8 @@ void check_comparison(const std::vector<Sample>& samples, int32_t threshold) {
 }
 
 void check_around(const Rows& rows, const BitVolume& volume, int32_t y, int32_t z) {
-  const trace::RowBlock block = rows.around(y);
+  trace::RowBlock block;
+  rows.find_around(y, block);
   for (int32_t k = 0; k < 3; ++k)
     for (int32_t j = 0; j < 3; ++j)
       check_row(block.row[k][j], volume.width,
@@ -128,7 +129,8 @@ TEST_CASE("rows that have not arrived are off") {
     if (rows.rows() == 3) rows.next_slice();
     rows.append(on.data(), 40, 1, 1);
     rows.next_row();
-    const trace::RowBlock block = rows.around(static_cast<int32_t>(rows.rows()) - 1);
+    trace::RowBlock block;
+    rows.find_around(static_cast<int32_t>(rows.rows()) - 1, block);
     CHECK(is_on(block.row[2][1]));
     CHECK_FALSE(is_on(block.row[2][2]));
     CHECK(is_on(block.row[1][1]) == (rows.slices() >= 1));

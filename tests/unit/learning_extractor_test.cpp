@@ -189,7 +189,7 @@ using FoundPass = std::tuple<int32_t, int32_t, int32_t, int, int, int>;
 template <class Passes>
 std::vector<FoundPass> passes_found(Passes& passes, const trace::SweptRow& row) {
   std::vector<FoundPass> found;
-  trace::CellCounts counts;
+  trace::SweepCounts counts;
   while (passes.find(row, counts))
     for (; passes.has_next(); passes.advance())
       found.emplace_back(passes.vertex().x, passes.vertex().y, passes.vertex().z,

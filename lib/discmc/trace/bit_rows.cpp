@@ -158,8 +158,7 @@ void BitRows::next_slice() {
   ++slices_;
 }
 
-RowBlock BitRows::around(int32_t y) const {
-  RowBlock block;
+void BitRows::find_around(int32_t y, RowBlock& block) const {
   // Rows arrive slice by slice: so many rows ago came row y - 1 of the slice that arrives, of the
   // one before it, and of the one before that.
   uint32_t back = rows_ + 1 - static_cast<uint32_t>(y);
@@ -171,7 +170,6 @@ RowBlock BitRows::around(int32_t y) const {
       block.row[k][j] = at < there ? row_before(back - j) : row_off();
     }
   }
-  return block;
 }
 
 }  // namespace discmc::trace

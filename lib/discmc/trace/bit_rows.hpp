@@ -80,9 +80,9 @@ class BitRows {
   /// The slice that arrived is complete: it is the middle one while the next arrives.
   void next_slice();
 
-  /// The rows around row y (-1 to height - 1) of the slice before the one that arrives. What lies
-  /// outside the volume or has not arrived is off.
-  RowBlock around(int32_t y) const;
+  /// Finds the rows around row y (-1 to height - 1) of the slice before the one that arrives. What
+  /// lies outside the volume or has not arrived is off.
+  void find_around(int32_t y, RowBlock& block) const;
 
  private:
   uint32_t* row_before(uint32_t back) const;

@@ -210,7 +210,7 @@ void Delivery<Index, Normal>::next_run(const Records& records) {
 
 // The sink has taken an event: what comes next?
 template <class Index, class Normal>
-void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& statistics) {
+[[gnu::noinline]] void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& statistics) {
   Records& records = chains.records();
   switch (event_.kind) {
     case Event::Kind::region:

@@ -22,7 +22,7 @@ class DerivedPasses {
 
   /// Goes on to the next vertex of a row that has passes, and counts what it comes by. False when
   /// there are no more; the next call begins a row.
-  bool find(const SweptRow& row, CellCounts& counts);
+  bool find(const SweptRow& row, SweepCounts& counts);
 
   /// The first pass that has been found and not taken, and where it is. Limit: has_next().
   bool has_next() const { return next_ < passes_.count; }
@@ -50,7 +50,7 @@ inline bool DerivedPasses::find_word(const SweptRow& row) {
   return false;
 }
 
-inline bool DerivedPasses::find(const SweptRow& row, CellCounts& counts) {
+inline bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
   next_ = 0;
   for (;;) {
     const uint32_t voxels = crossings_.voxels();

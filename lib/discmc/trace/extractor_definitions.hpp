@@ -268,22 +268,19 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
   const int32_t z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
                     (limits_.slab.continues_below ? 1 : 0);
-  uint32_t absent = rows_outside(y) | (is_above_slab ? trace::CellRowBits::above : 0);
   trace::SweptRow row;
-  row.rows = rows_.around(y);
+  rows_.find_around(y, row.rows);
   row.words = rows_.words();
   row.width = limits_.width;
   row.y = y;
   row.z = z;
+  row.absent_rows = rows_outside(y) | (is_above_slab ? trace::CellRowBits::above : 0);
   row.has_open_ends = is_open;
   row.work = !is_above_slab      ? trace::RowWork::take_passes
              : chains_are_ended_ ? trace::RowWork::begin_chains
                                  : trace::RowWork::end_chains;
-  const trace::CellRows cells{limits_, row.rows, y, z, absent};
-  if (sink_.sealing != nullptr &&
-      !sink_.sealing->begin_row(sealed_, cells, sweep_.fragments().spare(), sink_, statistics_))
-    return false;
-  row.set_missing(absent);
+  if (sink_.sealing != nullptr && !seal(row)) return false;
+  row.set_missing();
   sweep_.fragments().set_below_is_lost(limits_.slab.continues_below && middle_slice() == 1);
   // Above a slab the row is swept twice: as an end does not know where it is, the chains that come
   // up to a vertex are ended there, and those that go down from it begin there.
@@ -293,8 +290,14 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
     if (!chains_are_ended_) break;
     row.work = trace::RowWork::begin_chains;
   }
-  if (sink_.sealing != nullptr) sink_.sealing->end_row(sealed_, cells);
+  if (sink_.sealing != nullptr) sink_.sealing->end_row(sealed_, row);
   return true;
+}
+
+// Apart, so that its arguments take no stack below a sink.
+template <class Index, class Normals, class Passes>
+[[gnu::noinline]] bool Extractor<Index, Normals, Passes>::seal(trace::SweptRow& row) {
+  return sink_.sealing->begin_row(sealed_, row, sweep_.fragments().spare(), sink_, statistics_);
 }
 
 // Without those of context.

@@ -66,7 +66,7 @@ void LearntPasses::learn_in(Memory memory) {
   for (size_t i = 0; known_ != nullptr && i < size_t{1} << bits; ++i) known_[i] = {0, 0};
 }
 
-bool LearntPasses::find(const SweptRow& row, CellCounts& counts) {
+bool LearntPasses::find(const SweptRow& row, SweepCounts& counts) {
   do {
     if (!collect(row)) {
       clear();
@@ -102,12 +102,12 @@ bool LearntPasses::collect(const SweptRow& row) {
 }
 
 // Replaces the edges by their passes.
-void LearntPasses::look_up(const SweptRow& row, CellCounts& counts) {
+void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
   const Known* const known = known_;
   const Learnt* const learnt = learnt_;
   const uint32_t shift = shift_;
   const Vertex first[] = {row.vertex(0, 0), row.vertex(1, 0), row.vertex(2, 0)};
-  CellCounts sum = counts;
+  SweepCounts sum = counts;
   uint32_t passes = 0;
   uint32_t vertices = 0;
   for (uint32_t i = 0; i < edges_; ++i) {

@@ -25,7 +25,7 @@ class LearntPasses {
   // As DerivedPasses has them.
   static constexpr bool finds_many = true;
   void clear() { word_ = edges_ = passes_ = next_ = 0; }
-  bool find(const SweptRow& row, CellCounts& counts);
+  bool find(const SweptRow& row, SweepCounts& counts);
   bool has_next() const { return next_ < passes_; }
   const Pass& pass() const { return pass_[next_]; }
   const Vertex& vertex() const { return vertex_[of_[next_]]; }
@@ -55,7 +55,7 @@ class LearntPasses {
   };
 
   bool collect(const SweptRow& row);
-  void look_up(const SweptRow& row, CellCounts& counts);
+  void look_up(const SweptRow& row, SweepCounts& counts);
   void derive(const SweptRow& row, const Edge& edge, uint32_t absent, PassList& passes) const;
   void learn(uint32_t key, uint32_t place, const PassList& passes);
 

@@ -20,21 +20,20 @@ RowsAround rows_around(const RowBlock& rows, int layer, int row) {
 }
 
 // Cells that are neither all on nor all off: bit i stands for the cell of bits i and i + 1.
-uint32_t active(const RowsAround& around, const Limits& limits, uint32_t word) {
+uint32_t active(const RowsAround& around, const SweptRow& row, uint32_t word) {
   uint32_t any = 0, all = ~uint32_t{0};
-  for (const uint32_t* const row : around.row) {
-    any |= row[word] | row[word] >> 1;
-    all &= row[word] & row[word] >> 1;
+  for (const uint32_t* const voxels : around.row) {
+    any |= voxels[word] | voxels[word] >> 1;
+    all &= voxels[word] & voxels[word] >> 1;
   }
-  const bool is_open = limits.border == Border::open;
-  return any & ~all & (is_open ? inner_columns(word, limits.width) : own_columns);
+  return any & ~all & (row.has_open_ends ? inner_columns(word, row.width) : own_columns);
 }
 
 // The records that a row of cells may come to need.
-uint32_t need(const RowsAround& around, const Limits& limits) {
+uint32_t need(const RowsAround& around, const SweptRow& row) {
   uint32_t count = 0;
-  for (uint32_t word = 0; word < row_words(limits.width); ++word)
-    for (uint32_t left = active(around, limits, word); left != 0; left &= left - 1) ++count;
+  for (uint32_t word = 0; word < row.words; ++word)
+    for (uint32_t left = active(around, row, word); left != 0; left &= left - 1) ++count;
   return count * sizing::records_a_cell;
 }
 
@@ -45,24 +44,23 @@ struct SealedBit {
   uint32_t& word;
   uint32_t bit;
 
-  SealedBit(const SealedRows& sealed, const Limits& limits, int32_t y, int32_t z)
-      : word(sealed.bits[(z & 1) * static_cast<int32_t>(sizing::sealed_words(limits) / 2) +
-                         (y + 1) / 32]),
+  SealedBit(const SealedRows& sealed, int32_t y, int32_t z)
+      : word(sealed.bits[(z & 1) * static_cast<int32_t>(sealed.layer_words) + (y + 1) / 32]),
         bit(uint32_t{1} << (y + 1) % 32) {}
 };
 
-void mark_absent(const SealedRows& sealed, const CellRows& cells) {
+void mark_absent(const SealedRows& sealed, SweptRow& row) {
   for (int layer = 0; layer < 2; ++layer)
-    for (int row = cells.y < 0 ? 1 : 0; row < 2; ++row) {
-      const SealedBit place(sealed, cells.limits, cells.y - 1 + row, cells.z - 1 + layer);
-      if ((place.word & place.bit) != 0) cells.absent |= 1U << (2 * layer + row);
+    for (int back = row.y < 0 ? 1 : 0; back < 2; ++back) {
+      const SealedBit place(sealed, row.y - 1 + back, row.z - 1 + layer);
+      if ((place.word & place.bit) != 0) row.absent_rows |= 1U << (2 * layer + back);
     }
 }
 
 // Decides on the row of cells above row y.
-bool decide(SealedRows& sealed, const CellRows& cells, uint32_t spare) {
-  const uint32_t needed = need(rows_around(cells.rows, 1, 1), cells.limits);
-  const SealedBit place(sealed, cells.limits, cells.y, cells.z);
+bool decide(SealedRows& sealed, const SweptRow& row, uint32_t spare) {
+  const uint32_t needed = need(rows_around(row.rows, 1, 1), row);
+  const SealedBit place(sealed, row.y, row.z);
   place.word &= ~place.bit;
   if (needed + sealed.committed <= spare) {
     sealed.committed += needed;
@@ -112,17 +110,17 @@ bool deliver_cell(SealedRows& sealed, Configuration configuration, const Vertex&
 }
 
 // Delivers the cells of the row above row y, or goes on with them.
-bool deliver(SealedRows& sealed, const CellRows& cells, const Sink& sink, Statistics& statistics) {
-  const RowsAround around = rows_around(cells.rows, 1, 1);
-  for (; sealed.word < row_words(cells.limits.width); ++sealed.word) {
-    if (!sealed.is_word_begun) sealed.cells = active(around, cells.limits, sealed.word);
+bool deliver(SealedRows& sealed, const SweptRow& row, const Sink& sink, Statistics& statistics) {
+  const RowsAround around = rows_around(row.rows, 1, 1);
+  for (; sealed.word < row.words; ++sealed.word) {
+    if (!sealed.is_word_begun) sealed.cells = active(around, row, sealed.word);
     sealed.is_word_begun = true;
     for (; sealed.cells != 0; sealed.cells &= sealed.cells - 1) {
       const uint32_t bit = trailing_zeros(sealed.cells);
       uint32_t configuration = 0;
       for (int i = 0; i < 4; ++i) configuration |= (around.row[i][sealed.word] >> bit & 3) << 2 * i;
-      const uint32_t x = sealed.word * columns_per_word + bit - 2;  // -1 wraps
-      const Vertex origin{2 * static_cast<int32_t>(x), 2 * cells.y, 2 * cells.z};
+      const auto x = static_cast<int32_t>(column_of(sealed.word, bit));
+      const Vertex origin{2 * x, 2 * row.y, 2 * row.z};
       if (!deliver_cell(sealed, static_cast<Configuration>(configuration), origin, sink,
                         statistics))
         return false;
@@ -140,29 +138,30 @@ void clear(SealedRows& sealed, const Limits& limits) {
   for (uint32_t i = 0; i < sizing::sealed_words(limits); ++i) bits[i] = 0;
   sealed = {};
   sealed.bits = bits;
+  sealed.layer_words = sizing::sealed_words(limits) / 2;
+  sealed.last_row = static_cast<int32_t>(limits.height) - 1;
 }
 
-bool begin_row(SealedRows& sealed, const CellRows& cells, uint32_t spare, const Sink& sink,
+bool begin_row(SealedRows& sealed, SweptRow& row, uint32_t spare, const Sink& sink,
                Statistics& statistics) {
   using Stage = SealedRows::Stage;
   if (sealed.stage == Stage::none) {
-    const bool has_cells = (cells.absent & CellRowBits::back & CellRowBits::above) == 0;
-    sealed.stage = has_cells && decide(sealed, cells, spare) ? Stage::cells : Stage::vertices;
+    const bool has_cells = (row.absent_rows & CellRowBits::back & CellRowBits::above) == 0;
+    sealed.stage = has_cells && decide(sealed, row, spare) ? Stage::cells : Stage::vertices;
   }
   if (sealed.stage == Stage::cells) {
-    if (!deliver(sealed, cells, sink, statistics)) return false;
+    if (!deliver(sealed, row, sink, statistics)) return false;
     sealed.stage = Stage::vertices;
   }
-  mark_absent(sealed, cells);
+  mark_absent(sealed, row);
   return true;
 }
 
 // Around the cells below, before row y, it is the last row; the last of all also behind it.
-void end_row(SealedRows& sealed, const CellRows& cells) {
-  const bool is_last = cells.y + 1 == static_cast<int32_t>(cells.limits.height);
-  for (int row = 0; row < (is_last ? 2 : 1); ++row)
-    if ((cells.absent >> row & 1) == 0)
-      sealed.committed -= need(rows_around(cells.rows, 0, row), cells.limits);
+void end_row(SealedRows& sealed, const SweptRow& row) {
+  for (int back = 0; back < (row.y == sealed.last_row ? 2 : 1); ++back)
+    if ((row.absent_rows >> back & 1) == 0)
+      sealed.committed -= need(rows_around(row.rows, 0, back), row);
   sealed.stage = SealedRows::Stage::none;
 }
 

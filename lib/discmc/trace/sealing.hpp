@@ -11,22 +11,17 @@
 
 #include <discmc/capacities.hpp>
 #include <discmc/sink.hpp>
+#include <discmc/trace/swept_row.hpp>
 
 namespace discmc::trace {
-
-/// The rows of cells around row y of the slice that is swept, z.
-struct CellRows {
-  const Limits& limits;
-  const RowBlock& rows;
-  int32_t y, z;
-  uint32_t& absent;  ///< those that take no part in the sweep (CellRowBits)
-};
 
 /// Which rows of cells are sealed, and where the delivery of the last of them is.
 struct SealedRows {
   enum class Stage : uint8_t { none, cells, vertices };  ///< of the row under way
 
   uint32_t* bits = nullptr;  ///< sizing::sealed_words(), of the layers above even and odd slices
+  uint32_t layer_words = 0;  ///< of each of the two
+  int32_t last_row = 0;      ///< of voxels
   uint32_t committed = 0;    ///< records that rows of cells under way may need
   Stage stage = Stage::none;
   uint8_t patch = 0;
@@ -39,12 +34,13 @@ struct SealedRows {
 /// What a sink that takes no fragments has an extractor do.
 struct Sealing {
   void (*clear)(SealedRows& sealed, const Limits& limits);
-  /// Seals the row of cells above row y if it must, delivers its cells, and marks what is sealed as
-  /// absent. False when the sink said "not now": call again. spare: records that are free.
-  bool (*begin_row)(SealedRows& sealed, const CellRows& cells, uint32_t spare, const Sink& sink,
+  /// Seals the row of cells above and behind a row if it must, delivers its cells, and adds what is
+  /// sealed to the absent rows. False when the sink said "not now": call again. spare: records that
+  /// are free.
+  bool (*begin_row)(SealedRows& sealed, SweptRow& row, uint32_t spare, const Sink& sink,
                     Statistics& statistics);
-  /// Row y is swept: rows of cells that it was the last around need no more records.
-  void (*end_row)(SealedRows& sealed, const CellRows& cells);
+  /// A row is swept: rows of cells that it was the last around need no more records.
+  void (*end_row)(SealedRows& sealed, const SweptRow& row);
 };
 
 }  // namespace discmc::trace

@@ -40,7 +40,7 @@ class Sweep {
   bool take_passes(const Normals& normals, const Sink& sink, Statistics& statistics);
 
   Passes passes_;
-  CellCounts counts_;
+  SweepCounts counts_;
   Fragments<Index, Normal> fragments_;
   Delivery<Index, Normal> delivery_;
 };

@@ -24,18 +24,19 @@ struct SweptRow {
   uint32_t words;
   uint32_t width;
   int32_t y, z;
+  uint32_t absent_rows;  ///< rows of cells (CellRowBits) that take no part
   RowWork work;
   bool has_open_ends;  ///< its first and its last column are those of an open border
   bool has_y, has_z;   ///< whether edges along y and z are visited
   uint8_t missing[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
 
-  /// cells: the rows of cells (CellRowBits) that take no part. Where none behind, or above, takes
-  /// part, no edges along y, or z, are visited.
-  void set_missing(uint32_t cells) {
-    has_y = (cells & CellRowBits::back) != CellRowBits::back;
-    has_z = (cells & CellRowBits::above) != CellRowBits::above;
-    const uint32_t front_below = cells & 1, back_below = cells >> 1 & 1;
-    const uint32_t front_above = cells >> 2 & 1, back_above = cells >> 3;
+  /// Sets what follows from absent_rows. Where no cells behind, or above, take part, no edges along
+  /// y, or z, are visited.
+  void set_missing() {
+    has_y = (absent_rows & CellRowBits::back) != CellRowBits::back;
+    has_z = (absent_rows & CellRowBits::above) != CellRowBits::above;
+    const uint32_t front_below = absent_rows & 1, back_below = absent_rows >> 1 & 1;
+    const uint32_t front_above = absent_rows >> 2 & 1, back_above = absent_rows >> 3;
     missing[0] =
         static_cast<uint8_t>(back_above | front_above << 1 | front_below << 2 | back_below << 3);
     missing[1] = static_cast<uint8_t>(9 * back_above | 6 * back_below);
@@ -84,7 +85,7 @@ struct Crossings {
 };
 
 /// Counts of cells, out of the parts that vertices add (CountParts).
-class CellCounts {
+class SweepCounts {
  public:
   void add(uint32_t parts) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
