@@ -60,10 +60,10 @@ void LearntPasses::learn_in(Memory memory) {
   while (bits < most_entry_bits && size_t{2} << bits <= entries) ++bits;
   shift_ = 32 - bits;
   Arena arena(memory);
-  known_ = arena.take<Known>(size_t{1} << bits);
-  learnt_ = arena.take<Learnt>(size_t{1} << bits);
+  known_ = arena.take<Known>(uint32_t{1} << bits);
+  learnt_ = arena.take<Learnt>(uint32_t{1} << bits);
   if (arena.is_exhausted()) known_ = nullptr;
-  for (size_t i = 0; known_ != nullptr && i < size_t{1} << bits; ++i) known_[i] = {0, 0};
+  for (uint32_t i = 0; known_ != nullptr && i < uint32_t{1} << bits; ++i) known_[i] = {0, 0};
 }
 
 bool LearntPasses::find(const SweptRow& row, SweepCounts& counts) {
