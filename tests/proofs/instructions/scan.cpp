@@ -1,10 +1,12 @@
 // The scan whose instructions are counted: a ball with some 23 voxels for every active cell, as a
 // CT scan has. Prints the number of active cells.
-#include <discmc/extractor.hpp>
+//
+//   scan plain | learning      by an Extractor, or a LearningExtractor that has learnt nothing yet
+#include <discmc/learning_extractor.hpp>
 
 #include <cstdint>
 #include <cstdio>
-#include <memory>
+#include <string_view>
 
 #include "oracle/volume.hpp"
 
@@ -29,22 +31,42 @@ uint64_t active_cells(const reference::BitVolume& volume) {
 }  // namespace
 
 // Instructions are counted while this is executed: the name must stay and nothing may be inlined.
-extern "C" [[gnu::noinline]] bool counted_scan(Extractor32& extractor,
+extern "C" [[gnu::noinline]] bool counted_scan(bool (*scan)(const reference::BitVolume&),
                                                const reference::BitVolume& volume) {
+  return scan(volume);
+}
+
+namespace {
+
+constexpr size_t learning_bytes = size_t{2} << 20;
+uint8_t learning_memory[learning_bytes];
+
+void give_memory(Extractor32&) {}
+void give_memory(LearningExtractor<uint32_t>& extractor) {
+  extractor.learn_in({learning_memory, learning_bytes});
+}
+
+template <class Scanner>
+bool is_scanned(const reference::BitVolume& volume) {
+  const Limits limits{extent, extent};
+  static uint8_t memory[minimum_bytes<uint32_t>(Limits{extent, extent}) + (size_t{1} << 20)];
   const auto voxels = static_cast<uint32_t>(volume.on.size());
-  return extractor.push(volume.on.data(), voxels).status == Status::ok &&
+  Scanner extractor;
+  give_memory(extractor);
+  return extractor.start(limits, 1, {memory, sizeof memory}, {nullptr, take_event}) == Status::ok &&
+         extractor.push(volume.on.data(), voxels).status == Status::ok &&
          extractor.finish() == Status::ok;
 }
 
-int main() {
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const bool learns = std::string_view(argv[1]) == "learning";
   const reference::BitVolume volume =
       reference::ball({extent, extent, extent}, {extent - 1, extent - 1, extent - 1}, 45 * 45);
-  const Limits limits{extent, extent};
-  const size_t bytes = minimum_bytes<uint32_t>(limits) + (size_t{1} << 20);
-  const std::unique_ptr<uint8_t[]> memory(new uint8_t[bytes]);
-  Extractor32 extractor;
-  if (extractor.start(limits, 1, {memory.get(), bytes}, {nullptr, take_event}) != Status::ok ||
-      !counted_scan(extractor, volume))
+  if (!counted_scan(learns ? is_scanned<LearningExtractor<uint32_t>> : is_scanned<Extractor32>,
+                    volume))
     return 1;
   std::printf("%llu\n", static_cast<unsigned long long>(active_cells(volume)));
   return 0;
