@@ -1,6 +1,11 @@
 // The extractor's statuses, counters and memory: misuse, long scans, and several at a time.
 #include <doctest/doctest.h>
 
+#include <discmc/encoder.hpp>
+
+#include <algorithm>
+#include <new>
+
 #include "oracle/agreement.hpp"
 #include "oracle/event_log.hpp"
 #include "oracle/scan.hpp"
@@ -22,6 +27,15 @@ struct Counter {
     return Answer::taken;
   }
 };
+
+// Whether an object that is made where all was zero leaves it so.
+template <class Object>
+bool begins_as_zero() {
+  std::vector<uint64_t> place(sizeof(Object) / sizeof(uint64_t) + 1);
+  static_assert(alignof(Object) <= alignof(uint64_t), "it fits there");
+  new (place.data()) Object;
+  return std::all_of(place.begin(), place.end(), [](uint64_t word) { return word == 0; });
+}
 
 EventLog events_of(const BitVolume& volume) {
   EventLog log;
@@ -345,4 +359,9 @@ TEST_CASE("the high-water marks lie within the capacities, and are all that a sc
     (void)scan_in({needed.records / 2, needed.holes / 2}, in_few);
     CHECK(collected(in_few.events).loose().size() > 0);
   }
+}
+
+TEST_CASE("a scanner's objects begin as zeros, so that static ones take no flash") {
+  CHECK(begins_as_zero<Extractor16>());
+  CHECK(begins_as_zero<Encoder>());
 }

@@ -27,6 +27,7 @@ class Queues {
   void start(Queue<Index>* queues) { queues_ = queues; }
   void clear() {
     for (int i = 0; i < queue_count; ++i) queues_[i].head = no_record;
+    lose_from(queue_count);
   }
 
   /// Whether the last of what waits in a queue is a lost end.
@@ -149,7 +150,7 @@ class Queues {
   }
 
   Queue<Index>* queues_ = nullptr;
-  uint8_t first_lost_ = queue_count;
+  uint8_t first_lost_ = 0;
 };
 
 }  // namespace discmc::trace
