@@ -231,3 +231,87 @@ TEST_CASE("passes are remembered from room for two neighbourhoods on") {
     CHECK(memory.back() == 0xA5);
   }
 }
+
+namespace {
+
+// A chain that begins somewhere and goes on straight at one end, link by link.
+class StraightChain {
+ public:
+  using Chains = trace::Fragments<uint32_t, NoNormal>;
+
+  // along: the chain's links; is_tail: it is the tail that goes on, else the begin.
+  StraightChain(Incidence incidence, Link along, bool is_tail)
+      : vertex_{0, 0, 0}, is_tail_(is_tail) {
+    chains_.start(records_.data(), static_cast<uint32_t>(records_.size()), queues_, true);
+    chains_.clear();
+    pass_ = {incidence, along, along, along, begins, tails, true, trace::Pass::ahead};
+    chains_.take(pass_, vertex_, NoNormals{});
+    pass_.in = pass_.out = is_tail ? tails : begins;
+    pass_.comes_from_ahead = !is_tail;
+    pass_.flags = is_tail ? trace::Pass::ahead : uint8_t{0};
+  }
+  void go_on(bool amply) {
+    move(vertex_, pass_.first, is_tail_ ? 1U : 0U - 1U);
+    if (amply)
+      chains_.take_amply(pass_, vertex_, NoNormals{});
+    else
+      chains_.take(pass_, vertex_, NoNormals{});
+  }
+  uint32_t records() const { return chains_.records().in_use(); }
+
+ private:
+  static constexpr uint8_t begins = 0, tails = 1;
+
+  std::vector<trace::Record<uint32_t, NoNormal>> records_{2000};
+  trace::Queue<uint32_t> queues_[trace::queue_count];
+  Chains chains_;
+  trace::Pass pass_;
+  Vertex vertex_;
+  bool is_tail_;
+};
+
+// Voxels in steps that descend along x as z ascends: its sides have some 2,040 links (-1, 0, 1).
+// The last slices are alike.
+BitVolume stairs() {
+  const Size size{1022, 1, 1034};
+  BitVolume volume(size);
+  for (size_t z = 0; z < size.depth; ++z)
+    for (size_t x = 0; x < size.width; ++x) {
+      const size_t away = x + std::min<size_t>(z, 1022);
+      volume.on[z * size.width + x] = away >= 1021 && away <= 1023 ? 1 : 0;
+    }
+  return volume;
+}
+
+}  // namespace
+
+TEST_CASE("a side is broken off at the same vertex, whatever the supply") {
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    for (Direction i = 0; i < direction_count(incidence); ++i)
+      for (const bool is_tail : {false, true}) {
+        const Link along = link_of(incidence, i);
+        StraightChain ample(incidence, along, is_tail), scarce(incidence, along, is_tail);
+        uint32_t unlike = 0;
+        for (uint32_t links = 1; links < 10000 && unlike == 0; ++links) {
+          ample.go_on(true);
+          scarce.go_on(false);
+          if (ample.records() != scarce.records()) unlike = links;
+        }
+        CAPTURE(static_cast<int>(along));
+        CAPTURE(is_tail);
+        CHECK(unlike == 0);
+      }
+}
+
+TEST_CASE("sides as long as may be change nothing") {
+  const BitVolume volume = stairs();
+  Plan plan;
+  plan.takes_fragments = false;
+  Extractor<uint16_t> other;
+  LearningExtractor<uint16_t> extractor;
+  Block learnt(1 << 16);
+  extractor.learn_in(learnt.memory());
+  constexpr Capacities little{703, 10};
+  CHECK(scanned(extractor, volume, plan, little).events ==
+        scanned(other, volume, plan, little).events);
+}
