@@ -123,8 +123,8 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
-  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2 MB
-  /// are a good size. Call it before push(). Nothing is remembered before, and after restore().
+  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2
+  /// MiB are a good size. Call it at any time. Nothing is remembered before, and after restore().
   /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
   /// Cost: a fifth of it is written.
   template <class P = Passes>

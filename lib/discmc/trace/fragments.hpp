@@ -37,11 +37,11 @@ constexpr LinkSteps link_steps() {
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
-/// Whether a side from one place to another is as long as may be kept whole: two such sides may
-/// join, and places still tell the length.
+/// Whether a side between two places is as long as may be kept whole: two such sides may join, and
+/// places still tell the length. Which place comes first does not matter.
 inline bool is_longest_side(Place from, Place to) {
   constexpr uint32_t longest = 4080;
-  return (to - from + longest) % (1U << place_bits) >= 2 * longest;
+  return (to - from + longest - 1) % (1U << place_bits) >= 2 * longest - 1;
 }
 
 /// How many links lead from one place to another. Limit: the places are less than 8,192 apart.
