@@ -86,7 +86,7 @@ class BitRows {
 
  private:
   uint32_t* row_before(uint32_t back) const;
-  uint32_t* row_off() const { return ring_ + size_t{words_} * ring_rows_; }
+  uint32_t* row_off() const { return &ring_[size_t{words_} * ring_rows_]; }
   uint32_t* arriving();
   void place(uint32_t* words, uint32_t bits) const;
   template <class Sample>
