@@ -286,7 +286,7 @@ bool Decoder::read_fragment() {
     if (!is_direction_of(incidence, direction)) return false;
     if (is_first) {
       start = model_.fragment_vertex(Vertex{0, 0, 0});
-      if (is_backwards) start = moved(start, direction_vector(incidence, direction), 1);
+      if (is_backwards) move(start, incidence, direction, 1);
     } else {
       is_last = model_.is_last_link(false);
     }
@@ -297,7 +297,7 @@ bool Decoder::read_fragment() {
     const uint32_t length = model_.length(1);
     if (length > Run::max_length || !record_.has_room(1)) return false;
     record_.add_run(Run::straight(direction, length));
-    if (is_backwards) start = moved(start, direction_vector(incidence, direction), 0U - length);
+    if (is_backwards) move(start, incidence, direction, 0U - length);
   }
   record_.set_start(0, start);
   if (is_backwards) record_.reverse_runs();

@@ -49,11 +49,6 @@ constexpr void move(Vertex& v, const Vertex& step, uint32_t times) {
   add(v.y, step.y);
   add(v.z, step.z);
 }
-/// v moved so.
-constexpr Vertex moved(Vertex v, const Vertex& step, uint32_t times) {
-  move(v, step, times);
-  return v;
-}
 constexpr int32_t dot(const Vertex& a, const Vertex& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }

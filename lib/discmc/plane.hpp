@@ -22,7 +22,9 @@ constexpr bool is_run_of(Incidence incidence, Run run) {
 
 /// Where a run leads.
 constexpr Vertex after_run(Incidence incidence, const Vertex& from, Run run) {
-  return moved(from, direction_vector(incidence, run.direction()), run.length());
+  Vertex to = from;
+  move(to, incidence, run.direction(), run.length());
+  return to;
 }
 
 /// The offset n.p of the plane that a vertex lies in.

@@ -68,17 +68,18 @@ void LearntPasses::learn_in(Memory memory) {
 
 bool LearntPasses::find(const SweptRow& row, SweepCounts& counts) {
   do {
-    if (!collect(row)) {
+    const uint32_t edges = collect(row);
+    if (edges == 0) {
       clear();
       return false;
     }
-    look_up(row, counts);
+    look_up(edges, row, counts);
   } while (passes_ == 0);
   return true;
 }
 
-// Collects the edges of as many words as there is room for. False when there are none.
-bool LearntPasses::collect(const SweptRow& row) {
+// Collects the edges of as many words as there is room for, and returns how many there are.
+uint32_t LearntPasses::collect(const SweptRow& row) {
   constexpr uint32_t around[] = {voxels_around_edge(0), voxels_around_edge(1),
                                  voxels_around_edge(2)};
   uint32_t count = 0;
@@ -97,12 +98,11 @@ bool LearntPasses::collect(const SweptRow& row) {
       }
     }
   }
-  edges_ = count;
-  return count > 0;
+  return count;
 }
 
 // Replaces the edges by their passes.
-void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
+void LearntPasses::look_up(uint32_t edges, const SweptRow& row, SweepCounts& counts) {
   const Known* const known = known_;
   const Learnt* const learnt = learnt_;
   const uint32_t shift = shift_;
@@ -110,7 +110,7 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
   SweepCounts sum = counts;
   uint32_t passes = 0;
   uint32_t vertices = 0;
-  for (uint32_t i = 0; i < edges_; ++i) {
+  for (uint32_t i = 0; i < edges; ++i) {
     const Edge edge = edge_[i];
     const auto axis = static_cast<int>(edge.key >> axis_shift);
     const uint32_t absent = row.absent(axis, edge.x);

@@ -24,7 +24,7 @@ class LearntPasses {
 
   // As DerivedPasses has them.
   static constexpr bool finds_many = true;
-  void clear() { word_ = edges_ = passes_ = next_ = 0; }
+  void clear() { word_ = passes_ = next_ = 0; }
   bool find(const SweptRow& row, SweepCounts& counts);
   bool has_next() const { return next_ < passes_; }
   const Pass& pass() const { return pass_[next_]; }
@@ -54,8 +54,8 @@ class LearntPasses {
     Pass pass[most_learnt];
   };
 
-  bool collect(const SweptRow& row);
-  void look_up(const SweptRow& row, SweepCounts& counts);
+  uint32_t collect(const SweptRow& row);
+  void look_up(uint32_t edges, const SweptRow& row, SweepCounts& counts);
   void derive(const SweptRow& row, const Edge& edge, uint32_t absent, PassList& passes) const;
   void learn(uint32_t key, uint32_t place, const PassList& passes);
 
@@ -64,7 +64,6 @@ class LearntPasses {
   uint32_t shift_ = 31;
 
   uint32_t word_ = 0;  // the next whose edges are to be collected
-  uint32_t edges_ = 0;
   uint32_t passes_ = 0;
   uint32_t next_ = 0;
   Edge edge_[most_edges + 3];
