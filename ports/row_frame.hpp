@@ -88,7 +88,7 @@ class Reader {
   }
 
   void check(uint8_t byte) {
-    constexpr discmc::derive::Crc32Table table = discmc::derive::crc32_table();
+    constexpr discmc::derive::Crc32Table<4> table = discmc::derive::crc32_table<4>();
     crc_ ^= byte;
     crc_ = crc_ >> 4 ^ table.remainder[crc_ & 15];
     crc_ = crc_ >> 4 ^ table.remainder[crc_ & 15];

@@ -7,6 +7,10 @@
 
 namespace discmc {
 
+/// Whether the processor is a host's, with memory for larger tables and code: one of 64 bits.
+/// Boards are compiled hosted or freestanding, so that does not tell.
+constexpr bool is_host = UINTPTR_MAX > UINT32_MAX;
+
 /// Whether the lowest byte of a word comes first in memory. False where the compiler does not say.
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
 constexpr bool is_little_endian = true;

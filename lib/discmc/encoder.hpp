@@ -16,6 +16,23 @@ struct ByteOutput {
   size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
 };
 
+/// The bits of a symbol, encoded where they are decided.
+class SymbolCoder {
+ public:
+  explicit SymbolCoder(RangeEncoder& range) : range_(range) {}
+  bool bit(uint32_t context, bool bit) {
+    range_.encode(bit, region_model[context]);
+    return bit;
+  }
+  bool bit(context::Even, bool bit) {
+    range_.encode_even(bit);
+    return bit;
+  }
+
+ private:
+  RangeEncoder::Bits range_;
+};
+
 /// One packet and one record are all that is held. The encoder may be suspended after any byte:
 /// while the output takes nothing, take() answers not_now, and goes on where it was when asked
 /// again. Use it as Encoder, or as NormalEncoder where the normals of runs are to be told too; a
@@ -28,7 +45,16 @@ class BasicEncoder : private Normals {
 
   /// Takes an event of the extractor (or of a decoder); nothing before start().
   /// Cost: a few decisions a run, and the bytes.
-  Answer take(const Event& event);
+  Answer take(const Event& event) {
+    // Most events: on a host they are worth a shortcut.
+    if constexpr (is_host) {
+      if (only_waits(event)) {
+        add_run(event);
+        return Answer::taken;
+      }
+    }
+    return take_any(event);
+  }
 
   /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
   /// stream. False when the output does not take all of it now: call again. Nothing before start().
@@ -57,14 +83,30 @@ class BasicEncoder : private Normals {
       return bit;
     }
     void tell(uint32_t context, bool bit);
+    // Firmware is smaller without.
+    friend decltype(auto) symbol_coder(Coder& coder) {
+      if constexpr (is_host)
+        return SymbolCoder(coder.range);
+      else
+        return (coder);
+    }
   };
   using Model = RegionModel<Coder>;
 
+  // Whether it is a run, and an encoder that is started and idle has room for it.
+  bool only_waits(const Event& event) const {
+    return event.kind == Event::Kind::run && record_.has_room(1) && frame_bytes_ == 0 &&
+           !is_emptying_ && output_.write != nullptr;
+  }
+  Answer take_any(const Event& event);
   bool put(const Event& event);
   bool encode_whole(const Event& event);
   bool encode_part(uint32_t& words, Event::Kind cause);
   bool put_trailer(const Event& event);
-  void add_run(const Event& event);
+  void add_run(const Event& event) {
+    if constexpr (Normals::are_told) Normals::set(record_.count, event.normal);
+    record_.add_run(event.run);
+  }
   void drop(uint32_t words);
   void encode_normals(uint32_t words);
 

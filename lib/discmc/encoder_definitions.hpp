@@ -37,7 +37,7 @@ Status BasicEncoder<Normals>::start(const StreamHeader& header, const ByteOutput
 }
 
 template <class Normals>
-Answer BasicEncoder<Normals>::take(const Event& event) {
+Answer BasicEncoder<Normals>::take_any(const Event& event) {
   if (output_.write == nullptr || !drain()) return Answer::not_now;
   const bool is_run = event.kind == Event::Kind::run;
   bool done = true;
@@ -115,12 +115,6 @@ void BasicEncoder<Normals>::Coder::tell(uint32_t context, bool bit) {
 }
 
 template <class Normals>
-void BasicEncoder<Normals>::add_run(const Event& event) {
-  if constexpr (Normals::are_told) Normals::set(record_.count, event.normal);
-  record_.add_run(event.run);
-}
-
-template <class Normals>
 void BasicEncoder<Normals>::drop(uint32_t words) {
   record_.drop(words);
   if constexpr (Normals::are_told) Normals::drop(words, record_.count);
@@ -173,8 +167,10 @@ bool BasicEncoder<Normals>::encode_whole(const Event& event) {
       return true;
     default:
       encode_normals(record_.count);
-      return record_.is_fragment ? encode_fragment(model_, record_)
-                                 : encode_region(model_, record_);
+      if constexpr (is_host)
+        return encode_record_in_place(model_, record_);
+      else
+        return encode_record(model_, record_);
   }
 }
 

@@ -22,8 +22,8 @@ class RangeEncoder {
   RangeEncoder(uint8_t* buffer, size_t capacity)
       : first_held_(0xFF),
         capacity_(static_cast<uint16_t>(capacity)),
-        range_(UINT32_MAX),
-        buffer_(buffer) {}
+        buffer_(buffer),
+        range_(UINT32_MAX) {}
 
   void encode(bool bit, Probability one) {
     const uint32_t bound = (range_ >> 8) * one;
@@ -33,11 +33,60 @@ class RangeEncoder {
       add(bound);
       range_ -= bound;
     }
-    while (range_ < min_range) {
+    // Down to a 256th of it is at least 2^16.
+    if (range_ < min_range) {
       shift();
       range_ <<= 8;
     }
   }
+
+  /// The encoder while it encodes several bits, in registers where all of it is inlined. Until it
+  /// is gone the encoder itself is not to be used. Owner: the encoder is the caller's.
+  class Bits {
+   public:
+    explicit Bits(RangeEncoder& of) : of_(of), low_(of.low_), range_(of.range_) {}
+    ~Bits() { write_back(); }
+    Bits(const Bits&) = delete;
+    Bits& operator=(const Bits&) = delete;
+
+    void encode(bool bit, Probability one) {
+      const uint32_t bound = (range_ >> 8) * one;
+      if (bit) {
+        range_ = bound;
+      } else {
+        low_ += bound;
+        range_ -= bound;
+      }
+      normalise();
+    }
+    /// The same for a bit that a processor's branch prediction foresees as little as anybody: no
+    /// branch depends on it.
+    void encode_even(bool bit) {
+      const uint32_t half = range_ >> 8 << 7;
+      const uint32_t if_zero = uint32_t{bit} - 1;
+      low_ += half & if_zero;
+      range_ = half + ((range_ - 2 * half) & if_zero);
+      normalise();
+    }
+
+   private:
+    void write_back() {
+      of_.low_ = static_cast<uint32_t>(low_);
+      of_.range_ = range_;
+      of_.carry_ = static_cast<uint8_t>(of_.carry_ | low_ >> 32);
+    }
+    void normalise() {
+      if (range_ >= min_range) return;
+      write_back();
+      of_.shift();
+      low_ = of_.low_;
+      range_ <<= 8;
+    }
+
+    RangeEncoder& of_;
+    uint64_t low_;  // and above it a carry
+    uint32_t range_;
+  };
 
   /// Goes on in another buffer, which holds the same bytes.
   void move_to(uint8_t* buffer) { buffer_ = buffer; }
@@ -68,7 +117,7 @@ class RangeEncoder {
 
   void add(uint32_t value) {
     low_ += value;
-    if (low_ < value) carry_ = 1;
+    carry_ = static_cast<uint8_t>(carry_ + (low_ < value ? 1 : 0));
   }
 
   // The top byte is held, and with it those of 255 that follow: a carry may still come through
@@ -93,8 +142,8 @@ class RangeEncoder {
   uint16_t count_ = 0;
   uint16_t capacity_ = 0;
   uint32_t low_ = 0;
-  uint32_t range_ = 0;
   uint8_t* buffer_ = nullptr;
+  uint32_t range_ = 0;
 };
 
 /// Reads what a RangeEncoder wrote. Any bytes are safe: beyond the end zeros are read.

@@ -21,7 +21,11 @@ constexpr uint32_t size_of_run_length = 7;  ///< likewise
 constexpr uint32_t size_of_tree = 7;        ///< of 3 bits
 constexpr uint32_t slopes = 5;
 
-constexpr uint32_t even = 0;                                    ///< one or zero, equally likely
+/// One or zero, equally likely. A type of its own: coders may know it at compile time.
+struct Even {
+  constexpr operator uint32_t() const { return 0; }
+};
+constexpr Even even{};
 constexpr uint32_t region_follows = even + 1;                   ///< by: what came before
 constexpr uint32_t fragment_follows = region_follows + 5;       ///< likewise
 constexpr uint32_t other_kind = fragment_follows + 5;           ///< tree of 3 bits
@@ -87,9 +91,17 @@ constexpr uint32_t parity_of(int32_t coordinate) {
 /// Whether a link leads to another slice, and to which.
 enum class Rise : uint8_t { level, up, down };
 
+// Links are numbered in the order of z: 5 lead down, 8 are level, 5 lead up.
 constexpr Rise rise_of(Link link) {
-  const int32_t z = link_vector(link).z;
-  return z == 0 ? Rise::level : z > 0 ? Rise::up : Rise::down;
+  return link < 5 ? Rise::down : link < 13 ? Rise::level : Rise::up;
+}
+static_assert(link_vector(4).z < 0 && link_vector(5).z == 0 && link_vector(12).z == 0 &&
+              link_vector(13).z > 0);
+
+/// What codes a symbol of several bits: the coder itself, unless there is a better overload for it.
+template <class Coder>
+Coder& symbol_coder(Coder& coder) {
+  return coder;
 }
 
 /// The state that goes from one record of a packet to the next, and the grammar of records.
@@ -236,10 +248,11 @@ constexpr uint32_t max_compact_length = 0xFFFF;
 // Three bits. Nodes are numbered from 1, those below a node by twice its number and one more.
 template <class Coder>
 uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
+  auto&& coder = symbol_coder(coder_);
   uint32_t node = 1;
   for (uint32_t bits = 3; bits-- > 0;) {
     const uint32_t context = first == context::even ? first : first + node - 1;
-    node = 2 * node + bit(context, value >> bits & 1);
+    node = 2 * node + (coder.bit(context, (value >> bits & 1) != 0) ? 1 : 0);
   }
   return node - 8;
 }
@@ -248,12 +261,14 @@ uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
 // lower bits.
 template <class Coder>
 uint32_t RegionModel<Coder>::number(uint32_t first, uint32_t contexts, uint32_t value) {
+  auto&& coder = symbol_coder(coder_);
   const uint32_t last = first + contexts - 1;
   uint32_t bits = 0;
-  for (; bit(first, value >> bits > 1) && bits < 31; ++bits)
+  for (uint32_t rest = value >> 1; coder.bit(first, rest != 0) && bits < 31; ++bits, rest >>= 1)
     if (first < last) ++first;
   uint32_t coded = 1;
-  while (bits-- > 0) coded = 2 * coded + bit(context::even, value >> bits & 1);
+  while (bits-- > 0)
+    coded = 2 * coded + (coder.bit(context::even, (value >> bits & 1) != 0) ? 1 : 0);
   return coded;
 }
 
@@ -378,18 +393,15 @@ Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
 template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
   if (links_ <= most_of_short) ++links_;
-  const bool is_first = links_ == 1;
   const uint32_t directions = direction_count();
-  const bool mirrors = chain_ == Chain::backwards && !is_first;
-  const auto within = [directions](uint32_t number) {
-    return number < directions ? number : number - directions;
-  };
+  const bool mirrors = chain_ == Chain::backwards && links_ > 1;
   const uint32_t from = mirrors ? direction : direction_;
   const uint32_t to = mirrors ? direction_ : direction;
-  const uint32_t turn = tree(tree_of_turn(), within(to + directions - from));
+  const uint32_t turn = tree(tree_of_turn(), to - from + (to < from ? directions : 0));
   if (turn >= directions) return static_cast<Direction>(turn);  // none of the plane's
-  if (!is_first) turns_ = static_cast<uint8_t>(turn + 1);
-  direction_ = static_cast<Direction>(within(direction_ + (mirrors ? directions - turn : turn)));
+  if (links_ > 1) turns_ = static_cast<uint8_t>(turn + 1);
+  const uint32_t next = direction_ + (mirrors ? directions - turn : turn);
+  direction_ = static_cast<Direction>(next < directions ? next : next - directions);
   return direction_;
 }
 

@@ -126,6 +126,30 @@ TEST_CASE("a carry runs through any number of bytes of 255, or stops before them
   CHECK(longest > 30);
 }
 
+TEST_CASE("bits in registers come to the same code, carries and all, however many at a time") {
+  Chance chance(8);
+  for (int round = 0; round < 300; ++round) {
+    CAPTURE(round);
+    Decisions decisions = random_decisions(chance, 400);
+    const Decisions climb = towards(Bytes(chance.below(12), 0xFF), 80, 128);
+    decisions.insert(decisions.end(), climb.begin(), climb.end());
+    Bytes bytes(4000);
+    RangeEncoder encoder(bytes.data(), bytes.size());
+    for (size_t i = 0; i < decisions.size();) {
+      RangeEncoder::Bits bits(encoder);
+      for (size_t left = chance.below(9); left > 0 && i < decisions.size(); --left, ++i) {
+        const Decision& decision = decisions[i];
+        if (decision.one == 128)
+          bits.encode_even(decision.bit);
+        else
+          bits.encode(decision.bit, decision.one);
+      }
+    }
+    bytes.resize(encoder.finish());
+    CHECK(bytes == encoded(decisions));
+  }
+}
+
 TEST_CASE("a first byte of 255 waits, and goes out whole") {
   // Zeros of probability 1 / 256 climb to the very top of the range at once.
   Decisions decisions(40, {false, 255});
