@@ -220,8 +220,7 @@ class Feeder {
 
 template <class Index>
 void give_memory(Extractor<Index>&) {}
-template <class Index>
-void give_memory(LearningExtractor<Index>& extractor) {
+void give_memory(LearningExtractor& extractor) {
   static uint8_t memory[1 << 14];
   extractor.learn_in({memory, sizeof memory});
 }
@@ -265,6 +264,16 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
   require(!scenario.has_all_memory || collector.loose().empty(), "loose, with memory left");
 }
 
+// With so much memory that a host keeps corners, and more or less beyond it.
+void check_corners(const Scenario& scenario, const EventLog::Refuses& refuses) {
+  constexpr uint32_t least_for_corners = 37120;
+  Scenario large = scenario;
+  large.capacities = {least_for_corners + scenario.refusal_seed % 64 * 16, 1 << 12};
+  const EventLog corners = run<uint32_t, LearningExtractor>(large, refuses);
+  const EventLog records = run<uint32_t>(large, {});
+  require(corners.events == records.events, "a host that keeps corners gives other events");
+}
+
 void check(const Scenario& scenario) {
   const auto refuses = [&scenario](uint64_t offer) {
     const auto mixed =
@@ -274,8 +283,9 @@ void check(const Scenario& scenario) {
   const EventLog log =
       scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
   check_surface(scenario, collected(log.events, scenario.takes_fragments));
-  const EventLog learnt = run<uint32_t, LearningExtractor<uint32_t>>(scenario, refuses);
+  const EventLog learnt = run<uint32_t, LearningExtractor>(scenario, refuses);
   require(learnt.events == log.events, "a host that learns gives other events");
+  check_corners(scenario, refuses);
   if (!is_valid<uint16_t>(scenario.capacities)) return;
   Scenario plain = scenario;
   plain.chunk = 1 << 20;

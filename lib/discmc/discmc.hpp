@@ -31,7 +31,9 @@
 //     records.hpp, run_list.hpp       what they are kept in
 //   delivery.hpp, holes.hpp           rings, grouped into regions, to the sink
 //   sealing.hpp, seams.hpp            for sinks that take no fragments, and for slabs
-//   learnt_passes.hpp, flat_ring.hpp  what hosts do faster
+//   corner_sweep.hpp                  what hosts do faster:
+//     learnt_passes.hpp                 passes that are remembered,
+//     corners.hpp                       and fragments as lists of corners
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

@@ -42,9 +42,10 @@ struct HighWater {
 /// Index is uint16_t (up to 32,759 records; firmware) or uint32_t (hosts). The events do not depend
 /// on it, given the same capacities. Normals is NoNormals, or GradientNormals<Sample>: then push()
 /// takes samples of this type alone, keeps those of four slices in the memory, and sweeps a slice
-/// and a row later; the events are the same but for the normals in them. Passes: see
+/// and a row later; the events are the same but for the normals in them. Sweep: another is that of
 /// learning_extractor.hpp.
-template <class Index, class Normals = NoNormals, class Passes = trace::DerivedPasses>
+template <class Index, class Normals = NoNormals,
+          class Sweep = trace::Sweep<Index, typename Normals::Normal>>
 class Extractor {
  public:
   /// Begins a scan with as many records as the memory has room for (default_capacities()).
@@ -126,11 +127,11 @@ class Extractor {
   /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2
   /// MiB are a good size. Call it at any time. Nothing is remembered before, and after restore().
   /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
-  /// Cost: a fifth of it is written.
-  template <class P = Passes>
+  /// Cost: an eleventh of it is written.
+  template <class S = Sweep>
   void learn_in(Memory memory) {
-    P& passes = sweep_.passes();
-    passes.learn_in(memory);
+    S& sweep = sweep_;
+    sweep.learn_in(memory);
   }
 
   /// Totals so far, and all of them once the scan is finished.
@@ -193,7 +194,7 @@ class Extractor {
   Sink sink_;
   Normals intake_;
   trace::BitRows rows_;
-  trace::Sweep<Index, Normal, Passes> sweep_;
+  Sweep sweep_;
   Statistics statistics_{};
   trace::SealedRows sealed_;
   Capacities capacities_{};

@@ -42,6 +42,16 @@ class RecordAccount {
   void reserve(uint32_t count = 1) { available_ -= count; }
   void release(uint32_t count = 1) { available_ += count; }
 
+  /// The first of so many records side by side that have never been taken, or no_record when there
+  /// are not so many. Each is given back alone.
+  Index take_fresh(uint32_t count) {
+    if (count > available_ || count > capacity_ - fresh_) return no_record;
+    const auto first = static_cast<Index>(fresh_ + 1);
+    available_ -= count;
+    fresh_ += count;
+    return first;
+  }
+
  protected:
   Index take(uint32_t record_bytes) {
     if (available_ == 0) return no_record;

@@ -103,18 +103,13 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
 }
 
-// Of a host's memory, for what the extractor learns: about as much as a processor's own.
-constexpr std::size_t learning_bytes = std::size_t{2} << 20;
-
 template <class Index, class Sample, class Normals>
 Extraction extract_samples(VolumeReader& volume, const Limits& limits,
                            const ExtractionOptions& options, const Arena& arena, const Sink& sink) {
   const VolumeInfo& info = volume.info();
   // Left as it comes: what is never used costs nothing.
   const std::unique_ptr<std::uint8_t[]> memory(new std::uint8_t[arena.bytes]);
-  LearningExtractor<Index, Normals> extractor;
-  const std::unique_ptr<std::uint8_t[]> learnt(new std::uint8_t[learning_bytes]);
-  extractor.learn_in({learnt.get(), learning_bytes});
+  Extractor<Index, Normals> extractor;
   if constexpr (Normals::holds_samples) {
     const auto spacing = spacing_nm(info.spacing_mm);
     extractor.set_spacing({spacing[0], spacing[1], spacing[2]});

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include <discmc/learning_extractor.hpp>
+#include <discmc/extractor.hpp>
 #include <discmc/wire.hpp>
 
 #include "volume.hpp"

@@ -61,8 +61,8 @@ inline Limits limits_of(const BitVolume& volume, Border border) {
 }
 
 /// Pushes all samples, resuming as often as it takes. Errors: throws when a status is one.
-template <class Index, class Normals, class Passes, class Sample>
-void push_all(Extractor<Index, Normals, Passes>& extractor, const std::vector<Sample>& samples,
+template <class Index, class Normals, class Sweep, class Sample>
+void push_all(Extractor<Index, Normals, Sweep>& extractor, const std::vector<Sample>& samples,
               uint32_t chunk = 0) {
   const auto total = static_cast<uint32_t>(samples.size());
   for (uint32_t at = 0; at < total;) {
@@ -76,8 +76,8 @@ void push_all(Extractor<Index, Normals, Passes>& extractor, const std::vector<Sa
 }
 
 /// Ends a scan, resuming as often as it takes.
-template <class Index, class Normals, class Passes>
-void finish_all(Extractor<Index, Normals, Passes>& extractor) {
+template <class Index, class Normals, class Sweep>
+void finish_all(Extractor<Index, Normals, Sweep>& extractor) {
   Status status = extractor.finish();
   while (status == Status::more) status = extractor.finish();
   if (status != Status::ok) throw std::runtime_error(text(status));

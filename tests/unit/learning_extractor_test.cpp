@@ -1,10 +1,11 @@
-// An extractor that remembers neighbourhoods says what any other says, whatever it has forgotten.
+// An extractor for hosts says what any other says, whatever it has learnt, and wherever it hands
+// its fragments over.
 #include <doctest/doctest.h>
 
 #include <discmc/learning_extractor.hpp>
 
 #include <algorithm>
-#include <tuple>
+#include <memory>
 #include <vector>
 
 #include "oracle/event_log.hpp"
@@ -15,7 +16,9 @@ using namespace discmc::reference;
 
 namespace {
 
-constexpr size_t arena_bytes = 1 << 20;
+// With so many records corners are kept, in the rings of the queues and in half as many at least.
+constexpr Capacities much{60000, 100};
+constexpr uint32_t least_for_corners = 37120;
 
 // A plate with holes of many shapes: rings of many runs, and such as touch themselves.
 BitVolume plate() {
@@ -40,26 +43,31 @@ std::vector<BitVolume> volumes() {
           plate()};
 }
 
-constexpr Capacities much{20000, 100};
-
 // The events of an extractor, which may learn.
 template <class Extractor>
 EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan,
                  const Capacities& capacities = much, const EventLog::Refuses& refuses = {}) {
   EventLog log(refuses);
-  Block block(arena_bytes);
-  require_ok(extractor.start(limits_of(volume, plan.border), capacities, 1, block.memory(),
-                             sink_to(log, plan.takes_fragments)));
+  const Limits limits = limits_of(volume, plan.border);
+  Block block(bytes_for<uint32_t>(limits, capacities));
+  require_ok(
+      extractor.start(limits, capacities, 1, block.memory(), sink_to(log, plan.takes_fragments)));
   push_all(extractor, volume.on);
   finish_all(extractor);
+  CHECK(block.is_intact());
   return log;
 }
 
-template <class Index>
+// What any other extractor tells with as much memory as it likes.
+EventLog expected_of(const BitVolume& volume, const Plan& plan = {}) {
+  Extractor32 extractor;
+  return scanned(extractor, volume, plan, {1000000, 1000});
+}
+
 void check_like_others(size_t bytes, const Capacities& capacities = much,
                        const EventLog::Refuses& refuses = {}) {
   Block learnt(bytes);
-  LearningExtractor<Index> extractor;
+  LearningExtractor extractor;
   extractor.learn_in(learnt.memory());
   for (const Border border : {Border::closed, Border::open})
     for (const bool takes_fragments : {true, false})
@@ -67,66 +75,119 @@ void check_like_others(size_t bytes, const Capacities& capacities = much,
         Plan plan;
         plan.border = border;
         plan.takes_fragments = takes_fragments;
-        Extractor<Index> other;
+        Extractor32 other;
         const EventLog expected = scanned(other, volume, plan, capacities);
         CHECK(scanned(extractor, volume, plan, capacities, refuses).events == expected.events);
       }
   CHECK(learnt.is_intact());
 }
 
+bool refuses_some(uint64_t offer) {
+  return offer * 0x9E3779B97F4A7C15 >> 62 == 0;
+}
+
+// With so many records in use more than the least have been taken for queues.
+template <class Extractor>
+bool has_kept_corners(const Extractor& extractor) {
+  return extractor.high_water().records >= least_for_corners / 2;
+}
+
+// A scan with few records beyond the least, so that the fragments are handed over on the way.
+void check_handing_over(const BitVolume& volume, uint32_t records_beyond, Border border,
+                        const EventLog::Refuses& refuses = {}) {
+  CAPTURE(records_beyond);
+  Plan plan;
+  plan.border = border;
+  Block learnt(1 << 16);
+  LearningExtractor extractor;
+  extractor.learn_in(learnt.memory());
+  const EventLog log =
+      scanned(extractor, volume, plan, {least_for_corners + records_beyond, 1000}, refuses);
+  CHECK(has_kept_corners(extractor));
+  CHECK(log.events == expected_of(volume, plan).events);
+}
+
+// Walls along a diagonal of the slices, with sides of a thousand links and more, and a little
+// noise.
+BitVolume walls(Size size) {
+  BitVolume volume(size);
+  const BitVolume noise = random(size, 1, 7);
+  for (size_t i = 0; i < volume.on.size(); ++i) {
+    const size_t x = i % size.width, y = i / size.width % size.height;
+    volume.on[i] =
+        static_cast<uint8_t>(((x + y) % 70 < 3 ? 1 : 0) ^ (i % 32 == 0 ? noise.on[i] : 0));
+  }
+  return volume;
+}
+
 }  // namespace
 
 TEST_CASE("an extractor that learns gives the events of one that does not, from scan to scan") {
   for (const size_t bytes :
-       {size_t{0}, size_t{79}, size_t{80}, size_t{1000}, size_t{1} << 16, size_t{1} << 21}) {
+       {size_t{0}, size_t{87}, size_t{88}, size_t{1000}, size_t{1} << 16, size_t{1} << 21}) {
     CAPTURE(bytes);
-    check_like_others<uint16_t>(bytes);
-    check_like_others<uint32_t>(bytes);
+    check_like_others(bytes);
   }
 }
 
-TEST_CASE("it does with records for everything, for little, and for all but the worst rows") {
-  for (const uint32_t records : {60U, 200U, 500U, 1100U, 1200U, 1300U, 1500U, 2000U, 3000U}) {
-    CAPTURE(records);
-    check_like_others<uint16_t>(1 << 16, {records, 10});
-    check_like_others<uint32_t>(1 << 16, {records, 10});
-  }
+TEST_CASE("it does with too few records to keep corners, down to those for little") {
+  for (const uint32_t records : {60U, 200U, 1100U, 3000U, least_for_corners - 1})
+    check_like_others(1 << 16, {records, 10});
+  LearningExtractor extractor;
+  (void)scanned(extractor, plate(), {}, {least_for_corners - 1, 10});
+  CHECK(!has_kept_corners(extractor));
+  (void)scanned(extractor, plate(), {}, {least_for_corners, 10});
+  CHECK(has_kept_corners(extractor));
 }
 
 TEST_CASE("it does wherever the sink says not now") {
-  const auto refuses_some = [](uint64_t offer) { return offer * 0x9E3779B97F4A7C15 >> 62 == 0; };
   for (const Capacities& capacities : {much, Capacities{1200, 10}}) {
-    check_like_others<uint32_t>(1 << 16, capacities, refuses_first);
-    check_like_others<uint32_t>(1 << 16, capacities, refuses_some);
+    check_like_others(1 << 16, capacities, refuses_first);
+    check_like_others(1 << 16, capacities, refuses_some);
   }
 }
 
-TEST_CASE("it gives the same normals") {
-  using Normals = GradientNormals<uint8_t>;
-  const Limits limits{20, 30};
-  std::vector<uint8_t> samples(20 * 30 * 10);
-  for (size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<uint8_t>(i * i >> 7);
-  Block learnt(1 << 16), block(arena_bytes);
-  LearningExtractor<uint32_t, Normals> learning;
-  Extractor<uint32_t, Normals> other;
-  learning.learn_in(learnt.memory());
-  EventLog log, expected;
-  const auto scan_samples = [&](auto& extractor, EventLog& into) {
-    require_ok(extractor.start(limits, much, 100, block.memory(), sink_to(into)));
-    push_all(extractor, samples);
+TEST_CASE("it does wherever the fragments are handed over") {
+  const BitVolume noise = random({150, 110, 4}, 60, 8);
+  for (uint32_t beyond = 0; beyond < 24000; beyond += 1500) {
+    check_handing_over(noise, beyond, Border::closed);
+    check_handing_over(noise, beyond, Border::open, refuses_some);
+  }
+}
+
+TEST_CASE("long sides are handed over, too") {
+  const BitVolume volume = walls({1400, 900, 2});
+  for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U})
+    check_handing_over(volume, beyond, Border::closed);
+}
+
+TEST_CASE("the fragments are handed over where slices are too many for a corner's place") {
+  const Size size{2, 1, 33000};
+  for (const Border border : {Border::closed, Border::open})
+    check_handing_over(box(size, {0, 0, 0}, {0, 0, 32999}), 0, border);
+}
+
+TEST_CASE("a slab is scanned as by any other") {
+  const BitVolume volume = random({20, 20, 9}, 100, 3);
+  Limits limits = limits_of(volume, Border::closed);
+  limits.slab = {3, true, true};
+  const auto scanned_slab = [&](auto& extractor) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(limits, much));
+    require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(log)));
+    push_all(extractor, volume.on);
     finish_all(extractor);
+    return log.events;
   };
-  scan_samples(learning, log);
-  scan_samples(other, expected);
-  CHECK(expected.events.size() > 1000);
-  CHECK(log.events == expected.events);
+  Extractor32 other;
+  LearningExtractor extractor;
+  CHECK(scanned_slab(extractor) == scanned_slab(other));
 }
 
 TEST_CASE("an extractor learns in memory with any alignment, and may begin anew in other memory") {
   const BitVolume volume = random({20, 20, 9}, 100, 3);
-  EventLog expected;
-  scan_into<uint32_t>(expected, volume, {}, much);
-  LearningExtractor<uint32_t> extractor;
+  const EventLog expected = expected_of(volume);
+  LearningExtractor extractor;
   for (size_t offset = 0; offset < 5; ++offset) {
     Block learnt(5000);
     const Memory all = learnt.memory();
@@ -138,27 +199,35 @@ TEST_CASE("an extractor learns in memory with any alignment, and may begin anew 
   CHECK(scanned(extractor, volume, {}).events == expected.events);
 }
 
-TEST_CASE("what is learnt is no part of a checkpoint") {
-  const BitVolume volume = random({16, 16, 8}, 100, 4);
-  const auto half = static_cast<uint32_t>(volume.on.size() / 2);
-  EventLog log, expected;
-  scan_into<uint32_t>(expected, volume, {}, much);
-  Block block(arena_bytes);
-  auto checkpoint = std::make_unique<Checkpoint<LearningExtractor<uint32_t>>>();
-  {
-    Block learnt(1 << 16);
-    LearningExtractor<uint32_t> before{};
-    before.learn_in(learnt.memory());
-    require_ok(before.start({16, 16}, much, 1, block.memory(), sink_to(log)));
-    require_ok(before.push(volume.on.data(), half).status);
-    require_ok(before.save(*checkpoint));
+TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
+  const BitVolume volume = random({30, 30, 8}, 100, 4);
+  const Limits limits = limits_of(volume, Border::closed);
+  const auto slice = static_cast<uint32_t>(volume.width) * volume.height;
+  const EventLog expected = expected_of(volume);
+  auto checkpoint = std::make_unique<Checkpoint<LearningExtractor>>();
+  for (const uint32_t cut : {slice, 4 * slice + 7 * volume.width, 7 * slice}) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(limits, much));
+    Block elsewhere(block.memory().bytes);
+    {
+      Block learnt(1 << 16);
+      LearningExtractor before{};
+      before.learn_in(learnt.memory());
+      require_ok(before.start(limits, much, 1, block.memory(), sink_to(log)));
+      require_ok(before.push(volume.on.data(), cut).status);
+      require_ok(before.save(*checkpoint));
+      std::copy_n(static_cast<const uint8_t*>(block.memory().data), before.bytes_used(),
+                  static_cast<uint8_t*>(elsewhere.memory().data));
+    }
+    LearningExtractor after;
+    require_ok(after.restore(*checkpoint, elsewhere.memory(), sink_to(log)));
+    require_ok(after.push(volume.on.data() + cut, 8 * slice - cut).status);
+    finish_all(after);
+    CHECK(log.events == expected.events);
   }
-  LearningExtractor<uint32_t> after;
-  require_ok(after.restore(*checkpoint, block.memory(), sink_to(log)));
-  require_ok(after.push(volume.on.data() + half, half).status);
-  finish_all(after);
-  CHECK(log.events == expected.events);
 }
+
+namespace {
 
 // Nine rows of 40 voxels: there are crossings in both words of the middle one.
 struct Rows {
@@ -184,18 +253,41 @@ struct Rows {
   }
 };
 
-using FoundPass = std::tuple<int32_t, int32_t, int32_t, int, int, int>;
+// What the passes of DerivedPasses are as corner passes: a bit pattern each.
+using Found = std::vector<std::vector<uint64_t>>;
 
-template <class Passes>
-std::vector<FoundPass> passes_found(Passes& passes, const trace::SweptRow& row) {
-  std::vector<FoundPass> found;
+std::vector<uint64_t> described(uint64_t voxel, const trace::CornerPass& pass) {
+  return {voxel, pass.in, pass.out, pass.sides, pass.place, pass.kind};
+}
+
+Found derived_passes(const trace::SweptRow& row) {
+  Found found;
+  trace::DerivedPasses passes;
   trace::SweepCounts counts;
+  passes.clear();
   while (passes.find(row, counts))
-    for (; passes.has_next(); passes.advance())
-      found.emplace_back(passes.vertex().x, passes.vertex().y, passes.vertex().z,
-                         passes.pass().incidence, passes.pass().in, passes.pass().out);
+    for (; passes.has_next(); passes.advance()) {
+      const Vertex at = passes.vertex();
+      const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
+      const Vertex voxel{at.x & ~1, at.y & ~1, at.z & ~1};
+      trace::CornerPass made[trace::CornerPass::most_of_pass];
+      const uint32_t count = trace::corner_passes(passes.pass(), axis, made);
+      for (uint32_t i = 0; i < count; ++i)
+        found.push_back(described(trace::CornerCode::position(voxel), made[i]));
+    }
   return found;
 }
+
+Found learnt_passes(trace::LearntPasses& passes, const trace::SweptRow& row) {
+  Found found;
+  trace::SweepCounts counts;
+  passes.clear();
+  while (passes.find(row, counts))
+    for (const trace::FoundPass& pass : passes) found.push_back(described(pass.voxel, pass.pass));
+  return found;
+}
+
+}  // namespace
 
 TEST_CASE("the same passes are found with memory of any size, wherever it lies, again and again") {
   const Rows rows;
@@ -204,114 +296,29 @@ TEST_CASE("the same passes are found with memory of any size, wherever it lies, 
   for (const bool is_missing_cells : {false, true}) {
     row.has_open_ends = is_missing_cells;
     row.missing[1] = is_missing_cells ? 9 : 0;
-    trace::DerivedPasses derived;
-    const std::vector<FoundPass> expected = passes_found(derived, row);
+    const Found expected = derived_passes(row);
     REQUIRE(expected.size() > 40);
     for (size_t bytes = 0; bytes < memory.size(); bytes += 37) {
-      trace::LearntPasses learnt;
-      learnt.learn_in({memory.data() + bytes % 8, bytes - bytes % 8});
-      CHECK(passes_found(learnt, row) == expected);
-      CHECK(passes_found(learnt, row) == expected);
+      const auto learnt = std::make_unique<trace::LearntPasses>();
+      learnt->learn_in({memory.data() + bytes % 8, bytes - bytes % 8});
+      CHECK(learnt_passes(*learnt, row) == expected);
+      CHECK(learnt_passes(*learnt, row) == expected);
     }
   }
 }
 
 TEST_CASE("passes are remembered from room for two neighbourhoods on") {
   const Rows rows;
-  constexpr size_t entry = 40, most_lost = 2 * (Arena::alignment - 1);
+  constexpr size_t entry = 44, most_lost = 2 * (Arena::alignment - 1);
   for (size_t bytes = 0; bytes < 4 * entry; ++bytes) {
     std::vector<uint8_t> memory(bytes + 1, 0xA5);
-    trace::LearntPasses passes;
-    passes.learn_in({memory.data(), bytes});
-    (void)passes_found(passes, rows.swept());
+    const auto passes = std::make_unique<trace::LearntPasses>();
+    passes->learn_in({memory.data(), bytes});
+    (void)learnt_passes(*passes, rows.swept());
     const auto is_written = [](uint8_t byte) { return byte != 0xA5; };
     const bool has_learnt = std::any_of(memory.begin(), memory.end(), is_written);
     if (bytes < 2 * entry) CHECK(!has_learnt);
     if (bytes >= 2 * entry + most_lost) CHECK(has_learnt);
     CHECK(memory.back() == 0xA5);
   }
-}
-
-namespace {
-
-// A chain that begins somewhere and goes on straight at one end, link by link.
-class StraightChain {
- public:
-  using Chains = trace::Fragments<uint32_t, NoNormal>;
-
-  // along: the chain's links; is_tail: it is the tail that goes on, else the begin.
-  StraightChain(Incidence incidence, Link along, bool is_tail)
-      : vertex_{0, 0, 0}, is_tail_(is_tail) {
-    chains_.start(records_.data(), static_cast<uint32_t>(records_.size()), queues_, true);
-    chains_.clear();
-    pass_ = {incidence, along, along, along, begins, tails, true, trace::Pass::ahead};
-    chains_.take(pass_, vertex_, NoNormals{});
-    pass_.in = pass_.out = is_tail ? tails : begins;
-    pass_.comes_from_ahead = !is_tail;
-    pass_.flags = is_tail ? trace::Pass::ahead : uint8_t{0};
-  }
-  void go_on(bool amply) {
-    move(vertex_, pass_.first, is_tail_ ? 1U : 0U - 1U);
-    if (amply)
-      chains_.take_amply(pass_, vertex_, NoNormals{});
-    else
-      chains_.take(pass_, vertex_, NoNormals{});
-  }
-  uint32_t records() const { return chains_.records().in_use(); }
-
- private:
-  static constexpr uint8_t begins = 0, tails = 1;
-
-  std::vector<trace::Record<uint32_t, NoNormal>> records_{2000};
-  trace::Queue<uint32_t> queues_[trace::queue_count];
-  Chains chains_;
-  trace::Pass pass_;
-  Vertex vertex_;
-  bool is_tail_;
-};
-
-// Voxels in steps that descend along x as z ascends: its sides have some 2,040 links (-1, 0, 1).
-// The last slices are alike.
-BitVolume stairs() {
-  const Size size{1022, 1, 1034};
-  BitVolume volume(size);
-  for (size_t z = 0; z < size.depth; ++z)
-    for (size_t x = 0; x < size.width; ++x) {
-      const size_t away = x + std::min<size_t>(z, 1022);
-      volume.on[z * size.width + x] = away >= 1021 && away <= 1023 ? 1 : 0;
-    }
-  return volume;
-}
-
-}  // namespace
-
-TEST_CASE("a side is broken off at the same vertex, whatever the supply") {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    for (Direction i = 0; i < direction_count(incidence); ++i)
-      for (const bool is_tail : {false, true}) {
-        const Link along = link_of(incidence, i);
-        StraightChain ample(incidence, along, is_tail), scarce(incidence, along, is_tail);
-        uint32_t unlike = 0;
-        for (uint32_t links = 1; links < 10000 && unlike == 0; ++links) {
-          ample.go_on(true);
-          scarce.go_on(false);
-          if (ample.records() != scarce.records()) unlike = links;
-        }
-        CAPTURE(static_cast<int>(along));
-        CAPTURE(is_tail);
-        CHECK(unlike == 0);
-      }
-}
-
-TEST_CASE("sides as long as may be change nothing") {
-  const BitVolume volume = stairs();
-  Plan plan;
-  plan.takes_fragments = false;
-  Extractor<uint16_t> other;
-  LearningExtractor<uint16_t> extractor;
-  Block learnt(1 << 16);
-  extractor.learn_in(learnt.memory());
-  constexpr Capacities little{703, 10};
-  CHECK(scanned(extractor, volume, plan, little).events ==
-        scanned(other, volume, plan, little).events);
 }

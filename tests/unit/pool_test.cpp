@@ -123,3 +123,22 @@ TEST_CASE("whatever is taken and given, no record is out twice and none is lost"
     check_random_operations<uint32_t>(capacity, capacity + 1);
   }
 }
+
+TEST_CASE("a pool gives fresh records side by side as long as there are so many") {
+  std::vector<Record<uint16_t>> records(10);
+  Pool<Record<uint16_t>, uint16_t> pool;
+  pool.start(records.data(), 10);
+  pool.clear();
+  pool.give(pool.take());
+  CHECK(pool.take_fresh(10) == no_record);
+  CHECK(pool.take_fresh(4) == 2);
+  CHECK(pool.in_use() == 4);
+  CHECK(pool.high_water() == 5);
+  pool.reserve(2);
+  CHECK(pool.take_fresh(5) == no_record);
+  CHECK(pool.take_fresh(4) == 6);
+  CHECK(pool.available() == 0);
+  for (uint16_t index = 2; index < 10; ++index) pool.give(index);
+  CHECK(pool.take_fresh(2) == no_record);
+  CHECK(pool.take_fresh(1) == 10);
+}

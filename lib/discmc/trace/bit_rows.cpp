@@ -162,12 +162,16 @@ void BitRows::find_around(int32_t y, RowBlock& block) const {
   // Rows arrive slice by slice: so many rows ago came row y - 1 of the slice that arrives, of the
   // one before it, and of the one before that.
   uint32_t back = rows_ + 1 - static_cast<uint32_t>(y);
+  const uint32_t* const off = row_off();
   for (uint32_t k = 3; k-- > 0; back += height_) {
     const uint32_t there = slices_ + k < 2 ? 0 : k == 2 ? rows_ : height_;
+    const uint32_t* next = row_before(back);
     for (uint32_t j = 0; j < 3; ++j) {
       // Beyond the height for a row before the first.
       const uint32_t at = static_cast<uint32_t>(y) + j - 1;
-      block.row[k][j] = at < there ? row_before(back - j) : row_off();
+      block.row[k][j] = at < there ? next : off;
+      next += words_;
+      if (next == off) next = ring_;
     }
   }
 }

@@ -49,11 +49,19 @@ class Delivery {
 
   /// Delivers what goes out, if anything. False when the sink said "not now": call again.
   bool settle(Chains& chains, const Sink& sink, Statistics& statistics);
-  /// The same, faster, on hosts: see flat_ring.hpp.
-  bool settle_at_once(Chains& chains, const Sink& sink, Statistics& statistics);
 
   /// After the last vertex: delivers holes that still wait, loose. As settle().
   bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);
+
+  /// For a ring that has been told in another way (corner_sweep.hpp): whether holes wait that may
+  /// lie in it; and goes on behind so many events, when the sink did not take the next one.
+  bool has_holes_on(const Records& records, Incidence incidence, const Vertex& start) const {
+    return holes_.count() > 0 && holes_.has_any(records, incidence, start);
+  }
+  void go_on_behind(uint32_t taken, Chains& chains, Statistics& statistics) {
+    begin(chains);
+    for (; taken > 0; --taken) go_on(chains, statistics);
+  }
 
   const Holes<Index, Normal>& holes() const { return holes_; }
 

@@ -10,8 +10,6 @@ namespace discmc::trace {
 
 class DerivedPasses {
  public:
-  static constexpr bool finds_many = false;
-
   /// Forgets where it is in a row, and what it has found.
   void clear() {
     passes_.count = 0;
@@ -19,6 +17,8 @@ class DerivedPasses {
     word_ = 0;
     crossings_ = {};
   }
+  /// Begins in a word of a row. Limit: after clear().
+  void go_on_from(uint32_t word) { word_ = word; }
 
   /// Goes on to the next vertex of a row that has passes, and counts what it comes by. False when
   /// there are no more; the next call begins a row.
@@ -65,7 +65,7 @@ inline bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
     crossings_.of[axis] &= crossings_.of[axis] - 1;
     const uint32_t x = column_of(word_ - 1, bit);
     derive_passes({row.rows, word_ - 1, bit, axis}, row.absent(axis, x), passes_);
-    if (row.work == RowWork::take_passes) counts.add(passes_.parts);
+    if (row.work == RowWork::take_passes) counts.add(PartSums::of(passes_.parts));
     if (passes_.count == 0) continue;
     vertex_ = row.vertex(axis, x);
     return true;

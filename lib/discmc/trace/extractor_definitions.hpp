@@ -7,10 +7,10 @@
 
 namespace discmc {
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::start(const Limits& limits, const Capacities& capacities,
-                                                int32_t threshold, Memory memory, const Sink& sink,
-                                                AtSeam at_seam) {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::start(const Limits& limits, const Capacities& capacities,
+                                               int32_t threshold, Memory memory, const Sink& sink,
+                                               AtSeam at_seam) {
   static_assert(sizeof(trace::Record<Index, Normal>) == sizing::record_bytes<Index, Normals>,
                 "what is said of the size of a record is true");
   if (!limits.is_valid()) return Status::bad_limits;
@@ -37,8 +37,8 @@ Status Extractor<Index, Normals, Passes>::start(const Limits& limits, const Capa
 
 // Says what lies where in the memory, and writes nothing there. False when it has no room. The
 // records come last, so that those never used are behind all that is in use.
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::lay_out(Memory memory) {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::lay_out(Memory memory) {
   Arena arena(memory);
   intake_.start(arena, limits_);
   rows_.start(arena, limits_);
@@ -52,8 +52,8 @@ bool Extractor<Index, Normals, Passes>::lay_out(Memory memory) {
   return !arena.is_exhausted();
 }
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::reset() {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::reset() {
   if (state_ == State::idle) return Status::not_started;
   intake_.clear();
   rows_.clear();
@@ -68,16 +68,16 @@ Status Extractor<Index, Normals, Passes>::reset() {
   return Status::ok;
 }
 
-template <class Index, class Normals, class Passes>
-size_t Extractor<Index, Normals, Passes>::bytes_used() const {
+template <class Index, class Normals, class Sweep>
+size_t Extractor<Index, Normals, Sweep>::bytes_used() const {
   if (state_ == State::idle) return 0;
   return static_cast<size_t>(bytes_for<Index, Normals>(limits_, {high_water().records, 0}));
 }
 
 // ---- what the caller gives ----
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::ready_for_samples() {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::ready_for_samples() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   if (!work()) return Status::more;
@@ -85,10 +85,10 @@ Status Extractor<Index, Normals, Passes>::ready_for_samples() {
   return Status::ok;
 }
 
-template <class Index, class Normals, class Passes>
+template <class Index, class Normals, class Sweep>
 template <class Sample>
-PushResult Extractor<Index, Normals, Passes>::push(const Sample* samples, uint32_t count,
-                                                   uint32_t stride) {
+PushResult Extractor<Index, Normals, Sweep>::push(const Sample* samples, uint32_t count,
+                                                  uint32_t stride) {
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
     const uint32_t room = limits_.width - intake_.column(rows_);
@@ -103,8 +103,8 @@ PushResult Extractor<Index, Normals, Passes>::push(const Sample* samples, uint32
   return result;
 }
 
-template <class Index, class Normals, class Passes>
-PushResult Extractor<Index, Normals, Passes>::push_row_of_bits(const uint8_t* bits) {
+template <class Index, class Normals, class Sweep>
+PushResult Extractor<Index, Normals, Sweep>::push_row_of_bits(const uint8_t* bits) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
   if (rows_.column() != 0) return {Status::row_in_progress, 0};
@@ -113,8 +113,8 @@ PushResult Extractor<Index, Normals, Passes>::push_row_of_bits(const uint8_t* bi
   return {resume(), limits_.width};
 }
 
-template <class Index, class Normals, class Passes>
-PushResult Extractor<Index, Normals, Passes>::skip_row(Substitute substitute) {
+template <class Index, class Normals, class Sweep>
+PushResult Extractor<Index, Normals, Sweep>::skip_row(Substitute substitute) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
   if (intake_.column(rows_) != 0) return {Status::row_in_progress, 0};
@@ -122,14 +122,14 @@ PushResult Extractor<Index, Normals, Passes>::skip_row(Substitute substitute) {
   return {resume(), limits_.width};
 }
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::resume() {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::resume() {
   if (state_ == State::idle) return Status::not_started;
   return work() ? Status::ok : Status::more;
 }
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::finish() {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::finish() {
   if (state_ == State::scanning) {
     const bool is_between_slices = rows() == 0 || rows() == limits_.height;
     if (!is_between_slices || intake_.column(rows_) != 0) return Status::slice_in_progress;
@@ -138,8 +138,8 @@ Status Extractor<Index, Normals, Passes>::finish() {
   return resume();
 }
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::abandon() {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::abandon() {
   if (state_ == State::scanning) {
     state_ = State::finishing;
     abandoned_ = true;
@@ -148,8 +148,8 @@ Status Extractor<Index, Normals, Passes>::abandon() {
 }
 
 // A row of bits whose samples never came is told before it is swept.
-template <class Index, class Normals, class Passes>
-void Extractor<Index, Normals, Passes>::note(Arrival arrival) {
+template <class Index, class Normals, class Sweep>
+void Extractor<Index, Normals, Sweep>::note(Arrival arrival) {
   if (arrival == Arrival::nothing) return;
   skip_repeated_ = arrival == Arrival::repeated;
   skip_untold_ = true;
@@ -159,14 +159,14 @@ void Extractor<Index, Normals, Passes>::note(Arrival arrival) {
 // ---- checkpoints ----
 
 // Whether the sink has refused something that is due.
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::is_suspended() const {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::is_suspended() const {
   return skip_untold_ || swept_rows_ < ready_rows() || rows_.rows() == limits_.height ||
          state_ == State::finishing;
 }
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::save(Checkpoint<Extractor>& checkpoint) const {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::save(Checkpoint<Extractor>& checkpoint) const {
   if (state_ == State::idle) return Status::not_started;
   if (is_suspended()) return Status::more;
   Extractor& image = checkpoint.object;
@@ -174,16 +174,15 @@ Status Extractor<Index, Normals, Passes>::save(Checkpoint<Extractor>& checkpoint
   // Addresses are of no use to whoever restores it.
   image.sink_ = {};
   image.lay_out({});
-  image.sweep_.passes() = Passes{};
-  image.sweep_.fragments().set_at_seam(nullptr);
+  image.sweep_.forget();
   image.memory_ = {nullptr, memory_.bytes};
   checkpoint.seal({memory_.data, bytes_used()});
   return Status::ok;
 }
 
-template <class Index, class Normals, class Passes>
-Status Extractor<Index, Normals, Passes>::restore(const Checkpoint<Extractor>& checkpoint,
-                                                  Memory memory, const Sink& sink) {
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::restore(const Checkpoint<Extractor>& checkpoint,
+                                                 Memory memory, const Sink& sink) {
   const Extractor& image = checkpoint.object;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
@@ -201,8 +200,8 @@ Status Extractor<Index, Normals, Passes>::restore(const Checkpoint<Extractor>& c
 // ---- the sweep ----
 
 // Does all that the rows at hand allow. False when the sink said "not now".
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::work() {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::work() {
   while (state_ != State::finished) {
     if (skip_untold_) {
       if (!tell(Event::Kind::skipped)) return false;
@@ -221,21 +220,21 @@ bool Extractor<Index, Normals, Passes>::work() {
 }
 
 // The slice that is swept: the one before the slice that arrives, counted as slices are pushed.
-template <class Index, class Normals, class Passes>
-int32_t Extractor<Index, Normals, Passes>::middle_slice() const {
+template <class Index, class Normals, class Sweep>
+int32_t Extractor<Index, Normals, Sweep>::middle_slice() const {
   return static_cast<int32_t>(rows_.slices()) - 1;
 }
 
 // Whether no slice follows the one that is swept.
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::is_last_slice() const {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::is_last_slice() const {
   return state_ == State::finishing && !intake_.holds_rows(rows_);
 }
 
 // Rows of the slice that is swept whose neighbours are there. Those of a closed border begin with
 // the row before the first.
-template <class Index, class Normals, class Passes>
-uint32_t Extractor<Index, Normals, Passes>::ready_rows() const {
+template <class Index, class Normals, class Sweep>
+uint32_t Extractor<Index, Normals, Sweep>::ready_rows() const {
   const bool is_closed = limits_.border == Border::closed;
   const int32_t first = limits_.slab.continues_below ? 1 : is_closed ? -1 : 0;
   if (middle_slice() < first) return 0;
@@ -250,8 +249,8 @@ uint32_t Extractor<Index, Normals, Passes>::ready_rows() const {
 }
 
 // The rows of cells around row y that lie outside the volume (CellRowBits).
-template <class Index, class Normals, class Passes>
-uint32_t Extractor<Index, Normals, Passes>::rows_outside(int32_t y) const {
+template <class Index, class Normals, class Sweep>
+uint32_t Extractor<Index, Normals, Sweep>::rows_outside(int32_t y) const {
   if (limits_.border == Border::closed) return 0;
   uint32_t outside = 0;
   if (y == 0) outside |= trace::CellRowBits::front;
@@ -261,8 +260,8 @@ uint32_t Extractor<Index, Normals, Passes>::rows_outside(int32_t y) const {
   return outside;
 }
 
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::sweep_row() {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::sweep_row() {
   const bool is_open = limits_.border == Border::open;
   const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
@@ -295,22 +294,22 @@ bool Extractor<Index, Normals, Passes>::sweep_row() {
 }
 
 // Apart, so that its arguments take no stack below a sink.
-template <class Index, class Normals, class Passes>
-[[gnu::noinline]] bool Extractor<Index, Normals, Passes>::seal(trace::SweptRow& row) {
+template <class Index, class Normals, class Sweep>
+[[gnu::noinline]] bool Extractor<Index, Normals, Sweep>::seal(trace::SweptRow& row) {
   return sink_.sealing->begin_row(sealed_, row, sweep_.fragments().spare(), sink_, statistics_);
 }
 
 // Without those of context.
-template <class Index, class Normals, class Passes>
-uint32_t Extractor<Index, Normals, Passes>::own_slices() const {
+template <class Index, class Normals, class Sweep>
+uint32_t Extractor<Index, Normals, Sweep>::own_slices() const {
   const uint32_t context =
       (limits_.slab.continues_below ? 1U : 0U) + (limits_.slab.continues_above ? 1U : 0U);
   return rows_.slices() > context ? rows_.slices() - context : 0;
 }
 
 // Offers an event that tells of rows and slices.
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::tell(Event::Kind kind) {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::tell(Event::Kind kind) {
   const uint32_t below = limits_.slab.continues_below ? 1 : 0;
   Event event{};
   event.kind = kind;
@@ -323,16 +322,16 @@ bool Extractor<Index, Normals, Passes>::tell(Event::Kind kind) {
   return sink_.take(sink_.context, event) == Answer::taken;
 }
 
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::end_slice() {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::end_slice() {
   if (!tell(Event::Kind::layer)) return false;
   rows_.next_slice();
   swept_rows_ = 0;
   return true;
 }
 
-template <class Index, class Normals, class Passes>
-bool Extractor<Index, Normals, Passes>::end_scan() {
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::end_scan() {
   if (!sweep_.settle_holes(sink_, statistics_)) return false;
   if (!tell(Event::Kind::finish)) return false;
   state_ = State::finished;

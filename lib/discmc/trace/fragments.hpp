@@ -67,10 +67,6 @@ struct Outgoing {
   Vertex start{0, 0, 0};
 };
 
-/// What a pass finds. Ample: no chain has been cut so far, and there is room for all that the pass
-/// may take, so none will be. Then there is less to ask; what comes of it is the same.
-enum class Supply : uint8_t { scarce, ample };
-
 /// Index and Normal as of the records.
 template <class Index, class Normal>
 class Fragments {
@@ -97,24 +93,12 @@ class Fragments {
     records_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
-    is_cut_ = false;
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
   /// normals.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
   template <class Normals>
-  [[gnu::noinline]] void take(const Pass& pass, const Vertex& vertex, const Normals& normals) {
-    take_from<Supply::scarce>(pass, vertex, normals);
-  }
-  /// The same, faster, where the supply is ample.
-  template <class Normals>
-  void take_amply(const Pass& pass, const Vertex& vertex, const Normals& normals) {
-    if (!go_straight(pass, vertex)) take_from<Supply::ample>(pass, vertex, normals);
-  }
-  /// Whether the supply is ample for so many passes.
-  bool has_ample(uint32_t passes) const {
-    return !is_cut_ && spare() >= plenty_ + enough_for_ends_ + records_a_pass * passes;
-  }
+  void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
 
   /// What a slab does with a chain where it ends. Reached through a pointer: other programs do not
   /// link it.
@@ -131,8 +115,14 @@ class Fragments {
   /// Whether what comes from below is another slab's.
   void set_below_is_lost(bool is_lost) {
     queues_.lose_from(is_lost ? first_rising_queue : queue_count);
-    if (is_lost) is_cut_ = true;
   }
+
+  /// Whether chains never begin or end at a seam, and may be sent loose.
+  bool takes_whole_chains() const { return at_seam_ == nullptr && plenty_ != 0; }
+  /// For fragments that have been kept in another way (corners.hpp), while there is room: adds an
+  /// end that waits, then makes two ends a fragment with its runs.
+  Index wait_in(uint8_t queue, Side side);
+  void connect(Index begin, Index tail, Index list);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   /// What goes out, until whoever delivers it sets its kind to none.
@@ -167,23 +157,18 @@ class Fragments {
   static Normal normal_where(bool is_corner, const Vertex& vertex, const Normals& normals) {
     return is_corner ? normals.normal_at(vertex) : Normal{};
   }
-  template <Supply supply, class Normals>
-  void take_from(const Pass& pass, const Vertex& vertex, const Normals& normals);
-  // Takes a chain that goes straight on: all that happens is that its end changes queues.
-  bool go_straight(const Pass& pass, const Vertex& vertex);
-  template <Supply supply, class Normals>
+  template <class Normals>
   Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
   template <class Normals>
   Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
-  template <Supply supply, class Normals>
+  template <class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
   void lose_begin(const Pass& pass, Index begin, Link came, const Vertex& vertex);
   void send_if_long(const Pass& pass, const Vertex& vertex, Index index, bool is_tail);
   // The runs of the fragment that has this begin.
-  template <Supply supply = Supply::scarce>
   Index& runs_of(Index begin) {
     EndRecord& record = end(begin);
-    return is_cut<supply>(record.mate) ? record.last : end(record.mate).last;
+    return is_loose(record.mate) ? record.last : end(record.mate).last;
   }
   void turn(Index tail, Link came, Place corner, Direction onwards, Normal normal);
   void turn_back(Index begin, Link onwards, Place corner, Direction came, Normal normal);
@@ -191,45 +176,16 @@ class Fragments {
   void end_tail(const Pass& pass, Index tail, Link along, Vertex& at);
   void end_at_seam(const Pass& pass, const Vertex& vertex);
   void begin_below_seam(const Pass& pass, const Vertex& vertex);
-  template <Supply supply>
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
-  template <Supply supply = Supply::scarce>
-  void connect(Index begin, Index tail, Index list);
 
-  template <Supply supply = Supply::scarce>
-  Index pop(uint8_t queue) {
-    if (supply == Supply::ample) return queues_.pop_end(records_, queue);
-    return queues_.pop(records_, queue);
-  }
-  template <Supply supply>
-  void push(uint8_t queue, Index end) {
-    if (supply == Supply::ample) return queues_.push_end(records_, queue, end);
-    queues_.push(records_, queue, end);
-  }
-  void push_lost(uint8_t queue) {
-    is_cut_ = true;
-    queues_.push_lost(records_, queue);
-  }
-  // Whether the other end is loose.
-  template <Supply supply>
-  static bool is_cut(Index mate) {
-    return supply == Supply::scarce && is_loose(mate);
-  }
   // Whether an end may wait.
-  template <Supply supply>
   bool admits(uint8_t queue, Index mate) const {
-    return supply == Supply::ample || spare() >= enough_for_ends_ ||
-           spare() >= least_spare(queue, mate);
+    return spare() >= enough_for_ends_ || spare() >= least_spare(queue, mate);
   }
   uint32_t least_spare(uint8_t queue, Index mate) const;
-  // Whether fragments may have to be sent early.
-  template <Supply supply = Supply::scarce>
-  bool is_short() const {
-    return supply == Supply::scarce && spare() < plenty_;
-  }
-  template <Supply supply = Supply::scarce>
+  // Whether fragments have to be sent early, and this one is long enough.
   bool should_send(Index list, Index other = no_record) const {
-    return is_short<supply>() && is_long(list, other);
+    return spare() < plenty_ && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
@@ -242,8 +198,7 @@ class Fragments {
   }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  Records records_;      // first, so that its address is at hand
-  bool is_cut_ = false;  // a chain has been
+  Records records_;  // first, so that its address is at hand
   uint32_t plenty_ = 0;
   uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
@@ -255,19 +210,19 @@ class Fragments {
 // ---- implementation ----
 
 template <class Index, class Normal>
-template <Supply supply, class Normals>
-void Fragments<Index, Normal>::take_from(const Pass& pass, const Vertex& vertex,
-                                         const Normals& normals) {
+template <class Normals>
+[[gnu::noinline]] void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
+                                                      const Normals& normals) {
   const Place here = place_of(vertex);
-  const Index begin = pass.goes_ahead() ? Index{no_record} : pop<supply>(pass.out);
+  const Index begin = pass.goes_ahead() ? Index{no_record} : queues_.pop(records_, pass.out);
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
-    if (begin != no_record) return lengthen_begin<supply>(pass, vertex, begin, normals);
-    tail = begin_fragment<supply>(pass, vertex, normals);
+    if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
+    tail = begin_fragment(pass, vertex, normals);
   } else {
-    tail = pop<supply>(pass.in);
-    if (supply == Supply::scarce && tail == no_record) {
+    tail = queues_.pop(records_, pass.in);
+    if (tail == no_record) {
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
     } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
@@ -279,28 +234,16 @@ void Fragments<Index, Normal>::take_from(const Pass& pass, const Vertex& vertex,
   if (pass.turns_at_centroid())
     turn(tail, pass.first, moved(here, pass.first), direction(pass, pass.second),
          normals.normal_at(last_corner(pass, vertex)));
-  if (begin != no_record) return join<supply>(pass, vertex, tail, begin);
+  if (begin != no_record) return join(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
-    if (admits<supply>(pass.out, end(tail).mate)) {
-      push<supply>(pass.out, tail);
-      if (supply == Supply::scarce && has_new_runs) send_if_long(pass, vertex, tail, true);
+    if (admits(pass.out, end(tail).mate)) {
+      queues_.push(records_, pass.out, tail);
+      if (has_new_runs) send_if_long(pass, vertex, tail, true);
       return;
     }
-    push_lost(pass.out);
+    queues_.push_lost(records_, pass.out);
   }
   lose_tail(pass, vertex, tail);
-}
-
-template <class Index, class Normal>
-bool Fragments<Index, Normal>::go_straight(const Pass& pass, const Vertex& vertex) {
-  if (pass.turns() || pass.turns_at_centroid() || pass.comes_from_ahead == pass.goes_ahead())
-    return false;
-  const uint8_t from = pass.comes_from_ahead ? pass.out : pass.in;
-  const uint8_t to = pass.comes_from_ahead ? pass.in : pass.out;
-  const Index waiting = queues_.first(from);
-  if (is_longest_side(end(waiting).side.place(), place_of(vertex))) return false;
-  push<Supply::ample>(to, pop<Supply::ample>(from));
-  return true;
 }
 
 // ---- how a chain comes to the vertex ----
@@ -320,33 +263,33 @@ template <class Normals>
 }
 
 template <class Index, class Normal>
-template <Supply supply, class Normals>
+template <class Normals>
 [[gnu::noinline]] Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
                                                                  const Vertex& vertex,
                                                                  const Normals& normals) {
   const Direction came = direction(pass, pass.came);
   Index mate = loose_end<Index>(came);
-  if (admits<supply>(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
+  if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
     mate = records_.take();
-    push<supply>(pass.in, mate);
+    queues_.push(records_, pass.in, mate);
     end(mate).last = no_record;
     end(mate).side = Side(came, place_of(vertex));
   } else {
-    push_lost(pass.in);
+    queues_.push_lost(records_, pass.in);
   }
   const Index tail = new_tail(pass, vertex, mate, normals);
-  if (!is_cut<supply>(mate)) end(mate).mate = tail;
+  if (!is_loose(mate)) end(mate).mate = tail;
   return tail;
 }
 
 // A chain that comes from ahead goes on as a fragment that has waited for it.
 template <class Index, class Normal>
-template <Supply supply, class Normals>
+template <class Normals>
 [[gnu::noinline]] void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
                                                                 const Vertex& vertex, Index begin,
                                                                 const Normals& normals) {
   const Place here = place_of(vertex);
-  const bool is_waiting = admits<supply>(pass.in, end(begin).mate);
+  const bool is_waiting = admits(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
   if (has_new_runs) {
     turn_back(begin, pass.second, moved(here, pass.first), direction(pass, pass.first),
@@ -358,11 +301,11 @@ template <Supply supply, class Normals>
     has_new_runs = true;
   }
   if (!is_waiting) {
-    push_lost(pass.in);
+    queues_.push_lost(records_, pass.in);
     return lose_begin(pass, begin, pass.came, vertex);
   }
-  push<supply>(pass.in, begin);
-  if (supply == Supply::scarce && has_new_runs) send_if_long(pass, vertex, begin, false);
+  queues_.push(records_, pass.in, begin);
+  if (has_new_runs) send_if_long(pass, vertex, begin, false);
 }
 
 // The fragment begins loose at a vertex, where it comes by a link.
@@ -430,7 +373,6 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
 
 // The fragment goes on as one that has waited, or closes.
 template <class Index, class Normal>
-template <Supply supply>
 void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
                                     Index begin) {
   EndRecord& before = end(tail);
@@ -438,7 +380,7 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   const Index first_end = before.mate;
   const Index last_end = end(begin).mate;
   const bool is_closed = first_end == begin;
-  Index& runs_after = runs_of<supply>(begin);  // where it closes, those before
+  Index& runs_after = runs_of(begin);  // where it closes, those before
   Slot run;
   run.run =
       short_run(after.direction(), links_between(before.side.place(), after.place(), pass.second));
@@ -452,9 +394,9 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   const Index list_after = runs_after;
   records_.give(tail);
   records_.give(begin);
-  const bool is_loose_piece = is_cut<supply>(first_end) && is_cut<supply>(last_end);
-  if (!is_closed && !is_loose_piece && !should_send<supply>(list, list_after))
-    return connect<supply>(first_end, last_end, Lists::concatenate(records_, list, list_after));
+  const bool is_loose_piece = is_loose(first_end) && is_loose(last_end);
+  if (!is_closed && !is_loose_piece && !should_send(list, list_after))
+    return connect(first_end, last_end, Lists::concatenate(records_, list, list_after));
   Vertex corner = last_corner(pass, vertex);
   move(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
   if (is_closed) {
@@ -470,16 +412,24 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
 
 // Makes the two ends of a fragment name each other, and one of them its runs.
 template <class Index, class Normal>
-template <Supply supply>
 void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
-  if (!is_cut<supply>(begin)) {
+  if (!is_loose(begin)) {
     end(begin).mate = tail;
-    end(begin).last = is_cut<supply>(tail) ? list : Index{no_record};
+    end(begin).last = is_loose(tail) ? list : Index{no_record};
   }
-  if (!is_cut<supply>(tail)) {
+  if (!is_loose(tail)) {
     end(tail).mate = begin;
     end(tail).last = list;
   }
+}
+
+template <class Index, class Normal>
+Index Fragments<Index, Normal>::wait_in(uint8_t queue, Side side) {
+  const Index index = records_.take();
+  end(index).side = side;
+  end(index).mate = index;  // until it has one
+  queues_.push(records_, queue, index);
+  return index;
 }
 
 // ---- short of records ----
@@ -539,7 +489,6 @@ void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, In
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, Index list,
                                     const Vertex& start) {
-  is_cut_ = true;
   const Direction came =
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
   put_out(Outgoing<Index>::Kind::fragment, pass.incidence, list, start);

@@ -40,6 +40,9 @@ class Holes {
   /// Keeps a ring. Limit: there are records_each records.
   void keep(Records& records, const Outgoing<Index>& ring);
 
+  /// Whether there are holes on the plane of a vertex. Cost: the holes of a list.
+  bool has_any(const Records& records, Incidence incidence, const Vertex& at) const;
+
   /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
   /// is marked. Cost: the holes of the plane, times the ring's runs.
   uint32_t mark(Records& records, const Outgoing<Index>& by);
@@ -58,6 +61,11 @@ class Holes {
     const uint32_t spread =
         (static_cast<uint32_t>(plane) * incidence_codes + incidence) * 0x9E3779B1U;
     return spread >> 16 & (sizing::hole_lists - 1);
+  }
+  static bool lies_on(const Records& records, Index index, Incidence incidence, int32_t plane) {
+    const Hole<Index>& hole = records[index].hole;
+    return hole.incidence == incidence &&
+           plane_offset(incidence, records[hole.start].hole_start.get()) == plane;
   }
   static bool surrounds(const Records& records, const Outgoing<Index>& ring, const Vertex& start,
                         Direction first);
@@ -87,16 +95,24 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
 }
 
 template <class Index, class Normal>
+bool Holes<Index, Normal>::has_any(const Records& records, Incidence incidence,
+                                   const Vertex& at) const {
+  const int32_t plane = plane_offset(incidence, at);
+  Index i = heads_[list_of(incidence, plane)];
+  while (i != no_record && !lies_on(records, i, incidence, plane)) i = records[i].linked.next;
+  return i != no_record;
+}
+
+template <class Index, class Normal>
 uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by) {
   uint32_t marked = 0;
   if (count_ == 0) return marked;
   const int32_t plane = plane_offset(by.incidence, by.start);
   marked_list_ = list_of(by.incidence, plane);
   for (Index i = heads_[marked_list_]; i != no_record; i = records[i].linked.next) {
+    if (!lies_on(records, i, by.incidence, plane)) continue;
     Hole<Index>& hole = records[i].hole;
-    if (hole.incidence != by.incidence) continue;
     const Vertex start = records[hole.start].hole_start.get();
-    if (plane_offset(by.incidence, start) != plane) continue;
     const Direction first = direction_of(Cursor(records, hole.last).run(records));
     if (by.kind == Outgoing<Index>::Kind::ring && !surrounds(records, by, start, first)) continue;
     hole.is_marked = 1;

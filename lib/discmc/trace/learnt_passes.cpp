@@ -6,6 +6,28 @@ namespace discmc::trace {
 namespace {
 
 constexpr uint32_t axis_shift = 27;
+constexpr uint32_t all_voxels = (1U << axis_shift) - 1;
+
+uint64_t two_words(const uint32_t* words) {
+  uint64_t both;
+  __builtin_memcpy(&both, words, sizeof both);
+  return both;
+}
+
+// Passes by words in which no edge crosses, two at a time.
+uint32_t pass_by(const SweptRow& row, uint32_t word) {
+  constexpr uint64_t own = own_columns * 0x100000001;
+  const uint32_t* const here = row.rows.row[1][1];
+  const uint32_t* const behind = row.rows.row[1][2];
+  const uint32_t* const above = row.rows.row[2][1];
+  for (; word + 2 <= row.words; word += 2) {
+    const uint64_t on = two_words(here + word);
+    const uint64_t along_y = on ^ two_words(behind + word);
+    const uint64_t along_z = on ^ two_words(above + word);
+    if ((((on ^ on >> 1) | along_y | along_z) & own) != 0) break;
+  }
+  return word;
+}
 
 // The nine rows around a row, in one word: and from them the 27 voxels around each voxel of it.
 class BlockWord {
@@ -15,26 +37,27 @@ class BlockWord {
     const auto pair = [word](const uint32_t* lower, const uint32_t* upper) {
       return lower[word] | uint64_t{upper[word]} << 32;
     };
-    pair_[0] = pair(row[0][0], row[0][1]);
-    pair_[1] = pair(row[0][2], row[1][0]);
-    pair_[2] = pair(row[1][1], row[1][2]);
-    pair_[3] = pair(row[2][0], row[2][1]);
-    last_ = row[2][2][word];
+    rows_0_1_ = pair(row[0][0], row[0][1]);
+    rows_2_3_ = pair(row[0][2], row[1][0]);
+    rows_4_5_ = pair(row[1][1], row[1][2]);
+    rows_6_7_ = pair(row[2][0], row[2][1]);
+    row_8_ = row[2][2][word];
   }
   // Bit 3 * place(row) + i: the voxel at x - 1 + i of a row.
   uint32_t voxels(uint32_t bit) const {
-    const uint32_t shift = bit - 1;
-    const auto lines = [shift](uint64_t pair) { return pair >> shift & 0x700000007; };
-    const uint64_t block = lines(pair_[0]) | lines(pair_[1]) << 3 | lines(pair_[2]) << 6 |
-                           lines(pair_[3]) << 9 | lines(last_) << 12;
+    const auto lines = [shift = bit - 1](uint64_t rows) { return rows >> shift & 0x700000007; };
+    uint64_t block = lines(row_8_);
+    block = lines(rows_6_7_) + 8 * block;
+    block = lines(rows_4_5_) + 8 * block;
+    block = lines(rows_2_3_) + 8 * block;
+    block = lines(rows_0_1_) + 8 * block;
     return static_cast<uint32_t>(block | block >> 17);
   }
   // row: 3 * layer + row, as in RowBlock.
   static constexpr int place(int row) { return row / 2 + (row % 2 != 0 ? 5 : 0); }
 
  private:
-  uint64_t pair_[4];  // rows 0 and 1, 2 and 3, ...
-  uint64_t last_;
+  uint64_t rows_0_1_, rows_2_3_, rows_4_5_, rows_6_7_, row_8_;
 };
 
 // The voxels of the four cells around the edge along an axis from the voxel in the middle.
@@ -54,106 +77,117 @@ constexpr uint32_t voxels_around_edge(int axis) {
 void LearntPasses::learn_in(Memory memory) {
   // What it may take to align the two arrays.
   constexpr size_t lost = 2 * (Arena::alignment - 1);
-  constexpr size_t entry = sizeof(Known) + sizeof(Learnt);
+  constexpr size_t entry = sizeof(*known_) + sizeof(Learnt);
   const size_t entries = memory.bytes < lost ? 0 : (memory.bytes - lost) / entry;
   uint32_t bits = 1;
   while (bits < most_entry_bits && size_t{2} << bits <= entries) ++bits;
   shift_ = 32 - bits;
   Arena arena(memory);
-  known_ = arena.take<Known>(uint32_t{1} << bits);
+  known_ = arena.take<uint32_t>(uint32_t{1} << bits);
   learnt_ = arena.take<Learnt>(uint32_t{1} << bits);
   if (arena.is_exhausted()) known_ = nullptr;
-  for (uint32_t i = 0; known_ != nullptr && i < uint32_t{1} << bits; ++i) known_[i] = {0, 0};
+  for (uint32_t i = 0; known_ != nullptr && i < uint32_t{1} << bits; ++i) known_[i] = 0;
 }
 
 bool LearntPasses::find(const SweptRow& row, SweepCounts& counts) {
-  do {
-    const uint32_t edges = collect(row);
-    if (edges == 0) {
-      clear();
-      return false;
-    }
-    look_up(edges, row, counts);
-  } while (passes_ == 0);
-  return true;
+  begin_ = word_;
+  while (word_ < row.words) {
+    edges_ = collect(row);
+    look_up(row, counts);
+    if (passes_ > 0) return true;
+  }
+  return false;
 }
 
 // Collects the edges of as many words as there is room for, and returns how many there are.
 uint32_t LearntPasses::collect(const SweptRow& row) {
   constexpr uint32_t around[] = {voxels_around_edge(0), voxels_around_edge(1),
                                  voxels_around_edge(2)};
-  uint32_t count = 0;
-  Crossings crossings;
-  for (; word_ < row.words && count <= most_edges - 3 * columns_per_word; ++word_) {
-    if (!crossings.find(row, word_)) continue;
-    const BlockWord block(row.rows, word_);
+  // Voxels with all cells around them: from the first on, so many.
+  const bool has_all = (row.missing[0] | row.missing[1] | row.missing[2]) == 0;
+  const uint32_t first = row.has_open_ends ? 1 : 0U - 1U;
+  const uint32_t all = !has_all ? 0 : row.has_open_ends ? row.width - 2 : row.width + 1;
+  const uint64_t origin = CornerCode::position({-2, 2 * row.y, 2 * row.z});
+  Edge* edge = edge_;
+  uint32_t word = word_;
+  for (; edge <= edge_ + (most_edges - 3 * columns_per_word); ++word) {
+    word = pass_by(row, word);
+    if (word >= row.words) break;
+    Crossings crossings;
+    if (!crossings.find(row, word)) continue;
+    const BlockWord block(row.rows, word);
     for (uint32_t left = crossings.voxels(); left != 0; left &= left - 1) {
       const uint32_t bit = trailing_zeros(left);
+      const uint32_t x = column_of(word, bit);
+      const uint64_t voxel = origin + (uint64_t{x + 1} << 17);
       const uint32_t voxels = block.voxels(bit);
-      const uint32_t x = column_of(word_, bit);
+      const uint32_t unlearnt = x - first < all ? 0 : all_voxels;
 #pragma GCC unroll 3
       for (uint32_t axis = 0; axis < 3; ++axis) {
-        edge_[count] = {(voxels & around[axis]) | axis << axis_shift, x};
-        count += crossings.of[axis] >> bit & 1;
+        edge->voxel = voxel;
+        edge->key = (voxels & around[axis]) | unlearnt | axis << axis_shift;
+        edge += crossings.of[axis] >> bit & 1;
       }
     }
   }
-  return count;
+  word_ = word;
+  return static_cast<uint32_t>(edge - edge_);
 }
 
-// Replaces the edges by their passes.
-void LearntPasses::look_up(uint32_t edges, const SweptRow& row, SweepCounts& counts) {
-  const Known* const known = known_;
+// Finds the passes of the edges.
+void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
+  const uint32_t* const known = known_;
   const Learnt* const learnt = learnt_;
   const uint32_t shift = shift_;
-  const Vertex first[] = {row.vertex(0, 0), row.vertex(1, 0), row.vertex(2, 0)};
-  SweepCounts sum = counts;
-  uint32_t passes = 0;
-  uint32_t vertices = 0;
-  for (uint32_t i = 0; i < edges; ++i) {
+  FoundPass* found = pass_;
+  PartSums parts{0, 0};
+  for (uint32_t i = 0; i < edges_; ++i) {
     const Edge edge = edge_[i];
-    const auto axis = static_cast<int>(edge.key >> axis_shift);
-    const uint32_t absent = row.absent(axis, edge.x);
     // Multiplication spreads neighbouring keys: see Holes.
     const uint32_t place = edge.key * 0x9E3779B1U >> shift;
-    vertex_[vertices] = first[axis];
-    vertex_[vertices].x += 2 * static_cast<int32_t>(edge.x);
-    uint32_t count =
-        known != nullptr ? known[place].code ^ edge.key << count_bits : most_learnt + 1;
-    if (absent == 0 && count <= most_learnt) {
-      // Four, whatever the count.
-      __builtin_memcpy(pass_ + passes, learnt + place, sizeof(Learnt));
-      __builtin_memset(of_ + passes, static_cast<uint8_t>(vertices), most_learnt);
-      sum.add(known[place].parts);
-    } else {
-      PassList list;
-      derive(row, edge, absent, list);
-      count = list.count;
-      for (uint32_t k = 0; k < count; ++k) pass_[passes + k] = list.pass[k];
-      __builtin_memset(of_ + passes, static_cast<uint8_t>(vertices), count);
-      sum.add(list.parts);
-      if (known != nullptr && absent == 0) learn(edge.key, place, list);
+    const uint32_t count =
+        known != nullptr ? known[place] ^ edge.key << count_bits : most_learnt + 1;
+    if (count > most_learnt) {
+      found += derive(row, edge, place, found, parts);
+      continue;
     }
-    passes += count;
-    vertices += count != 0 ? 1 : 0;
+    // Four, whatever the count.
+#pragma GCC unroll 4
+    for (uint32_t k = 0; k < most_learnt; ++k) found[k] = {edge.voxel, learnt[place].pass[k]};
+    found += count;
+    parts.add(learnt[place].parts);
   }
-  passes_ = passes;
-  next_ = 0;
-  if (row.work == RowWork::take_passes) counts = sum;
+  passes_ = static_cast<uint32_t>(found - pass_);
+  counts.add(parts);
 }
 
-void LearntPasses::derive(const SweptRow& row, const Edge& edge, uint32_t absent,
-                          PassList& passes) const {
-  const uint32_t column = edge.x + 1;
-  derive_passes({row.rows, column / columns_per_word, column % columns_per_word + 1,
-                 static_cast<int>(edge.key >> axis_shift)},
-                absent, passes);
-}
-
-void LearntPasses::learn(uint32_t key, uint32_t place, const PassList& passes) {
-  if (passes.count > most_learnt) return;
-  known_[place] = {key << count_bits | passes.count, passes.parts};
-  for (uint32_t i = 0; i < passes.count; ++i) learnt_[place].pass[i] = passes.pass[i];
+// Works out the passes at a vertex, and learns them where all cells take part. Returns how many
+// there are.
+[[gnu::noinline]] uint32_t LearntPasses::derive(const SweptRow& row, const Edge& edge,
+                                                uint32_t place, FoundPass* found, PartSums& parts) {
+  const auto axis = static_cast<int>(edge.key >> axis_shift);
+  // The voxel may be the one before the row.
+  const CornerCode next_voxel(edge.voxel + CornerCode::vector({2, 0, 0}));
+  const auto column = static_cast<uint32_t>(next_voxel.vertex().x) / 2;
+  const uint32_t x = column - 1;
+  const uint32_t absent = row.absent(axis, x);
+  PassList list;
+  derive_passes({row.rows, column / columns_per_word, column % columns_per_word + 1, axis}, absent,
+                list);
+  CornerPass made[most_at_vertex];
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < list.count; ++i)
+    count += corner_passes(list.pass[i], axis, made + count);
+  for (uint32_t i = 0; i < count; ++i) found[i] = {edge.voxel, made[i]};
+  const PartSums own_parts = PartSums::of(list.parts);
+  parts.add(own_parts);
+  if (known_ == nullptr || count > most_learnt || (edge.key & all_voxels) == all_voxels)
+    return count;
+  known_[place] = edge.key << count_bits | count;
+  Learnt& entry = learnt_[place];
+  for (uint32_t i = 0; i < count; ++i) entry.pass[i] = made[i];
+  entry.parts = own_parts;
+  return count;
 }
 
 }  // namespace discmc::trace

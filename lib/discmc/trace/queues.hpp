@@ -54,25 +54,6 @@ class Queues {
     queue.tail = end;
   }
 
-  /// The same where nothing has been lost: without branches.
-  void push_end(Records& records, uint8_t number, Index end) {
-    Queue<Index>& queue = queues_[number];
-    const bool is_first = queue.head == no_record;
-    records[end].linked.next = no_record;
-    Index& link = is_first ? queue.head : records[queue.tail].linked.next;
-    link = end;
-    queue.tail = end;
-    records.reserve(is_first ? 1 : 0);
-  }
-  Index first(uint8_t number) const { return queues_[number].head; }
-  Index pop_end(Records& records, uint8_t number) {
-    Queue<Index>& queue = queues_[number];
-    const Index head = queue.head;
-    queue.head = records[head].linked.next;
-    records.release(queue.head == no_record ? 1 : 0);
-    return head;
-  }
-
   /// Puts a lost end behind what waits.
   void push_lost(Records& records, uint8_t number) {
     Queue<Index>& queue = queues_[number];

@@ -10,6 +10,7 @@
 
 #include <discmc/chain.hpp>
 #include <discmc/intake.hpp>
+#include <discmc/trace/corner.hpp>
 
 namespace discmc::trace {
 
@@ -52,8 +53,10 @@ class Side {
   uint16_t code_;
 };
 
-/// A straight side of known length in two bytes: direction, and 1 to 8,191 links. 0 is none.
+/// A straight side of known length in two bytes: direction, and 1 to longest_short_run links. 0 is
+/// none.
 using ShortRun = uint16_t;
+constexpr uint32_t longest_short_run = 8191;
 
 constexpr ShortRun short_run(Direction direction, uint32_t length) {
   return static_cast<ShortRun>(length << 3 | direction);
@@ -125,6 +128,25 @@ struct HoleStart {
   Vertex get() const { return {x - 1, y - 1, static_cast<int32_t>(z[0] | uint32_t{z[1]} << 16)}; }
 };
 
+/// A corner of a chain on a host: see corners.hpp. With narrow indices none are kept.
+template <class Index>
+struct Corner : Linked<Index> {};
+template <>
+struct Corner<uint32_t> : Linked<uint32_t> {
+  uint32_t mate;
+  uint8_t code_[sizeof(uint64_t)];  // bytes, as records are aligned to four of them
+
+  CornerCode code() const {
+    uint64_t bits;
+    __builtin_memcpy(&bits, code_, sizeof bits);
+    return CornerCode(bits);
+  }
+  void set_code(CornerCode code) {
+    const uint64_t bits = code.bits();
+    __builtin_memcpy(code_, &bits, sizeof bits);
+  }
+};
+
 template <class Index, class Normal>
 union Record {
   Linked<Index> linked;
@@ -132,6 +154,7 @@ union Record {
   RunRecord<Index, Normal> runs;
   Hole<Index> hole;
   HoleStart<Index> hole_start;
+  Corner<Index> corner;
 };
 
 }  // namespace discmc::trace

@@ -5,17 +5,14 @@
 
 #include <discmc/trace/delivery.hpp>
 #include <discmc/trace/derived_passes.hpp>
-#include <discmc/trace/flat_ring.hpp>
 
 namespace discmc::trace {
 
-/// Passes: DerivedPasses, or what finds the same in another way.
-template <class Index, class Normal, class Passes>
+template <class Index, class Normal>
 class Sweep {
  public:
   Fragments<Index, Normal>& fragments() { return fragments_; }
   Delivery<Index, Normal>& delivery() { return delivery_; }
-  Passes& passes() { return passes_; }
   const Fragments<Index, Normal>& fragments() const { return fragments_; }
   const Delivery<Index, Normal>& delivery() const { return delivery_; }
 
@@ -25,6 +22,8 @@ class Sweep {
     passes_.clear();
     counts_ = {};
   }
+  /// Forgets all addresses.
+  void forget() { fragments_.set_at_seam(nullptr); }
 
   /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
   template <class Normals>
@@ -35,27 +34,24 @@ class Sweep {
     return delivery_.settle_holes(fragments_, sink, statistics);
   }
 
- private:
-  template <class Normals>
-  bool take_passes(const Normals& normals, const Sink& sink, Statistics& statistics);
+  /// For a sweep that has come as far as a word of a row in another way: what it has counted, and
+  /// where to go on.
+  SweepCounts& counts() { return counts_; }
+  void go_on_from(uint32_t word) { passes_.go_on_from(word); }
 
-  Passes passes_;
+ private:
+  DerivedPasses passes_;
   SweepCounts counts_;
   Fragments<Index, Normal> fragments_;
   Delivery<Index, Normal> delivery_;
 };
 
-template <class Index, class Normal, class Passes>
+template <class Index, class Normal>
 template <class Normals>
-bool Sweep<Index, Normal, Passes>::sweep(const SweptRow& row, const Normals& normals,
-                                         const Sink& sink, Statistics& statistics) {
+bool Sweep<Index, Normal>::sweep(const SweptRow& row, const Normals& normals, const Sink& sink,
+                                 Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   do {
-    if constexpr (Passes::finds_many) {
-      if (row.work == RowWork::take_passes && fragments_.has_ample(passes_.left()) &&
-          !take_passes(normals, sink, statistics))
-        return false;
-    }
     while (passes_.has_next()) {
       const Pass& pass = passes_.pass();
       const Vertex& vertex = passes_.vertex();
@@ -71,22 +67,6 @@ bool Sweep<Index, Normal, Passes>::sweep(const SweptRow& row, const Normals& nor
     }
   } while (passes_.find(row, counts_));
   counts_.add_to(statistics);
-  return true;
-}
-
-// Takes the passes that have been found, for which there is ample supply.
-template <class Index, class Normal, class Passes>
-template <class Normals>
-bool Sweep<Index, Normal, Passes>::take_passes(const Normals& normals, const Sink& sink,
-                                               Statistics& statistics) {
-  while (passes_.has_next()) {
-    const Pass& pass = passes_.pass();
-    const Vertex& vertex = passes_.vertex();
-    passes_.advance();
-    fragments_.take_amply(pass, vertex, normals);
-    if (fragments_.has_outgoing() && !delivery_.settle_at_once(fragments_, sink, statistics))
-      return false;
-  }
   return true;
 }
 

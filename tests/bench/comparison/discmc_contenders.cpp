@@ -54,7 +54,7 @@ class Scan {
   const Volume& volume_;
   std::unique_ptr<uint8_t[]> memory_;
   std::unique_ptr<uint8_t[]> learnt_;
-  LearningExtractor<uint32_t> extractor_;
+  LearningExtractor extractor_;
 };
 
 struct Counter {

@@ -42,7 +42,7 @@ constexpr size_t learning_bytes = size_t{2} << 20;
 uint8_t learning_memory[learning_bytes];
 
 void give_memory(Extractor32&) {}
-void give_memory(LearningExtractor<uint32_t>& extractor) {
+void give_memory(LearningExtractor& extractor) {
   extractor.learn_in({learning_memory, learning_bytes});
 }
 
@@ -65,8 +65,7 @@ int main(int argc, char** argv) {
   const bool learns = std::string_view(argv[1]) == "learning";
   const reference::BitVolume volume =
       reference::ball({extent, extent, extent}, {extent - 1, extent - 1, extent - 1}, 45 * 45);
-  if (!counted_scan(learns ? is_scanned<LearningExtractor<uint32_t>> : is_scanned<Extractor32>,
-                    volume))
+  if (!counted_scan(learns ? is_scanned<LearningExtractor> : is_scanned<Extractor32>, volume))
     return 1;
   std::printf("%llu\n", static_cast<unsigned long long>(active_cells(volume)));
   return 0;

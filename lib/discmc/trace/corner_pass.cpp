@@ -1,0 +1,51 @@
+#include <discmc/trace/corner_pass.hpp>
+
+namespace discmc::trace {
+
+namespace {
+
+// Whether a link from a vertex on an edge along an axis leads to a centroid: it is diagonal, and
+// leads away from the edge.
+bool leads_to_centroid(Link link, int axis) {
+  const Vertex v = link_vector(link);
+  const int32_t along = axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+  return along == 0 && dot(v, v) == 2;
+}
+
+}  // namespace
+
+uint32_t corner_passes(const Pass& pass, int axis, CornerPass* passes) {
+  const Port in = pass.comes_from_ahead ? entry_of(pass.in) : exit_of(pass.in);
+  const Port out = pass.goes_ahead() ? entry_of(pass.out) : exit_of(pass.out);
+  const auto corner = [&](Port from, Port to, Link came, Link onwards, Link to_centroid) {
+    CornerPass made;
+    made.in = from;
+    made.out = to;
+    made.sides = CornerCode::sides(pass.incidence, came, onwards, is_entry(from & to));
+    made.place = CornerPlaces::index(axis, to_centroid);
+    made.kind = is_entry(from | to) ? CornerPass::corner : CornerPass::join;
+    return made;
+  };
+  // Whether a chain that comes from ahead by a centroid turns there is not known: so a begin that
+  // waits for it has a corner here.
+  const bool comes_round = pass.comes_from_ahead && leads_to_centroid(pass.came, axis);
+  const bool turns = pass.turns() || comes_round;
+  const bool turns_at_centroid = pass.turns_at_centroid();
+  if (!turns || !turns_at_centroid) {
+    passes[0] = corner(in, out, pass.came, pass.second,
+                       turns_at_centroid ? pass.first : CornerPlaces::on_vertex);
+    if (!turns && !turns_at_centroid && is_entry(in ^ out)) passes[0].kind = CornerPass::straight;
+    return 1;
+  }
+  // The corner at the centroid comes first where an end waits for the chain there, and that at the
+  // vertex where the chain goes on from the centroid: so the second one is never an origin.
+  const bool has_centroid_first = !pass.goes_ahead();
+  const Port leave = has_centroid_first ? exit_of(inner_queue) : entry_of(inner_queue);
+  const Port enter = has_centroid_first ? entry_of(inner_queue) : exit_of(inner_queue);
+  passes[has_centroid_first ? 1 : 0] =
+      corner(in, leave, pass.came, pass.first, CornerPlaces::on_vertex);
+  passes[has_centroid_first ? 0 : 1] = corner(enter, out, pass.first, pass.second, pass.first);
+  return 2;
+}
+
+}  // namespace discmc::trace

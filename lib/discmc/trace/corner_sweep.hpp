@@ -1,0 +1,54 @@
+// The sweep of a host: faster, and with the same events, while there is memory to spare.
+//
+// Then fragments are lists of corners (corners.hpp). When too many records would be in use they are
+// handed over to the sweep that firmware has, which goes on. It does everything from the start for
+// slabs, and for sinks that take no fragments.
+#ifndef DISCMC_TRACE_CORNER_SWEEP_HPP
+#define DISCMC_TRACE_CORNER_SWEEP_HPP
+
+#include <discmc/trace/corners.hpp>
+#include <discmc/trace/sweep.hpp>
+
+namespace discmc::trace {
+
+/// To an extractor what a Sweep is.
+class CornerSweep {
+ public:
+  Corners::Chains& fragments() { return plain_.fragments(); }
+  Delivery<uint32_t, NoNormal>& delivery() { return plain_.delivery(); }
+  const Corners::Chains& fragments() const { return plain_.fragments(); }
+  const Delivery<uint32_t, NoNormal>& delivery() const { return plain_.delivery(); }
+
+  void learn_in(Memory memory) { passes_.learn_in(memory); }
+  void clear();
+  void forget();
+  bool sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
+             Statistics& statistics);
+  bool settle_holes(const Sink& sink, Statistics& statistics) {
+    return plain_.settle_holes(sink, statistics);
+  }
+
+ private:
+  using Records = Corners::Records;
+
+  struct Ring {
+    uint32_t start;
+    uint32_t corners;
+    CornerCode code;  // of the start
+  };
+
+  bool sweep_corners(const SweptRow& row, const Sink& sink, Statistics& statistics);
+  bool deliver_rings(const Sink& sink, Statistics& statistics);
+  Ring ring_of(uint32_t closed) const;
+  bool deliver(const Ring& ring, const Sink& sink, Statistics& statistics);
+  void put_out(const Ring& ring);
+
+  Sweep<uint32_t, NoNormal> plain_;
+  bool keeps_corners_ = false;
+  Corners corners_;
+  LearntPasses passes_;
+};
+
+}  // namespace discmc::trace
+
+#endif
