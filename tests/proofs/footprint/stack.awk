@@ -17,7 +17,7 @@ BEGIN {
 {
   name = $2
   sub(/^discmc::/, "", name)
-  sub(/Extractor<unsigned short, discmc::NoNormals, discmc::trace::DerivedPasses>/, "Extractor16", name)
+  sub(/Extractor<unsigned short, discmc::NoNormals, discmc::trace::Sweep<unsigned short, discmc::NoNormal> >/, "Extractor16", name)
   sub(/BasicEncoder<discmc::NoRecordNormals>/, "Encoder", name)
   sub(/push_row_of_bits/, "push_bits", name)
   sub(/<.*$/, "", name)
