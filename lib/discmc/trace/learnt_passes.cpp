@@ -8,6 +8,12 @@ namespace {
 constexpr uint32_t axis_shift = 27;
 constexpr uint32_t all_voxels = (1U << axis_shift) - 1;
 
+// From a voxel to the next one.
+constexpr uint64_t column = CornerCode::vector({2, 0, 0});
+
+// What is known without memory: nothing.
+constexpr uint32_t nothing_known[2] = {0, 0};
+
 uint64_t two_words(const uint32_t* words) {
   uint64_t both;
   __builtin_memcpy(&both, words, sizeof both);
@@ -103,10 +109,6 @@ bool LearntPasses::find(const SweptRow& row, SweepCounts& counts) {
 uint32_t LearntPasses::collect(const SweptRow& row) {
   constexpr uint32_t around[] = {voxels_around_edge(0), voxels_around_edge(1),
                                  voxels_around_edge(2)};
-  // Voxels with all cells around them: from the first on, so many.
-  const bool has_all = (row.missing[0] | row.missing[1] | row.missing[2]) == 0;
-  const uint32_t first = row.has_open_ends ? 1 : 0U - 1U;
-  const uint32_t all = !has_all ? 0 : row.has_open_ends ? row.width - 2 : row.width + 1;
   const uint64_t origin = CornerCode::position({-2, 2 * row.y, 2 * row.z});
   Edge* edge = edge_;
   uint32_t word = word_;
@@ -118,25 +120,35 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
     const BlockWord block(row.rows, word);
     for (uint32_t left = crossings.voxels(); left != 0; left &= left - 1) {
       const uint32_t bit = trailing_zeros(left);
-      const uint32_t x = column_of(word, bit);
-      const uint64_t voxel = origin + (uint64_t{x + 1} << 17);
+      const uint64_t voxel = origin + column * (column_of(word, bit) + 1);
       const uint32_t voxels = block.voxels(bit);
-      const uint32_t unlearnt = x - first < all ? 0 : all_voxels;
 #pragma GCC unroll 3
       for (uint32_t axis = 0; axis < 3; ++axis) {
         edge->voxel = voxel;
-        edge->key = (voxels & around[axis]) | unlearnt | axis << axis_shift;
+        edge->key = (voxels & around[axis]) | axis << axis_shift;
         edge += crossings.of[axis] >> bit & 1;
       }
     }
   }
   word_ = word;
+  mark_incomplete(row, edge);
   return static_cast<uint32_t>(edge - edge_);
+}
+
+// Marks the edges around which cells may be absent: nothing is learnt of these.
+void LearntPasses::mark_incomplete(const SweptRow& row, Edge* end) {
+  const bool has_all_rows = (row.missing[0] | row.missing[1] | row.missing[2]) == 0;
+  if (has_all_rows && !row.has_open_ends) return;
+  const uint64_t first = CornerCode::position({0, 2 * row.y, 2 * row.z});
+  const uint64_t last = first + column * (row.width - 1);
+  Edge* edge = edge_;
+  for (; edge != end && (edge->voxel == first || !has_all_rows); ++edge) edge->key |= all_voxels;
+  for (; edge != end && (end - 1)->voxel == last; --end) (end - 1)->key |= all_voxels;
 }
 
 // Finds the passes of the edges.
 void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
-  const uint32_t* const known = known_;
+  const uint32_t* const known = known_ != nullptr ? known_ : nothing_known;
   const Learnt* const learnt = learnt_;
   const uint32_t shift = shift_;
   FoundPass* found = pass_;
@@ -145,8 +157,7 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
     const Edge edge = edge_[i];
     // Multiplication spreads neighbouring keys: see Holes.
     const uint32_t place = edge.key * 0x9E3779B1U >> shift;
-    const uint32_t count =
-        known != nullptr ? known[place] ^ edge.key << count_bits : most_learnt + 1;
+    const uint32_t count = known[place] ^ edge.key << count_bits;
     if (count > most_learnt) {
       found += derive(row, edge, place, found, parts);
       continue;

@@ -63,6 +63,7 @@ class LearntPasses {
   };
 
   uint32_t collect(const SweptRow& row);
+  void mark_incomplete(const SweptRow& row, Edge* end);
   void look_up(const SweptRow& row, SweepCounts& counts);
   uint32_t derive(const SweptRow& row, const Edge& edge, uint32_t place, FoundPass* found,
                   PartSums& parts);
