@@ -4,13 +4,22 @@ namespace discmc::trace {
 
 namespace {
 
-// Whether a link from a vertex on an edge along an axis leads to a centroid: it is diagonal, and
-// leads away from the edge.
-bool leads_to_centroid(Link link, int axis) {
-  const Vertex v = link_vector(link);
-  const int32_t along = axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-  return along == 0 && dot(v, v) == 2;
+/// By the axis of an edge: the links that lead from a vertex on it to a centroid, a bit each. They
+/// are diagonal, and lead away from the edge.
+struct CentroidLinks {
+  uint32_t of[3];
+};
+constexpr CentroidLinks links_to_centroids() {
+  CentroidLinks to_centroids{};
+  for (Link link = 0; link < link_codes; ++link) {
+    const Vertex v = link_vector(link);
+    const int32_t along[] = {v.x, v.y, v.z};
+    for (int axis = 0; axis < 3; ++axis)
+      if (along[axis] == 0 && dot(v, v) == 2) to_centroids.of[axis] |= 1U << link;
+  }
+  return to_centroids;
 }
+constexpr CentroidLinks centroid_links = links_to_centroids();
 
 }  // namespace
 
@@ -28,7 +37,7 @@ uint32_t corner_passes(const Pass& pass, int axis, CornerPass* passes) {
   };
   // Whether a chain that comes from ahead by a centroid turns there is not known: so a begin that
   // waits for it has a corner here.
-  const bool comes_round = pass.comes_from_ahead && leads_to_centroid(pass.came, axis);
+  const bool comes_round = pass.comes_from_ahead && (centroid_links.of[axis] >> pass.came & 1) != 0;
   const bool turns = pass.turns() || comes_round;
   const bool turns_at_centroid = pass.turns_at_centroid();
   if (!turns || !turns_at_centroid) {
