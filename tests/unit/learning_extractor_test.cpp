@@ -281,7 +281,7 @@ Found derived_passes(const trace::SweptRow& row) {
 Found learnt_passes(trace::LearntPasses& passes, const trace::SweptRow& row) {
   Found found;
   trace::SweepCounts counts;
-  passes.clear();
+  REQUIRE(passes.begin_row(row));
   while (passes.find(row, counts))
     for (const trace::FoundPass& pass : passes) found.push_back(described(pass.voxel, pass.pass));
   return found;

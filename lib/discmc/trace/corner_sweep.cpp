@@ -26,7 +26,7 @@ bool is_hole(CornerCode start) {
 
 void CornerSweep::clear() {
   plain_.clear();
-  passes_.clear();
+  is_suspended_ = false;
   keeps_corners_ = fragments().takes_whole_chains() && corners_.start(fragments().records());
 }
 
@@ -37,21 +37,27 @@ void CornerSweep::forget() {
 
 bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
                         Statistics& statistics) {
-  if (keeps_corners_ && !sweep_corners(row, sink, statistics)) return false;
+  if (keeps_corners_) {
+    is_suspended_ = !sweep_corners(row, sink, statistics);
+    if (is_suspended_) return false;
+  }
   return keeps_corners_ || plain_.sweep(row, normals, sink, statistics);
 }
 
 // Sweeps a row, or the part of it before the fragments are handed over.
 bool CornerSweep::sweep_corners(const SweptRow& row, const Sink& sink, Statistics& statistics) {
+  if (is_suspended_) {
+    if (!delivery().settle(fragments(), sink, statistics) || !deliver_rings(sink, statistics))
+      return false;
+  } else if (!passes_.begin_row(row)) {
+    return true;
+  }
   Records& records = fragments().records();
-  if (!delivery().settle(fragments(), sink, statistics) || !deliver_rings(sink, statistics))
-    return false;
   SweepCounts counts = plain_.counts();
   while (passes_.find(row, counts)) {
     if (row.z >= CornerCode::most_slices || !corners_.make_room(records, passes_)) {
       corners_.hand_over(fragments(), row, passes_.first_word());
       plain_.go_on_from(passes_.first_word());
-      passes_.clear();
       keeps_corners_ = false;
       return true;
     }
@@ -59,7 +65,6 @@ bool CornerSweep::sweep_corners(const SweptRow& row, const Sink& sink, Statistic
     corners_.take(records, passes_);
     if (!deliver_rings(sink, statistics)) return false;
   }
-  passes_.clear();
   counts.add_to(statistics);
   plain_.counts() = counts;
   return true;

@@ -45,6 +45,7 @@ class CornerSweep {
 
   Sweep<uint32_t, NoNormal> plain_;
   bool keeps_corners_ = false;
+  bool is_suspended_ = false;  // the sink has said "not now"
   Corners corners_;
   LearntPasses passes_;
 };

@@ -21,7 +21,7 @@ uint64_t two_words(const uint32_t* words) {
 }
 
 // Passes by words in which no edge crosses, two at a time.
-uint32_t pass_by(const SweptRow& row, uint32_t word) {
+[[gnu::always_inline]] inline uint32_t pass_by(const SweptRow& row, uint32_t word) {
   constexpr uint64_t own = own_columns * 0x100000001;
   const uint32_t* const here = row.rows.row[1][1];
   const uint32_t* const behind = row.rows.row[1][2];
@@ -95,12 +95,17 @@ void LearntPasses::learn_in(Memory memory) {
   for (uint32_t i = 0; known_ != nullptr && i < uint32_t{1} << bits; ++i) known_[i] = 0;
 }
 
+bool LearntPasses::begin_row(const SweptRow& row) {
+  word_ = pass_by(row, 0);
+  return word_ < row.words;
+}
+
 bool LearntPasses::find(const SweptRow& row, SweepCounts& counts) {
-  begin_ = word_;
+  first_word_ = word_;
   while (word_ < row.words) {
     edges_ = collect(row);
     look_up(row, counts);
-    if (passes_ > 0) return true;
+    if (count_ > 0) return true;
   }
   return false;
 }
@@ -112,9 +117,8 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
   const uint64_t origin = CornerCode::position({-2, 2 * row.y, 2 * row.z});
   Edge* edge = edge_;
   uint32_t word = word_;
-  for (; edge <= edge_ + (most_edges - 3 * columns_per_word); ++word) {
-    word = pass_by(row, word);
-    if (word >= row.words) break;
+  for (; word < row.words && edge <= edge_ + (most_edges - 3 * columns_per_word);
+       word = pass_by(row, word + 1)) {
     Crossings crossings;
     if (!crossings.find(row, word)) continue;
     const BlockWord block(row.rows, word);
@@ -168,7 +172,7 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
     found += count;
     parts.add(learnt[place].parts);
   }
-  passes_ = static_cast<uint32_t>(found - pass_);
+  count_ = static_cast<uint32_t>(found - pass_);
   counts.add(parts);
 }
 

@@ -31,18 +31,18 @@ class LearntPasses {
   /// entry.
   void learn_in(Memory memory);
 
-  /// Begins a row.
-  void clear() { word_ = begin_ = 0; }
-  /// Finds the passes of the next words of a row that have any, and counts what it comes by. False
-  /// when there are none left.
+  /// Begins a row. False when no edge crosses there.
+  bool begin_row(const SweptRow& row);
+  /// Finds the passes of the next words of the row that have any, and counts what it comes by.
+  /// False when there are none left.
   bool find(const SweptRow& row, SweepCounts& counts);
 
   /// What has been found, at so many edges at most, and in which word they begin.
   const FoundPass* begin() const { return pass_; }
-  const FoundPass* end() const { return pass_ + passes_; }
-  uint32_t count() const { return passes_; }
+  const FoundPass* end() const { return pass_ + count_; }
+  uint32_t count() const { return count_; }
   uint32_t edges() const { return edges_; }
-  uint32_t first_word() const { return begin_; }
+  uint32_t first_word() const { return first_word_; }
 
  private:
   static constexpr uint32_t most_entry_bits = 20;
@@ -74,9 +74,9 @@ class LearntPasses {
   uint32_t shift_ = 31;
 
   uint32_t word_ = 0;  // the next whose edges are to be collected
-  uint32_t begin_ = 0;
+  uint32_t first_word_ = 0;
   uint32_t edges_ = 0;
-  uint32_t passes_ = 0;
+  uint32_t count_ = 0;
   Edge edge_[most_edges + 3] = {};
   FoundPass pass_[most_edges * most_at_vertex] = {};
 };
