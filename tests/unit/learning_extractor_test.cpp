@@ -92,20 +92,30 @@ bool has_kept_corners(const Extractor& extractor) {
   return extractor.high_water().records >= least_for_corners / 2;
 }
 
-// A scan with few records beyond the least, so that the fragments are handed over on the way.
-void check_handing_over(const BitVolume& volume, uint32_t records_beyond, Border border,
-                        const EventLog::Refuses& refuses = {}) {
-  CAPTURE(records_beyond);
-  Plan plan;
-  plan.border = border;
-  Block learnt(1 << 16);
-  LearningExtractor extractor;
-  extractor.learn_in(learnt.memory());
-  const EventLog log =
-      scanned(extractor, volume, plan, {least_for_corners + records_beyond, 1000}, refuses);
-  CHECK(has_kept_corners(extractor));
-  CHECK(log.events == expected_of(volume, plan).events);
-}
+// A scan of a volume with few records beyond the least, so that its fragments are handed over on
+// the way.
+class HandingOver {
+ public:
+  HandingOver(const BitVolume& volume, Border border) : volume_(volume) {
+    plan_.border = border;
+    expected_ = expected_of(volume, plan_);
+    extractor_.learn_in(learnt_.memory());
+  }
+  void check(uint32_t records_beyond, const EventLog::Refuses& refuses = {}) {
+    CAPTURE(records_beyond);
+    const Capacities capacities{least_for_corners + records_beyond, 1000};
+    const EventLog log = scanned(extractor_, volume_, plan_, capacities, refuses);
+    CHECK(has_kept_corners(extractor_));
+    CHECK(log.events == expected_.events);
+  }
+
+ private:
+  const BitVolume& volume_;
+  Plan plan_;
+  EventLog expected_;
+  Block learnt_{1 << 16};
+  LearningExtractor extractor_;
+};
 
 // Walls along a diagonal of the slices, with sides of a thousand links and more, and a little
 // noise.
@@ -149,22 +159,22 @@ TEST_CASE("it does wherever the sink says not now") {
 
 TEST_CASE("it does wherever the fragments are handed over") {
   const BitVolume noise = random({150, 110, 4}, 60, 8);
-  for (uint32_t beyond = 0; beyond < 24000; beyond += 1500) {
-    check_handing_over(noise, beyond, Border::closed);
-    check_handing_over(noise, beyond, Border::open, refuses_some);
+  HandingOver closed(noise, Border::closed), open(noise, Border::open);
+  for (uint32_t beyond = 0; beyond < 24000; beyond += 2000) {
+    closed.check(beyond);
+    open.check(beyond, refuses_some);
   }
 }
 
 TEST_CASE("long sides are handed over, too") {
   const BitVolume volume = walls({1400, 900, 2});
-  for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U})
-    check_handing_over(volume, beyond, Border::closed);
+  HandingOver scan(volume, Border::closed);
+  for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U}) scan.check(beyond);
 }
 
 TEST_CASE("the fragments are handed over where slices are too many for a corner's place") {
-  const Size size{2, 1, 33000};
-  for (const Border border : {Border::closed, Border::open})
-    check_handing_over(box(size, {0, 0, 0}, {0, 0, 32999}), 0, border);
+  const BitVolume column = box({2, 1, 33000}, {0, 0, 0}, {0, 0, 32999});
+  for (const Border border : {Border::closed, Border::open}) HandingOver(column, border).check(0);
 }
 
 TEST_CASE("a slab is scanned as by any other") {
