@@ -127,7 +127,7 @@ class Extractor {
   /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2
   /// MiB are a good size. Call it at any time. Nothing is remembered before, and after restore().
   /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
-  /// Cost: an eleventh of it is written.
+  /// Cost: a twelfth of it is written.
   template <class S = Sweep>
   void learn_in(Memory memory) {
     S& sweep = sweep_;

@@ -134,7 +134,7 @@ BitVolume walls(Size size) {
 
 TEST_CASE("an extractor that learns gives the events of one that does not, from scan to scan") {
   for (const size_t bytes :
-       {size_t{0}, size_t{87}, size_t{88}, size_t{1000}, size_t{1} << 16, size_t{1} << 21}) {
+       {size_t{0}, size_t{95}, size_t{96}, size_t{1000}, size_t{1} << 16, size_t{1} << 21}) {
     CAPTURE(bytes);
     check_like_others(bytes);
   }
@@ -319,7 +319,7 @@ TEST_CASE("the same passes are found with memory of any size, wherever it lies, 
 
 TEST_CASE("passes are remembered from room for two neighbourhoods on") {
   const Rows rows;
-  constexpr size_t entry = 44, most_lost = 2 * (Arena::alignment - 1);
+  constexpr size_t entry = 48, most_lost = 2 * (Arena::alignment - 1);
   for (size_t bytes = 0; bytes < 4 * entry; ++bytes) {
     std::vector<uint8_t> memory(bytes + 1, 0xA5);
     const auto passes = std::make_unique<trace::LearntPasses>();

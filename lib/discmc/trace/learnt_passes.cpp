@@ -156,30 +156,31 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
   const Learnt* const learnt = learnt_;
   const uint32_t shift = shift_;
   FoundPass* found = pass_;
-  PartSums parts{0, 0};
+  SweepCounts sum = counts;
   for (uint32_t i = 0; i < edges_; ++i) {
     const Edge edge = edge_[i];
     // Multiplication spreads neighbouring keys: see Holes.
     const uint32_t place = edge.key * 0x9E3779B1U >> shift;
     const uint32_t count = known[place] ^ edge.key << count_bits;
     if (count > most_learnt) {
-      found += derive(row, edge, place, found, parts);
+      found += derive(row, edge, place, found, sum);
       continue;
     }
     // Four, whatever the count.
 #pragma GCC unroll 4
     for (uint32_t k = 0; k < most_learnt; ++k) found[k] = {edge.voxel, learnt[place].pass[k]};
     found += count;
-    parts.add(learnt[place].parts);
+    sum.add(learnt[place].counts);
   }
   count_ = static_cast<uint32_t>(found - pass_);
-  counts.add(parts);
+  counts = sum;
 }
 
 // Works out the passes at a vertex, and learns them where all cells take part. Returns how many
 // there are.
 [[gnu::noinline]] uint32_t LearntPasses::derive(const SweptRow& row, const Edge& edge,
-                                                uint32_t place, FoundPass* found, PartSums& parts) {
+                                                uint32_t place, FoundPass* found,
+                                                SweepCounts& counts) {
   const auto axis = static_cast<int>(edge.key >> axis_shift);
   // The voxel may be the one before the row.
   const CornerCode next_voxel(edge.voxel + CornerCode::vector({2, 0, 0}));
@@ -194,14 +195,15 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
   for (uint32_t i = 0; i < list.count; ++i)
     count += corner_passes(list.pass[i], axis, made + count);
   for (uint32_t i = 0; i < count; ++i) found[i] = {edge.voxel, made[i]};
-  const PartSums own_parts = PartSums::of(list.parts);
-  parts.add(own_parts);
+  SweepCounts own;
+  own.add(list.parts);
+  counts.add(own);
   if (known_ == nullptr || count > most_learnt || (edge.key & all_voxels) == all_voxels)
     return count;
   known_[place] = edge.key << count_bits | count;
   Learnt& entry = learnt_[place];
   for (uint32_t i = 0; i < count; ++i) entry.pass[i] = made[i];
-  entry.parts = own_parts;
+  entry.counts = own;
   return count;
 }
 

@@ -23,10 +23,10 @@ struct FoundPass {
 class LearntPasses {
  public:
   /// Edges at a time: those of a word and some more.
-  static constexpr uint32_t most_edges = PartSums::most_vertices;
+  static constexpr uint32_t most_edges = 128;
 
   /// Forgets everything, and remembers in this memory from now on, however it is aligned: in the
-  /// largest power of two of entries of 44 bytes that has room, 2^20 at most. Without memory, or
+  /// largest power of two of entries of 48 bytes that has room, 2^20 at most. Without memory, or
   /// with too little for anything, passes are worked out every time. Cost: 4 bytes cleared an
   /// entry.
   void learn_in(Memory memory);
@@ -59,14 +59,14 @@ class LearntPasses {
   };
   struct Learnt {
     CornerPass pass[most_learnt];
-    PartSums parts;
+    SweepCounts counts;
   };
 
   uint32_t collect(const SweptRow& row);
   void mark_incomplete(const SweptRow& row, Edge* end);
   void look_up(const SweptRow& row, SweepCounts& counts);
   uint32_t derive(const SweptRow& row, const Edge& edge, uint32_t place, FoundPass* found,
-                  PartSums& parts);
+                  SweepCounts& counts);
 
   // By place: the key, and in the lowest bits how many passes there are; 0 if nothing is known.
   uint32_t* known_ = nullptr;

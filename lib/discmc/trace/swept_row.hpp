@@ -84,33 +84,19 @@ struct Crossings {
   }
 };
 
-/// The parts that vertices add (CountParts), wide enough to add up those of 128.
-struct PartSums {
-  static constexpr uint32_t facet_shift = 19;
-  static constexpr uint32_t most_vertices = 128;
-
-  uint32_t cells_and_facets;
-  uint32_t triangles;
-
-  static PartSums of(uint32_t parts) {
-    constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
-    const uint32_t cells = parts & ((1U << facet) - 1);
-    const uint32_t facets = parts >> facet & ((1U << (triangle - facet)) - 1);
-    return {cells | facets << facet_shift, parts >> triangle};
-  }
-  void add(const PartSums& other) {
-    cells_and_facets += other.cells_and_facets;
-    triangles += other.triangles;
-  }
-};
-
-/// Counts of cells, out of the parts that vertices add.
+/// Counts of cells, out of the parts that vertices add (CountParts).
 class SweepCounts {
  public:
-  void add(const PartSums& sums) {
-    cells_ += sums.cells_and_facets & ((1U << PartSums::facet_shift) - 1);
-    facets_ += sums.cells_and_facets >> PartSums::facet_shift;
-    triangles_ += sums.triangles;
+  void add(uint32_t parts) {
+    constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
+    cells_ += parts & ((1U << facet) - 1);
+    facets_ += parts >> facet & ((1U << (triangle - facet)) - 1);
+    triangles_ += parts >> triangle;
+  }
+  void add(const SweepCounts& others) {
+    cells_ += others.cells_;
+    facets_ += others.facets_;
+    triangles_ += others.triangles_;
   }
   /// Moves what is whole to the statistics.
   void add_to(Statistics& statistics) {
