@@ -178,6 +178,9 @@ class Fragments {
   void begin_below_seam(const Pass& pass, const Vertex& vertex);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
 
+  Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
+  void push(uint8_t queue, Index end) { queues_.push(records_, queue, end); }
+  void push_lost(uint8_t queue) { queues_.push_lost(records_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
     return spare() >= enough_for_ends_ || spare() >= least_spare(queue, mate);
@@ -214,14 +217,14 @@ template <class Normals>
 [[gnu::noinline]] void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
                                                       const Normals& normals) {
   const Place here = place_of(vertex);
-  const Index begin = pass.goes_ahead() ? Index{no_record} : queues_.pop(records_, pass.out);
+  const Index begin = pass.goes_ahead() ? Index{no_record} : pop(pass.out);
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
     if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
     tail = begin_fragment(pass, vertex, normals);
   } else {
-    tail = queues_.pop(records_, pass.in);
+    tail = pop(pass.in);
     if (tail == no_record) {
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
@@ -237,11 +240,11 @@ template <class Normals>
   if (begin != no_record) return join(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
     if (admits(pass.out, end(tail).mate)) {
-      queues_.push(records_, pass.out, tail);
+      push(pass.out, tail);
       if (has_new_runs) send_if_long(pass, vertex, tail, true);
       return;
     }
-    queues_.push_lost(records_, pass.out);
+    push_lost(pass.out);
   }
   lose_tail(pass, vertex, tail);
 }
@@ -271,11 +274,11 @@ template <class Normals>
   Index mate = loose_end<Index>(came);
   if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
     mate = records_.take();
-    queues_.push(records_, pass.in, mate);
+    push(pass.in, mate);
     end(mate).last = no_record;
     end(mate).side = Side(came, place_of(vertex));
   } else {
-    queues_.push_lost(records_, pass.in);
+    push_lost(pass.in);
   }
   const Index tail = new_tail(pass, vertex, mate, normals);
   if (!is_loose(mate)) end(mate).mate = tail;
@@ -301,10 +304,10 @@ template <class Normals>
     has_new_runs = true;
   }
   if (!is_waiting) {
-    queues_.push_lost(records_, pass.in);
+    push_lost(pass.in);
     return lose_begin(pass, begin, pass.came, vertex);
   }
-  queues_.push(records_, pass.in, begin);
+  push(pass.in, begin);
   if (has_new_runs) send_if_long(pass, vertex, begin, false);
 }
 
@@ -428,7 +431,7 @@ Index Fragments<Index, Normal>::wait_in(uint8_t queue, Side side) {
   const Index index = records_.take();
   end(index).side = side;
   end(index).mate = index;  // until it has one
-  queues_.push(records_, queue, index);
+  push(queue, index);
   return index;
 }
 

@@ -19,7 +19,7 @@ void Fragments<Index, Normal>::cut_at_seam(Fragments& fragments, const Pass& pas
 template <class Index, class Normal>
 void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& vertex) {
   if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
-  const Index tail = queues_.pop(records_, pass.in);
+  const Index tail = pop(pass.in);
   Vertex at = vertex;
   if (tail != no_record) end_tail(pass, tail, pass.came, at);
 }
@@ -27,7 +27,7 @@ void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& verte
 template <class Index, class Normal>
 void Fragments<Index, Normal>::begin_below_seam(const Pass& pass, const Vertex& vertex) {
   if (pass.goes_ahead() || pass.out < first_rising_queue) return;
-  const Index begin = queues_.pop(records_, pass.out);
+  const Index begin = pop(pass.out);
   if (begin == no_record) return;
   const Vertex next = next_vertex(pass, vertex);
   if (end(begin).side.place() != place_of(next))
