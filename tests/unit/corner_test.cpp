@@ -76,8 +76,7 @@ TEST_CASE("at no vertex is more than one end put into a queue, or taken out of i
           if (made[k].kind == CornerPass::straight && puts_in == puts_out) FAIL("a straight pass");
           // The end that is passed on within the vertex has come and gone.
           const bool is_last = k + 1 == count;
-          const uint32_t inside =
-              ends.put[trace::inner_queue] - ends.taken[trace::inner_queue];
+          const uint32_t inside = ends.put[trace::inner_queue] - ends.taken[trace::inner_queue];
           if (inside != (is_last ? 0U : 1U)) FAIL("an end within the vertex");
         }
         passes += count;

@@ -14,7 +14,6 @@ class CornerCode {
   /// Slices that fit, the row before the first one and the centroids behind the last included.
   static constexpr int32_t most_slices = 32760;
 
-  CornerCode() = default;
   constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
 
   /// The lowest 16 bits.

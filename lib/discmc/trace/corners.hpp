@@ -41,8 +41,8 @@ class Corners {
   /// of it, or no_record when there are no more. Its corners name one another in its direction.
   uint32_t close_ring(Records& records);
 
-  /// Gives the corners of a ring back. count: how many they are.
-  void give(Records& records, uint32_t corner, uint32_t count);
+  /// Gives the corners of a ring back, of which one is named. count: how many they are.
+  void give(Records& records, uint32_t ring, uint32_t count);
 
   /// Hands all fragments over, when a sweep has come to a place.
   void hand_over(Chains& chains, const SweptRow& row, uint32_t word);

@@ -9,7 +9,7 @@ constexpr uint32_t axis_shift = 27;
 constexpr uint32_t all_voxels = (1U << axis_shift) - 1;
 
 // From a voxel to the next one.
-constexpr uint64_t column = CornerCode::vector({2, 0, 0});
+constexpr uint64_t next_voxel = CornerCode::vector({2, 0, 0});
 
 // What is known without memory: nothing.
 constexpr uint32_t nothing_known[2] = {0, 0};
@@ -124,7 +124,7 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
     const BlockWord block(row.rows, word);
     for (uint32_t left = crossings.voxels(); left != 0; left &= left - 1) {
       const uint32_t bit = trailing_zeros(left);
-      const uint64_t voxel = origin + column * (column_of(word, bit) + 1);
+      const uint64_t voxel = origin + next_voxel * (column_of(word, bit) + 1);
       const uint32_t voxels = block.voxels(bit);
 #pragma GCC unroll 3
       for (uint32_t axis = 0; axis < 3; ++axis) {
@@ -144,7 +144,7 @@ void LearntPasses::mark_incomplete(const SweptRow& row, Edge* end) {
   const bool has_all_rows = (row.missing[0] | row.missing[1] | row.missing[2]) == 0;
   if (has_all_rows && !row.has_open_ends) return;
   const uint64_t first = CornerCode::position({0, 2 * row.y, 2 * row.z});
-  const uint64_t last = first + column * (row.width - 1);
+  const uint64_t last = first + next_voxel * (row.width - 1);
   Edge* edge = edge_;
   for (; edge != end && (edge->voxel == first || !has_all_rows); ++edge) edge->key |= all_voxels;
   for (; edge != end && (end - 1)->voxel == last; --end) (end - 1)->key |= all_voxels;
@@ -183,8 +183,8 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
                                                 SweepCounts& counts) {
   const auto axis = static_cast<int>(edge.key >> axis_shift);
   // The voxel may be the one before the row.
-  const CornerCode next_voxel(edge.voxel + CornerCode::vector({2, 0, 0}));
-  const auto column = static_cast<uint32_t>(next_voxel.vertex().x) / 2;
+  const Vertex next = CornerCode(edge.voxel + next_voxel).vertex();
+  const auto column = static_cast<uint32_t>(next.x) / 2;
   const uint32_t x = column - 1;
   const uint32_t absent = row.absent(axis, x);
   PassList list;
