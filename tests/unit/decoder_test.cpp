@@ -410,10 +410,12 @@ TEST_CASE("a header that tells of a gap ends what is open, though a gap lay befo
   for (const Gap gap : {Gap{1, 0}, Gap{255, 0}, Gap{256, 1}, Gap{512, 2}}) {
     CAPTURE(gap.packets);
     const uint32_t number = 5;
-    const Received arrival = decode(joined(
-        {stream_of({}), frame_at(number, first_payload()),
-         header_after(number + 1 + gap.packets, gap.regions),
-         frame_at(number + 2 + gap.packets, last_payload(), static_cast<uint16_t>(gap.regions))}));
+    const Bytes heard = joined({stream_of({}), frame_at(number, first_payload()),
+                                header_after(number + 1 + gap.packets, gap.regions)});
+    CHECK(decode(heard).report.lost_pieces == gap.regions);
+    const Received arrival =
+        decode(joined({heard, frame_at(number + 2 + gap.packets, last_payload(),
+                                       static_cast<uint16_t>(gap.regions))}));
     CHECK(arrival.events == first_part().lost().events);
     CHECK(arrival.report.lost_packets == number - 1 + gap.packets);
   }
@@ -776,7 +778,20 @@ TEST_CASE("records that break the grammar are refused") {
     tell_run(model, 0, 2);
     end_part(model, true);
   });
-  check_unreadable([](auto& model) {  // the same of a whole one
+  check_unreadable([](auto& model) {  // a run of a part in such a direction
+    begin_part(model, false, false, incidence_of({1, 1, 0}));
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    tell_run(model, 5, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a run of a part that is too long
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, Run::max_length + 1);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a whole fragment that came by no direction of the plane
     tell_fragment(model, Chain::fragment, {4, 0}, {1}, incidence_of({1, 1, 0}));
   });
   check_unreadable([](auto& model) {  // and of its run
