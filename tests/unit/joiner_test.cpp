@@ -402,18 +402,23 @@ void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
 }  // namespace
 
 TEST_CASE("ends of fragments that crowd the table are a shortage as any other") {
-  Events events, rest;
   const std::vector<Run> runs = square_runs(2);
-  for (int32_t z = 0; count(events, Kind::fragment) < 60; z += 2) {
-    const Vertex start{1, 0, z}, end = inwards(start, 2);
-    if (!is_crowded({start, test::up, 6}) || !is_crowded({end, test::up, 2})) continue;
-    append(events, fragment_of(test::up, start, 6, {runs[0], runs[1]}));
-    append(rest, fragment_of(test::up, end, 2, {runs[2], runs[3]}));
+  for (const auto& [crowds_start, crowds_end] :
+       {std::pair{true, true}, {true, false}, {false, true}}) {
+    Events events, rest;
+    for (int32_t z = 0; count(events, Kind::fragment) < 90; z += 2) {
+      const Vertex start{1, 0, z}, end = inwards(start, 2);
+      if (is_crowded({start, test::up, 6}) != crowds_start ||
+          is_crowded({end, test::up, 2}) != crowds_end)
+        continue;
+      append(events, fragment_of(test::up, start, 6, {runs[0], runs[1]}));
+      append(rest, fragment_of(test::up, end, 2, {runs[2], runs[3]}));
+    }
+    append(events, rest);
+    JoinPlan plan;
+    plan.capacities = {100, 500};
+    check_crowd(events, plan, 90);
   }
-  append(events, rest);
-  JoinPlan plan;
-  plan.capacities = {100, 500};
-  check_crowd(events, plan, 60);
 }
 
 TEST_CASE("so are holes that do") {
@@ -425,6 +430,20 @@ TEST_CASE("so are holes that do") {
   JoinPlan plan;
   plan.capacities = {100, 500};
   check_crowd(events, plan, 0);
+}
+
+TEST_CASE("holes that were taken leave no place behind") {
+  Events events;
+  for (int32_t z = 0; z < 40; z += 2) {
+    const Nest nest({1, 0, z});
+    append(events, nest.fragment(1));
+    append(events, nest.region(0, false));
+  }
+  JoinPlan plan;
+  plan.capacities = {1, 4};
+  const Joined joined = join(events, plan);
+  CHECK(joined.status == Status::ok);
+  CHECK(joined.report.rings == 20);
 }
 
 TEST_CASE("fragments that are lost leave no runs behind") {
