@@ -659,7 +659,7 @@ TEST_CASE("the finish event counts what was delivered") {
   for (const JoinPlan& plan : {JoinPlan{InputOrder::sweep, {500, 5000}},
                                {InputOrder::sweep, {20, 100}},
                                {InputOrder::sweep, {1, 1}},
-                               {InputOrder::sweep, {20, 100}, false}}) {
+                               {InputOrder::sweep, {5, 30}, false}}) {
     const Pieces pieces = cut(surface.regions, cuts_of(chance));
     Events events = events_of(pieces);
     Statistics sent{};
