@@ -416,9 +416,8 @@ bool Decoder::deliver_record() {
   Event event{};
   event.incidence = record_.incidence;
   if (begin_is_untold_) {
-    event.kind = Event::Kind::region;
+    event.kind = record_.is_fragment ? Event::Kind::fragment : Event::Kind::region;
     if (record_.is_fragment) {
-      event.kind = Event::Kind::fragment;
       event.start = record_.start_at(0);
       event.came = record_.came;
     }

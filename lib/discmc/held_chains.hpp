@@ -89,7 +89,6 @@ class HeldChains {
 
   /// No chain in use has a larger index.
   uint32_t last_used() const { return chains_.high_water(); }
-  uint32_t in_use() const { return chains_.in_use(); }
   uint32_t high_water() const { return chains_.high_water(); }
   uint32_t run_high_water() const { return runs_.high_water(); }
 

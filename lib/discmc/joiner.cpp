@@ -68,7 +68,7 @@ bool Joiner::begin_fragment(const Event& event) {
   region_.forget();
   if (!is_short_) {
     if (!is_incidence(event.incidence) || !is_direction_of(event.incidence, event.came)) {
-      ignore_fragment();
+      arrival_ = Arrival::ignored;
       return true;
     }
     arriving_ = chains().take(event.incidence, event.start, event.came);
@@ -87,7 +87,7 @@ bool Joiner::begin_fragment(const Event& event) {
 bool Joiner::add_run(const Event& event) {
   if (arrival_ == Arrival::held) {
     if (!is_run_of(chains()[arriving_].incidence, event.run))
-      ignore_fragment();
+      arrival_ = Arrival::ignored;
     else if (chains().append(arriving_, event.run, event.normal))
       return true;
     else
@@ -118,7 +118,6 @@ bool Joiner::end_fragment(const Event& event) {
 }
 
 bool Joiner::lose(const Event& event) {
-  region_.forget();
   // Of a fragment that is held the sink knows nothing.
   if (arrival_ == Arrival::none) return pass(event);
   if (arrival_ == Arrival::passed && !pass_loose(event)) return false;
@@ -159,7 +158,10 @@ bool Joiner::pass_loose(const Event& event) {
 // Joins the fragment that has arrived with what it belongs to.
 void Joiner::place_fragment() {
   const uint32_t arrived = arriving_;
-  if (chains()[arrived].first_run == no_record) return ignore_fragment();
+  if (chains()[arrived].first_run == no_record) {
+    arrival_ = Arrival::ignored;
+    return;
+  }
   const WaitingChains::Result result = waiting_.join(arrived);
   if (result.joined == WaitingChains::Joined::no_room) return run_short();
   ++report_.fragments;
@@ -179,11 +181,6 @@ void Joiner::forget_fragment() {
   if (arriving_ != no_record) chains().give(arriving_);
   arriving_ = no_record;
   arrival_ = Arrival::none;
-}
-
-void Joiner::ignore_fragment() {
-  forget_fragment();
-  arrival_ = Arrival::ignored;
 }
 
 // From now on everything is passed on, what is held first.
@@ -320,7 +317,7 @@ bool Joiner::begin_next_loose() {
 bool Joiner::end() {
   while (begin_next_outer())
     if (!settle()) return false;
-  if (chains().in_use() > 0) let_all_go();
+  let_all_go();
   return settle() && send_finish();
 }
 

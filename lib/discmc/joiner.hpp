@@ -120,7 +120,6 @@ class Joiner {
 
   void place_fragment();
   void forget_fragment();
-  void ignore_fragment();
 
   enum class Delivery : uint8_t { none, region, holes, loose, beginning };
   bool settle();

@@ -22,8 +22,7 @@ void RegionHoles::follow(const Event& event, WaitingChains& waiting) {
 
 void RegionHoles::begin_ring(const Event& event, WaitingChains& waiting) {
   at_ = event.start;
-  if (event.hole || waiting.hole_count() == 0 || !is_incidence(incidence_)) return;
-  has_point_ = false;
+  if (event.hole || waiting.hole_count() == 0) return;
   first_ = waiting.first_hole(incidence_, event.start);
   HeldChains& chains = waiting.chains();
   for (uint32_t hole = first_; hole != no_record; hole = chains[hole].next)
@@ -32,8 +31,7 @@ void RegionHoles::begin_ring(const Event& event, WaitingChains& waiting) {
 
 void RegionHoles::add_run(Run run, HeldChains& chains) {
   if (!is_run_of(incidence_, run)) return forget();
-  if (!has_point_) point_ = point_beside(incidence_, at_, run.direction());
-  has_point_ = true;
+  point_ = point_beside(incidence_, at_, run.direction());
   const PlaneSide side(incidence_, at_, run);
   for (uint32_t hole = first_; hole != no_record; hole = chains[hole].next) {
     State& state = chains[hole].state;
@@ -57,9 +55,9 @@ uint32_t RegionHoles::claim(WaitingChains& waiting) {
 bool RegionHoles::is_within_another(uint32_t hole, const WaitingChains& waiting) const {
   const HeldChains& chains = waiting.chains();
   const PlanePoint point = chains.point_beside(hole);
+  // The hole itself does not contain the point beside it.
   for (uint32_t other = first_; other != no_record; other = chains[other].next)
-    if (other != hole && chains[other].state != State::hole && chains.contains(other, point))
-      return true;
+    if (chains[other].state != State::hole && chains.contains(other, point)) return true;
   // An outer ring may also lie around the region.
   uint32_t outer = waiting.first_outer(incidence_, chains[hole].start);
   for (; outer != no_record; outer = chains[outer].next)

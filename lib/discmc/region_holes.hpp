@@ -29,10 +29,9 @@ class RegionHoles {
   bool is_within_another(uint32_t hole, const WaitingChains& waiting) const;
 
   Incidence incidence_ = 0;
-  bool has_point_ = false;
   uint32_t first_ = no_record;  // of the holes on the plane
   Vertex at_{};                 // where the ring under way has got to
-  PlanePoint point_{};          // beside the outer ring
+  PlanePoint point_{};          // of the region, beside the run that passed last
 };
 
 }  // namespace discmc

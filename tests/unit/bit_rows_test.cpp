@@ -305,3 +305,14 @@ TEST_CASE_TEMPLATE("samples may lie anywhere in memory and go anywhere in a row"
           });
         }
 }
+
+TEST_CASE_TEMPLATE("a row ends where its samples do, though others that are off follow", Sample,
+                   uint8_t, uint16_t, int16_t) {
+  constexpr uint32_t width = 150;
+  const std::vector<Sample> samples(2 * width, Sample{0});
+  for (uint32_t count = 1; count <= width; ++count) {
+    Rows rows({width, 1, Border::closed});
+    rows.append(samples.data(), count, 1, 1);
+    REQUIRE(rows.column() == count);
+  }
+}

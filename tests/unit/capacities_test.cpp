@@ -159,6 +159,18 @@ TEST_CASE("the minimum lies below the worst case, and more slices need no less")
   });
 }
 
+TEST_CASE("the worst case is the greatest number from where it cannot be counted any more") {
+  constexpr Limits limits{1, 1};
+  constexpr uint32_t slices = UINT32_MAX / sizing::records_a_cell / 4;  // of four cells each
+  Capacities before = worst_case_capacities(limits, slices - 3);
+  for (uint32_t more = slices - 2; more < slices + 3; ++more) {
+    const Capacities now = worst_case_capacities(limits, more);
+    CHECK(at_most(before, now));
+    before = now;
+  }
+  CHECK(at_most(worst_case_capacities(limits, UINT32_MAX), before));
+}
+
 TEST_CASE("a scan of 256 x 256 voxels works in 20 KiB, one of 64 x 64 in 2.5 KiB") {
   CHECK(minimum_bytes<uint16_t>({256, 256}) <= 20 * 1024);
   CHECK(minimum_bytes<uint16_t>({64, 64}) <= 2560);

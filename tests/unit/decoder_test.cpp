@@ -524,6 +524,18 @@ TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region")
   }
 }
 
+TEST_CASE("so does one of a fragment that follows another's, whatever directions that had") {
+  const Received arrival = decode(stream_of({payload_of([](auto& model) {
+    tell_fragment(model, Chain::fragment, {7, 0}, {2});
+    begin_part(model, true, true, incidence_of({1, 1, 0}));
+    tell_run(model, 0, 2);
+    end_part(model, true);
+  })}));
+  CHECK(arrival.report.fragments == 1);
+  CHECK(arrival.report.lost_pieces == 1);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
 TEST_CASE("what was whole before a cut is delivered, and the report says that the end is missing") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
@@ -776,7 +788,20 @@ TEST_CASE("records that break the grammar are refused") {
     tell_run(model, 0, 2);
     end_part(model, true);
   });
-  check_unreadable([](auto& model) {  // the same of a whole one
+  check_unreadable([](auto& model) {  // a run of a part in such a direction
+    begin_part(model, false, false, incidence_of({1, 1, 0}));
+    tell_ring(model, false);
+    tell_run(model, 0, 2);
+    tell_run(model, 5, 2);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a run of a part that is too long
+    begin_part(model, false);
+    tell_ring(model, false);
+    tell_run(model, 0, Run::max_length + 1);
+    end_part(model, true);
+  });
+  check_unreadable([](auto& model) {  // a whole fragment that came by no direction of the plane
     tell_fragment(model, Chain::fragment, {4, 0}, {1}, incidence_of({1, 1, 0}));
   });
   check_unreadable([](auto& model) {  // and of its run

@@ -278,12 +278,30 @@ TEST_CASE(
 }
 
 TEST_CASE("a fragment without runs does harm to nothing but its packet") {
-  Script script;
-  script.fragment(up, {1, 0, 0}, 0).fragment_end();
-  const Received arrival = decode(encode(script.layer(1).finish().events));
-  CHECK(pieces_of(arrival.events).empty());
-  CHECK(arrival.report.damaged_packets == 1);
-  CHECK(arrival.report.has_trailer);
+  for (uint32_t follower = 0; follower < 100; ++follower) {
+    Script script;
+    script.fragment(up, {1, 0, 0}, 0).fragment_end();
+    script.layer(follower).skipped(7 * follower, follower, false);
+    const Received arrival = decode(encode(script.finish().events));
+    CHECK(pieces_of(arrival.events).empty());
+    CHECK(arrival.report.damaged_packets == 1);
+    CHECK(arrival.report.has_trailer);
+  }
+}
+
+TEST_CASE("a region without rings does no more harm") {
+  for (uint32_t follower = 0; follower < 100; ++follower) {
+    Script script;
+    script.region(up).square({1, 0, 0}, 2).region_end();
+    const size_t whole = script.events.size();
+    script.region(up).region_end().layer(follower).skipped(7 * follower, follower, false);
+    const Received arrival = decode(encode(script.finish().events));
+    CHECK(pieces_of(arrival.events) ==
+          pieces_of(
+              {script.events.begin(), script.events.begin() + static_cast<std::ptrdiff_t>(whole)}));
+    CHECK(arrival.report.damaged_packets == 1);
+    CHECK(arrival.report.has_trailer);
+  }
 }
 
 TEST_CASE("a region that is lost before its end is told as lost, whatever follows") {
@@ -306,7 +324,19 @@ TEST_CASE("a region that is lost before its end is told as lost, whatever follow
 
 TEST_CASE("an encoder that is not started takes nothing") {
   Encoder encoder;
-  CHECK(encoder.take(Script().layer(1).events.front().event()) == Answer::not_now);
+  const Events events = Script().layer(1).region(up).square({1, 0, 0}, 2).region_end().events;
+  for (const RecordedEvent& event : events) CHECK(encoder.take(event.event()) == Answer::not_now);
+}
+
+TEST_CASE("a ring may begin wherever a record is nearly full") {
+  for (uint32_t runs = Record::max_words - 2 * Record::ring_words; runs <= Record::max_words;
+       ++runs) {
+    Script script;
+    script.region(up).ring({1, 0, 0});
+    for (uint32_t i = 0; i < runs; ++i) script.run(i % 2 == 0 ? 0 : 2, 1);
+    const Events events = script.square({1, 0, 8}, 2, true).region_end().finish().events;
+    CHECK(decode(encode(events)).events == events);
+  }
 }
 
 TEST_CASE("an event of a kind that there is not leaves nothing in the stream") {

@@ -2,6 +2,8 @@
 // and any events are safe.
 #include <doctest/doctest.h>
 
+#include <set>
+
 #include "oracle/join.hpp"
 #include "oracle/loose.hpp"
 #include "oracle/merge.hpp"
@@ -108,6 +110,32 @@ std::vector<Run> square_runs(uint32_t side) {
           Run::straight(6, side)};
 }
 
+// A square as one fragment, which is a ring already: an outer one, or the hole of the same shape.
+Events square_fragment(const Vertex& corner, uint32_t side, bool hole) {
+  std::vector<Run> runs = square_runs(side);
+  if (!hole) return fragment_of(test::up, corner, 6, runs);
+  for (Run& run : runs)
+    run = Run::straight(static_cast<Direction>((10 - run.direction()) % 8), side);
+  return fragment_of(test::up, corner, 4, runs);
+}
+
+// The region whose outer ring is such a square, and its hole another.
+test::Script square_region(const Vertex& corner, uint32_t side) {
+  test::Script script;
+  script.region(test::up).square(corner, side);
+  return script;
+}
+
+// A corner moved inwards by so many links.
+Vertex inwards(const Vertex& corner, int32_t links) {
+  const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
+  return corner + Vertex{links * diagonal.x, links * diagonal.y, links * diagonal.z};
+}
+
+void append(Events& events, const Events& more) {
+  events.insert(events.end(), more.begin(), more.end());
+}
+
 RecordedEvent finish_of(const Statistics& statistics, uint32_t slices, bool abandoned) {
   Event event{};
   event.kind = Kind::finish;
@@ -208,6 +236,87 @@ TEST_CASE("in the order of a sweep a region is there as soon as its last fragmen
   }
 }
 
+// Squares within one another on one plane, from the outermost in: outer, hole, outer, hole...
+class Nest {
+ public:
+  static constexpr int32_t depth = 6;
+
+  explicit Nest(const Vertex& corner) : corner_(corner) {}
+
+  static bool is_hole(int32_t ring) { return ring % 2 == 1; }
+  Events fragment(int32_t ring) const {
+    return square_fragment(corner(ring), side(ring), is_hole(ring));
+  }
+  /// What an outer ring begins, without its end.
+  test::Script begin_region(int32_t ring) const { return square_region(corner(ring), side(ring)); }
+  /// With the hole, if it has one.
+  Events region(int32_t ring, bool has_hole) const {
+    test::Script script = begin_region(ring);
+    if (has_hole) {
+      script.ring(corner(ring + 1), true);
+      for (const RecordedEvent& event : fragment(ring + 1))
+        if (event.is(Kind::run)) script.run(event.event().run);
+    }
+    return script.region_end().events;
+  }
+
+ private:
+  Vertex corner(int32_t ring) const { return inwards(corner_, ring); }
+  static uint32_t side(int32_t ring) { return static_cast<uint32_t>(2 * (2 * depth - ring)); }
+
+  Vertex corner_;
+};
+
+TEST_CASE("of rings within rings every region gets its own hole, whatever comes when or is lost") {
+  constexpr int32_t none = -1;
+  Chance chance(15);
+  const Cuts cuts = cuts_of(chance);
+  for (const Vertex& corner : {Vertex{1, 0, 0}, {1001, 2000, 40}, {-1001, -2000, -40}})
+    for (const std::set<int32_t>& lost : {std::set<int32_t>{}, {1}, {3}, {1, 3}, {2}, {4}})
+      for (const int32_t whole : {none, 0, 2, 4})
+        for (int round = 0; round < 20; ++round) {
+          if (lost.count(whole) > 0) continue;
+          const Nest nest(corner);
+          Pieces pieces;
+          for (int32_t ring = 0; ring < Nest::depth; ++ring)
+            if (ring != whole && lost.count(ring) == 0) pieces.push_back({nest.fragment(ring)});
+          shuffle(pieces, cuts.below);
+          Events events = events_of(pieces);
+          // What is whole comes after the fragments.
+          if (whole != none) append(events, nest.region(whole, false));
+          JoinPlan plan;
+          plan.order = InputOrder::any;
+          plan.capacities = {10, 50};
+          const Joined joined = join(events, plan);
+          for (int32_t ring = 0; ring < Nest::depth; ring += 2) {
+            if (lost.count(ring) > 0) continue;
+            const Events region = nest.region(ring, lost.count(ring + 1) == 0);
+            REQUIRE(std::search(joined.events.begin(), joined.events.end(), region.begin(),
+                                region.end()) != joined.events.end());
+          }
+          // A hole of a region that is lost.
+          REQUIRE(joined.report.unmatched == lost.count(2) + lost.count(4));
+        }
+}
+
+TEST_CASE("what was in its memory before does not matter to a joiner") {
+  const Nest nest({1, 0, 0});
+  const JoinCapacities capacities{10, 60};
+  for (int filling = 0; filling < 256; ++filling) {
+    Block block(Joiner::bytes_for(capacities));
+    std::fill_n(static_cast<uint8_t*>(block.memory().data), block.memory().bytes,
+                static_cast<uint8_t>(filling));
+    EventLog log;
+    Joiner joiner;
+    REQUIRE(joiner.start(capacities, block.memory(), sink_to(log), InputOrder::any) == Status::ok);
+    for (const int32_t ring : {1, 0})
+      for (const RecordedEvent& event : nest.fragment(ring))
+        REQUIRE(joiner.take(event.event()) == Answer::taken);
+    REQUIRE(joiner.finish() == Status::ok);
+    REQUIRE(log.events == nest.region(0, true));
+  }
+}
+
 // ---- short memory ----
 
 TEST_CASE("what a joiner with too little memory passes on, another joins") {
@@ -271,6 +380,86 @@ TEST_CASE("the marks tell what would have been enough") {
   }
 }
 
+namespace {
+
+// Whether a joiner's table has the key near its beginning, however large it is.
+bool is_crowded(const WaitingKey& key) {
+  return WaitingTable::hash_of(key) >> 27 == 0;
+}
+
+// Joins what crowds the table of the first joiner: it runs short, though it has room for more.
+void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
+  const Joined first = join(events, plan);
+  CHECK(first.status == Status::too_little_memory);
+  CHECK(first.events == events);
+  CHECK(first.report.passed == count(events, Kind::fragment));
+  JoinPlan slow = plan;
+  slow.refuses = refuses_first;
+  CHECK(join(events, slow).events == events);
+  CHECK(join(first.events, {}).report.regions == regions);
+}
+
+}  // namespace
+
+TEST_CASE("ends of fragments that crowd the table are a shortage as any other") {
+  const std::vector<Run> runs = square_runs(2);
+  for (const auto& [crowds_start, crowds_end] :
+       {std::pair{true, true}, {true, false}, {false, true}}) {
+    Events events, rest;
+    for (int32_t z = 0; count(events, Kind::fragment) < 90; z += 2) {
+      const Vertex start{1, 0, z}, end = inwards(start, 2);
+      if (is_crowded({start, test::up, 6}) != crowds_start ||
+          is_crowded({end, test::up, 2}) != crowds_end)
+        continue;
+      append(events, fragment_of(test::up, start, 6, {runs[0], runs[1]}));
+      append(rest, fragment_of(test::up, end, 2, {runs[2], runs[3]}));
+    }
+    append(events, rest);
+    JoinPlan plan;
+    plan.capacities = {100, 500};
+    check_crowd(events, plan, 90);
+  }
+}
+
+TEST_CASE("so are holes that do") {
+  constexpr uint8_t kind_of_holes = max_directions + 2;
+  Events events;
+  for (int32_t z = 0; count(events, Kind::fragment) < 90; z += 2)
+    if (is_crowded({{z, 0, 0}, test::up, kind_of_holes}))
+      append(events, square_fragment({1, 0, z}, 2, true));
+  JoinPlan plan;
+  plan.capacities = {100, 500};
+  check_crowd(events, plan, 0);
+}
+
+TEST_CASE("holes that were taken leave no place behind") {
+  Events events;
+  for (int32_t z = 0; z < 40; z += 2) {
+    const Nest nest({1, 0, z});
+    append(events, nest.fragment(1));
+    append(events, nest.region(0, false));
+  }
+  JoinPlan plan;
+  plan.capacities = {1, 4};
+  const Joined joined = join(events, plan);
+  CHECK(joined.status == Status::ok);
+  CHECK(joined.report.rings == 20);
+}
+
+TEST_CASE("fragments that are lost leave no runs behind") {
+  Events events;
+  for (int i = 0; i < 10; ++i) {
+    append(events, fragment_of(test::up, {1, 0, 0}, 6, square_runs(2)));
+    events.back() = test::Script().lost().events[0];
+  }
+  append(events, square_fragment({1, 0, 0}, 2, false));
+  JoinPlan plan;
+  plan.capacities = {1, 4};
+  const Joined joined = join(events, plan);
+  CHECK(joined.status == Status::ok);
+  CHECK(joined.report.regions == 1);
+}
+
 TEST_CASE("a sink that takes no fragments is given none") {
   Chance chance(9);
   for (const Surface& surface : surfaces()) {
@@ -315,6 +504,25 @@ TEST_CASE("a sink may refuse any event, and it does not show") {
         CHECK(slow.report.unmatched == plain.report.unmatched);
         CHECK(slow.report.passed == plain.report.passed);
       }
+}
+
+TEST_CASE("what an event completes is delivered once it is taken, though the sink refuses") {
+  Chance chance(16);
+  for (const JoinCapacities& capacities : {JoinCapacities{500, 5000}, {12, 100}, {1, 1}}) {
+    const Events events = events_of(cut(surfaces()[1].regions, cuts_of(chance)));
+    EventLog plain, slow(refuses_first);
+    Block plain_block(Joiner::bytes_for(capacities)), slow_block(Joiner::bytes_for(capacities));
+    Joiner joiner, slow_joiner;
+    REQUIRE(joiner.start(capacities, plain_block.memory(), sink_to(plain), InputOrder::sweep) ==
+            Status::ok);
+    REQUIRE(slow_joiner.start(capacities, slow_block.memory(), sink_to(slow), InputOrder::sweep) ==
+            Status::ok);
+    for (const RecordedEvent& event : events) {
+      REQUIRE(joiner.take(event.event()) == Answer::taken);
+      while (slow_joiner.take(event.event()) != Answer::taken) continue;
+      REQUIRE(slow.events.size() == plain.events.size());
+    }
+  }
 }
 
 // ---- losses ----
@@ -408,23 +616,35 @@ TEST_CASE(
   CHECK(join(events, plan).events.empty());
 }
 
+TEST_CASE("a region of which something was lost takes no holes") {
+  const Nest nest({1, 0, 0});
+  Events begun = nest.begin_region(0).lost().events;
+  append(begun, test::Script().region(test::up).region_end().events);
+  Events events = nest.fragment(1);
+  append(events, begun);
+  append(begun, nest.fragment(1));
+  CHECK(join(events, {}).events == begun);
+}
+
 TEST_CASE("a region that is none leaves the holes of its plane where they are") {
   const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
   const Events hole = fragment_of(
       test::up, Vertex{1, 0, 0} + diagonal + diagonal, 0,
       {Run::straight(6, 1), Run::straight(4, 1), Run::straight(2, 1), Run::straight(0, 1)});
-  const auto in_region = [&](Incidence incidence, Run first) {
+  const auto in_region = [&](Incidence incidence, Run first, Run last) {
     test::Script region;
     region.region(incidence).ring({1, 0, 0}).run(first);
-    for (Direction direction = 2; direction < 8; direction += 2) region.run(direction, 8);
+    region.run(2, 8).run(4, 8).run(last);
     Events events = hole;
     const Events whole = region.region_end().events;
     events.insert(events.end(), whole.begin(), whole.end());
     return join(events, {});
   };
-  const Run run = Run::straight(0, 8);
-  CHECK(in_region(test::up, run).report.unmatched == 0);
-  for (const Joined& joined : {in_region(no_incidence, run), in_region(test::up, Run())}) {
+  const Run first = Run::straight(0, 8), last = Run::straight(6, 8);
+  CHECK(in_region(test::up, first, last).report.unmatched == 0);
+  for (const Joined& joined :
+       {in_region(no_incidence, first, last), in_region(test::up, Run(), last),
+        in_region(test::up, first, Run())}) {
     CHECK(joined.report.unmatched == 1);
     CHECK(count(joined.events, Kind::fragment) == 1);
     CHECK(count(joined.events, Kind::region) == 1);
@@ -436,7 +656,10 @@ TEST_CASE("a region that is none leaves the holes of its plane where they are") 
 TEST_CASE("the finish event counts what was delivered") {
   Chance chance(12);
   const Surface& surface = surfaces()[0];
-  for (const JoinCapacities& capacities : {JoinCapacities{500, 5000}, {20, 100}, {1, 1}}) {
+  for (const JoinPlan& plan : {JoinPlan{InputOrder::sweep, {500, 5000}},
+                               {InputOrder::sweep, {20, 100}},
+                               {InputOrder::sweep, {1, 1}},
+                               {InputOrder::sweep, {5, 30}, false}}) {
     const Pieces pieces = cut(surface.regions, cuts_of(chance));
     Events events = events_of(pieces);
     Statistics sent{};
@@ -446,8 +669,6 @@ TEST_CASE("the finish event counts what was delivered") {
     sent.rings = count(events, Kind::ring);
     sent.fragments = count(events, Kind::fragment);
     events.push_back(finish_of(sent, 7, true));
-    JoinPlan plan;
-    plan.capacities = capacities;
     const Joined joined = join(events, plan);
     Statistics delivered = sent;
     delivered.regions = count(joined.events, Kind::region);
@@ -475,6 +696,49 @@ TEST_CASE("of several streams there is one finish event, and it comes last") {
   --expected.fragments;
   CHECK(joined.events.back() == finish_of(expected, 7, true));
   CHECK(count(joined.events, Kind::finish) == 1);
+}
+
+TEST_CASE("a finish event may come without statistics") {
+  std::vector<uint8_t> memory(4000);
+  EventLog log;
+  Joiner joiner;
+  REQUIRE(joiner.start({memory.data(), memory.size()}, sink_to(log), InputOrder::sweep) ==
+          Status::ok);
+  Event finish{};
+  finish.kind = Kind::finish;
+  finish.slice = 7;
+  CHECK(joiner.take(finish) == Answer::taken);
+  CHECK(log.events == Events{finish_of({}, 7, false)});
+}
+
+TEST_CASE("what follows a finish event begins with nothing, and with all that there is room for") {
+  const std::vector<Run> runs = square_runs(2);
+  const Events half = fragment_of(test::up, {1, 0, 0}, 6, {runs[0], runs[1]});
+  const Events rest = fragment_of(test::up, inwards({1, 0, 0}, 2), 2, {runs[2], runs[3]});
+  const auto join_after_half = [&](const Events& second, const JoinCapacities& capacities) {
+    Events events = half;
+    events.push_back(finish_of({}, 1, false));
+    append(events, second);
+    JoinPlan plan;
+    plan.capacities = capacities;
+    Events joined = join(events, plan).events;
+    Events expected = half;
+    expected.push_back(events[half.size()]);
+    expected.back() = joined.at(half.size());  // its counts are another test's
+    REQUIRE(joined.size() >= expected.size());
+    CHECK(std::equal(expected.begin(), expected.end(), joined.begin()));
+    joined.erase(joined.begin(), joined.begin() + static_cast<std::ptrdiff_t>(expected.size()));
+    return joined;
+  };
+  Events both = half;
+  append(both, rest);
+  CHECK(join_after_half(both, {2, 10}) == square_region({1, 0, 0}, 2).region_end().events);
+  CHECK(join_after_half(rest, {2, 10}) == rest);
+  // One fragment more than there is room for.
+  Events many;
+  for (const int32_t z : {2, 4, 6})
+    append(many, fragment_of(test::up, {1, 0, z}, 6, {runs[0], runs[1]}));
+  CHECK(join_after_half(many, {2, 10}) == many);
 }
 
 TEST_CASE("a stream that breaks off is finished without a finish event") {
@@ -522,6 +786,71 @@ TEST_CASE("what is no fragment is left out and counted") {
     CHECK(joined.report.invalid == 1);
     CHECK(joined.report.fragments == 1);
   }
+}
+
+TEST_CASE("a fragment without an end is forgotten, whatever comes in its place") {
+  Events begun = fragment_of(test::up, {101, 0, 0}, 6, {Run::straight(0, 2)});
+  begun.pop_back();
+  const Events square = square_region({1, 0, 0}, 3).region_end().events;
+  for (const Events& next :
+       {square, square_fragment({1, 0, 0}, 3, false), test::Script().layer(1).events}) {
+    Events events = begun;
+    append(events, next);
+    append(events, square);
+    Events expected = next.size() > 1 ? square : next;
+    append(expected, square);
+    CHECK(join(events, {}).events == expected);
+  }
+}
+
+TEST_CASE("an end without a beginning ends nothing") {
+  const RecordedEvent lost = test::Script().lost().events[0];
+  Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
+  events.insert(events.end() - 1, lost);
+  Joined joined = join(events, {});
+  CHECK(joined.events.empty());
+  CHECK(joined.report.fragments == 0);
+
+  events = fragment_of(no_incidence, {1, 0, 0}, 0, {Run::straight(0, 1)});
+  events.push_back(events.back());
+  joined = join(events, {});
+  CHECK(joined.events.empty());
+  CHECK(joined.report.fragments == 1);
+}
+
+TEST_CASE("a region in the middle of which a fragment comes leaves the holes for the next") {
+  const Nest nest({1, 0, 0});
+  Events events = square_fragment(inwards({1, 0, 0}, 2), 2, true);
+  append(events, nest.begin_region(0).events);
+  append(events, square_fragment(inwards({1, 0, 0}, 6), 2, true));
+  events.push_back(test::Script().region_end().events[0]);
+  append(events, nest.region(0, false));
+  const Joined joined = join(events, {});
+  CHECK(joined.report.unmatched == 0);
+  CHECK(joined.report.rings == 2);
+  const Events first = nest.region(0, false);
+  REQUIRE(joined.events.size() > first.size());
+  CHECK(std::equal(first.begin(), first.end(), joined.events.begin()));
+}
+
+TEST_CASE("a region in the middle of which all ends takes no hole any more") {
+  // The hole lies beside it, so that a ray meets two of its sides.
+  const Events hole = square_fragment(inwards({1, 0, 0}, 2) + Vertex{-60, 0, 0}, 2, true);
+  const Events whole = Nest({1, 0, 0}).region(0, false);
+  const auto end = whole.begin() + 2;  // before its first run
+  const RecordedEvent finish = finish_of({1, 2, 3, 4, 5, 6, 7, 8}, 1, false);
+  Events events = hole;
+  events.insert(events.end(), whole.begin(), end);
+  events.push_back(finish);
+  events.insert(events.end(), end, whole.end());
+  Events joined = join(events, {}).events;
+  joined.erase(std::remove_if(joined.begin(), joined.end(),
+                              [](const RecordedEvent& event) { return event.is(Kind::finish); }),
+               joined.end());
+  Events expected(whole.begin(), end);
+  append(expected, hole);
+  expected.insert(expected.end(), end, whole.end());
+  CHECK(joined == expected);
 }
 
 TEST_CASE("a ring that turns neither way is no region") {
@@ -627,7 +956,10 @@ TEST_CASE("what start() refuses leaves everything as it was") {
   for (const JoinCapacities& bad :
        {JoinCapacities{0, 1}, {1, 0}, {JoinCapacities::max_fragments + 1, 1}, {1, UINT32_MAX}})
     CHECK(joiner.start(bad, all, sink_to(log), InputOrder::any) == Status::bad_capacities);
-  CHECK(joiner.start({100, 100}, all, sink_to(log), InputOrder::any) == Status::too_little_memory);
+  for (const JoinCapacities& more : {JoinCapacities{100, 100},
+                                     {JoinCapacities::max_fragments, 1},
+                                     {1, JoinCapacities::max_runs}})
+    CHECK(joiner.start(more, all, sink_to(log), InputOrder::any) == Status::too_little_memory);
   CHECK(joiner.finish() == Status::not_started);
   CHECK(memory == std::vector<uint8_t>(4000, 0xA5));
 
@@ -659,6 +991,11 @@ TEST_CASE("a joiner that is started again has forgotten everything") {
 
 TEST_CASE("the default split uses what there is, and no more") {
   CHECK(Joiner::default_capacities(0).fragments == 1);
+  for (const uint32_t fragments : {2U, 3U, 1000U}) {
+    const uint64_t bytes = Joiner::bytes_for({fragments, 8 * fragments});
+    CHECK(Joiner::default_capacities(bytes).fragments == fragments);
+    CHECK(Joiner::default_capacities(bytes - 1).fragments == fragments - 1);
+  }
   for (uint64_t bytes = 3 + 192; bytes < uint64_t{1} << 50; bytes = bytes * 5 / 4 + 1) {
     const JoinCapacities split = Joiner::default_capacities(bytes);
     REQUIRE(Joiner::bytes_for(split) <= bytes);

@@ -126,6 +126,15 @@ TEST_CASE("a carry runs through any number of bytes of 255, or stops before them
   CHECK(longest > 30);
 }
 
+TEST_CASE("a carry that leaves a byte of 255 behind it reaches none of those that follow") {
+  // Found by a search: random bits hardly ever come to this.
+  Decisions decisions = {{false, 125}, {true, 44},   {true, 89},  {true, 42},
+                         {true, 199},  {false, 124}, {false, 255}};
+  check_round_trip(decisions);
+  decisions.insert(decisions.end(), 40, {false, 128});
+  check_round_trip(decisions);
+}
+
 TEST_CASE("bits in registers come to the same code, carries and all, however many at a time") {
   Chance chance(8);
   for (int round = 0; round < 300; ++round) {
