@@ -191,7 +191,7 @@ class Instrumenter:
                 self.forced(children[0], ('true', 'false'), constant)
         elif cursor.kind == Kind.CONDITIONAL_OPERATOR:
             self.forced(children[0], ('true', 'false'), constant)
-        elif cursor.kind == Kind.WHILE_STMT:
+        elif cursor.kind == Kind.WHILE_STMT and children[0].kind.is_expression():
             self.forced(children[0], ('false',), constant)
         elif cursor.kind == Kind.DO_STMT:
             self.forced(children[1], ('false',), constant)

@@ -60,7 +60,7 @@ def build():
                                stdout=subprocess.PIPE, text=True)
         if ninja.returncode == 0:
             return mutants, sum(len(lines) for lines in refused.values())
-        found = re.findall(r'lib/discmc/(\w+\.[ch]pp):(\d+):\d+:', ninja.stdout)
+        found = re.findall(r'lib/discmc/(?:\w+/)*(\w+\.[ch]pp):(\d+):\d+: error', ninja.stdout)
         found = {(file, int(line)) for file, line in found if int(line) not in refused[file]}
         if not found:
             sys.exit(ninja.stdout[-4000:] + '\nmutate: this does not build, whatever is left out')
