@@ -1,7 +1,7 @@
 // Holes go to the ring around them, in planes of every direction; where there is none, they go out.
 #include <doctest/doctest.h>
 
-#include <string>
+#include <algorithm>
 
 #include "oracle/agreement.hpp"
 #include "oracle/naive_join.hpp"
@@ -12,21 +12,18 @@ using namespace discmc::reference;
 
 namespace {
 
-constexpr uint32_t side = 11;
-
-// What lies on one side of a plane with a normal, or on the other, but for some voxels: so the
-// plane has rings and holes of many shapes, these within holes, and many a ring beside others.
-BitVolume half_space(const Vertex& n, bool is_upper, uint32_t noise, uint64_t seed) {
-  const Size size{side, side, side};
+// What lies on one side of a plane, but for some voxels: so the plane has rings and holes of many
+// shapes, rings within holes, and many a ring beside others.
+BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) {
   BitVolume volume = random(size, noise, seed);
-  constexpr int32_t middle = side / 2;
-  for (int32_t z = 0; z < static_cast<int32_t>(side); ++z)
-    for (int32_t y = 0; y < static_cast<int32_t>(side); ++y)
-      for (int32_t x = 0; x < static_cast<int32_t>(side); ++x) {
-        const int32_t offset = n.x * (x - middle) + n.y * (y - middle) + n.z * (z - middle);
-        uint8_t& on = volume.on[volume.index(x, y, z)];
-        if ((offset > 0) == is_upper) on ^= 1;
-      }
+  const auto middle = [](uint32_t extent) { return static_cast<int32_t>(extent / 2); };
+  for (size_t i = 0; i < volume.voxels(); ++i) {
+    const auto at = static_cast<uint32_t>(i);
+    const auto x = static_cast<int32_t>(at % size.width) - middle(size.width);
+    const auto y = static_cast<int32_t>(at / size.width % size.height) - middle(size.height);
+    const auto z = static_cast<int32_t>(at / size.width / size.height) - middle(size.depth);
+    if (n.x * x + n.y * y + n.z * z > 0) volume.on[i] ^= 1;
+  }
   return volume;
 }
 
@@ -37,7 +34,7 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     if (incidence == no_incidence) continue;
     for (const uint32_t noise : {10U, 40U}) {
-      const BitVolume volume = half_space(normal(incidence), true, noise, incidence);
+      const BitVolume volume = half_space({11, 11, 11}, normal(incidence), noise, incidence);
       const Collector swept = scan<uint16_t>(volume);
       CAPTURE(incidence);
       CHECK(unlike_merge(swept.regions(), volume, true) == "");
@@ -45,4 +42,42 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
     }
   }
   CHECK(holes > 200);
+}
+
+namespace {
+
+// The events of a slab, of which `volume` is what it scans.
+Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& capacities,
+                   const EventLog::Refuses& refuses = {}) {
+  EventLog log(refuses);
+  Limits limits = limits_of(volume, Border::closed);
+  limits.slab = slab;
+  Block block(bytes_for<uint16_t>(limits, capacities));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  push_all(extractor, volume.on);
+  finish_all(extractor);
+  CHECK(block.is_intact());
+  return log.events;
+}
+
+}  // namespace
+
+TEST_CASE("a hole whose ring has gone out loose before it follows at the end of its slab") {
+  const BitVolume volume = half_space({15, 11, 4}, normal(18), 27, 1079688895);
+  BitVolume upper({15, 11, 2});
+  std::copy_n(&volume.on[volume.index(0, 0, 2)], upper.voxels(), upper.on.begin());
+  const Slab below{0, false, true}, above{3, true, false};
+  const Collector above_it = collected(slab_events(upper, above, ample), true, above);
+  const std::vector<Region> merged = merge(volume, true);
+  for (const uint32_t records : {202U, 218U, 241U, 250U}) {
+    CAPTURE(records);
+    const Events events = slab_events(volume, below, {records, 30});
+    CHECK(slab_events(volume, below, {records, 30}, refuses_first) == events);
+    const Collector below_it = collected(events, true, below);
+    CHECK(unlike_joined({below_it, above_it}, merged) == "");
+    // All of a ring, where all that came before it ends at the seam.
+    const Fragment& last = below_it.loose().back();
+    CHECK(is_closed(last.incidence, last.runs.data(), static_cast<uint32_t>(last.runs.size())));
+  }
 }
