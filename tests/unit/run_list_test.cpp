@@ -71,7 +71,8 @@ List list_of(Pooled& pooled, uint32_t appended, uint32_t prepended) {
 
 }  // namespace
 
-TEST_CASE("runs that are put before others and behind them, and lists that are joined, keep order") {
+TEST_CASE(
+    "runs that are put before others and behind them, and lists that are joined, keep order") {
   for (uint32_t n = 0; n < 6 * 6 * 6 * 6; ++n) {
     Pooled pooled;
     List list = list_of(pooled, n % 6, n / 6 % 6);

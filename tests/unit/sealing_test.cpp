@@ -39,7 +39,8 @@ std::vector<Bordered> volumes() {
 
 }  // namespace
 
-TEST_CASE("whatever rows of cells are cut off, the surface and the counts are those of the volume") {
+TEST_CASE(
+    "whatever rows of cells are cut off, the surface and the counts are those of the volume") {
   for (const Bordered& bordered : volumes())
     for (const uint32_t records : {4U, 100U, 300U, 800U, 2000U, 5000U}) {
       CAPTURE(bordered.is_closed());
@@ -90,7 +91,8 @@ TEST_CASE("a longer volume needs no more records for nothing to be cut off") {
   }
 }
 
-TEST_CASE("a sink that refuses cells is offered them again, and after a reset the scan begins anew") {
+TEST_CASE(
+    "a sink that refuses cells is offered them again, and after a reset the scan begins anew") {
   const BitVolume volume = random({33, 5, 4}, 128, 1);
   const Capacities few{200, 10};
   const auto scanned = [&](const EventLog::Refuses& refuses, uint32_t broken_off_after) {
