@@ -16,7 +16,8 @@ void Fragments<Index, Normal>::cut_at_seam(Fragments& fragments, const Pass& pas
     fragments.begin_below_seam(pass, vertex);
 }
 
-// The cells above take no part, so that no chain goes up from here: those in rising queues are below.
+// The cells above take no part, so that no chain goes up from here: those in rising queues are
+// below.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& vertex) {
   if (pass.in < first_rising_queue) return;
