@@ -46,7 +46,7 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
 
 TEST_CASE("the high-water mark counts the holes that waited at once, and begins anew with a scan") {
   // Three holes in each of two faces of a plate.
-  BitVolume plate = box({13, 5, 3}, {0, 0, 1}, {12, 4, 1});
+  BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
   const Limits limits = limits_of(plate, Border::closed);
   Block block(bytes_for<uint16_t>(limits, ample));
@@ -55,6 +55,11 @@ TEST_CASE("the high-water mark counts the holes that waited at once, and begins 
   require_ok(extractor.start(limits, ample, 1, block.memory(), sink_to(log)));
   push_all(extractor, plate.on);
   const uint32_t records = extractor.high_water().records;
+  CHECK(extractor.high_water().holes == 3);
+  // The next scan breaks off while the first three wait.
+  require_ok(extractor.reset());
+  const auto begun = static_cast<std::ptrdiff_t>(plate.index(0, 5, 1));
+  push_all(extractor, std::vector<uint8_t>(plate.on.begin(), plate.on.begin() + begun));
   CHECK(extractor.high_water().holes == 3);
   require_ok(extractor.reset());
   CHECK(extractor.high_water().holes == 0);
