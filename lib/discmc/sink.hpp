@@ -26,7 +26,9 @@ namespace discmc {
 
 enum class Answer : uint8_t { taken, not_now };
 
-/// Totals of a scan so far. All counts are exact; none wraps in practice (64 bits).
+/// Totals of a scan so far. All counts are exact; none wraps in practice (64 bits). Two slabs share
+/// the cells at their seam: of the first three counts the slabs of a volume have up to one less a
+/// seam, all together.
 struct Statistics {
   uint64_t cells;              ///< active cells swept
   uint64_t facets;             ///< before merging

@@ -145,7 +145,7 @@ TEST_CASE("a row of the greatest width") {
   for (uint16_t& sample : samples) sample = static_cast<uint16_t>(random());
   check_comparison(samples, 0x8000);
   // And in two portions, of which one is short.
-  for (const uint32_t first : {1U, width - 1}) {
+  for (const uint32_t first : {1U, 29999U, width - 1}) {
     Rows rows({width, 1, Border::closed});
     rows.append(samples.data(), first, 1, 0x8000);
     rows.append(samples.data() + first, width - first, 1, 0x8000);

@@ -157,6 +157,21 @@ TEST_CASE("it does wherever the sink says not now") {
   }
 }
 
+TEST_CASE("it does where one ring alone is refused, whole or behind any of its events") {
+  // Two plates, one with a hole: rings with and without holes on their plane.
+  BitVolume plates = box({9, 5, 5}, {0, 0, 1}, {8, 4, 1});
+  plates.on[plates.index(2, 2, 1)] = 0;
+  for (int64_t x = 0; x < 4; ++x) plates.on[plates.index(x, 3, 3)] = 1;
+  const EventLog expected = expected_of(plates);
+  LearningExtractor extractor;
+  for (uint64_t refused = 0; refused < expected.events.size(); ++refused) {
+    const auto refuses = [refused](uint64_t offer) { return offer == refused; };
+    const EventLog log = scanned(extractor, plates, {}, {least_for_corners, 10}, refuses);
+    CHECK(log.events == expected.events);
+    CHECK(log.refusals() == 1);
+  }
+}
+
 TEST_CASE("it does wherever the fragments are handed over") {
   const BitVolume noise = random({150, 110, 4}, 60, 8);
   HandingOver closed(noise, Border::closed), open(noise, Border::open);

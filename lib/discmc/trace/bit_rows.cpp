@@ -129,7 +129,6 @@ void BitRows::append_bits(const uint8_t* bits) {
     const uint32_t left = width_ - column_;
     const uint32_t count = left < 8 ? left : 8;
     place(words, *bits++ & ((uint32_t{1} << count) - 1));
-    if (count < 8) break;
   }
   column_ = width_;
 }

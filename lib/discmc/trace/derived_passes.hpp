@@ -13,7 +13,6 @@ class DerivedPasses {
   /// Forgets where it is in a row, and what it has found.
   void clear() {
     passes_.count = 0;
-    next_ = 0;
     word_ = 0;
     crossings_ = {};
   }

@@ -29,7 +29,6 @@ class Holes {
   void start(Index* heads) { heads_ = heads; }
   void clear() {
     for (uint32_t i = 0; i < sizing::hole_lists; ++i) heads_[i] = no_record;
-    marked_list_ = 0;
     count_ = 0;
     high_water_ = 0;
   }

@@ -38,9 +38,8 @@ struct RunLists {
     return second;
   }
 
-  /// Gives all records of a list back. Cost: a step a record.
+  /// Gives all records of a list back. Limit: not empty. Cost: a step a record.
   static void give(Records& records, Index last) {
-    if (last == no_record) return;
     for (Index index = records[last].linked.next;;) {
       const Index next = records[index].linked.next;
       records.give(index);

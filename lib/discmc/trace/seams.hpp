@@ -16,9 +16,11 @@ void Fragments<Index, Normal>::cut_at_seam(Fragments& fragments, const Pass& pas
     fragments.begin_below_seam(pass, vertex);
 }
 
+// The cells above take no part, so that no chain goes up from here: those in rising queues are
+// below.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& vertex) {
-  if (pass.comes_from_ahead || pass.in < first_rising_queue) return;
+  if (pass.in < first_rising_queue) return;
   const Index tail = pop(pass.in);
   Vertex at = vertex;
   if (tail != no_record) end_tail(pass, tail, pass.came, at);
@@ -26,7 +28,7 @@ void Fragments<Index, Normal>::end_at_seam(const Pass& pass, const Vertex& verte
 
 template <class Index, class Normal>
 void Fragments<Index, Normal>::begin_below_seam(const Pass& pass, const Vertex& vertex) {
-  if (pass.goes_ahead() || pass.out < first_rising_queue) return;
+  if (pass.out < first_rising_queue) return;
   const Index begin = pop(pass.out);
   if (begin == no_record) return;
   const Vertex next = next_vertex(pass, vertex);

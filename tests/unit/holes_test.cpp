@@ -1,0 +1,129 @@
+// Holes go to the ring around them, in planes of every direction; where there is none, they go out.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "oracle/agreement.hpp"
+#include "oracle/naive_join.hpp"
+#include "oracle/scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+// What lies on one side of a plane, but for some voxels: so the plane has rings and holes of many
+// shapes, rings within holes, and many a ring beside others.
+BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) {
+  BitVolume volume = random(size, noise, seed);
+  const auto middle = [](uint32_t extent) { return static_cast<int32_t>(extent / 2); };
+  for (size_t i = 0; i < volume.voxels(); ++i) {
+    const auto at = static_cast<uint32_t>(i);
+    const auto x = static_cast<int32_t>(at % size.width) - middle(size.width);
+    const auto y = static_cast<int32_t>(at / size.width % size.height) - middle(size.height);
+    const auto z = static_cast<int32_t>(at / size.width / size.height) - middle(size.depth);
+    if (n.x * x + n.y * y + n.z * z > 0) volume.on[i] ^= 1;
+  }
+  return volume;
+}
+
+}  // namespace
+
+TEST_CASE("in planes of every direction a hole goes to the ring around it") {
+  uint64_t holes = 0;
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    if (incidence == no_incidence) continue;
+    for (const uint32_t noise : {10U, 40U}) {
+      const BitVolume volume = half_space({11, 11, 11}, normal(incidence), noise, incidence);
+      const Collector swept = scan<uint16_t>(volume);
+      CAPTURE(incidence);
+      CHECK(unlike_merge(swept.regions(), volume, true) == "");
+      holes += swept.statistics().rings - swept.statistics().regions;
+    }
+  }
+  CHECK(holes > 200);
+}
+
+TEST_CASE("the high-water mark counts the holes that waited at once, and begins anew with a scan") {
+  // Three holes in each of two faces of a plate.
+  BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
+  for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
+  const Limits limits = limits_of(plate, Border::closed);
+  Block block(bytes_for<uint16_t>(limits, ample));
+  EventLog log;
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, ample, 1, block.memory(), sink_to(log)));
+  push_all(extractor, plate.on);
+  const uint32_t records = extractor.high_water().records;
+  CHECK(extractor.high_water().holes == 3);
+  // The next scan breaks off while the first three wait.
+  require_ok(extractor.reset());
+  const auto begun = static_cast<std::ptrdiff_t>(plate.index(0, 5, 1));
+  push_all(extractor, std::vector<uint8_t>(plate.on.begin(), plate.on.begin() + begun));
+  CHECK(extractor.high_water().holes == 3);
+  require_ok(extractor.reset());
+  CHECK(extractor.high_water().holes == 0);
+  for (int plates = 0; plates < 50; ++plates) push_all(extractor, plate.on);
+  CHECK(extractor.high_water().holes == 3);
+  CHECK(extractor.high_water().records == records);
+}
+
+TEST_CASE("however few records or holes there may be, the rings of a sieve are the same") {
+  BitVolume sieve({9, 9, 3});
+  for (int64_t y = 0; y < 9; ++y)
+    for (int64_t x = 0; x < 9; ++x) sieve.on[sieve.index(x, y, 1)] = x % 3 != 1 || y % 2 != 1;
+  const std::vector<Region> merged = merge(sieve, true);
+  for (uint32_t records = 4; records < 120; ++records)
+    for (const uint32_t holes : {1U, 3U, 100U}) {
+      CAPTURE(records);
+      CAPTURE(holes);
+      Collector collector;
+      scan_into<uint16_t>(collector, sieve, {}, Capacities{records, holes});
+      CHECK(unlike_joined({collector}, merged) == "");
+    }
+}
+
+namespace {
+
+// The events of a slab, of which `volume` is what it scans. From the event `refused` on the sink
+// refuses all until the scan is to end.
+Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& capacities,
+                   size_t refused = SIZE_MAX) {
+  bool refuses = true;
+  EventLog log([&](uint64_t offer) { return refuses && offer >= refused; });
+  Limits limits = limits_of(volume, Border::closed);
+  limits.slab = slab;
+  Block block(bytes_for<uint16_t>(limits, capacities));
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  push_all(extractor, volume.on);
+  CHECK(extractor.finish() == (refused == SIZE_MAX ? Status::ok : Status::more));
+  refuses = false;
+  CHECK(extractor.resume() == Status::ok);
+  CHECK(block.is_intact());
+  return log.events;
+}
+
+}  // namespace
+
+TEST_CASE("a hole whose ring has gone out loose before it follows at the end of its slab") {
+  const BitVolume volume = half_space({15, 11, 4}, normal(18), 27, 1079688895);
+  BitVolume upper({15, 11, 2});
+  std::copy_n(&volume.on[volume.index(0, 0, 2)], upper.voxels(), upper.on.begin());
+  const Slab below{0, false, true}, above{3, true, false};
+  const Collector above_it = collected(slab_events(upper, above, ample), true, above);
+  const std::vector<Region> merged = merge(volume, true);
+  for (const uint32_t records : {202U, 218U, 241U, 250U}) {
+    CAPTURE(records);
+    const Capacities few{records, 30};
+    const Events events = slab_events(volume, below, few);
+    const Collector below_it = collected(events, true, below);
+    CHECK(unlike_joined({below_it, above_it}, merged) == "");
+    // All of a ring, where all that came before it ends at the seam.
+    const Fragment& last = below_it.loose().back();
+    CHECK(is_closed(last.incidence, last.runs.data(), static_cast<uint32_t>(last.runs.size())));
+    // Its first and its last event, and the end of the scan.
+    for (const size_t back : {last.runs.size() + 3, size_t{2}, size_t{1}})
+      CHECK(slab_events(volume, below, few, events.size() - back) == events);
+  }
+}

@@ -1,0 +1,44 @@
+// Slabs of a volume: joined, and added up, they are the whole.
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "oracle/agreement.hpp"
+#include "oracle/naive_join.hpp"
+#include "oracle/scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+// Both slabs at a seam count parts of its cells, and leave out what is not whole in the end.
+bool adds_up(uint64_t sum, uint64_t whole, size_t slabs) {
+  return sum <= whole && whole - sum < slabs;
+}
+
+}  // namespace
+
+TEST_CASE("slabs join to the whole, and their counts add up to its, but for one a seam") {
+  for (uint64_t seed = 0; seed < 12; ++seed) {
+    const BitVolume volume = random({9, 8, 6}, 20 + 18 * static_cast<uint32_t>(seed), seed);
+    for (const Border border : {Border::closed, Border::open})
+      for (const uint32_t slices : {1U, 2U, 4U}) {
+        CAPTURE(seed);
+        CAPTURE(border == Border::closed);
+        CAPTURE(slices);
+        const std::vector<Collector> slabs = scan_slabs<uint16_t>(volume, border, slices, 20000);
+        CHECK(unlike_joined(slabs, merge(volume, border == Border::closed)) == "");
+        Statistics sum{};
+        for (const Collector& slab : slabs) {
+          sum.cells += slab.statistics().cells;
+          sum.facets += slab.statistics().facets;
+          sum.classic_triangles += slab.statistics().classic_triangles;
+        }
+        const Statistics whole = scan<uint16_t>(volume, {border}).statistics();
+        CHECK(adds_up(sum.cells, whole.cells, slabs.size()));
+        CHECK(adds_up(sum.facets, whole.facets, slabs.size()));
+        CHECK(adds_up(sum.classic_triangles, whole.classic_triangles, slabs.size()));
+      }
+  }
+}
