@@ -127,7 +127,8 @@ typedef struct discmc_octahedral_normal {
   uint8_t u, v;
 } discmc_octahedral_normal;
 
-/* Totals of a scan so far. All counts are exact. */
+/* Totals of a scan so far. All counts are exact; two slabs share the cells at their seam, and of the
+ * first three counts the slabs of a volume have up to one less a seam, all together. */
 typedef struct discmc_statistics {
   uint64_t cells;             /* active cells swept */
   uint64_t facets;            /* before merging */
