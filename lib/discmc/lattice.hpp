@@ -12,7 +12,6 @@
 #define DISCMC_LATTICE_HPP
 
 #include <stdint.h>
-#include <discmc/compiler.hpp>
 
 namespace discmc {
 
@@ -90,13 +89,12 @@ using Direction = uint8_t;
 constexpr int max_directions = 8;
 constexpr Direction no_direction = 0xFF;
 
-/// The 18 links, and which of them lie in the planes of each incidence. Firmware carries the first
-/// half of the directions, as the others are opposite: read it through the functions below.
+/// The 18 links, and which of them lie in the planes of each incidence. Kept small, since firmware
+/// carries it: read it through the functions below.
 struct LinkTable {
-  static constexpr int directions = is_host ? max_directions : max_directions / 2;
   int8_t vector[link_codes][3];
-  uint8_t direction_count[incidence_codes];  ///< 8 axis, 4 diagonal, 6 corner
-  Link link[incidence_codes][directions];    ///< by direction
+  uint8_t direction_count[incidence_codes];        ///< 8 axis, 4 diagonal, 6 corner
+  Link link[incidence_codes][max_directions / 2];  ///< of the first half of the directions
 };
 
 namespace derive {
@@ -132,9 +130,6 @@ constexpr void add_plane(LinkTable& table, Incidence incidence) {
   for (Link link = first; link != opposite_link(first); link = next_link(table, n, link))
     table.link[incidence][half++] = link;
   table.direction_count[incidence] = static_cast<uint8_t>(2 * half);
-  if constexpr (is_host)
-    for (uint8_t i = 0; i < half; ++i)
-      table.link[incidence][half + i] = opposite_link(table.link[incidence][i]);
 }
 
 constexpr LinkTable link_table() {
@@ -173,7 +168,6 @@ constexpr Vertex link_vector(Link link) {
 
 /// The link of a direction in the planes of an incidence.
 constexpr Link link_of(Incidence incidence, Direction direction) {
-  if constexpr (is_host) return links.link[incidence][direction];
   const int half = direction_count(incidence) / 2;
   const Link* first_half = links.link[incidence];
   return direction < half ? first_half[direction] : opposite_link(first_half[direction - half]);
