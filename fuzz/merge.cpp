@@ -266,9 +266,8 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
 
 // With so much memory that a host keeps corners, and more or less beyond it.
 void check_corners(const Scenario& scenario, const EventLog::Refuses& refuses) {
-  constexpr uint32_t least_for_corners = 37120;
   Scenario large = scenario;
-  large.capacities = {least_for_corners + scenario.refusal_seed % 64 * 16, 1 << 12};
+  large.capacities = {trace::Corners::least_records + scenario.refusal_seed % 64 * 16, 1 << 12};
   const EventLog corners = run<uint32_t, LearningExtractor>(large, refuses);
   const EventLog records = run<uint32_t>(large, {});
   require(corners.events == records.events, "a host that keeps corners gives other events");

@@ -432,6 +432,17 @@ TEST_CASE("so are holes that do") {
   check_crowd(events, plan, 0);
 }
 
+namespace {
+
+// With room for one fragment of four runs.
+Joined joined_in_room_for_one(const Events& events) {
+  JoinPlan plan;
+  plan.capacities = {1, 4};
+  return join(events, plan);
+}
+
+}  // namespace
+
 TEST_CASE("holes that were taken leave no place behind") {
   Events events;
   for (int32_t z = 0; z < 40; z += 2) {
@@ -439,9 +450,7 @@ TEST_CASE("holes that were taken leave no place behind") {
     append(events, nest.fragment(1));
     append(events, nest.region(0, false));
   }
-  JoinPlan plan;
-  plan.capacities = {1, 4};
-  const Joined joined = join(events, plan);
+  const Joined joined = joined_in_room_for_one(events);
   CHECK(joined.status == Status::ok);
   CHECK(joined.report.rings == 20);
 }
@@ -453,9 +462,7 @@ TEST_CASE("fragments that are lost leave no runs behind") {
     events.back() = test::Script().lost().events[0];
   }
   append(events, square_fragment({1, 0, 0}, 2, false));
-  JoinPlan plan;
-  plan.capacities = {1, 4};
-  const Joined joined = join(events, plan);
+  const Joined joined = joined_in_room_for_one(events);
   CHECK(joined.status == Status::ok);
   CHECK(joined.report.regions == 1);
 }

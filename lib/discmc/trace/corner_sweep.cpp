@@ -4,7 +4,8 @@ namespace discmc::trace {
 
 namespace {
 
-/// The direction of a link in a plane, for those that lie in it.
+/// What SectorTable::direction() tells of links that lie in a plane, a byte each: it is asked for
+/// every run.
 struct Directions {
   Direction of[incidence_codes][link_codes];
 };

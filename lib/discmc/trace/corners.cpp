@@ -159,7 +159,7 @@ bool Corners::start(Records& records) {
   free_ = no_record;
   free_places_ = least_slots;
   joins_ = next_join_ = 0;
-  if (records.available() < 2 * block * (inner_queue + 1)) return false;
+  if (records.available() < least_records) return false;
   for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
     count_[exit_of(queue)] = count_[entry_of(queue)] = 0;
     set_ring(records, queue, least_slots - 1, records.take_fresh(block));

@@ -23,7 +23,15 @@ class Corners {
   using Chains = Fragments<uint32_t, NoNormal>;
   using Records = Chains::Records;
 
-  /// Begins with records that have just been cleared. False when there are too few for queues.
+  // Of the ring of a queue.
+  static constexpr uint32_t slots_per_record =
+      sizeof(Record<uint32_t, NoNormal>) / sizeof(uint32_t);
+  static constexpr uint32_t least_slots = 512;
+  static_assert(least_slots / 2 >= LearntPasses::most_edges, "a queue that is half full has room");
+  /// Twice what queues take.
+  static constexpr uint32_t least_records = 2 * (inner_queue + 1) * least_slots / slots_per_record;
+
+  /// Begins with records that have just been cleared. False when they are fewer than the least.
   bool start(Records& records);
 
   /// Makes room for passes that have been found. False when too many records would be in use: then
@@ -48,10 +56,6 @@ class Corners {
   void hand_over(Chains& chains, const SweptRow& row, uint32_t word);
 
  private:
-  static constexpr uint32_t slots_per_record =
-      sizeof(Record<uint32_t, NoNormal>) / sizeof(uint32_t);
-  static constexpr uint32_t least_slots = 512;
-  static_assert(least_slots / 2 >= LearntPasses::most_edges, "a queue that is half full has room");
   // For handing over, records are set aside: a corner that waits at both its ends becomes two ends
   // and, as both its sides may be long, up to six records of runs.
   static constexpr uint32_t records_a_corner = 10;
