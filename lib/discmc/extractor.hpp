@@ -124,10 +124,10 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
-  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 2
-  /// MiB are a good size. Call it at any time. Nothing is remembered before, and after restore().
+  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 1
+  /// MiB is a good size. Call it at any time. Nothing is remembered before, and after restore().
   /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
-  /// Cost: a twelfth of it is written.
+  /// Cost: a quarter of it is written.
   template <class S = Sweep>
   void learn_in(Memory memory) {
     S& sweep = sweep_;

@@ -6,9 +6,10 @@
 
 namespace discmc::reference {
 
-/// Calls visit for the passes of every neighbourhood of an edge along an axis: 131,072.
+/// Calls visit for the passes of every neighbourhood of an edge along an axis: 131,072. absent: as
+/// of derive_passes().
 template <class Visit>
-void for_each_neighbourhood(int axis, Visit visit) {
+void for_each_neighbourhood(int axis, Visit visit, uint32_t absent = 0) {
   for (uint32_t around = 0; around < 1U << 18; ++around) {
     uint32_t words[9] = {};
     uint32_t left = around;
@@ -27,7 +28,7 @@ void for_each_neighbourhood(int axis, Visit visit) {
     const uint32_t next_bit = axis == 0 ? middle_bit + 1 : middle_bit;
     if ((words[4] >> middle_bit & 1) == (words[next_row] >> next_bit & 1)) continue;
     trace::PassList passes;
-    trace::derive_passes({rows, 0, middle_bit, axis}, 0, passes);
+    trace::derive_passes({rows, 0, middle_bit, axis}, absent, passes);
     visit(passes);
   }
 }

@@ -13,6 +13,7 @@
 
 using namespace discmc;
 using namespace discmc::reference;
+using trace::CornerPass;
 
 namespace {
 
@@ -278,12 +279,8 @@ struct Rows {
   }
 };
 
-// What the passes of DerivedPasses are as corner passes: a bit pattern each.
+// Corner passes where they are: the corner, the ports, and what kind it is.
 using Found = std::vector<std::vector<uint64_t>>;
-
-std::vector<uint64_t> described(uint64_t voxel, const trace::CornerPass& pass) {
-  return {voxel, pass.in, pass.out, pass.sides, pass.place, pass.kind};
-}
 
 Found derived_passes(const trace::SweptRow& row) {
   Found found;
@@ -295,10 +292,13 @@ Found derived_passes(const trace::SweptRow& row) {
       const Vertex at = passes.vertex();
       const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
       const Vertex voxel{at.x & ~1, at.y & ~1, at.z & ~1};
-      trace::CornerPass made[trace::CornerPass::most_of_pass];
+      CornerPass made[CornerPass::most_of_pass];
       const uint32_t count = trace::corner_passes(passes.pass(), axis, made);
       for (uint32_t i = 0; i < count; ++i)
-        found.push_back(described(trace::CornerCode::position(voxel), made[i]));
+        found.push_back({trace::CornerCode::position(voxel) +
+                             trace::corner_places.of[made[i].place] + made[i].sides,
+                         made[i].in, made[i].out, made[i].kind == CornerPass::straight,
+                         made[i].kind == CornerPass::join});
     }
   return found;
 }
@@ -308,7 +308,10 @@ Found learnt_passes(trace::LearntPasses& passes, const trace::SweptRow& row) {
   trace::SweepCounts counts;
   REQUIRE(passes.begin_row(row));
   while (passes.find(row, counts))
-    for (const trace::FoundPass& pass : passes) found.push_back(described(pass.voxel, pass.pass));
+    for (const trace::FoundPass at : passes) {
+      const trace::NumberedPass& pass = passes.numbered()[at];
+      found.push_back({at + pass.to_corner, pass.in, pass.out, pass.if_straight == -1, pass.joins});
+    }
   return found;
 }
 
@@ -334,7 +337,7 @@ TEST_CASE("the same passes are found with memory of any size, wherever it lies, 
 
 TEST_CASE("passes are remembered from room for two neighbourhoods on") {
   const Rows rows;
-  constexpr size_t entry = 48, most_lost = 2 * (Arena::alignment - 1);
+  constexpr size_t entry = 16, most_lost = 2 * (Arena::alignment - 1);
   for (size_t bytes = 0; bytes < 4 * entry; ++bytes) {
     std::vector<uint8_t> memory(bytes + 1, 0xA5);
     const auto passes = std::make_unique<trace::LearntPasses>();

@@ -165,10 +165,17 @@ void BitRows::find_around(int32_t y, RowBlock& block) const {
   for (uint32_t k = 3; k-- > 0; back += height_) {
     const uint32_t there = slices_ + k < 2 ? 0 : k == 2 ? rows_ : height_;
     const uint32_t* next = row_before(back);
+    const uint32_t** const row = block.row[k];
+    const uint32_t first = static_cast<uint32_t>(y) - 1;
+    if (first < there && first + 2 < there && next + size_t{2} * words_ < off) {
+      row[0] = next;
+      row[1] = next + words_;
+      row[2] = next + size_t{2} * words_;
+      continue;
+    }
     for (uint32_t j = 0; j < 3; ++j) {
       // Beyond the height for a row before the first.
-      const uint32_t at = static_cast<uint32_t>(y) + j - 1;
-      block.row[k][j] = at < there ? next : off;
+      row[j] = first + j < there ? next : off;
       next += words_;
       if (next == off) next = ring_;
     }

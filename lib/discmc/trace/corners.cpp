@@ -188,6 +188,11 @@ bool Corners::find_room(Records& records, const LearntPasses& passes) {
     ++free_corners_;
     ++corners_;
   }
+  return passes.edges() <= free_places_ || find_places(records);
+}
+
+// Makes room in the queues: each has a free place at least for each one that is taken.
+bool Corners::find_places(Records& records) {
   free_places_ = UINT32_MAX;
   for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
     const uint32_t mask = mask_[entry_of(queue)];
@@ -219,34 +224,33 @@ bool Corners::find_room(Records& records, const LearntPasses& passes) {
 void Corners::take(Records& records, const LearntPasses& passes) {
   Record<uint32_t, NoNormal>* const record = &records[0];
   uint32_t* const slot = slots(records);
+  const NumberedPasses& numbered = passes.numbered();
   uint32_t free = free_;
   uint32_t joins = 0;
-  uint32_t straight = 0;
-  const FoundPass* const end = passes.end();
-  for (const FoundPass* found = passes.begin(); found != end; ++found) {
-    const CornerPass& pass = found->pass;
+  uint32_t taken = passes.count();
+  for (const FoundPass found : passes) {
+    const NumberedPass& pass = numbered[found];
     uint32_t& in_slot = slot[first_[pass.in] + (count_[pass.in]++ & mask_[pass.in])];
     uint32_t& out_slot = slot[first_[pass.out] + (count_[pass.out]++ & mask_[pass.out])];
     const uint32_t from = in_slot, to = out_slot;
     const uint32_t before = is_entry(pass.in) ? to : from;
     join_[joins] = {free, to};
-    joins += pass.kind / CornerPass::join;
-    const uint32_t is_straight = pass.kind & CornerPass::straight;
-    straight += is_straight;
+    joins += pass.joins;
     Corner<uint32_t>& corner = record[free].corner;
     const uint32_t next_free = corner.next;
     // Where there is no corner none is made: what goes on is what was there before.
-    const uint32_t if_straight = 0U - is_straight;
+    const auto if_straight = static_cast<uint32_t>(int32_t{pass.if_straight});
     const uint32_t next_change = (before ^ next_free) & if_straight;
     const uint32_t slot_change = (before ^ free) & if_straight;
     corner.next = before ^ next_change;
     corner.mate = free;
-    corner.set_code(CornerCode(found->voxel + corner_places.of[pass.place] + pass.sides));
+    corner.set_code(CornerCode(found + pass.to_corner));
     in_slot = out_slot = free ^ slot_change;
     free = next_free ^ next_change ^ slot_change;
+    taken += if_straight;
   }
   free_ = free;
-  free_corners_ -= passes.count() - straight;
+  free_corners_ -= taken;
   free_places_ -= passes.edges();
   joins_ = joins;
 }

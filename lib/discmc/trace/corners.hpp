@@ -68,6 +68,7 @@ class Corners {
 
   static uint32_t reserve_of(uint32_t corners) { return records_a_corner * corners; }
   bool find_room(Records& records, const LearntPasses& passes);
+  bool find_places(Records& records);
   bool grow(Records& records, uint32_t queue);
   void give_all(Records& records);
   void set_ring(Records& records, uint32_t queue, uint32_t mask, uint32_t block);

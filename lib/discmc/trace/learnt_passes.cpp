@@ -11,9 +11,6 @@ constexpr uint32_t all_voxels = (1U << axis_shift) - 1;
 // From a voxel to the next one.
 constexpr uint64_t next_voxel = CornerCode::vector({2, 0, 0});
 
-// What is known without memory: nothing.
-constexpr uint32_t nothing_known[2] = {0, 0};
-
 uint64_t two_words(const uint32_t* words) {
   uint64_t both;
   __builtin_memcpy(&both, words, sizeof both);
@@ -81,18 +78,14 @@ constexpr uint32_t voxels_around_edge(int axis) {
 }  // namespace
 
 void LearntPasses::learn_in(Memory memory) {
-  // What it may take to align the two arrays.
-  constexpr size_t lost = 2 * (Arena::alignment - 1);
-  constexpr size_t entry = sizeof(*known_) + sizeof(Learnt);
-  const size_t entries = memory.bytes < lost ? 0 : (memory.bytes - lost) / entry;
+  // What it takes to align the entries is lost.
+  constexpr size_t lost = Arena::alignment - 1;
+  const size_t entries = memory.bytes < lost ? 0 : (memory.bytes - lost) / sizeof(Learnt);
   uint32_t bits = 1;
   while (bits < most_entry_bits && size_t{2} << bits <= entries) ++bits;
   shift_ = 32 - bits;
-  Arena arena(memory);
-  known_ = arena.take<uint32_t>(uint32_t{1} << bits);
-  learnt_ = arena.take<Learnt>(uint32_t{1} << bits);
-  if (arena.is_exhausted()) known_ = nullptr;
-  for (uint32_t i = 0; known_ != nullptr && i < uint32_t{1} << bits; ++i) known_[i] = 0;
+  learnt_ = Arena(memory).take<Learnt>(uint32_t{1} << bits);
+  for (uint32_t i = 0; learnt_ != nullptr && i < uint32_t{1} << bits; ++i) learnt_[i].known = 0;
 }
 
 bool LearntPasses::begin_row(const SweptRow& row) {
@@ -152,59 +145,65 @@ void LearntPasses::mark_incomplete(const SweptRow& row, Edge* end) {
 
 // Finds the passes of the edges.
 void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
-  const uint32_t* const known = known_ != nullptr ? known_ : nothing_known;
-  const Learnt* const learnt = learnt_;
+  static constexpr Learnt nothing[2] = {};
+  const Learnt* const learnt = learnt_ != nullptr ? learnt_ : nothing;
   const uint32_t shift = shift_;
   FoundPass* found = pass_;
   SweepCounts sum = counts;
-  for (uint32_t i = 0; i < edges_; ++i) {
-    const Edge edge = edge_[i];
+  for (const Edge *edge = edge_, *const end = edge_ + edges_; edge != end; ++edge) {
+    const uint64_t voxel = edge->voxel;
     // Multiplication spreads neighbouring keys: see Holes.
-    const uint32_t place = edge.key * 0x9E3779B1U >> shift;
-    const uint32_t count = known[place] ^ edge.key << count_bits;
+    const uint32_t place = edge->key * 0x9E3779B1U >> shift;
+    const Learnt& entry = learnt[place];
+    const uint32_t count = entry.known ^ edge->key << count_bits;
     if (count > most_learnt) {
-      found += derive(row, edge, place, found, sum);
+      const Derived derived = derive(row, *edge, place, found);
+      found += derived.count;
+      sum.add(derived.parts);
       continue;
     }
     // Four, whatever the count.
 #pragma GCC unroll 4
-    for (uint32_t k = 0; k < most_learnt; ++k) found[k] = {edge.voxel, learnt[place].pass[k]};
+    for (uint32_t k = 0; k < passes_an_entry; ++k) found[k] = voxel + entry.pass[k];
+    sum.add(entry.parts);
+    if (count > passes_an_entry)
+      for (uint32_t k = 0; k < passes_an_entry; ++k)
+        found[passes_an_entry + k] = voxel + learnt[place ^ 1].pass[k];
     found += count;
-    sum.add(learnt[place].counts);
   }
   count_ = static_cast<uint32_t>(found - pass_);
   counts = sum;
 }
 
-// Works out the passes at a vertex, and learns them where all cells take part. Returns how many
-// there are.
-[[gnu::noinline]] uint32_t LearntPasses::derive(const SweptRow& row, const Edge& edge,
-                                                uint32_t place, FoundPass* found,
-                                                SweepCounts& counts) {
+// Works out the passes at a vertex, and learns them where all cells take part.
+[[gnu::noinline]] LearntPasses::Derived LearntPasses::derive(const SweptRow& row, const Edge& edge,
+                                                             uint32_t place, FoundPass* found) {
   const auto axis = static_cast<int>(edge.key >> axis_shift);
   // The voxel may be the one before the row.
   const Vertex next = CornerCode(edge.voxel + next_voxel).vertex();
   const auto column = static_cast<uint32_t>(next.x) / 2;
-  const uint32_t x = column - 1;
-  const uint32_t absent = row.absent(axis, x);
   PassList list;
-  derive_passes({row.rows, column / columns_per_word, column % columns_per_word + 1, axis}, absent,
-                list);
-  CornerPass made[most_at_vertex];
+  derive_passes({row.rows, column / columns_per_word, column % columns_per_word + 1, axis},
+                row.absent(axis, column - 1), list);
   uint32_t count = 0;
-  for (uint32_t i = 0; i < list.count; ++i)
-    count += corner_passes(list.pass[i], axis, made + count);
-  for (uint32_t i = 0; i < count; ++i) found[i] = {edge.voxel, made[i]};
-  SweepCounts own;
-  own.add(list.parts);
-  counts.add(own);
-  if (known_ == nullptr || count > most_learnt || (edge.key & all_voxels) == all_voxels)
-    return count;
-  known_[place] = edge.key << count_bits | count;
-  Learnt& entry = learnt_[place];
-  for (uint32_t i = 0; i < count; ++i) entry.pass[i] = made[i];
-  entry.counts = own;
-  return count;
+  for (uint32_t i = 0; i < list.count; ++i) {
+    const NumberedPasses::Numbers numbers = numbered_.of(list.pass[i], axis);
+    for (uint32_t k = 0; k < numbers.count; ++k)
+      found[count++] = edge.voxel + numbers.first + k;
+  }
+  const bool is_complete = (edge.key & all_voxels) != all_voxels;
+  if (learnt_ != nullptr && is_complete && count <= most_learnt) {
+    // What does not fit into an entry stands in the one beside it, which then is of no other use.
+    Learnt& entry = learnt_[place];
+    Learnt& beside = learnt_[place ^ 1];
+    if (count > passes_an_entry || beside.count() > passes_an_entry) beside.known = 0;
+    entry.known = edge.key << count_bits | count;
+    entry.parts = list.parts;
+    for (uint32_t i = 0; i < count; ++i)
+      (i < passes_an_entry ? entry : beside).pass[i % passes_an_entry] =
+          static_cast<uint16_t>(found[i]);
+  }
+  return {count, list.parts};
 }
 
 }  // namespace discmc::trace

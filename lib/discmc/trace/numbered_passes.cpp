@@ -1,0 +1,44 @@
+#include <discmc/trace/numbered_passes.hpp>
+
+namespace discmc::trace {
+
+namespace {
+
+uint64_t bits_of(const Pass& pass, int axis) {
+  uint64_t bits;
+  static_assert(sizeof bits == sizeof pass);
+  __builtin_memcpy(&bits, &pass, sizeof bits);
+  // The highest bits of the first member are free, and those of the last.
+  return bits << 2 | static_cast<uint32_t>(axis);
+}
+
+NumberedPass numbered(const CornerPass& pass, uint32_t number) {
+  NumberedPass made;
+  made.to_corner = corner_places.of[pass.place] + pass.sides - number;
+  made.in = pass.in;
+  made.out = pass.out;
+  made.if_straight = static_cast<int16_t>(pass.kind == CornerPass::straight ? -1 : 0);
+  made.joins = pass.kind == CornerPass::join ? 1 : 0;
+  return made;
+}
+
+}  // namespace
+
+NumberedPasses::Numbers NumberedPasses::of(const Pass& pass, int axis) {
+  const uint64_t bits = bits_of(pass, axis);
+  // Multiplication spreads neighbouring keys: see Holes.
+  uint64_t place = bits * 0x9E3779B97F4A7C15U >> (64 - place_bits);
+  while (known_[place].pass != bits && known_[place].numbers.count != 0)
+    place = (place + 1) % (1U << place_bits);
+  Known& known = known_[place];
+  if (known.numbers.count == 0) {
+    CornerPass made[CornerPass::most_of_pass];
+    const uint32_t count = corner_passes(pass, axis, made);
+    known.pass = bits;
+    known.numbers = {static_cast<uint16_t>(count_), static_cast<uint16_t>(count)};
+    for (uint32_t i = 0; i < count; ++i, ++count_) numbered_[count_] = numbered(made[i], count_);
+  }
+  return known.numbers;
+}
+
+}  // namespace discmc::trace

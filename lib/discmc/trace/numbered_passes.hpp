@@ -1,0 +1,53 @@
+// Passes by number: two bytes name a corner pass, and what a sweep needs of it is at hand.
+#ifndef DISCMC_TRACE_NUMBERED_PASSES_HPP
+#define DISCMC_TRACE_NUMBERED_PASSES_HPP
+
+#include <discmc/trace/corner_pass.hpp>
+
+namespace discmc::trace {
+
+/// CornerCode::position() of the voxel at the lower end of an edge, and in the lowest 16 bits the
+/// number of a corner pass at the vertex there.
+using FoundPass = uint64_t;
+
+/// What is done to take a corner pass.
+struct NumberedPass {
+  uint64_t to_corner;   ///< what has to be added to a FoundPass to make its CornerCode
+  Port in, out;         ///< as in CornerPass
+  int16_t if_straight;  ///< all bits where no corner is made, else none
+  uint16_t joins;       ///< 1 where two ends are taken out, else 0
+};
+
+/// Gives numbers to passes as they first come by.
+class NumberedPasses {
+ public:
+  /// The numbers of the corner passes that a pass consists of: the first one, and how many.
+  struct Numbers {
+    uint16_t first;
+    uint16_t count;
+  };
+
+  const NumberedPass& operator[](FoundPass found) const { return numbered_[found & 0xFFFF]; }
+
+  /// Cost: a look-up, once it has come by.
+  Numbers of(const Pass& pass, int axis);
+
+  /// How many numbers there are for all passes that exist, 2,256 on the three axes.
+  static constexpr uint32_t most = 2760;
+
+ private:
+  static constexpr uint32_t place_bits = 12;
+
+  struct Known {
+    uint64_t pass;  // its bits, and the axis
+    Numbers numbers;
+  };
+
+  Known known_[1U << place_bits] = {};  // by open addressing
+  uint32_t count_ = 0;
+  NumberedPass numbered_[most] = {};
+};
+
+}  // namespace discmc::trace
+
+#endif
