@@ -65,37 +65,87 @@ struct Told {
   uint32_t in_use;
 };
 
-using CornerSweep = trace::CornerSweep;
-using PlainSweep = trace::Sweep<uint32_t, NoNormal>;
-constexpr uint32_t plenty = 400000;
+constexpr uint32_t plenty = 120000;
 
+// A sweep without the extractor around it.
 template <class Sweep>
-Told told_by(const BitVolume& volume, uint32_t records, const EventLog::Refuses& refuses = {}) {
-  const auto sweep = std::make_unique<Sweep>();
-  std::vector<trace::Record<uint32_t, NoNormal>> memory(records);
-  trace::Queue<uint32_t> queues[trace::queue_count];
-  uint32_t holes[sizing::hole_lists];
-  sweep->fragments().start(memory.data(), records, queues, true);
-  sweep->delivery().start(holes, 1000, true);
-  sweep->clear();
-  EventLog log(refuses);
-  const Sink sink = sink_to(log);
-  Statistics statistics{};
-  const Rows rows(volume);
-  for (int32_t z = -1; z < static_cast<int32_t>(volume.depth); ++z)
-    for (int32_t y = -1; y < static_cast<int32_t>(volume.height); ++y)
-      while (!sweep->sweep(rows.swept(y, z), NoNormals{}, sink, statistics)) {
+class Scanner {
+ public:
+  explicit Scanner(uint32_t records) : memory_(records) {
+    sweep_->fragments().start(memory_.data(), records, queues_, true);
+    sweep_->delivery().start(holes_, 1000, true);
+  }
+
+  // lowest: the number of the volume's first slice.
+  Told scan(const BitVolume& volume, const EventLog::Refuses& refuses = {}, int32_t lowest = 0) {
+    EventLog log(refuses);
+    Statistics statistics{};
+    sweep_->clear();
+    sweep(volume, lowest, [&](const trace::SweptRow& row) {
+      while (!sweep_->sweep(row, NoNormals{}, sink_to(log), statistics)) {
       }
-  return {log.events, counts(statistics), sweep->fragments().records().in_use()};
+      return true;
+    });
+    return {log.events, counts(statistics), sweep_->fragments().records().in_use()};
+  }
+  // Ends where the sink refuses an event.
+  void break_off(const BitVolume& volume, uint64_t event) {
+    EventLog log([event](uint64_t offer) { return offer >= event; });
+    Statistics statistics{};
+    sweep_->clear();
+    sweep(volume, 0, [&](const trace::SweptRow& row) {
+      return sweep_->sweep(row, NoNormals{}, sink_to(log), statistics);
+    });
+  }
+
+ private:
+  template <class Visit>
+  static void sweep(const BitVolume& volume, int32_t lowest, Visit visit) {
+    const Rows rows(volume);
+    for (int32_t z = -1; z < static_cast<int32_t>(volume.depth); ++z)
+      for (int32_t y = -1; y < static_cast<int32_t>(volume.height); ++y) {
+        trace::SweptRow row = rows.swept(y, z);
+        row.z += lowest;
+        if (!visit(row)) return;
+      }
+  }
+
+  std::unique_ptr<Sweep> sweep_ = std::make_unique<Sweep>();
+  std::vector<trace::Record<uint32_t, NoNormal>> memory_;
+  trace::Queue<uint32_t> queues_[trace::queue_count];
+  uint32_t holes_[sizing::hole_lists];
+};
+
+using Corner = Scanner<trace::CornerSweep>;
+using Plain = Scanner<trace::Sweep<uint32_t, NoNormal>>;
+
+// With so many records: does not hand over what it keeps, which is in use to the end.
+bool keeps_corners(const BitVolume& volume, uint32_t records) {
+  return Corner(records).scan(volume).in_use > 0;
 }
 
-// Noise, and behind it a sieve whose holes wait for the ring around them.
-BitVolume noise_and_sieve() {
-  const BitVolume noise = random({30, 30, 2}, 128, 8);
-  BitVolume volume({30, 30, 5});
+// Two slices of noise, and another volume behind it, no larger in a slice.
+BitVolume noise_and(uint32_t width, const BitVolume& other) {
+  BitVolume volume({width, width, 3 + other.depth});
+  const BitVolume noise = random({width, width, 2}, 128, 8);
   std::copy(noise.on.begin(), noise.on.end(), volume.on.begin());
-  for (int64_t y = 0; y < 30; ++y)
-    for (int64_t x = 0; x < 30; ++x) volume.on[volume.index(x, y, 3)] = x % 3 != 1 || y % 3 != 1;
+  for (uint32_t z = 0; z < other.depth; ++z)
+    for (uint32_t y = 0; y < other.height; ++y)
+      std::copy_n(&other.on[other.index(0, y, z)], other.width,
+                  &volume.on[volume.index(0, y, z + 3)]);
+  return volume;
+}
+BitVolume plate_with_a_hole() {
+  BitVolume plate = box({5, 5, 1}, {0, 0, 0}, {4, 4, 0});
+  plate.on[plate.index(2, 2, 0)] = 0;
+  return plate;
+}
+
+// A slice thick; one of its sides goes diagonally through all rows.
+BitVolume wedge(uint32_t length) {
+  BitVolume volume({length, 1, length});
+  for (uint32_t z = 0; z < length; ++z)
+    for (uint32_t x = z; x < length; ++x) volume.on[volume.index(x, 0, z)] = 1;
   return volume;
 }
 
@@ -111,12 +161,11 @@ TEST_CASE("whether and wherever corners are handed over, the events are those of
                         {random({40, 40, 2}, 60, 8), 700},
                         {columns({30, 30, 3}), 4700}};
   for (const Case& each : cases) {
-    const Told expected = told_by<PlainSweep>(each.volume, plenty);
+    const Told expected = Plain(plenty).scan(each.volume);
     for (uint32_t i = 0; i < 7; ++i) {
       CAPTURE(i);
       const uint32_t records = i == 6 ? plenty : Corners::least_records + each.step * i;
-      const EventLog::Refuses refuses = i % 2 == 0 ? nullptr : refuses_first;
-      const Told told = told_by<CornerSweep>(each.volume, records, refuses);
+      const Told told = Corner(records).scan(each.volume, i % 2 == 0 ? nullptr : refuses_first);
       CHECK(told.events == expected.events);
       CHECK(told.counts == expected.counts);
       // What is handed over is given back in the end.
@@ -125,33 +174,56 @@ TEST_CASE("whether and wherever corners are handed over, the events are those of
   }
 }
 
+TEST_CASE("sides longer than two places can tell are handed over") {
+  for (const BitVolume& volume : {wedge(1100), box({1, 1, 4300}, {0, 0, 0}, {0, 0, 4299})}) {
+    const auto lowest = trace::CornerCode::most_slices - static_cast<int32_t>(volume.depth) + 9;
+    const Told expected = Plain(plenty).scan(volume, {}, lowest);
+    const Told told = Corner(plenty).scan(volume, {}, lowest);
+    CHECK(told.events == expected.events);
+    CHECK(told.in_use == 0);
+  }
+}
+
 TEST_CASE("corners are kept as long as ten records are free for each") {
   struct Known {
     BitVolume volume;
     uint32_t corners;
-    uint32_t longer_queues;  // how often one has been made twice as long, the second time twice
-    uint32_t holes;          // records of those that wait when most corners do
+    uint32_t longer;  // records by which queues have grown
+    uint32_t others;  // records that are in use besides for a while, when most corners are
   };
   const Known all[] = {{random({31, 30, 3}, 128, 8), 2548, 0, 0},
-                       {random({40, 40, 3}, 60, 8), 2011, 4, 0},
-                       {checkerboard({30, 30, 3}), 2212, 8, 0},
-                       {columns({30, 30, 3}), 3956, 20, 0},
-                       {noise_and_sieve(), 2129, 0, 256}};
+                       {random({40, 40, 3}, 60, 8), 2011, 512, 0},
+                       {checkerboard({30, 30, 3}), 2212, 1024, 0},
+                       {columns({30, 30, 3}), 3956, 2560, 0},
+                       // The two records of a hole, and two of its runs.
+                       {noise_and(30, plate_with_a_hole()), 2129, 0, 4},
+                       // Those of a queue that has just grown; the other one has so for the second
+                       // time.
+                       {noise_and(30, columns({20, 20, 2})), 2129, 512, 128},
+                       {noise_and(60, columns({30, 30, 2})), 7920, 4608, 256}};
   for (const Known& known : all) {
     CAPTURE(known.corners);
-    const uint32_t in_use = Corners::least_records / 2 + 128 * known.longer_queues + known.corners;
-    CHECK(told_by<CornerSweep>(known.volume, plenty).in_use == in_use);
-    const uint32_t enough = in_use + known.holes + 10 * known.corners;
-    CHECK(told_by<CornerSweep>(known.volume, enough).in_use == in_use);
-    CHECK(told_by<CornerSweep>(known.volume, enough - 1).in_use == 0);
+    const uint32_t in_use = Corners::least_records / 2 + known.longer + known.corners;
+    const Told told = Corner(plenty).scan(known.volume);
+    CHECK(told.in_use == in_use);
+    CHECK(told.events == Plain(plenty).scan(known.volume).events);
+    const uint32_t enough = in_use + known.others + 10 * known.corners;
+    CHECK(keeps_corners(known.volume, enough));
+    CHECK_FALSE(keeps_corners(known.volume, enough - 1));
   }
+}
+
+TEST_CASE("with fewer records than the least no corners are kept") {
+  const BitVolume voxel = box({1, 1, 1}, {0, 0, 0}, {0, 0, 0});
+  CHECK(keeps_corners(voxel, Corners::least_records));
+  CHECK_FALSE(keeps_corners(voxel, Corners::least_records - 1));
 }
 
 TEST_CASE("a straight side takes no more records when it is longer") {
   const auto in_use = [](const Size& size) {
     const Vertex last{static_cast<int32_t>(size.width) - 1, static_cast<int32_t>(size.height) - 1,
                       static_cast<int32_t>(size.depth) - 1};
-    return told_by<CornerSweep>(box(size, {0, 0, 0}, last), plenty).in_use;
+    return Corner(plenty).scan(box(size, {0, 0, 0}, last)).in_use;
   };
   CHECK(in_use({300, 2, 2}) == in_use({600, 2, 2}));
   CHECK(in_use({2, 3, 2}) == in_use({2, 300, 2}));
@@ -160,7 +232,20 @@ TEST_CASE("a straight side takes no more records when it is longer") {
 
 TEST_CASE("the corners of rings that have closed are used again") {
   const auto in_use = [](uint32_t depth) {
-    return told_by<CornerSweep>(tiling({20, 20, depth}, 1), plenty).in_use;
+    return Corner(plenty).scan(tiling({20, 20, depth}, 1)).in_use;
   };
   CHECK(in_use(4) == in_use(40));
+}
+
+TEST_CASE("a scan that breaks off leaves nothing to the next") {
+  const BitVolume volume = random({31, 30, 3}, 128, 8);
+  const Told expected = Plain(plenty).scan(volume);
+  Corner scanner(Corners::least_records);
+  for (const uint64_t event : {0U, 1000U, 5000U, 15000U}) {
+    scanner.break_off(volume, event);
+    const Told told = scanner.scan(volume);
+    CHECK(told.events == expected.events);
+    CHECK(told.counts == expected.counts);
+    CHECK(told.in_use == 0);
+  }
 }
