@@ -65,7 +65,7 @@ struct Told {
   uint32_t in_use;
 };
 
-constexpr uint32_t plenty = 120000;
+constexpr uint32_t plenty = 250000;
 
 // A sweep without the extractor around it.
 template <class Sweep>
@@ -211,6 +211,15 @@ TEST_CASE("corners are kept as long as ten records are free for each") {
     CHECK(keeps_corners(known.volume, enough));
     CHECK_FALSE(keeps_corners(known.volume, enough - 1));
   }
+}
+
+TEST_CASE("in no queue is an end lost, however many wait there for the next row") {
+  BitVolume stripes({1100, 3, 3});
+  for (int64_t x = 0; x < 1100; x += 2)
+    for (int64_t y = 0; y < 3; ++y) stripes.on[stripes.index(x, y, 1)] = 1;
+  const Told told = Corner(plenty).scan(stripes);
+  CHECK(told.events == Plain(plenty).scan(stripes).events);
+  CHECK(told.in_use > 0);
 }
 
 TEST_CASE("with fewer records than the least no corners are kept") {
