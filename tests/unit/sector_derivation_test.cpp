@@ -7,7 +7,6 @@
 #include <doctest/doctest.h>
 
 #include <string.h>
-#include <discmc/trace/delivery.hpp>
 #include <discmc/trace/fragments.hpp>
 #include <discmc/trace/neighbourhood.hpp>
 
@@ -42,16 +41,6 @@ TEST_CASE("the edges of a cell have the same numbers when they are derived at ru
   for (int i = 0; i < cell_edges; ++i) {
     CHECK(again.point[i] == edges.point[i]);
     CHECK(again.number[again.point[i]] == i);
-  }
-}
-
-TEST_CASE("the directions that ascend are the same when they are derived at run time") {
-  AscendingDirections again{};
-  again = derive::ascending_directions();
-  const Incidence across_z = incidence_of({0, 0, 1});
-  for (Direction direction = 0; direction < max_directions; ++direction) {
-    const Vertex v = direction_vector(across_z, direction);
-    CHECK((again.of[across_z] >> direction & 1) == (v.y > 0 || (v.y == 0 && v.x > 0) ? 1 : 0));
   }
 }
 

@@ -32,10 +32,7 @@ BeginQueues begin_queues() {
     for (const auto& ways : axis.way) {
       for (const uint8_t face : faces) note_ray(queues, ways[face]);
       for (const auto& cells : sector_table.cell)
-        for (const CellAtVertex& cell : cells) {
-          const bool has_spoke = (cell.headings & 15) != cell.headings >> 4;
-          if (has_spoke) note_ray(queues, ways[cell.edges >> 4]);
-        }
+        for (const CellAtVertex& cell : cells) note_ray(queues, ways[cell.edges >> 4]);
     }
   return queues;
 }
@@ -155,9 +152,8 @@ void append_side(Records& records, uint32_t& list, CornerCode from, CornerCode t
 
 bool Corners::start(Records& records) {
   constexpr uint32_t block = least_slots / slots_per_record;
-  corners_ = free_corners_ = 0;
+  corners_ = free_corners_ = free_places_ = 0;
   free_ = no_record;
-  free_places_ = least_slots;
   joins_ = next_join_ = 0;
   if (records.available() < least_records) return false;
   for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
@@ -176,17 +172,16 @@ void Corners::set_ring(Records& records, uint32_t queue, uint32_t mask, uint32_t
 }
 
 bool Corners::find_room(Records& records, const LearntPasses& passes) {
-  if (records.available() < reserve_of(corners_)) return false;
-  while (free_corners_ < passes.count()) {
-    if (records.available() <= reserve_of(corners_ + 1)) return false;
+  const uint32_t more = passes.count() > free_corners_ ? passes.count() - free_corners_ : 0;
+  if (records.available() < more + reserve_of(corners_ + more)) return false;
+  corners_ += more;
+  for (; free_corners_ < passes.count(); ++free_corners_) {
     const uint32_t index = records.take();
     Corner<uint32_t>& made = corner(records, index);
     made.next = free_;
     made.mate = no_record;
     made.set_code(CornerCode(0));
     free_ = index;
-    ++free_corners_;
-    ++corners_;
   }
   return passes.edges() <= free_places_ || find_places(records);
 }
@@ -208,8 +203,8 @@ bool Corners::find_places(Records& records) {
   const uint32_t old_mask = mask_[entry_of(queue)], old_first = first_[entry_of(queue)];
   const uint32_t mask = 2 * old_mask + 1;
   const uint32_t old_block = (old_mask + 1) / slots_per_record;
-  if (records.available() < reserve_of(corners_) + 2 * old_block) return false;
-  const uint32_t block = records.take_fresh(2 * old_block);
+  const bool has_room = records.available() >= reserve_of(corners_) + 2 * old_block;
+  const uint32_t block = has_room ? records.take_fresh(2 * old_block) : no_record;
   if (block == no_record) return false;
   set_ring(records, queue, mask, block);
   uint32_t* const slot = slots(records);

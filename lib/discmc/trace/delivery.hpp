@@ -10,22 +10,6 @@
 
 namespace discmc::trace {
 
-/// The directions in which vertices come later in the order z, y, x: a bit each, by incidence.
-struct AscendingDirections {
-  uint8_t of[incidence_codes];
-};
-namespace derive {
-constexpr AscendingDirections ascending_directions() {
-  AscendingDirections ascending{};
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    for (Direction i = 0; i < direction_count(incidence); ++i)
-      if (precedes({0, 0, 0}, direction_vector(incidence, i)))
-        ascending.of[incidence] = static_cast<uint8_t>(ascending.of[incidence] | 1 << i);
-  return ascending;
-}
-}  // namespace derive
-inline constexpr AscendingDirections ascending_directions = derive::ascending_directions();
-
 inline bool turns_right(Incidence incidence, Direction before, Direction after) {
   return turn(incidence, before, after) < 0;
 }
@@ -125,19 +109,18 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
   last_ = out.last;
   event_.incidence = out.incidence;
   event_.start = out.start;
-  event_.hole = false;
-  holes_due_ = 0;
-  if (out.kind == Out::Kind::ring) {
-    begin_ring(records);
-    if (event_.hole && (!sends_ || (holes_.count() < most_holes_ &&
-                                    chains.spare() >= 4 + Holes<Index, Normal>::records_each))) {
-      holes_.keep(records, out);
-      out.kind = Out::Kind::none;
-      return;
-    }
+  if (out.kind == Out::Kind::fragment) {
+    holes_due_ = holes_.mark(records, out);
+    return begin_next_loose(chains);
   }
-  if (!event_.hole) holes_due_ = holes_.mark(records, out);
-  if (out.kind == Out::Kind::fragment) return begin_next_loose(chains);
+  begin_ring(records);
+  if (event_.hole && (!sends_ || (holes_.count() < most_holes_ &&
+                                  chains.spare() >= 4 + Holes<Index, Normal>::records_each))) {
+    holes_.keep(records, out);
+    out.kind = Out::Kind::none;
+    return;
+  }
+  holes_due_ = event_.hole ? 0 : holes_.mark(records, out);
   is_delivering_ = true;
   is_fragment_ = event_.hole;
   event_.kind = is_fragment_ ? Event::Kind::fragment : Event::Kind::region;
@@ -147,29 +130,25 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
 //
 // A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
 // front of the sweep, and there only some directions are left: so it takes few bits to tell. It is
-// a top: the ring ascends to it and descends from it. Most rings have one. At no vertex has a plane
-// two tops, so a ring passes its last vertex once; a hole turns right there, and no other ring.
+// a top: the ring ascends to it and descends from it. At no vertex has a plane two tops, so a ring
+// passes its last vertex once; a hole turns right there, and no other ring.
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin_ring(const Records& records) {
   const Incidence incidence = event_.incidence;
-  const uint32_t ascending = ascending_directions.of[incidence];
   constexpr Vertex here{0, 0, 0};
-  Vertex way = here;  // from the last top so far
-  bool has_begun = false;
+  Vertex way = here;  // from the last vertex so far
   Direction before = direction_of(Lists::last_run(records, last_));
   const Cursor end(records, last_);
   Cursor cursor = end;
   do {
     const ShortRun run = cursor.run(records);
     const Direction direction = direction_of(run);
-    const bool is_top = (ascending >> before & ~(ascending >> direction) & 1) != 0;
-    if (is_top && !precedes(way, here)) {
-      has_begun = true;
+    if (!precedes(way, here)) {
       way = here;
       first_ = cursor;
       event_.came = before;
     }
-    if (has_begun) move(way, incidence, direction, length_of(run));
+    move(way, incidence, direction, length_of(run));
     before = direction;
     cursor.advance(records);
   } while (cursor != end);
@@ -201,7 +180,6 @@ void Delivery<Index, Normal>::begin_next_loose(Chains& chains) {
   last_ = out.last;
   event_.came = out.came;
   event_.start = out.start;
-  event_.hole = false;
   first_ = Cursor(chains.records(), last_);
 }
 

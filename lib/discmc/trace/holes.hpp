@@ -144,10 +144,10 @@ void Holes<Index, Normal>::any_plane(const Records& records, Incidence& incidenc
   at = records[hole.start].hole_start.get();
 }
 
-// Whether an outer ring surrounds a hole of its plane that starts at a vertex in a direction. A
-// point beside the middle of the hole's first link, within a facet and so on no ring, lies inside
-// if a ray from it crosses the ring an odd number of times. Seen along an axis that does not lie in
-// the plane; only v may be z, in which a ring may be long.
+// Whether an outer ring surrounds a hole of its plane that starts at a vertex in a direction. The
+// middle of the hole's first link lies on no other ring: so it lies inside if a ray from it crosses
+// the ring an odd number of times. Seen along an axis that does not lie in the plane; only v may be
+// z, in which a ring may be long.
 template <class Index, class Normal>
 bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Index>& ring,
                                      const Vertex& start, Direction first) {
@@ -157,15 +157,11 @@ bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Inde
   const auto step = [&](Direction direction) {
     return links.vector[link_of(ring.incidence, direction)];
   };
-  const bool is_last = first + 1 == direction_count(ring.incidence);
-  const int8_t* const along = step(first);
-  const int8_t* const aside = step(static_cast<Direction>(is_last ? 0 : first + 1));
-  // Of the point, in eighths of a half-step; of the ring's vertex, in half-steps; from the hole's.
-  const int32_t point_u = 4 * along[u] + aside[u];
-  const int32_t point_v = 4 * along[v] + aside[v];
+  // From the hole's start: the middle is half of this, in half-steps; and the ring's vertex.
+  const int8_t* const link = step(first);
   int32_t at_u = coordinate(ring.start, u) - coordinate(start, u);
   int32_t at_v = coordinate(ring.start, v) - coordinate(start, v);
-  const auto is_above = [&](int32_t at) { return at > point_v >> 3; };
+  const auto is_above = [&](int32_t at) { return at > link[v] >> 1; };
   bool is_inside = false;
   const Cursor begin(records, ring.last);
   Cursor cursor = begin;
@@ -177,7 +173,7 @@ bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Inde
     if (is_above(at_v) != is_above(end_v)) {
       // Where the side crosses the ray's line, times the step in v: never 0. As it crosses, at_v is
       // small.
-      const int32_t crossing = (8 * at_u - point_u) * side[v] - (8 * at_v - point_v) * side[u];
+      const int32_t crossing = (2 * at_u - link[u]) * side[v] - (2 * at_v - link[v]) * side[u];
       if ((crossing > 0) == (side[v] > 0)) is_inside = !is_inside;
     }
     at_u += length * side[u];
