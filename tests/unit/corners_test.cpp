@@ -193,12 +193,12 @@ TEST_CASE("corners are kept as long as ten records are free for each") {
   };
   const Known all[] = {{random({31, 30, 3}, 128, 8), 2548, 0, 0},
                        {random({40, 40, 3}, 60, 8), 2011, 512, 0},
-                       {checkerboard({30, 30, 3}), 2212, 1024, 0},
                        {columns({30, 30, 3}), 3956, 2560, 0},
                        // The two records of a hole, and two of its runs.
                        {noise_and(30, plate_with_a_hole()), 2129, 0, 4},
-                       // Those of a queue that has just grown; the other one has so for the second
+                       // Those of a queue that has just grown; the last one has so for the second
                        // time.
+                       {checkerboard({30, 30, 3}), 2212, 1024, 128},
                        {noise_and(30, columns({20, 20, 2})), 2129, 512, 128},
                        {noise_and(60, columns({30, 30, 2})), 7920, 4608, 256}};
   for (const Known& known : all) {

@@ -188,8 +188,7 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < list.count; ++i) {
     const NumberedPasses::Numbers numbers = numbered_.of(list.pass[i], axis);
-    for (uint32_t k = 0; k < numbers.count; ++k)
-      found[count++] = edge.voxel + numbers.first + k;
+    for (uint32_t k = 0; k < numbers.count; ++k) found[count++] = edge.voxel + numbers.first + k;
   }
   const bool is_complete = (edge.key & all_voxels) != all_voxels;
   if (learnt_ != nullptr && is_complete && count <= most_learnt) {

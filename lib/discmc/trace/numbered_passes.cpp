@@ -4,12 +4,11 @@ namespace discmc::trace {
 
 namespace {
 
-uint64_t bits_of(const Pass& pass, int axis) {
+uint64_t bits_of(const Pass& pass) {
   uint64_t bits;
   static_assert(sizeof bits == sizeof pass);
   __builtin_memcpy(&bits, &pass, sizeof bits);
-  // The highest bits of the first member are free, and those of the last.
-  return bits << 2 | static_cast<uint32_t>(axis);
+  return bits;
 }
 
 NumberedPass numbered(const CornerPass& pass, uint32_t number) {
@@ -25,7 +24,8 @@ NumberedPass numbered(const CornerPass& pass, uint32_t number) {
 }  // namespace
 
 NumberedPasses::Numbers NumberedPasses::of(const Pass& pass, int axis) {
-  const uint64_t bits = bits_of(pass, axis);
+  // No pass is found on two axes.
+  const uint64_t bits = bits_of(pass);
   // Multiplication spreads neighbouring keys: see Holes.
   uint64_t place = bits * 0x9E3779B97F4A7C15U >> (64 - place_bits);
   while (known_[place].pass != bits && known_[place].numbers.count != 0)

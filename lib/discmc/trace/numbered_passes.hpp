@@ -39,7 +39,7 @@ class NumberedPasses {
   static constexpr uint32_t place_bits = 12;
 
   struct Known {
-    uint64_t pass;  // its bits, and the axis
+    uint64_t pass;  // its bits
     Numbers numbers;
   };
 
