@@ -63,7 +63,7 @@ TEST_CASE("holes wait for the ring around them, however few may wait to go out l
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
   Collector collector(false);
-  scan_into<uint16_t>(collector, plate, {Border::closed, false}, Capacities{4000, 1});
+  scan_into<uint16_t>(collector, plate, {Border::closed, false}, Capacities{30000, 1});
   CHECK(unlike_merge(collector.regions(), plate, true) == "");
 }
 
