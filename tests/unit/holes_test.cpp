@@ -48,14 +48,15 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
 
 TEST_CASE("a hole goes to its own ring, whatever its record has been used for") {
   // Behind noise, pairs of plates side by side, of which one closes while the other's hole waits.
-  const BitVolume noise = random({36, 30, 2}, 128, 8);
-  BitVolume volume({36, 30, 5});
+  const BitVolume noise = random({40, 36, 2}, 128, 8);
+  BitVolume volume({40, 36, 5});
   std::copy(noise.on.begin(), noise.on.end(), volume.on.begin());
-  for (int64_t y = 0; y < 27; ++y)
-    for (int64_t x = 0; x < 36; ++x) {
-      const bool is_long = x / 6 % 2 != 0;
-      const bool is_hole = x % 6 == 2 && y % 9 == 2;
-      volume.on[volume.index(x, y, 3)] = x % 6 < 5 && y % 9 < (is_long ? 8 : 5) && !is_hole;
+  for (int64_t y = 0; y < 36; ++y)
+    for (int64_t x = 0; x < 40; ++x) {
+      const int64_t column = x % 8, row = y % 9;
+      const bool is_hole =
+          (row == 2 && (column == 2 || column == 4)) || (row == 3 && column >= 2 && column <= 4);
+      volume.on[volume.index(x, y, 3)] = column < 7 && row < (x / 8 % 2 == 0 ? 6 : 8) && !is_hole;
     }
   CHECK(unlike_merge(scan<uint16_t>(volume).regions(), volume, true) == "");
 }
