@@ -1,6 +1,8 @@
 // Holes go to the ring around them, in planes of every direction; where there is none, they go out.
 #include <doctest/doctest.h>
 
+#include <discmc/trace/holes.hpp>
+
 #include <algorithm>
 
 #include "oracle/agreement.hpp"
@@ -44,6 +46,58 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
   CHECK(holes > 200);
 }
 
+TEST_CASE("a hole goes to its own ring, whatever its record has been used for") {
+  // Behind noise, pairs of plates side by side, of which one closes while the other's hole waits.
+  const BitVolume noise = random({40, 36, 2}, 128, 8);
+  BitVolume volume({40, 36, 5});
+  std::copy(noise.on.begin(), noise.on.end(), volume.on.begin());
+  for (int64_t y = 0; y < 36; ++y)
+    for (int64_t x = 0; x < 40; ++x) {
+      const int64_t column = x % 8, row = y % 9;
+      const bool is_hole =
+          (row == 2 && (column == 2 || column == 4)) || (row == 3 && column >= 2 && column <= 4);
+      volume.on[volume.index(x, y, 3)] = column < 7 && row < (x / 8 % 2 == 0 ? 6 : 8) && !is_hole;
+    }
+  CHECK(unlike_merge(scan<uint16_t>(volume).regions(), volume, true) == "");
+}
+
+TEST_CASE("a hole is found by its plane, and when no ring comes, at last") {
+  using Holes = trace::Holes<uint16_t, NoNormal>;
+  Holes::Records records;
+  trace::Record<uint16_t, NoNormal> memory[300];
+  uint16_t heads[sizing::hole_lists];
+  records.start(memory, 300);
+  records.clear();
+  Holes holes;
+  holes.start(heads);
+  holes.clear();
+  const Incidence incidence = 22;
+  trace::Outgoing<uint16_t> ring;
+  ring.kind = trace::Outgoing<uint16_t>::Kind::fragment;
+  ring.incidence = incidence;
+  const auto is_on = [&](int32_t z) { return holes.has_any(records, incidence, {4, 1, z}); };
+  for (int32_t z = 0; z < 40; ++z) {
+    CHECK(!is_on(z));
+    ring.start = {2, 1, z};
+    trace::RunLists<uint16_t, NoNormal>::Slot run;
+    run.run = trace::short_run(0, 1);
+    ring.last = no_record;
+    trace::RunLists<uint16_t, NoNormal>::append(records, ring.last, run);
+    holes.keep(records, ring);
+    CHECK(is_on(z));
+  }
+  for (uint32_t left = 40; left > 0; --left) {
+    CHECK(holes.count() == left);
+    Vertex start{};
+    holes.any_plane(records, ring.incidence, ring.start);
+    CHECK(is_on(ring.start.z));
+    CHECK(holes.mark(records, ring) == 1);
+    holes.take(records, ring.last, start);
+    CHECK(start == ring.start);
+    CHECK(!is_on(start.z));
+  }
+}
+
 TEST_CASE("the high-water mark counts the holes that waited at once, and begins anew with a scan") {
   // Three holes in each of two faces of a plate.
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
@@ -64,6 +118,9 @@ TEST_CASE("the high-water mark counts the holes that waited at once, and begins 
   require_ok(extractor.reset());
   CHECK(extractor.high_water().holes == 0);
   for (int plates = 0; plates < 50; ++plates) push_all(extractor, plate.on);
+  BitVolume one_hole = plate;
+  for (const int64_t x : {2, 6}) one_hole.on[plate.index(x, 2, 1)] = 1;
+  push_all(extractor, one_hole.on);
   CHECK(extractor.high_water().holes == 3);
   CHECK(extractor.high_water().records == records);
 }
@@ -81,6 +138,32 @@ TEST_CASE("however few records or holes there may be, the rings of a sieve are t
       scan_into<uint16_t>(collector, sieve, {}, Capacities{records, holes});
       CHECK(unlike_joined({collector}, merged) == "");
     }
+}
+
+TEST_CASE("a hole that goes out loose goes before the last piece of the ring around it") {
+  BitVolume volume = random({12, 14, 2}, 36, 11999326367699514143U);
+  for (uint8_t& voxel : volume.on) voxel ^= 1;
+  const std::vector<Region> merged = merge(volume, true);
+  uint32_t holes = 0;
+  for (uint32_t records = 200; records < 360; records += 13) {
+    CAPTURE(records);
+    Collector collector;
+    scan_into<uint16_t>(collector, volume, {}, Capacities{records, 1000});
+    CHECK(unlike_joined({collector}, merged) == "");
+    const std::vector<Fragment>& loose = collector.loose();
+    for (auto at = loose.begin(); at != loose.end(); ++at) {
+      const Ring ring = vertices_of(at->incidence, at->start, at->runs);
+      const auto runs = static_cast<uint32_t>(at->runs.size());
+      if (!is_closed(at->incidence, at->runs.data(), runs)) continue;
+      if (signed_area(at->incidence, ring) > 0) continue;
+      ++holes;
+      CHECK(std::any_of(at + 1, loose.end(), [&](const Fragment& later) {
+        return later.incidence == at->incidence &&
+               plane_offset(later.incidence, later.start) == plane_offset(at->incidence, at->start);
+      }));
+    }
+  }
+  CHECK(holes > 0);
 }
 
 namespace {

@@ -31,7 +31,7 @@ struct Bordered {
 std::vector<Bordered> volumes() {
   std::vector<Bordered> volumes;
   for (const Border border : {Border::closed, Border::open})
-    for (const Size size : {Size{5, 4, 6}, Size{65, 3, 4}, Size{3, 67, 4}})
+    for (const Size size : {Size{5, 4, 6}, Size{65, 3, 4}, Size{3, 67, 4}, Size{3, 63, 3}})
       for (const uint32_t density : {30U, 128U, 240U})
         volumes.push_back({random(size, density, density), border});
   return volumes;
@@ -57,6 +57,14 @@ TEST_CASE("with the fewest records every cell is cut off, and none of its facets
   // Eight corners and four edges of two voxels side by side.
   CHECK(box.scanned(4).regions().size() == 12);
   CHECK(box.scanned(4).statistics().cells == 12);
+}
+
+TEST_CASE("holes wait for the ring around them, however few may wait to go out loose") {
+  BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
+  for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
+  Collector collector(false);
+  scan_into<uint16_t>(collector, plate, {Border::closed, false}, Capacities{30000, 1});
+  CHECK(unlike_merge(collector.regions(), plate, true) == "");
 }
 
 TEST_CASE("so many records are just enough for nothing to be cut off") {
@@ -94,7 +102,7 @@ TEST_CASE("a longer volume needs no more records for nothing to be cut off") {
 TEST_CASE(
     "a sink that refuses cells is offered them again, and after a reset the scan begins anew") {
   const BitVolume volume = random({33, 5, 4}, 128, 1);
-  const Capacities few{200, 10};
+  Capacities few{200, 10};
   const auto scanned = [&](const EventLog::Refuses& refuses, uint32_t broken_off_after) {
     EventLog log(refuses);
     const Limits limits = limits_of(volume, Border::closed);
@@ -111,9 +119,12 @@ TEST_CASE(
     CHECK(block.is_intact());
     return log.events;
   };
-  const Events expected = scanned({}, 0);
-  CHECK(scanned(refuses_first, 0) == expected);
-  const auto samples = static_cast<uint32_t>(volume.voxels());
-  for (uint64_t refused = 0; refused < expected.size(); refused += expected.size() / 20 + 1)
-    CHECK(scanned([&](uint64_t offer) { return offer >= refused; }, samples) == expected);
+  for (const uint32_t records : {200U, 3000U}) {
+    few.records = records;
+    const Events expected = scanned({}, 0);
+    CHECK(scanned(refuses_first, 0) == expected);
+    const auto samples = static_cast<uint32_t>(volume.voxels());
+    for (uint64_t refused = 0; refused < expected.size(); refused += expected.size() / 20 + 1)
+      CHECK(scanned([&](uint64_t offer) { return offer >= refused; }, samples) == expected);
+  }
 }

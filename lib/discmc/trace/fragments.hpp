@@ -418,7 +418,7 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
   if (!is_loose(begin)) {
     end(begin).mate = tail;
-    end(begin).last = is_loose(tail) ? list : Index{no_record};
+    end(begin).last = list;
   }
   if (!is_loose(tail)) {
     end(tail).mate = begin;
@@ -453,9 +453,7 @@ uint32_t Fragments<Index, Normal>::least_spare(uint8_t queue, Index mate) const 
 // any is, and gives back what the pass has taken.
 template <class Index, class Normal>
 bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
-  const uint32_t left = spare();
-  if (left < 4) return true;
-  const uint32_t most = left / 16;
+  const uint32_t most = spare() / 16;
   return Lists::records_up_to(records_, list, most) + Lists::records_up_to(records_, other, most) >
          most;
 }

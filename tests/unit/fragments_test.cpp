@@ -1,0 +1,63 @@
+// When pieces of chains go out loose: as late as possible, and so that many regions stay whole.
+#include <discmc/trace/fragments.hpp>
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "oracle/scan.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+Statistics scanned(const BitVolume& volume, uint32_t records, bool takes_fragments = true) {
+  Collector collector(takes_fragments);
+  scan_into<uint16_t>(collector, volume, {Border::closed, takes_fragments},
+                      Capacities{records, records});
+  return collector.statistics();
+}
+
+}  // namespace
+
+TEST_CASE("a side is cut when its ends are 4,080 places apart, whichever comes first") {
+  constexpr trace::Place places = 1U << trace::place_bits;
+  for (const trace::Place from : {0U, 5U, 4100U, 8191U})
+    for (trace::Place distance = 0; distance < 4100; ++distance) {
+      const trace::Place to = (from + distance) % places;
+      if (trace::is_longest_side(from, to) != (distance >= 4080)) FAIL(distance);
+      if (trace::is_longest_side(to, from) != (distance >= 4080)) FAIL(distance);
+    }
+}
+
+TEST_CASE("while a thousand records are left nothing goes out loose, however long a ring is") {
+  CHECK(scanned(comb({200, 5, 1}), 2400).fragments == 0);
+}
+
+TEST_CASE("a sink that takes no fragments gets none of a long ring either") {
+  for (const uint32_t records : {20U, 300U, 600U, 1000U, 3000U})
+    CHECK(scanned(comb({200, 5, 1}), records, false).fragments == 0);
+}
+
+TEST_CASE("with so few records so many regions stay whole") {
+  struct Known {
+    uint32_t records;
+    uint64_t regions, fragments;
+  };
+  const auto check = [](const BitVolume& volume, const std::vector<Known>& all) {
+    for (const Known& known : all) {
+      CAPTURE(known.records);
+      const Statistics statistics = scanned(volume, known.records);
+      CHECK(statistics.regions == known.regions);
+      CHECK(statistics.fragments == known.fragments);
+    }
+  };
+  check(random({12, 12, 6}, 40, 1),
+        {{10, 0, 2748}, {18, 0, 2618}, {52, 50, 1871}, {134, 448, 786}, {216, 584, 491}});
+  check(random({9, 9, 6}, 128, 2),
+        {{10, 0, 2785}, {18, 0, 2640}, {52, 43, 1937}, {134, 266, 996}, {300, 411, 590}});
+  check(random({20, 20, 4}, 100, 3),
+        {{18, 3, 8652}, {52, 36, 7293}, {134, 790, 3248}, {400, 1103, 2401}});
+  check(ball({14, 14, 14}, {13, 13, 13}, 36), {{10, 0, 772}, {52, 3, 355}, {134, 43, 173}});
+}

@@ -1,0 +1,86 @@
+// Ends come out of a queue as they went in, and those that were lost as lost, however many.
+#include <discmc/trace/queues.hpp>
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace discmc;
+
+namespace {
+
+constexpr uint8_t number = 77;
+
+template <class Index>
+class Ends {
+ public:
+  static constexpr uint32_t records = 20;
+
+  Ends() {
+    pool_.start(memory_, records);
+    pool_.clear();
+    queues_.start(heads_);
+    queues_.clear();
+  }
+
+  Index push() {
+    const Index end = pool_.take();
+    pool_[end].end.mate = end;
+    queues_.push(pool_, number, end);
+    return end;
+  }
+  void lose(uint32_t count) {
+    for (; count > 0; --count) queues_.push_lost(pool_, number);
+  }
+  // What comes out next: an end, which is given back, or no_record.
+  Index pop() {
+    const Index end = queues_.pop(pool_, number);
+    if (end != no_record) pool_.give(end);
+    return end;
+  }
+  // How many that were lost come out, before one that was not or at most so many.
+  uint32_t pop_lost(uint32_t most) {
+    uint32_t count = 0;
+    while (count < most && queues_.pop(pool_, number) == no_record) ++count;
+    return count;
+  }
+  bool last_is_lost() const { return queues_.last_is_lost(pool_, number); }
+  uint32_t in_use() const { return pool_.in_use(); }
+
+ private:
+  trace::Record<Index, NoNormal> memory_[records];
+  trace::Queue<Index> heads_[trace::queue_count];
+  Pool<trace::Record<Index, NoNormal>, Index> pool_;
+  trace::Queues<Index, NoNormal> queues_;
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("lost ends keep their places among others", Index, uint16_t, uint32_t) {
+  // More than two bytes count.
+  for (const uint32_t many : {1U, 2U, 0xFFFFU, 0x10000U, 0x30001U}) {
+    CAPTURE(many);
+    Ends<Index> ends;
+    CHECK_FALSE(ends.last_is_lost());
+    ends.lose(many);
+    CHECK(ends.last_is_lost());
+    const Index first = ends.push();
+    CHECK_FALSE(ends.last_is_lost());
+    const Index second = ends.push();
+    ends.lose(many);
+    CHECK(ends.last_is_lost());
+    const Index third = ends.push();
+    CHECK(ends.pop_lost(many) == many);
+    CHECK(ends.pop() == first);
+    CHECK(ends.pop() == second);
+    CHECK(ends.pop_lost(many) == many);
+    CHECK(ends.pop() == third);
+    CHECK(ends.in_use() == 0);
+    // A queue in which only lost ones are left.
+    ends.push();
+    ends.lose(many);
+    CHECK(ends.pop() != no_record);
+    CHECK(ends.pop_lost(many) == many);
+    CHECK(ends.in_use() == 0);
+  }
+}
