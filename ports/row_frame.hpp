@@ -2,9 +2,9 @@
 #ifndef DISCMC_PORTS_ROW_FRAME_HPP
 #define DISCMC_PORTS_ROW_FRAME_HPP
 
-#include <discmc/cobs.hpp>
-#include <discmc/crc32.hpp>
-#include <discmc/wire.hpp>
+#include <discmc/stream/cobs.hpp>
+#include <discmc/stream/crc32.hpp>
+#include <discmc/stream/wire.hpp>
 
 namespace row_frame {
 

@@ -3,7 +3,7 @@
 #define DISCMC_CAPACITIES_HPP
 
 #include <discmc/arena.hpp>
-#include <discmc/intake.hpp>
+#include <discmc/trace/intake.hpp>
 #include <discmc/trace/sector_table.hpp>
 
 namespace discmc {

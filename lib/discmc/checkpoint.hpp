@@ -22,7 +22,7 @@
 #define DISCMC_CHECKPOINT_HPP
 
 #include <discmc/arena.hpp>
-#include <discmc/crc32.hpp>
+#include <discmc/stream/crc32.hpp>
 
 namespace discmc {
 

@@ -1,6 +1,6 @@
-#include <discmc/crc32.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/plane.hpp>
+#include <discmc/stream/crc32.hpp>
 
 namespace discmc {
 

@@ -5,9 +5,9 @@
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
 
-#include <discmc/normal_encoding.hpp>
 #include <discmc/status.hpp>
-#include <discmc/wire.hpp>
+#include <discmc/stream/normal_encoding.hpp>
+#include <discmc/stream/wire.hpp>
 
 namespace discmc {
 

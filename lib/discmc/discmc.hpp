@@ -6,23 +6,23 @@
 //   capacities.hpp        what memory it takes
 //   extractor.hpp         samples in, regions out: what firmware meets
 //     learning_extractor.hpp  the same for hosts, with memory to learn in; not included here
-//     intake.hpp            where samples come in; gradient_normals.hpp keeps them for normals
+//     gradient_normals.hpp    with normals
 //   sink.hpp              the events that come out: regions, rings, runs, loose fragments
 //   chain.hpp, polygon.hpp  Freeman chains and the polygons they are
-//   encoder.hpp           a sink that writes the stream (wire.hpp, WIRE.md)
-//     record.hpp, record_encoding.hpp, region_model.hpp, range_coder.hpp, cobs.hpp, crc32.hpp
+//   encoder.hpp           a sink that writes the stream (WIRE.md)
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
 //   joiner.hpp            loose fragments of one stream or several in, regions out
-//     held_chains.hpp, waiting_chains.hpp, waiting_table.hpp, region_holes.hpp, plane.hpp
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
 //
-// Everywhere: lattice.hpp (coordinates in half-steps, links, incidences), status.hpp, arena.hpp.
+// Everywhere: lattice.hpp (coordinates in half-steps, links, incidences), plane.hpp, status.hpp,
+// arena.hpp, pool.hpp.
 //
 // Behind the extractor works trace/, in data-flow order:
 //
+//   intake.hpp, sample_rows.hpp       where samples come in, and are kept for normals
 //   threshold.hpp, bit_rows.hpp       samples become bits
 //   swept_row.hpp, neighbourhood.hpp  crossing edges, and the voxels around them
 //   sector_table.hpp, passes.hpp      which chains pass a vertex; derived_passes.hpp finds them
@@ -34,6 +34,19 @@
 //   corner_sweep.hpp                  what hosts do faster:
 //     learnt_passes.hpp                 passes that are remembered,
 //     corners.hpp                       and fragments as lists of corners
+//
+// Behind encoder and decoder works stream/:
+//
+//   wire.hpp                                     packets: cobs.hpp frames, crc32.hpp protects them
+//   record.hpp, record_encoding.hpp              what they hold
+//     region_model.hpp, range_coder.hpp            in few bits
+//   normal_encoding.hpp                          and the normals in it
+//
+// And behind the joiner join/:
+//
+//   waiting_chains.hpp, waiting_table.hpp  what waits for the fragments before and behind it
+//     held_chains.hpp                        what chains are kept in
+//   region_holes.hpp                       which holes lie in a region
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

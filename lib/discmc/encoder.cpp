@@ -1,5 +1,5 @@
 // The encoder without normals.
-#include <discmc/encoder_definitions.hpp>
+#include <discmc/stream/encoder_definitions.hpp>
 
 namespace discmc {
 

@@ -3,9 +3,9 @@
 #define DISCMC_ENCODER_HPP
 
 #include <discmc/checkpoint.hpp>
-#include <discmc/normal_encoding.hpp>
 #include <discmc/status.hpp>
-#include <discmc/wire.hpp>
+#include <discmc/stream/normal_encoding.hpp>
+#include <discmc/stream/wire.hpp>
 
 namespace discmc {
 

@@ -15,8 +15,8 @@
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
-#include <discmc/intake.hpp>
-#include <discmc/sample_rows.hpp>
+#include <discmc/trace/intake.hpp>
+#include <discmc/trace/sample_rows.hpp>
 
 namespace discmc {
 

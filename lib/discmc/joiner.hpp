@@ -19,7 +19,7 @@
 #ifndef DISCMC_JOINER_HPP
 #define DISCMC_JOINER_HPP
 
-#include <discmc/region_holes.hpp>
+#include <discmc/join/region_holes.hpp>
 #include <discmc/status.hpp>
 
 namespace discmc {

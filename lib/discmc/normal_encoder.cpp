@@ -1,5 +1,5 @@
 // The encoder with normals, apart from the other, which costs what it costs without.
-#include <discmc/encoder_definitions.hpp>
+#include <discmc/stream/encoder_definitions.hpp>
 
 namespace discmc {
 

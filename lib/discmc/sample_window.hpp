@@ -13,8 +13,8 @@
 #ifndef DISCMC_SAMPLE_WINDOW_HPP
 #define DISCMC_SAMPLE_WINDOW_HPP
 
-#include <discmc/sample_rows.hpp>
 #include <discmc/status.hpp>
+#include <discmc/trace/sample_rows.hpp>
 
 namespace discmc {
 

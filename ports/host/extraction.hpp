@@ -7,7 +7,7 @@
 #include <optional>
 
 #include <discmc/extractor.hpp>
-#include <discmc/wire.hpp>
+#include <discmc/stream/wire.hpp>
 
 #include "volume.hpp"
 

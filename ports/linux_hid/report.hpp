@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <discmc/wire.hpp>
+#include <discmc/stream/wire.hpp>
 #include <optional>
 
 namespace discmc::device {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <discmc/extractor.hpp>
-#include <discmc/wire.hpp>
+#include <discmc/stream/wire.hpp>
 #include <map>
 #include <vector>
 

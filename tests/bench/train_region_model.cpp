@@ -4,7 +4,7 @@
 // scans with memory to spare, which tell of regions, and of scans in little memory, which tell of
 // loose fragments too.
 #include <discmc/decoder.hpp>
-#include <discmc/record_encoding.hpp>
+#include <discmc/stream/record_encoding.hpp>
 
 #include <algorithm>
 #include <array>

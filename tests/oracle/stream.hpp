@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <discmc/crc32.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
+#include <discmc/stream/crc32.hpp>
 #include <stdexcept>
 #include <vector>
 

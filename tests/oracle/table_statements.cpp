@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <discmc/crc32.hpp>
+#include <discmc/stream/crc32.hpp>
 #include <iterator>
 #include <vector>
 

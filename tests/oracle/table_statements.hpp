@@ -5,7 +5,7 @@
 #define DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
 
 #include <discmc/facet_table.hpp>
-#include <discmc/region_model.hpp>
+#include <discmc/stream/region_model.hpp>
 
 namespace discmc::reference {
 

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/gradient_normals.hpp>
-#include <discmc/record_encoding.hpp>
+#include <discmc/stream/record_encoding.hpp>
 
 #include "oracle/stream_samples.hpp"
 

@@ -1,6 +1,6 @@
 // The stuffing of frames: every length, every place of a zero, and bytes that nobody stuffed.
 #include <doctest/doctest.h>
-#include <discmc/cobs.hpp>
+#include <discmc/stream/cobs.hpp>
 
 #include <algorithm>
 

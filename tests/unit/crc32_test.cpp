@@ -1,6 +1,6 @@
 // The checksum of a packet, against its published check value and against its definition.
 #include <doctest/doctest.h>
-#include <discmc/crc32.hpp>
+#include <discmc/stream/crc32.hpp>
 
 #include <vector>
 

@@ -136,6 +136,20 @@ TEST_CASE("a flush into a slow line goes on where it was") {
   }
 }
 
+TEST_CASE("a flush between the offers of an event leaves it whole") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    Line line(40);
+    Encoder encoder;
+    REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
+    for (const RecordedEvent& one : sample.events)
+      while (encoder.take(one.event()) != Answer::taken)
+        while (!encoder.flush()) continue;
+    while (!encoder.flush()) continue;
+    CHECK(decode(line.bytes).events == sample.events);
+  }
+}
+
 TEST_CASE("an output that takes nothing is asked, and nothing is lost") {
   size_t room = 0;
   Bytes bytes;

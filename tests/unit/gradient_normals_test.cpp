@@ -84,6 +84,39 @@ TEST_CASE("a scan with normals tells what one without tells, and the normals of 
       }
 }
 
+TEST_CASE("normals in a slab are those of the whole, where its samples are around them") {
+  // Below and above the threshold's only samples there are slices enough for their normals.
+  constexpr uint32_t width = 9, height = 8, margin = 4, first = 2;
+  SampleVolume<uint8_t> volume = clouds<uint8_t>({width, height, 6 + 2 * margin}, 7);
+  constexpr size_t slice = size_t{width} * height;
+  for (size_t i = 0; i < volume.samples.size(); ++i)
+    if (i / slice < margin || i / slice >= volume.size.depth - margin) volume.samples[i] /= 3;
+  const Setting setting{128, Border::closed, ample};
+  using Normals = WithNormals<uint8_t>;
+  const auto regions_of = [](const Events& events) {
+    Events regions;
+    for (const RecordedEvent& event : events)
+      if (!event.is(Event::Kind::layer) && !event.is(Event::Kind::finish)) regions.push_back(event);
+    return regions;
+  };
+  const Events whole = regions_of(events_of<uint16_t, Normals>(volume, setting));
+  REQUIRE(whole.size() > 100);
+  Limits limits{width, height, setting.border};
+  limits.slab.first = first;
+  limits.slab.continues_below = limits.slab.continues_above = true;
+  Block block(bytes_for<uint16_t, Normals>(limits, setting.capacities));
+  EventLog log;
+  Extractor<uint16_t, Normals> extractor;
+  extractor.set_spacing(uneven_spacing);
+  require_ok(
+      extractor.start(limits, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  const std::vector<uint8_t> own(volume.samples.begin() + (first - 1) * slice,
+                                 volume.samples.end() - (first - 1) * slice);
+  push_all(extractor, own, setting.chunk);
+  finish_all(extractor);
+  CHECK(regions_of(log.events) == whole);
+}
+
 TEST_CASE("normals do not depend on chunks, or on a sink that refuses") {
   const Size size{9, 8, 7};
   const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 42);

@@ -335,6 +335,18 @@ TEST_CASE("the same passes are found with memory of any size, wherever it lies, 
   }
 }
 
+TEST_CASE("of memory for more than 2^20 neighbourhoods the rest is left alone") {
+  constexpr size_t most = (size_t{16} << 20) + Arena::alignment - 1;
+  std::vector<uint8_t> memory(2 * most, 0xA5);
+  const auto passes = std::make_unique<trace::LearntPasses>();
+  passes->learn_in({memory.data(), memory.size()});
+  const Rows rows;
+  CHECK(learnt_passes(*passes, rows.swept()) == derived_passes(rows.swept()));
+  const auto is_written = [](uint8_t byte) { return byte != 0xA5; };
+  CHECK(std::any_of(memory.begin() + most / 2, memory.begin() + most, is_written));
+  CHECK(std::none_of(memory.begin() + most, memory.end(), is_written));
+}
+
 TEST_CASE("passes are remembered from room for two neighbourhoods on") {
   const Rows rows;
   constexpr size_t entry = 16, most_lost = 2 * (Arena::alignment - 1);

@@ -1,6 +1,6 @@
 // The range coder alone: any bits under any probabilities, its length, its carries and its ends.
 #include <doctest/doctest.h>
-#include <discmc/range_coder.hpp>
+#include <discmc/stream/range_coder.hpp>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // The region model: whatever is told in decisions comes back, at the ends of every range as well.
 #include <doctest/doctest.h>
-#include <discmc/record_encoding.hpp>
+#include <discmc/stream/record_encoding.hpp>
 
 #include <cmath>
 

@@ -42,3 +42,27 @@ TEST_CASE("slabs join to the whole, and their counts add up to its, but for one 
       }
   }
 }
+
+TEST_CASE("a slab without a slice of its own has no surface, however full its context is") {
+  const BitVolume full = box({5, 4, 2}, {0, 0, 0}, {4, 3, 1});
+  for (const Border border : {Border::closed, Border::open})
+    for (const bool continues_below : {false, true}) {
+      CAPTURE(continues_below);
+      // The layer below the first slice of a closed border is not at a seam.
+      if (border == Border::closed && !continues_below) continue;
+      Limits limits{5, 4, border};
+      limits.slab.first = continues_below ? 7 : 0;
+      limits.slab.continues_below = continues_below;
+      limits.slab.continues_above = true;
+      Block block(bytes_for<uint16_t>(limits, ample));
+      EventLog log;
+      Extractor16 extractor;
+      require_ok(extractor.start(limits, ample, 1, block.memory(), sink_to(log)));
+      require_ok(extractor.push(full.on.data(), continues_below ? 40 : 20).status);
+      finish_all(extractor);
+      const Collector slab = collected(log.events, true, limits.slab);
+      CHECK(slab.regions().empty());
+      CHECK(slab.statistics().cells == 0);
+      CHECK(slab.statistics().links == 0);
+    }
+}

@@ -1,6 +1,6 @@
 // The joiner's hash table: bounded windows, and a map to compare with.
 #include <doctest/doctest.h>
-#include <discmc/waiting_table.hpp>
+#include <discmc/join/waiting_table.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -9,8 +9,8 @@
 #define DISCMC_TRACE_RECORDS_HPP
 
 #include <discmc/chain.hpp>
-#include <discmc/intake.hpp>
 #include <discmc/trace/corner.hpp>
+#include <discmc/trace/intake.hpp>
 
 namespace discmc::trace {
 

@@ -93,11 +93,6 @@ class SweepCounts {
     facets_ += parts >> facet & ((1U << (triangle - facet)) - 1);
     triangles_ += parts >> triangle;
   }
-  void add(const SweepCounts& others) {
-    cells_ += others.cells_;
-    facets_ += others.facets_;
-    triangles_ += others.triangles_;
-  }
   /// Moves what is whole to the statistics.
   void add_to(Statistics& statistics) {
     move(cells_, CountParts::cell, statistics.cells);

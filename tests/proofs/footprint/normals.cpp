@@ -1,5 +1,5 @@
 // Flash: a gradient of 8-bit samples as an octahedral normal and as one in Q1.14.
-#include <discmc/sample_rows.hpp>
+#include <discmc/trace/sample_rows.hpp>
 
 using namespace discmc;
 

@@ -1,4 +1,4 @@
-#include <discmc/region_model.hpp>
+#include <discmc/stream/region_model.hpp>
 
 namespace discmc {
 

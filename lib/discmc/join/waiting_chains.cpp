@@ -1,4 +1,4 @@
-#include <discmc/waiting_chains.hpp>
+#include <discmc/join/waiting_chains.hpp>
 
 namespace discmc {
 

@@ -1,9 +1,9 @@
 // Which of the holes that wait are those of a region that passes? Told by its events.
-#ifndef DISCMC_REGION_HOLES_HPP
-#define DISCMC_REGION_HOLES_HPP
+#ifndef DISCMC_JOIN_REGION_HOLES_HPP
+#define DISCMC_JOIN_REGION_HOLES_HPP
 
+#include <discmc/join/waiting_chains.hpp>
 #include <discmc/sink.hpp>
-#include <discmc/waiting_chains.hpp>
 
 namespace discmc {
 

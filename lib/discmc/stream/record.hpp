@@ -1,6 +1,6 @@
 // A record of the stream on its way into or out of a packet.
-#ifndef DISCMC_RECORD_HPP
-#define DISCMC_RECORD_HPP
+#ifndef DISCMC_STREAM_RECORD_HPP
+#define DISCMC_STREAM_RECORD_HPP
 
 #include <discmc/chain.hpp>
 

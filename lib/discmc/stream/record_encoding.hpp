@@ -1,9 +1,9 @@
 // Records told to a region model: whole regions and fragments in few decisions, others item by
 // item.
-#ifndef DISCMC_RECORD_ENCODING_HPP
-#define DISCMC_RECORD_ENCODING_HPP
+#ifndef DISCMC_STREAM_RECORD_ENCODING_HPP
+#define DISCMC_STREAM_RECORD_ENCODING_HPP
 
-#include <discmc/region_model.hpp>
+#include <discmc/stream/region_model.hpp>
 
 namespace discmc {
 

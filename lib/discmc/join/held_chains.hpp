@@ -1,11 +1,11 @@
 // The chains that a joiner holds: fragments, and the rings that they become.
-#ifndef DISCMC_HELD_CHAINS_HPP
-#define DISCMC_HELD_CHAINS_HPP
+#ifndef DISCMC_JOIN_HELD_CHAINS_HPP
+#define DISCMC_JOIN_HELD_CHAINS_HPP
 
+#include <discmc/join/waiting_table.hpp>
 #include <discmc/normal.hpp>
 #include <discmc/plane.hpp>
 #include <discmc/pool.hpp>
-#include <discmc/waiting_table.hpp>
 
 namespace discmc {
 

@@ -3,8 +3,8 @@
 // A frame without zero bytes, ended by a zero, is found again after any loss.
 // S. Cheshire, M. Baker, "Consistent Overhead Byte Stuffing", IEEE/ACM Transactions on Networking,
 // 1999.
-#ifndef DISCMC_COBS_HPP
-#define DISCMC_COBS_HPP
+#ifndef DISCMC_STREAM_COBS_HPP
+#define DISCMC_STREAM_COBS_HPP
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,11 +1,11 @@
 // What waits in a joiner: open chains for the fragments before and behind them, rings for the other
 // rings of their plane.
-#ifndef DISCMC_WAITING_CHAINS_HPP
-#define DISCMC_WAITING_CHAINS_HPP
+#ifndef DISCMC_JOIN_WAITING_CHAINS_HPP
+#define DISCMC_JOIN_WAITING_CHAINS_HPP
 
 #include <discmc/arena.hpp>
-#include <discmc/held_chains.hpp>
-#include <discmc/waiting_table.hpp>
+#include <discmc/join/held_chains.hpp>
+#include <discmc/join/waiting_table.hpp>
 
 namespace discmc {
 

@@ -2,8 +2,8 @@
 //
 // An extractor without normals has nothing to keep: this intake thresholds samples as they come.
 // That of GradientNormals keeps them and lets rows wait (gradient_normals.hpp).
-#ifndef DISCMC_INTAKE_HPP
-#define DISCMC_INTAKE_HPP
+#ifndef DISCMC_TRACE_INTAKE_HPP
+#define DISCMC_TRACE_INTAKE_HPP
 
 #include <discmc/normal.hpp>
 #include <discmc/trace/bit_rows.hpp>

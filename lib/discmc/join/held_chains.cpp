@@ -1,4 +1,4 @@
-#include <discmc/held_chains.hpp>
+#include <discmc/join/held_chains.hpp>
 
 namespace discmc {
 

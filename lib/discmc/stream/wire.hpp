@@ -1,10 +1,10 @@
 // The stream (.dmc): packets, their header and trailer. WIRE.md explains every byte.
-#ifndef DISCMC_WIRE_HPP
-#define DISCMC_WIRE_HPP
+#ifndef DISCMC_STREAM_WIRE_HPP
+#define DISCMC_STREAM_WIRE_HPP
 
-#include <discmc/cobs.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/sink.hpp>
+#include <discmc/stream/cobs.hpp>
 
 namespace discmc {
 

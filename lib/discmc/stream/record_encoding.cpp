@@ -1,4 +1,4 @@
-#include <discmc/record_encoding.hpp>
+#include <discmc/stream/record_encoding.hpp>
 
 namespace discmc {
 

@@ -1,4 +1,4 @@
-#include <discmc/region_holes.hpp>
+#include <discmc/join/region_holes.hpp>
 
 namespace discmc {
 

@@ -3,8 +3,8 @@
 // Central differences at the voxels that a vertex lies between: the two ends of a cell edge for a
 // midpoint, all eight corners of a cell for a centroid, each counting alike. At the outermost
 // voxels of the volume the differences are one-sided.
-#ifndef DISCMC_SAMPLE_ROWS_HPP
-#define DISCMC_SAMPLE_ROWS_HPP
+#ifndef DISCMC_TRACE_SAMPLE_ROWS_HPP
+#define DISCMC_TRACE_SAMPLE_ROWS_HPP
 
 #include <discmc/arena.hpp>
 #include <discmc/limits.hpp>

@@ -3,8 +3,8 @@
 // An entry lies within `window` slots of its key's own slot, or is not there. So a removed entry
 // needs no tombstone, a full window is a result ("no room"), and the cost of every call is bounded
 // whatever the keys.
-#ifndef DISCMC_WAITING_TABLE_HPP
-#define DISCMC_WAITING_TABLE_HPP
+#ifndef DISCMC_JOIN_WAITING_TABLE_HPP
+#define DISCMC_JOIN_WAITING_TABLE_HPP
 
 #include <discmc/lattice.hpp>
 

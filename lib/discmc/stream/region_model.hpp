@@ -4,11 +4,11 @@
 // returns it, or ignores it and returns the bit it reads. So each function returns what was coded.
 // Every context has a fixed probability (region_model.cpp), found by training; nothing is learnt on
 // the way, so that every packet decodes alone.
-#ifndef DISCMC_REGION_MODEL_HPP
-#define DISCMC_REGION_MODEL_HPP
+#ifndef DISCMC_STREAM_REGION_MODEL_HPP
+#define DISCMC_STREAM_REGION_MODEL_HPP
 
-#include <discmc/range_coder.hpp>
-#include <discmc/record.hpp>
+#include <discmc/stream/range_coder.hpp>
+#include <discmc/stream/record.hpp>
 
 namespace discmc {
 

@@ -1,4 +1,4 @@
-#include <discmc/sample_rows.hpp>
+#include <discmc/trace/sample_rows.hpp>
 
 namespace discmc {
 

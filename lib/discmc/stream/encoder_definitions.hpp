@@ -1,10 +1,10 @@
 // What the functions of encoder.hpp do: included where BasicEncoder is instantiated.
-#ifndef DISCMC_ENCODER_DEFINITIONS_HPP
-#define DISCMC_ENCODER_DEFINITIONS_HPP
+#ifndef DISCMC_STREAM_ENCODER_DEFINITIONS_HPP
+#define DISCMC_STREAM_ENCODER_DEFINITIONS_HPP
 
-#include <discmc/crc32.hpp>
 #include <discmc/encoder.hpp>
-#include <discmc/record_encoding.hpp>
+#include <discmc/stream/crc32.hpp>
+#include <discmc/stream/record_encoding.hpp>
 
 namespace discmc {
 

@@ -2,11 +2,11 @@
 //
 // The first is told in full, every other as the difference to the one before, in as few bits as the
 // largest difference takes.
-#ifndef DISCMC_NORMAL_ENCODING_HPP
-#define DISCMC_NORMAL_ENCODING_HPP
+#ifndef DISCMC_STREAM_NORMAL_ENCODING_HPP
+#define DISCMC_STREAM_NORMAL_ENCODING_HPP
 
 #include <discmc/normal.hpp>
-#include <discmc/region_model.hpp>
+#include <discmc/stream/region_model.hpp>
 
 namespace discmc {
 

@@ -3,8 +3,8 @@
 // Probabilities are fixed, in 256ths: p of 1 to 255 says that a bit is 1 with p / 256.
 // G. N. N. Martin, "Range encoding: an algorithm for removing redundancy from a digitised message",
 // 1979.
-#ifndef DISCMC_RANGE_CODER_HPP
-#define DISCMC_RANGE_CODER_HPP
+#ifndef DISCMC_STREAM_RANGE_CODER_HPP
+#define DISCMC_STREAM_RANGE_CODER_HPP
 
 #include <stddef.h>
 #include <stdint.h>

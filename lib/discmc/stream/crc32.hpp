@@ -1,6 +1,6 @@
 // CRC-32 (IEEE 802.3, reflected, as in zlib and PNG): bit by bit, and tables for those in a hurry.
-#ifndef DISCMC_CRC32_HPP
-#define DISCMC_CRC32_HPP
+#ifndef DISCMC_STREAM_CRC32_HPP
+#define DISCMC_STREAM_CRC32_HPP
 
 #include <stddef.h>
 #include <stdint.h>
