@@ -13,7 +13,6 @@
 
 using namespace discmc;
 using namespace discmc::reference;
-using trace::CornerPass;
 
 namespace {
 
@@ -250,103 +249,5 @@ TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
     require_ok(after.push(volume.on.data() + cut, 8 * slice - cut).status);
     finish_all(after);
     CHECK(log.events == expected.events);
-  }
-}
-
-namespace {
-
-// Nine rows of 40 voxels: there are crossings in both words of the middle one.
-struct Rows {
-  uint32_t words[9][2] = {};
-
-  Rows() {
-    const BitVolume volume = random({40, 3, 3}, 80, 5);
-    for (int row = 0; row < 9; ++row)
-      for (uint32_t word = 0; word < 2; ++word)
-        for (uint32_t bit = 0; bit < 32; ++bit) {
-          const uint32_t x = trace::column_of(word, bit);
-          if (x < 40 && volume.on[static_cast<size_t>(row) * 40 + x] != 0)
-            words[row][word] |= 1U << bit;
-        }
-  }
-  trace::SweptRow swept() const {
-    trace::SweptRow row{};
-    for (int i = 0; i < 9; ++i) row.rows.row[i / 3][i % 3] = words[i];
-    row.words = 2;
-    row.width = 40;
-    row.has_y = row.has_z = true;
-    return row;
-  }
-};
-
-// Corner passes where they are: the corner, the ports, and what kind it is.
-using Found = std::vector<std::vector<uint64_t>>;
-
-Found derived_passes(const trace::SweptRow& row) {
-  Found found;
-  trace::DerivedPasses passes;
-  trace::SweepCounts counts;
-  passes.clear();
-  while (passes.find(row, counts))
-    for (; passes.has_next(); passes.advance()) {
-      const Vertex at = passes.vertex();
-      const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
-      const Vertex voxel{at.x & ~1, at.y & ~1, at.z & ~1};
-      CornerPass made[CornerPass::most_of_pass];
-      const uint32_t count = trace::corner_passes(passes.pass(), axis, made);
-      for (uint32_t i = 0; i < count; ++i)
-        found.push_back({trace::CornerCode::position(voxel) +
-                             trace::corner_places.of[made[i].place] + made[i].sides,
-                         made[i].in, made[i].out, made[i].kind == CornerPass::straight,
-                         made[i].kind == CornerPass::join});
-    }
-  return found;
-}
-
-Found learnt_passes(trace::LearntPasses& passes, const trace::SweptRow& row) {
-  Found found;
-  trace::SweepCounts counts;
-  REQUIRE(passes.begin_row(row));
-  while (passes.find(row, counts))
-    for (const trace::FoundPass at : passes) {
-      const trace::NumberedPass& pass = passes.numbered()[at];
-      found.push_back({at + pass.to_corner, pass.in, pass.out, pass.if_straight == -1, pass.joins});
-    }
-  return found;
-}
-
-}  // namespace
-
-TEST_CASE("the same passes are found with memory of any size, wherever it lies, again and again") {
-  const Rows rows;
-  trace::SweptRow row = rows.swept();
-  std::vector<uint8_t> memory(2000);
-  for (const bool is_missing_cells : {false, true}) {
-    row.has_open_ends = is_missing_cells;
-    row.missing[1] = is_missing_cells ? 9 : 0;
-    const Found expected = derived_passes(row);
-    REQUIRE(expected.size() > 40);
-    for (size_t bytes = 0; bytes < memory.size(); bytes += 37) {
-      const auto learnt = std::make_unique<trace::LearntPasses>();
-      learnt->learn_in({memory.data() + bytes % 8, bytes - bytes % 8});
-      CHECK(learnt_passes(*learnt, row) == expected);
-      CHECK(learnt_passes(*learnt, row) == expected);
-    }
-  }
-}
-
-TEST_CASE("passes are remembered from room for two neighbourhoods on") {
-  const Rows rows;
-  constexpr size_t entry = 16, most_lost = 2 * (Arena::alignment - 1);
-  for (size_t bytes = 0; bytes < 4 * entry; ++bytes) {
-    std::vector<uint8_t> memory(bytes + 1, 0xA5);
-    const auto passes = std::make_unique<trace::LearntPasses>();
-    passes->learn_in({memory.data(), bytes});
-    (void)learnt_passes(*passes, rows.swept());
-    const auto is_written = [](uint8_t byte) { return byte != 0xA5; };
-    const bool has_learnt = std::any_of(memory.begin(), memory.end(), is_written);
-    if (bytes < 2 * entry) CHECK(!has_learnt);
-    if (bytes >= 2 * entry + most_lost) CHECK(has_learnt);
-    CHECK(memory.back() == 0xA5);
   }
 }
