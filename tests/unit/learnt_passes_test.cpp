@@ -122,6 +122,9 @@ std::vector<Rows> rows_of(uint32_t width) {
   for (const uint32_t density : {5U, 60U, 128U, 240U})
     all.emplace_back(random(size, density, width + density));
   all.emplace_back(checkerboard(size));
+  BitVolume stripes(size);
+  for (size_t i = 0; i < stripes.voxels(); ++i) stripes.on[i] = i % width % 2;
+  all.emplace_back(stripes);
   for (const Vertex& middle : {Vertex{0, 1, 1}, Vertex{0, 2, 1}, Vertex{0, 1, 2}}) {
     const auto last = static_cast<int32_t>(width) - 1;
     all.emplace_back(box(size, middle, {last, middle.y, middle.z}));
@@ -136,7 +139,7 @@ std::vector<Rows> rows_of(uint32_t width) {
 TEST_CASE("in rows of any width the passes are those that are worked out") {
   std::vector<uint8_t> memory(20000);
   const auto passes = std::make_unique<LearntPasses>();
-  for (const uint32_t width : {1U, 2U, 28U, 29U, 30U, 31U, 58U, 59U, 60U, 61U, 89U, 90U, 150U})
+  for (const uint32_t width : {1U, 2U, 28U, 29U, 30U, 31U, 58U, 59U, 60U, 61U, 89U, 90U, 200U})
     for (const Rows& rows : rows_of(width)) {
       CAPTURE(width);
       passes->learn_in({memory.data(), memory.size()});
@@ -166,6 +169,61 @@ TEST_CASE("they are with memory of any size, wherever it lies, again and again")
     passes->learn_in({memory.data() + bytes % 8, bytes - bytes % 8});
     for (const Rows* rows : {&noise, &crowd, &noise}) check_like_derived(*passes, rows->swept());
   }
+}
+
+namespace {
+
+size_t most_at_a_vertex(const trace::SweptRow& row) {
+  size_t most = 0;
+  trace::DerivedPasses passes;
+  trace::SweepCounts counts;
+  passes.clear();
+  while (passes.find(row, counts)) {
+    size_t here = 0;
+    CornerPass made[CornerPass::most_of_pass];
+    const Vertex at = passes.vertex();
+    const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
+    for (; passes.has_next(); passes.advance())
+      here += trace::corner_passes(passes.pass(), axis, made);
+    most = std::max(most, here);
+  }
+  return most;
+}
+
+// Whether nothing of a row that has come by is worked out again: takes the counts, which are the
+// second word of four, out of the memory, and counts once more.
+bool is_remembered(const trace::SweptRow& row) {
+  std::vector<uint32_t> memory(4 << 16);
+  const auto passes = std::make_unique<LearntPasses>();
+  passes->learn_in({memory.data(), memory.size() * sizeof memory[0]});
+  const Found found = learnt_passes(*passes, row);
+  for (size_t i = 1; i < memory.size(); i += 4) memory[i] = 0;
+  const Found again = learnt_passes(*passes, row);
+  REQUIRE(again.passes == found.passes);
+  REQUIRE(found.counts[0] > 0);
+  return again.counts == std::vector<uint64_t>{0, 0, 0};
+}
+
+}  // namespace
+
+TEST_CASE("up to seven passes are not worked out again where their neighbourhood comes by again") {
+  const Rows seven(random({60, 3, 3}, 128, 30)), eight(random({60, 3, 3}, 128, 2));
+  REQUIRE(most_at_a_vertex(seven.swept()) == 7);
+  CHECK(is_remembered(seven.swept()));
+  REQUIRE(most_at_a_vertex(eight.swept()) == 8);
+  CHECK_FALSE(is_remembered(eight.swept()));
+}
+
+TEST_CASE("nor are those between open ends, but those at the ends are") {
+  BitVolume volume = random({60, 3, 3}, 100, 2);
+  const Rows all(volume);
+  for (int64_t row = 0; row < 9; ++row)
+    for (const int64_t x : {0, 1, 58, 59}) volume.on[volume.index(x, row % 3, row / 3)] = 0;
+  const Rows between(volume);
+  REQUIRE(most_at_a_vertex(all.swept()) <= 7);
+  CHECK(is_remembered(all.swept()));
+  CHECK_FALSE(is_remembered(all.swept(0, true)));
+  CHECK(is_remembered(between.swept(0, true)));
 }
 
 TEST_CASE("where no edge crosses nothing is found, and a row with one edge begins") {
