@@ -33,6 +33,8 @@ TEST_CASE("a side is cut when its ends are 4,080 places apart, whichever comes f
 
 TEST_CASE("while a thousand records are left nothing goes out loose, however long a ring is") {
   CHECK(scanned(spiral({200, 200, 1}), 2700).fragments == 0);
+  CHECK(scanned(spiral({120, 120, 1}), 1778).fragments == 0);
+  CHECK(scanned(spiral({120, 120, 1}), 1777).fragments > 0);
 }
 
 TEST_CASE("a sink that takes no fragments gets none of a long ring either") {

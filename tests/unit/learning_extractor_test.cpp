@@ -216,12 +216,43 @@ TEST_CASE("an extractor learns in memory with any alignment, and may begin anew 
   for (size_t offset = 0; offset < 5; ++offset) {
     Block learnt(5000);
     const Memory all = learnt.memory();
-    extractor.learn_in({static_cast<uint8_t*>(all.data) + offset, all.bytes - offset});
+    auto* const data = static_cast<uint8_t*>(all.data);
+    const std::vector<uint8_t> before(data, data + all.bytes);
+    extractor.learn_in({data + offset, all.bytes - offset});
     CHECK(scanned(extractor, volume, {}).events == expected.events);
+    CHECK_FALSE(std::equal(before.begin(), before.end(), data));
     CHECK(learnt.is_intact());
   }
   extractor.learn_in({nullptr, 0});
   CHECK(scanned(extractor, volume, {}).events == expected.events);
+}
+
+TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to the next") {
+  const BitVolume volume = random({70, 9, 5}, 100, 4);
+  for (const Border border : {Border::closed, Border::open}) {
+    Plan plan;
+    plan.border = border;
+    const EventLog expected = expected_of(volume, plan);
+    for (const uint64_t last : {0U, 300U, 2000U}) {
+      CAPTURE(last);
+      bool is_first_scan = true;
+      EventLog log([&](uint64_t offer) { return is_first_scan && offer >= last; });
+      const Limits limits = limits_of(volume, border);
+      Block block(bytes_for<uint32_t>(limits, much));
+      LearningExtractor extractor;
+      require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(log)));
+      const auto samples = static_cast<uint32_t>(volume.voxels());
+      CHECK(extractor.push(volume.on.data(), samples).status == Status::more);
+      is_first_scan = false;
+      for (int scan = 0; scan < 2; ++scan) {
+        EventLog next;
+        require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(next)));
+        push_all(extractor, volume.on);
+        finish_all(extractor);
+        CHECK(next.events == expected.events);
+      }
+    }
+  }
 }
 
 TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
@@ -250,4 +281,27 @@ TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
     finish_all(after);
     CHECK(log.events == expected.events);
   }
+}
+
+TEST_CASE("a checkpoint of a slab does not tell where the program lies") {
+  const BitVolume volume = random({20, 20, 9}, 100, 3);
+  Limits limits = limits_of(volume, Border::closed);
+  limits.slab = {3, true, true};
+  const auto check = [&](auto extractor, auto address) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(limits, much));
+    require_ok(extractor->start(limits, much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor->push(volume.on.data(), 1000).status);
+    using Saved = Checkpoint<std::remove_reference_t<decltype(*extractor)>>;
+    const auto checkpoint = std::make_unique<Saved>();
+    require_ok(extractor->save(*checkpoint));
+    const auto* const bytes = reinterpret_cast<const uint8_t*>(checkpoint.get());
+    const auto* const searched = reinterpret_cast<const uint8_t*>(&address);
+    const uint8_t* const end = bytes + sizeof *checkpoint;
+    CHECK(std::search(bytes, end, searched, searched + sizeof address) == end);
+  };
+  const trace::Fragments<uint32_t, NoNormal>::AtSeam address =
+      trace::Fragments<uint32_t, NoNormal>::cut_at_seam;
+  check(std::make_unique<Extractor32>(), address);
+  check(std::make_unique<LearningExtractor>(), address);
 }
