@@ -191,7 +191,8 @@ size_t most_at_a_vertex(const trace::SweptRow& row) {
 }
 
 // Whether nothing of a row that has come by is worked out again: takes the counts, which are the
-// second word of four, out of the memory, and counts once more.
+// second word of four, out of the memory, and counts once more. There is so much memory that no two
+// neighbourhoods of the rows below ask for the same.
 bool is_remembered(const trace::SweptRow& row) {
   std::vector<uint32_t> memory(4 << 16);
   const auto passes = std::make_unique<LearntPasses>();
