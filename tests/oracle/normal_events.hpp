@@ -13,8 +13,8 @@ namespace discmc::test {
 /// Of voxels that are no cubes; the y axis is mirrored.
 constexpr int32_t uneven_spacing[3] = {700, -1000, 1500};
 
-/// Calls visit(vertex, normal) where a run starts, but for the rest of a side that a loose fragment
-/// begins with: there is no corner, and no normal.
+/// Calls visit(vertex, normal, is_corner) where a run starts. The rest of a side, that a loose
+/// fragment begins with, starts at no corner, and has no normal.
 template <class Visit>
 void for_each_start(const Events& events, Visit visit) {
   Incidence incidence = 0;
@@ -37,7 +37,7 @@ void for_each_start(const Events& events, Visit visit) {
         vertex = event.start;
         break;
       case Event::Kind::run:
-        if (!is_begun || event.run.direction() != came) visit(vertex, event.normal);
+        visit(vertex, event.normal, !is_begun || event.run.direction() != came);
         is_begun = false;
         vertex = vertex + displacement(incidence, &event.run, 1);
         break;

@@ -81,11 +81,12 @@ class Scanner {
     EventLog log(refuses);
     Statistics statistics{};
     sweep_->clear();
+    uint64_t pauses = 0;
     sweep(volume, lowest, [&](const trace::SweptRow& row) {
-      while (!sweep_->sweep(row, NoNormals{}, sink_to(log), statistics)) {
-      }
+      while (!sweep_->sweep(row, NoNormals{}, sink_to(log), statistics)) ++pauses;
       return true;
     });
+    CHECK(pauses == log.refusals());
     return {log.events, counts(statistics), sweep_->fragments().records().in_use()};
   }
   // Ends where the sink refuses an event.

@@ -47,14 +47,19 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
 }
 
 template <class Sample>
+void require_normals(const Events& events, const SampleVolume<Sample>& volume) {
+  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal, bool is_corner) {
+    REQUIRE(normal == (is_corner ? reference_normal(volume, vertex) : OctahedralNormal{}));
+  });
+}
+
+template <class Sample>
 void check_agreement(const SampleVolume<Sample>& volume, const Setting& setting) {
   const Events plain = events_of<uint16_t, NoNormals>(volume, setting);
   const Events events = events_of<uint16_t, WithNormals<Sample>>(volume, setting);
   REQUIRE(without_normals(events) == plain);
   REQUIRE(events_of<uint32_t, WithNormals<Sample>>(volume, setting) == events);
-  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal) {
-    REQUIRE(normal == reference_normal(volume, vertex));
-  });
+  require_normals(events, volume);
 }
 
 // Noise that has slopes: sums of a few neighbours of noise.
@@ -179,7 +184,7 @@ TEST_CASE("every corner of a ball's polygons has a normal that points outside") 
   const Events events =
       events_of<uint32_t, WithNormals<uint8_t>>(ball, {180, Border::closed, ample});
   int starts = 0;
-  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal told) {
+  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal told, bool) {
     ++starts;
     REQUIRE(!told.is_none());
     const UnitNormal n = unit_normal(told);
@@ -294,9 +299,7 @@ TEST_CASE(
       const SampleVolume<uint8_t> seen = with_gaps(volume, rows, off);
       const Events events =
           events_with_gaps<WithNormals<uint8_t>>(volume, rows, threshold, Ending::finish);
-      for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal) {
-        REQUIRE(normal == reference_normal(seen, vertex));
-      });
+      require_normals(events, seen);
     }
   }
 }
@@ -319,9 +322,7 @@ TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is j
     const uint32_t slice = size.width * size.height;
     volume.size.depth = (given + slice - 1) / slice;
     for (size_t i = given; i < volume.samples.size(); ++i) volume.samples[i] = threshold - 1;
-    for_each_start(log.events, [&](const Vertex& vertex, OctahedralNormal normal) {
-      REQUIRE(normal == reference_normal(volume, vertex));
-    });
+    require_normals(log.events, volume);
   }
 }
 

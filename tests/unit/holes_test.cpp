@@ -46,6 +46,23 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
   CHECK(holes > 200);
 }
 
+TEST_CASE("a hole goes to the ring around it, not to one whose oblique side passes close by") {
+  struct Known {
+    Size size;
+    Incidence incidence;
+    uint32_t noise;
+    uint64_t seed;
+  };
+  for (const Known& known : {Known{{10, 3, 11}, 0, 11, 6542}, Known{{6, 7, 7}, 0, 43, 7691},
+                             Known{{8, 3, 10}, 1, 9, 5385}, Known{{9, 4, 10}, 1, 21, 8506},
+                             Known{{8, 4, 7}, 6, 22, 7486}, Known{{9, 7, 7}, 6, 39, 3648}}) {
+    const BitVolume volume =
+        half_space(known.size, normal(known.incidence), known.noise, known.seed);
+    CAPTURE(known.seed);
+    CHECK(unlike_merge(scan<uint16_t>(volume).regions(), volume, true) == "");
+  }
+}
+
 TEST_CASE("a hole goes to its own ring, whatever its record has been used for") {
   // Behind noise, pairs of plates side by side, of which one closes while the other's hole waits.
   const BitVolume noise = random({40, 36, 2}, 128, 8);

@@ -13,7 +13,6 @@
 
 using namespace discmc;
 using namespace discmc::reference;
-using trace::CornerPass;
 
 namespace {
 
@@ -217,12 +216,43 @@ TEST_CASE("an extractor learns in memory with any alignment, and may begin anew 
   for (size_t offset = 0; offset < 5; ++offset) {
     Block learnt(5000);
     const Memory all = learnt.memory();
-    extractor.learn_in({static_cast<uint8_t*>(all.data) + offset, all.bytes - offset});
+    auto* const data = static_cast<uint8_t*>(all.data);
+    const std::vector<uint8_t> before(data, data + all.bytes);
+    extractor.learn_in({data + offset, all.bytes - offset});
     CHECK(scanned(extractor, volume, {}).events == expected.events);
+    CHECK_FALSE(std::equal(before.begin(), before.end(), data));
     CHECK(learnt.is_intact());
   }
   extractor.learn_in({nullptr, 0});
   CHECK(scanned(extractor, volume, {}).events == expected.events);
+}
+
+TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to the next") {
+  const BitVolume volume = random({70, 9, 5}, 100, 4);
+  for (const Border border : {Border::closed, Border::open}) {
+    Plan plan;
+    plan.border = border;
+    const EventLog expected = expected_of(volume, plan);
+    for (const uint64_t last : {0U, 300U, 2000U}) {
+      CAPTURE(last);
+      bool is_first_scan = true;
+      EventLog log([&](uint64_t offer) { return is_first_scan && offer >= last; });
+      const Limits limits = limits_of(volume, border);
+      Block block(bytes_for<uint32_t>(limits, much));
+      LearningExtractor extractor;
+      require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(log)));
+      const auto samples = static_cast<uint32_t>(volume.voxels());
+      CHECK(extractor.push(volume.on.data(), samples).status == Status::more);
+      is_first_scan = false;
+      for (int scan = 0; scan < 2; ++scan) {
+        EventLog next;
+        require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(next)));
+        push_all(extractor, volume.on);
+        finish_all(extractor);
+        CHECK(next.events == expected.events);
+      }
+    }
+  }
 }
 
 TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
@@ -253,112 +283,25 @@ TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
   }
 }
 
-namespace {
-
-// Nine rows of 40 voxels: there are crossings in both words of the middle one.
-struct Rows {
-  uint32_t words[9][2] = {};
-
-  Rows() {
-    const BitVolume volume = random({40, 3, 3}, 80, 5);
-    for (int row = 0; row < 9; ++row)
-      for (uint32_t word = 0; word < 2; ++word)
-        for (uint32_t bit = 0; bit < 32; ++bit) {
-          const uint32_t x = trace::column_of(word, bit);
-          if (x < 40 && volume.on[static_cast<size_t>(row) * 40 + x] != 0)
-            words[row][word] |= 1U << bit;
-        }
-  }
-  trace::SweptRow swept() const {
-    trace::SweptRow row{};
-    for (int i = 0; i < 9; ++i) row.rows.row[i / 3][i % 3] = words[i];
-    row.words = 2;
-    row.width = 40;
-    row.has_y = row.has_z = true;
-    return row;
-  }
-};
-
-// Corner passes where they are: the corner, the ports, and what kind it is.
-using Found = std::vector<std::vector<uint64_t>>;
-
-Found derived_passes(const trace::SweptRow& row) {
-  Found found;
-  trace::DerivedPasses passes;
-  trace::SweepCounts counts;
-  passes.clear();
-  while (passes.find(row, counts))
-    for (; passes.has_next(); passes.advance()) {
-      const Vertex at = passes.vertex();
-      const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
-      const Vertex voxel{at.x & ~1, at.y & ~1, at.z & ~1};
-      CornerPass made[CornerPass::most_of_pass];
-      const uint32_t count = trace::corner_passes(passes.pass(), axis, made);
-      for (uint32_t i = 0; i < count; ++i)
-        found.push_back({trace::CornerCode::position(voxel) +
-                             trace::corner_places.of[made[i].place] + made[i].sides,
-                         made[i].in, made[i].out, made[i].kind == CornerPass::straight,
-                         made[i].kind == CornerPass::join});
-    }
-  return found;
-}
-
-Found learnt_passes(trace::LearntPasses& passes, const trace::SweptRow& row) {
-  Found found;
-  trace::SweepCounts counts;
-  REQUIRE(passes.begin_row(row));
-  while (passes.find(row, counts))
-    for (const trace::FoundPass at : passes) {
-      const trace::NumberedPass& pass = passes.numbered()[at];
-      found.push_back({at + pass.to_corner, pass.in, pass.out, pass.if_straight == -1, pass.joins});
-    }
-  return found;
-}
-
-}  // namespace
-
-TEST_CASE("the same passes are found with memory of any size, wherever it lies, again and again") {
-  const Rows rows;
-  trace::SweptRow row = rows.swept();
-  std::vector<uint8_t> memory(2000);
-  for (const bool is_missing_cells : {false, true}) {
-    row.has_open_ends = is_missing_cells;
-    row.missing[1] = is_missing_cells ? 9 : 0;
-    const Found expected = derived_passes(row);
-    REQUIRE(expected.size() > 40);
-    for (size_t bytes = 0; bytes < memory.size(); bytes += 37) {
-      const auto learnt = std::make_unique<trace::LearntPasses>();
-      learnt->learn_in({memory.data() + bytes % 8, bytes - bytes % 8});
-      CHECK(learnt_passes(*learnt, row) == expected);
-      CHECK(learnt_passes(*learnt, row) == expected);
-    }
-  }
-}
-
-TEST_CASE("of memory for more than 2^20 neighbourhoods the rest is left alone") {
-  constexpr size_t most = (size_t{16} << 20) + Arena::alignment - 1;
-  std::vector<uint8_t> memory(2 * most, 0xA5);
-  const auto passes = std::make_unique<trace::LearntPasses>();
-  passes->learn_in({memory.data(), memory.size()});
-  const Rows rows;
-  CHECK(learnt_passes(*passes, rows.swept()) == derived_passes(rows.swept()));
-  const auto is_written = [](uint8_t byte) { return byte != 0xA5; };
-  CHECK(std::any_of(memory.begin() + most / 2, memory.begin() + most, is_written));
-  CHECK(std::none_of(memory.begin() + most, memory.end(), is_written));
-}
-
-TEST_CASE("passes are remembered from room for two neighbourhoods on") {
-  const Rows rows;
-  constexpr size_t entry = 16, most_lost = 2 * (Arena::alignment - 1);
-  for (size_t bytes = 0; bytes < 4 * entry; ++bytes) {
-    std::vector<uint8_t> memory(bytes + 1, 0xA5);
-    const auto passes = std::make_unique<trace::LearntPasses>();
-    passes->learn_in({memory.data(), bytes});
-    (void)learnt_passes(*passes, rows.swept());
-    const auto is_written = [](uint8_t byte) { return byte != 0xA5; };
-    const bool has_learnt = std::any_of(memory.begin(), memory.end(), is_written);
-    if (bytes < 2 * entry) CHECK(!has_learnt);
-    if (bytes >= 2 * entry + most_lost) CHECK(has_learnt);
-    CHECK(memory.back() == 0xA5);
-  }
+TEST_CASE("a checkpoint of a slab does not tell where the program lies") {
+  const BitVolume volume = random({20, 20, 9}, 100, 3);
+  Limits limits = limits_of(volume, Border::closed);
+  limits.slab = {3, true, true};
+  const auto check = [&](auto extractor, auto address) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(limits, much));
+    require_ok(extractor->start(limits, much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor->push(volume.on.data(), 1000).status);
+    using Saved = Checkpoint<std::remove_reference_t<decltype(*extractor)>>;
+    const auto checkpoint = std::make_unique<Saved>();
+    require_ok(extractor->save(*checkpoint));
+    const auto* const bytes = reinterpret_cast<const uint8_t*>(checkpoint.get());
+    const auto* const searched = reinterpret_cast<const uint8_t*>(&address);
+    const uint8_t* const end = bytes + sizeof *checkpoint;
+    CHECK(std::search(bytes, end, searched, searched + sizeof address) == end);
+  };
+  const trace::Fragments<uint32_t, NoNormal>::AtSeam address =
+      trace::Fragments<uint32_t, NoNormal>::cut_at_seam;
+  check(std::make_unique<Extractor32>(), address);
+  check(std::make_unique<LearningExtractor>(), address);
 }

@@ -35,29 +35,47 @@ void check_numbered(const NumberedPasses& passes, NumberedPasses::Numbers number
   }
 }
 
-}  // namespace
-
-TEST_CASE("all passes that exist have numbers, wherever cells are absent, and keep them") {
-  const auto passes = std::make_unique<NumberedPasses>();
-  uint32_t numbers_in_use = 0;
-  const auto number_all = [&](uint32_t absent, bool is_known) {
+// Numbers all passes of cells of which some are absent, and checks those that it has not seen
+// before, or all.
+class Numbering {
+ public:
+  uint32_t in_use() const { return in_use_; }
+  void number(uint32_t absent, bool checks_all) {
     for (int axis = 0; axis < 3; ++axis)
       for_each_neighbourhood(
           axis,
           [&](const trace::PassList& list) {
             for (uint32_t i = 0; i < list.count; ++i) {
-              const NumberedPasses::Numbers numbers = passes->of(list.pass[i], axis);
+              const NumberedPasses::Numbers numbers = passes_->of(list.pass[i], axis);
               const auto end = static_cast<uint32_t>(numbers.first + numbers.count);
-              if (is_known || end > numbers_in_use)
-                check_numbered(*passes, numbers, list.pass[i], axis);
-              numbers_in_use = std::max(numbers_in_use, end);
+              if (checks_all || end > in_use_)
+                check_numbered(*passes_, numbers, list.pass[i], axis);
+              in_use_ = std::max(in_use_, end);
             }
           },
           absent);
-  };
+  }
+
+ private:
+  std::unique_ptr<NumberedPasses> passes_ = std::make_unique<NumberedPasses>();
+  uint32_t in_use_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a number says what its pass does, whenever it comes by") {
+  Numbering numbering;
+  numbering.number(0, true);
+  const uint32_t in_use = numbering.in_use();
+  numbering.number(0, true);
+  CHECK(numbering.in_use() == in_use);
+}
+
+TEST_CASE("all passes that exist have numbers, wherever cells are absent, and keep them") {
+  Numbering numbering;
   constexpr uint32_t all_absent = 15;
-  for (uint32_t absent = 0; absent < all_absent; ++absent) number_all(absent, false);
-  CHECK(numbers_in_use == NumberedPasses::most);
-  number_all(0, true);
-  CHECK(numbers_in_use == NumberedPasses::most);
+  for (uint32_t absent = 0; absent < all_absent; ++absent) numbering.number(absent, false);
+  CHECK(numbering.in_use() == NumberedPasses::most);
+  numbering.number(0, true);
+  CHECK(numbering.in_use() == NumberedPasses::most);
 }

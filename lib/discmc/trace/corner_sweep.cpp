@@ -117,7 +117,6 @@ bool CornerSweep::deliver(const Ring& ring, const Sink& sink, Statistics& statis
   const Direction* const direction = directions.of[ring.code.incidence()];
   Event event{};
   event.incidence = ring.code.incidence();
-  event.came = direction[ring.code.came()];
   event.start = ring.code.vertex();
   uint32_t taken = 0;
   uint64_t links = 0;

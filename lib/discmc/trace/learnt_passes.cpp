@@ -134,7 +134,7 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
 
 // Marks the edges around which cells may be absent: nothing is learnt of these.
 void LearntPasses::mark_incomplete(const SweptRow& row, Edge* end) {
-  const bool has_all_rows = (row.missing[0] | row.missing[1] | row.missing[2]) == 0;
+  const bool has_all_rows = row.missing[0] == 0;
   if (has_all_rows && !row.has_open_ends) return;
   const uint64_t first = CornerCode::position({0, 2 * row.y, 2 * row.z});
   const uint64_t last = first + next_voxel * (row.width - 1);

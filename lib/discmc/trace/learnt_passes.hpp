@@ -25,7 +25,7 @@ class LearntPasses {
   /// with too little for two, passes are worked out every time. Cost: 4 bytes cleared an entry.
   void learn_in(Memory memory);
 
-  /// Begins a row. False when no edge crosses there.
+  /// Begins a row. False when surely no edge crosses there.
   bool begin_row(const SweptRow& row);
   /// Finds the passes of the next words of the row that have any, and counts what it comes by.
   /// False when there are none left.
