@@ -1,4 +1,4 @@
-// An extractor for hosts, which take little more than half of the instructions with it.
+// An extractor for hosts, which take half of the instructions with it.
 //
 // It remembers what it works out of neighbourhoods, and keeps fragments as lists of corners while
 // it has memory to spare: from 37,120 records on, some 600 KiB, and ten for each corner that waits.
