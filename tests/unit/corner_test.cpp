@@ -64,7 +64,7 @@ TEST_CASE("at no vertex is more than one end put into a queue, or taken out of i
       Ends ends;
       uint32_t passes = 0;
       for (int i = 0; i < list.count; ++i) {
-        CornerPass made[CornerPass::most_of_pass];
+        CornerPass made[CornerPass::most_of_pass] = {};
         const uint32_t count = trace::corner_passes(list.pass[i], axis, made);
         for (uint32_t k = 0; k < count; ++k) {
           const bool puts_in = trace::is_entry(made[k].in), puts_out = trace::is_entry(made[k].out);

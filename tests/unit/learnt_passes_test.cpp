@@ -78,7 +78,7 @@ Found derived_passes(const trace::SweptRow& row) {
       const Vertex at = passes.vertex();
       const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
       const Vertex voxel{at.x & ~1, at.y & ~1, at.z & ~1};
-      CornerPass made[CornerPass::most_of_pass];
+      CornerPass made[CornerPass::most_of_pass] = {};
       const uint32_t count = trace::corner_passes(passes.pass(), axis, made);
       for (uint32_t i = 0; i < count; ++i)
         found.passes.push_back({trace::CornerCode::position(voxel) +
@@ -178,7 +178,7 @@ size_t most_at_a_vertex(const trace::SweptRow& row) {
   passes.clear();
   while (passes.find(row, counts)) {
     size_t here = 0;
-    CornerPass made[CornerPass::most_of_pass];
+    CornerPass made[CornerPass::most_of_pass] = {};
     const Vertex at = passes.vertex();
     const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
     for (; passes.has_next(); passes.advance())
