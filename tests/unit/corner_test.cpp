@@ -23,7 +23,12 @@ struct Ends {
   uint32_t put[trace::inner_queue + 1] = {};
   uint32_t taken[trace::inner_queue + 1] = {};
 
-  void pass(trace::Port port) { ++(trace::is_entry(port) ? put : taken)[port / 2]; }
+  void pass(trace::Port port) {
+    if (trace::is_entry(port))
+      ++put[port / 2];
+    else
+      ++taken[port / 2];
+  }
 };
 
 }  // namespace
