@@ -136,13 +136,14 @@ class RangeEncoder {
     low_ <<= 8;
   }
 
+  // In an order that leaves no gaps: a checkpoint would hold whatever lay in them.
   uint8_t carry_ = 0;
   uint8_t first_held_ = 0;
   uint16_t held_ = 0;
   uint16_t count_ = 0;
   uint16_t capacity_ = 0;
-  uint32_t low_ = 0;
   uint8_t* buffer_ = nullptr;
+  uint32_t low_ = 0;
   uint32_t range_ = 0;
 };
 
