@@ -75,10 +75,10 @@ TEST_CASE("at no vertex is more than one end put into a queue, or taken out of i
           const bool puts_in = trace::is_entry(made[k].in), puts_out = trace::is_entry(made[k].out);
           ends.pass(made[k].in);
           ends.pass(made[k].out);
-          const bool is_origin = CornerCode(made[k].sides).is_origin();
+          const bool is_origin = CornerCode(made[k].corner).is_origin();
           if (is_origin != (puts_in && puts_out) || (is_origin && k > 0)) FAIL("an origin");
-          if ((made[k].kind == CornerPass::join) != (!puts_in && !puts_out)) FAIL("a join");
-          if (made[k].kind == CornerPass::straight && puts_in == puts_out) FAIL("a straight pass");
+          if ((made[k].joins == 1) != (!puts_in && !puts_out)) FAIL("a join");
+          if (made[k].if_straight == -1 && puts_in == puts_out) FAIL("a straight pass");
           // The end that is passed on within the vertex has come and gone.
           const bool is_last = k + 1 == count;
           const uint32_t inside = ends.put[trace::inner_queue] - ends.taken[trace::inner_queue];

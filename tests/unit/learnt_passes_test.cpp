@@ -68,6 +68,10 @@ bool operator==(const Found& a, const Found& b) {
   return a.passes == b.passes && a.counts == b.counts;
 }
 
+std::vector<uint64_t> described(uint64_t at, const CornerPass& pass) {
+  return {at + pass.corner, pass.in, pass.out, pass.if_straight == -1, pass.joins};
+}
+
 Found derived_passes(const trace::SweptRow& row) {
   Found found;
   trace::DerivedPasses passes;
@@ -81,10 +85,7 @@ Found derived_passes(const trace::SweptRow& row) {
       CornerPass made[CornerPass::most_of_pass] = {};
       const uint32_t count = trace::corner_passes(passes.pass(), axis, made);
       for (uint32_t i = 0; i < count; ++i)
-        found.passes.push_back({trace::CornerCode::position(voxel) +
-                                    trace::corner_places.of[made[i].place] + made[i].sides,
-                                made[i].in, made[i].out, made[i].kind == CornerPass::straight,
-                                made[i].kind == CornerPass::join});
+        found.passes.push_back(described(trace::CornerCode::position(voxel), made[i]));
     }
   found.add(counts);
   return found;
@@ -97,11 +98,8 @@ Found learnt_passes(LearntPasses& passes, const trace::SweptRow& row) {
     while (passes.find(row, counts)) {
       CHECK(passes.edges() > 0);
       CHECK(passes.edges() <= LearntPasses::most_edges);
-      for (const trace::FoundPass at : passes) {
-        const trace::NumberedPass& pass = passes.numbered()[at];
-        found.passes.push_back(
-            {at + pass.to_corner, pass.in, pass.out, pass.if_straight == -1, pass.joins});
-      }
+      for (const trace::FoundPass at : passes)
+        found.passes.push_back(described(at, passes.numbered()[at]));
     }
   found.add(counts);
   return found;

@@ -11,7 +11,6 @@
 using namespace discmc;
 using namespace discmc::reference;
 using trace::CornerPass;
-using trace::NumberedPass;
 using trace::NumberedPasses;
 
 namespace {
@@ -24,13 +23,10 @@ void check_numbered(const NumberedPasses& passes, NumberedPasses::Numbers number
   const uint64_t voxel = trace::CornerCode::position({40, 50, 60});
   for (uint32_t i = 0; i < count; ++i) {
     const trace::FoundPass found = voxel + numbers.first + i;
-    const NumberedPass& numbered = passes[found];
-    const uint64_t corner = voxel + trace::corner_places.of[made[i].place] + made[i].sides;
-    const bool is_straight = made[i].kind == CornerPass::straight;
-    const bool is_join = made[i].kind == CornerPass::join;
-    if (found + numbered.to_corner != corner || numbered.in != made[i].in ||
-        numbered.out != made[i].out || numbered.if_straight != (is_straight ? -1 : 0) ||
-        numbered.joins != (is_join ? 1 : 0))
+    const CornerPass& numbered = passes[found];
+    if (found + numbered.corner != voxel + made[i].corner || numbered.in != made[i].in ||
+        numbered.out != made[i].out || numbered.if_straight != made[i].if_straight ||
+        numbered.joins != made[i].joins)
       FAIL("number ", numbers.first + i);
   }
 }

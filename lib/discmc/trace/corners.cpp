@@ -224,7 +224,7 @@ void Corners::take(Records& records, const LearntPasses& passes) {
   uint32_t joins = 0;
   uint32_t taken = passes.count();
   for (const FoundPass found : passes) {
-    const NumberedPass& pass = numbered[found];
+    const CornerPass& pass = numbered[found];
     uint32_t& in_slot = slot[first_[pass.in] + (count_[pass.in]++ & mask_[pass.in])];
     uint32_t& out_slot = slot[first_[pass.out] + (count_[pass.out]++ & mask_[pass.out])];
     const uint32_t from = in_slot, to = out_slot;
@@ -239,7 +239,7 @@ void Corners::take(Records& records, const LearntPasses& passes) {
     const uint32_t slot_change = (before ^ free) & if_straight;
     corner.next = before ^ next_change;
     corner.mate = free;
-    corner.set_code(CornerCode(found + pass.to_corner));
+    corner.set_code(CornerCode(found + pass.corner));
     in_slot = out_slot = free ^ slot_change;
     free = next_free ^ next_change ^ slot_change;
     taken += if_straight;

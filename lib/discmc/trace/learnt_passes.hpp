@@ -42,8 +42,8 @@ class LearntPasses {
  private:
   static constexpr uint32_t most_entry_bits = 20;
   static constexpr uint32_t count_bits = 3;
+  static constexpr uint32_t most_learnt = (1U << count_bits) - 1;
   static constexpr uint32_t passes_an_entry = 4;
-  static constexpr uint32_t most_learnt = 7;
   static constexpr uint32_t most_at_vertex = PassList::most * CornerPass::most_of_pass;
 
   struct Edge {
@@ -57,7 +57,7 @@ class LearntPasses {
     uint32_t parts;  // of counts: see CountParts
     uint16_t pass[passes_an_entry];  // their numbers
 
-    uint32_t count() const { return known & ((1U << count_bits) - 1); }
+    uint32_t count() const { return known & most_learnt; }
   };
 
   struct Derived {

@@ -11,16 +11,6 @@ uint64_t bits_of(const Pass& pass) {
   return bits;
 }
 
-NumberedPass numbered(const CornerPass& pass, uint32_t number) {
-  NumberedPass made;
-  made.to_corner = corner_places.of[pass.place] + pass.sides - number;
-  made.in = pass.in;
-  made.out = pass.out;
-  made.if_straight = static_cast<int16_t>(pass.kind == CornerPass::straight ? -1 : 0);
-  made.joins = pass.kind == CornerPass::join ? 1 : 0;
-  return made;
-}
-
 }  // namespace
 
 NumberedPasses::Numbers NumberedPasses::of(const Pass& pass, int axis) {
@@ -36,7 +26,10 @@ NumberedPasses::Numbers NumberedPasses::of(const Pass& pass, int axis) {
     const uint32_t count = corner_passes(pass, axis, made);
     known.pass = bits;
     known.numbers = {static_cast<uint16_t>(count_), static_cast<uint16_t>(count)};
-    for (uint32_t i = 0; i < count; ++i, ++count_) numbered_[count_] = numbered(made[i], count_);
+    for (uint32_t i = 0; i < count; ++i, ++count_) {
+      numbered_[count_] = made[i];
+      numbered_[count_].corner -= count_;
+    }
   }
   return known.numbers;
 }

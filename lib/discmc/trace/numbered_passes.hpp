@@ -10,14 +10,6 @@ namespace discmc::trace {
 /// number of a corner pass at the vertex there.
 using FoundPass = uint64_t;
 
-/// What is done to take a corner pass.
-struct NumberedPass {
-  uint64_t to_corner;   ///< what has to be added to a FoundPass to make its CornerCode
-  Port in, out;         ///< as in CornerPass
-  int16_t if_straight;  ///< all bits where no corner is made, else none
-  uint16_t joins;       ///< 1 where two ends are taken out, else 0
-};
-
 /// Gives numbers to passes as they first come by.
 class NumberedPasses {
  public:
@@ -27,7 +19,9 @@ class NumberedPasses {
     uint16_t count;
   };
 
-  const NumberedPass& operator[](FoundPass found) const { return numbered_[found & 0xFFFF]; }
+  /// The corner pass that has been found: its `corner` makes the CornerCode of the FoundPass as it
+  /// is, number and all.
+  const CornerPass& operator[](FoundPass found) const { return numbered_[found & 0xFFFF]; }
 
   /// Cost: a look-up, once it has come by.
   Numbers of(const Pass& pass, int axis);
@@ -45,7 +39,7 @@ class NumberedPasses {
 
   Known known_[1U << place_bits] = {};  // by open addressing
   uint32_t count_ = 0;
-  NumberedPass numbered_[most] = {};
+  CornerPass numbered_[most] = {};
 };
 
 }  // namespace discmc::trace
