@@ -1,19 +1,13 @@
 #include <discmc/decoder.hpp>
 #include <discmc/plane.hpp>
-#include <discmc/stream/crc32.hpp>
 
 namespace discmc {
 
 Status Decoder::start(const Sink& sink) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
-  header_ = StreamHeader{};
-  report_ = StreamReport{};
+  packets_.start();
   is_started_ = true;
-  is_refused_ = false;
-  pieces_passed_ = 0;
-  gap_is_noted_ = true;
-  frame_bytes_ = 0;
   stage_ = Stage::collect;
   lost_is_untold_ = false;
   is_open_ = false;
@@ -23,83 +17,30 @@ Status Decoder::start(const Sink& sink) {
 Decoded Decoder::push(const uint8_t* bytes, size_t count) {
   if (!is_started_) return {Status::not_started, 0};
   for (size_t taken = 0;; ++taken) {
-    if (is_refused_) return {Status::wrong_version, taken};
+    if (packets_.is_refused()) return {Status::wrong_version, taken};
     if (!deliver()) return {Status::more, taken};
     if (taken == count) return {Status::ok, count};
-    ++report_.bytes;
-    if (bytes[taken] == 0) {
-      open_frame(frame_bytes_);
-      frame_bytes_ = 0;
-    } else if (frame_bytes_ < sizeof(frame_)) {
-      frame_[frame_bytes_++] = bytes[taken];
-    }
+    open(packets_.take(bytes[taken]));
   }
 }
 
 Status Decoder::finish() {
   if (!is_started_) return Status::not_started;
   if (!deliver()) return Status::more;
-  if (frame_bytes_ > 0) ++report_.damaged_packets;
-  frame_bytes_ = 0;
-  lose_open();
+  packets_.finish();
+  open(PacketReader::Arrival::nothing);
   return deliver() ? Status::ok : Status::more;
 }
 
-// ---- packets ----
-
-void Decoder::open_frame(size_t bytes) {
-  using namespace wire;
-  if (bytes == 0) return;  // a spare delimiter
-  const size_t plain = cobs::unstuff(frame_, bytes);
-  const uint8_t* const packet = frame_ + 1;
-  if (plain < packet_head + packet_crc || plain > max_packet) return damage();
-  const size_t checked = plain - packet_crc;
-  if (crc32(packet, checked) != ByteReader(packet + checked, packet_crc).get(4)) return damage();
-  const uint8_t* const payload = packet + packet_head;
-  const size_t payload_bytes = checked - packet_head;
-  const PacketKind kind = static_cast<PacketKind>(packet[0]);
-  if (report_.has_trailer) {
-    ++report_.repeated_packets;
-    return;
-  }
-  if (kind == PacketKind::header && !read_header(payload, payload_bytes)) return;
-  if (!is_expected(packet)) return;
-  ++report_.packets;
-  if (kind == PacketKind::trailer) read_trailer(payload, payload_bytes);
-  if (kind == PacketKind::records) {
-    model_ = Model(Coder{RangeDecoder(payload, payload_bytes)});
+void Decoder::open(PacketReader::Arrival arrival) {
+  if (packets_.take_gap()) lose_open();
+  if (arrival == PacketReader::Arrival::records) {
+    model_ = Model(Coder{RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     normals_are_ahead_ = false;
     stage_ = Stage::records;
+  } else if (arrival == PacketReader::Arrival::trailer) {
+    note_finish();
   }
-}
-
-void Decoder::damage() {
-  ++report_.damaged_packets;
-}
-
-// Whether a packet is the next one or a later one; a gap before it is noted. Half of the counts of
-// pieces, and where these say nothing half of the numbers, lie behind.
-bool Decoder::is_expected(const uint8_t* packet) {
-  const uint8_t number = packet[1];
-  const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
-  const uint16_t pieces = static_cast<uint16_t>(low - pieces_passed_);
-  const uint8_t gap = static_cast<uint8_t>(number - packets_passed());
-  const bool is_trailer = packet[0] == static_cast<uint8_t>(wire::PacketKind::trailer);
-  if (packets_passed() > 0 && !is_trailer && (pieces >= 0x8000 || (pieces == 0 && gap >= 128))) {
-    ++report_.repeated_packets;
-    return false;
-  }
-  note_gap(gap, is_trailer ? 0 : pieces);  // a trailer tells of pieces in full
-  return true;
-}
-
-void Decoder::note_gap(uint64_t packets, uint64_t pieces) {
-  if (packets == 0 && pieces == 0) return;
-  gap_is_noted_ = true;
-  report_.lost_packets += packets;
-  report_.lost_pieces += pieces;
-  pieces_passed_ += pieces;
-  lose_open();
 }
 
 // What is under way cannot be ended: the sink is told.
@@ -108,65 +49,12 @@ void Decoder::lose_open() {
   is_open_ = false;
 }
 
-// The header's own counts are whole numbers: they set right what the short ones could not tell.
-// False when nothing more is to be had of the packet.
-bool Decoder::read_header(const uint8_t* payload, size_t bytes) {
-  using namespace wire;
-  ByteReader reader(payload, bytes);
-  const bool is_ours = reader.get(3) == magic;
-  is_refused_ = is_ours && reader.get(1) != version;
-  if (is_refused_) return false;
-  StreamHeader header;
-  header.width = static_cast<uint32_t>(reader.get(2));
-  header.height = static_cast<uint32_t>(reader.get(2));
-  header.depth = static_cast<uint32_t>(reader.get(4));
-  for (int32_t& spacing : header.spacing_nm)
-    spacing = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  header.threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  header.border = reader.get(1) == 1 ? Border::open : Border::closed;
-  const uint64_t packets_before = reader.get(4);
-  const uint64_t pieces_before = reader.get(8);
-  const Limits limits{header.width, header.height, header.border};
-  if (!is_ours || bytes < header_payload || !limits.is_valid()) {
-    damage();
-    return false;
-  }
-  if (!report_.has_header) header_ = header;
-  report_.has_header = true;
-  if (packets_before < packets_passed()) {
-    ++report_.repeated_packets;
-    return false;
-  }
-  const uint64_t packets_missing = packets_before - packets_passed();
-  const uint64_t pieces = pieces_before > pieces_passed_ ? pieces_before - pieces_passed_ : 0;
-  // A gap noted too small, by whole rounds of the short number, was before what is open.
-  const bool is_gap_here =
-      packets_missing % 256 != 0 || pieces > 0 || (packets_missing > 0 && !gap_is_noted_);
-  report_.lost_packets += packets_missing;
-  if (is_gap_here) {
-    note_gap(0, pieces);
-    lose_open();
-  }
-  gap_is_noted_ = false;
-  return true;
-}
-
-void Decoder::read_trailer(const uint8_t* payload, size_t bytes) {
-  if (bytes < wire::trailer_payload) return damage();
-  wire::ByteReader reader(payload, bytes);
-  report_.has_trailer = true;
-  report_.slices = static_cast<uint32_t>(reader.get(4));
-  report_.abandoned = reader.get(1) != 0;
-  Statistics& totals = report_.totals;
-  for (const auto total : wire::trailer_totals) totals.*total = reader.get(8);
-  const uint64_t pieces = totals.regions + totals.fragments;
-  if (pieces > pieces_passed_) note_gap(0, pieces - pieces_passed_);
-  lose_open();
+void Decoder::note_finish() {
   mark_ = Event{};
   mark_.kind = Event::Kind::finish;
-  mark_.slice = report_.slices;
-  mark_.abandoned = report_.abandoned;
-  mark_.statistics = &report_.totals;
+  mark_.slice = report().slices;
+  mark_.abandoned = report().abandoned;
+  mark_.statistics = &report().totals;
   stage_ = Stage::finish;
 }
 
@@ -205,8 +93,7 @@ void Decoder::read_record() {
   }
   is_good = is_good && !model_.coder().range.is_exhausted();
   if (is_good && (stage_ != Stage::record || begin_record())) return;
-  damage();
-  report_.is_unreadable = true;
+  packets_.note_unreadable();
   lose_open();
   stage_ = Stage::collect;
 }
@@ -356,8 +243,8 @@ bool Decoder::begin_record() {
   if (record_.continues && !goes_on) {
     lose_open();
     if (record_.is_last) {
-      ++report_.lost_pieces;
-      ++pieces_passed_;
+      ++packets_.report().lost_pieces;
+      packets_.pass_piece();
     }
     stage_ = Stage::records;
     return true;
@@ -450,8 +337,9 @@ bool Decoder::deliver_record() {
   event.kind = record_.is_fragment ? Event::Kind::fragment_end : Event::Kind::region_end;
   if (!offer(event)) return false;
   is_open_ = false;
-  ++(record_.is_fragment ? report_.fragments : report_.regions);
-  ++pieces_passed_;
+  StreamReport& report = packets_.report();
+  ++(record_.is_fragment ? report.fragments : report.regions);
+  packets_.pass_piece();
   return true;
 }
 

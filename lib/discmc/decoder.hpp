@@ -7,33 +7,9 @@
 
 #include <discmc/status.hpp>
 #include <discmc/stream/normal_encoding.hpp>
-#include <discmc/stream/wire.hpp>
+#include <discmc/stream/packet_reader.hpp>
 
 namespace discmc {
-
-/// How a stream arrived. Lost counts grow when the next whole packet reveals the gap.
-struct StreamReport {
-  bool has_header = false;
-  bool has_trailer = false;
-  bool abandoned = false;  ///< the scan was ended before its time; the surface is closed
-  uint64_t bytes = 0;
-  uint64_t packets = 0;  ///< whole ones, repeated ones not counted
-  uint64_t repeated_packets = 0;
-  uint64_t damaged_packets = 0;  ///< frames that are no packet, or fail their checksum
-  bool is_unreadable = false;    ///< a packet was whole, but its records are of no known kind
-  uint64_t lost_packets = 0;     ///< missing by their numbers
-  uint64_t regions = 0;          ///< delivered complete
-  uint64_t fragments = 0;        ///< loose ones delivered complete
-  uint64_t lost_pieces = 0;      ///< regions and fragments missing by the running count of both
-  uint32_t slices = 0;           ///< of the trailer
-  Statistics totals{};           ///< of the trailer
-
-  /// Nothing is missing from header to trailer, and nothing came that the trailer does not count.
-  bool is_complete() const {
-    return has_header && has_trailer && lost_packets == 0 && lost_pieces == 0 &&
-           regions == totals.regions && fragments == totals.fragments && !is_unreadable;
-  }
-};
 
 /// What push() came to, and how many of the bytes it took. The rest must be pushed again.
 struct [[nodiscard]] Decoded {
@@ -57,8 +33,8 @@ class Decoder {
   /// push().
   [[nodiscard]] Status finish();
 
-  const StreamHeader& header() const { return header_; }
-  const StreamReport& report() const { return report_; }
+  const StreamHeader& header() const { return packets_.header(); }
+  const StreamReport& report() const { return packets_.report(); }
 
  private:
   struct Coder {
@@ -70,14 +46,9 @@ class Decoder {
   // What is under way between two bytes.
   enum class Stage : uint8_t { collect, records, record, mark, finish };
 
-  void open_frame(size_t bytes);
-  bool is_expected(const uint8_t* packet);
-  // What the next packet is to be numbered.
-  uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
-  void note_gap(uint64_t packets, uint64_t pieces);
+  void open(PacketReader::Arrival arrival);
   void lose_open();
-  bool read_header(const uint8_t* payload, size_t bytes);
-  void read_trailer(const uint8_t* payload, size_t bytes);
+  void note_finish();
   void read_record();
   bool read_region();
   bool read_ring(Chain chain);
@@ -87,22 +58,14 @@ class Decoder {
   void read_extension();
   bool begin_record();
   bool rings_are_whole();
-  void damage();
 
   bool deliver();
   bool deliver_record();
   bool offer(const Event& event) { return sink_.take(sink_.context, event) == Answer::taken; }
 
   Sink sink_;
-  StreamHeader header_;
-  StreamReport report_;
+  PacketReader packets_;
   bool is_started_ = false;
-  bool is_refused_ = false;     // by its version
-  uint64_t pieces_passed_ = 0;  // regions and fragments sent before now, lost ones included
-  bool gap_is_noted_ = true;    // since the last header; what came before the start is a gap
-
-  uint8_t frame_[wire::max_frame];
-  size_t frame_bytes_ = 0;  // what is more than a frame is dropped: it is none
 
   Stage stage_ = Stage::collect;
   Model model_{Coder{}};

@@ -5,16 +5,9 @@
 #include <discmc/checkpoint.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/normal_encoding.hpp>
-#include <discmc/stream/wire.hpp>
+#include <discmc/stream/packet_writer.hpp>
 
 namespace discmc {
-
-/// Where bytes go: a UART, a ring buffer, a file. Owner: the context belongs to the caller.
-struct ByteOutput {
-  void* context = nullptr;
-  /// Takes up to `count` bytes and returns how many it took; 0 means "not now". On error, return 0.
-  size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
-};
 
 /// The bits of a symbol, encoded where they are decided.
 class SymbolCoder {
@@ -70,7 +63,7 @@ class BasicEncoder : private Normals {
                                const ByteOutput& output);
 
   /// The bytes that the output has taken so far.
-  uint64_t bytes() const { return bytes_; }
+  uint64_t bytes() const { return packets_.bytes(); }
 
   /// Of what a checkpoint holds: see CheckpointHead.
   static constexpr uint32_t layout = sizeof(void*) << 4 | (Normals::are_told ? 1 : 0);
@@ -95,8 +88,8 @@ class BasicEncoder : private Normals {
 
   // Whether it is a run, and an encoder that is started and idle has room for it.
   bool only_waits(const Event& event) const {
-    return event.kind == Event::Kind::run && record_.has_room(1) && frame_bytes_ == 0 &&
-           !is_emptying_ && output_.write != nullptr;
+    return event.kind == Event::Kind::run && record_.has_room(1) && packets_.is_open() &&
+           !is_emptying_ && packets_.is_started();
   }
   Answer take_any(const Event& event);
   bool put(const Event& event);
@@ -113,27 +106,15 @@ class BasicEncoder : private Normals {
   bool fits(size_t reserve) const;
   void open_packet();
   void seal_records();
-  void seal_header();
-  void seal(wire::PacketKind kind, uint8_t* end);
   bool drain();
-  uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
 
   // Small members stand first, where they are reached by short instructions.
   bool packet_is_empty_ = false;
   bool trailer_is_sealed_ = false;
   bool is_emptying_ = false;  // the record is on its way out in parts, and takes nothing
-  uint8_t packets_since_header_ = 0;
   Model model_;
-  uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
-  uint16_t drained_ = 0;
-  ByteOutput output_;
-  uint32_t packets_ = 0;
-  uint32_t pieces_before_ = 0;  // regions and fragments before the open packet, modulo 2^32
-  uint64_t pieces_ = 0;         // so far
-  uint64_t bytes_ = 0;
   Record record_;
-  StreamHeader header_;
-  uint8_t frame_[wire::max_frame] = {};
+  PacketWriter packets_;
 };
 
 extern template class BasicEncoder<NoRecordNormals>;

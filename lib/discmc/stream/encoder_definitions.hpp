@@ -3,7 +3,6 @@
 #define DISCMC_STREAM_ENCODER_DEFINITIONS_HPP
 
 #include <discmc/encoder.hpp>
-#include <discmc/stream/crc32.hpp>
 #include <discmc/stream/record_encoding.hpp>
 
 namespace discmc {
@@ -24,21 +23,15 @@ template <class Normals>
 Status BasicEncoder<Normals>::start(const StreamHeader& header, const ByteOutput& output) {
   if (!Limits{header.width, header.height, header.border}.is_valid()) return Status::bad_limits;
   if (output.write == nullptr) return Status::bad_sink;
-  header_ = header;
-  output_ = output;
-  bytes_ = 0;
-  pieces_ = 0;
-  packets_ = 0;
-  pieces_before_ = 0;
+  packets_.start(header, output);
   trailer_is_sealed_ = false;
   is_emptying_ = false;
-  seal_header();
   return Status::ok;
 }
 
 template <class Normals>
 Answer BasicEncoder<Normals>::take_any(const Event& event) {
-  if (output_.write == nullptr || !drain()) return Answer::not_now;
+  if (!packets_.is_started() || !drain()) return Answer::not_now;
   const bool is_run = event.kind == Event::Kind::run;
   bool done = true;
   switch (event.kind) {
@@ -75,7 +68,7 @@ Answer BasicEncoder<Normals>::take_any(const Event& event) {
 
 template <class Normals>
 bool BasicEncoder<Normals>::flush() {
-  if (output_.write == nullptr) return true;
+  if (!packets_.is_started()) return true;
   if (!drain()) return false;
   if (!packet_is_empty_) seal_records();
   return drain();
@@ -85,13 +78,11 @@ bool BasicEncoder<Normals>::flush() {
 
 template <class Normals>
 Status BasicEncoder<Normals>::save(Checkpoint<BasicEncoder>& checkpoint) const {
-  if (output_.write == nullptr) return Status::not_started;
+  if (!packets_.is_started()) return Status::not_started;
   BasicEncoder& image = checkpoint.object;
   image = *this;
-  image.output_ = {};
   image.model_.coder().range.move_to(nullptr);
-  if (frame_bytes_ > 0) image.bytes_ -= drained_;
-  image.drained_ = 0;
+  image.packets_.rewind();
   checkpoint.seal({});
   return Status::ok;
 }
@@ -102,8 +93,8 @@ Status BasicEncoder<Normals>::restore(const Checkpoint<BasicEncoder>& checkpoint
   if (!checkpoint.is_whole({})) return Status::bad_checkpoint;
   if (output.write == nullptr) return Status::bad_sink;
   *this = checkpoint.object;
-  output_ = output;
-  model_.coder().range.move_to(payload());
+  packets_.set_output(output);
+  model_.coder().range.move_to(packets_.payload());
   return Status::ok;
 }
 
@@ -148,7 +139,7 @@ bool BasicEncoder<Normals>::put(const Event& event) {
     words = record_.count;
   }
   is_emptying_ = false;
-  if (is_end(event.kind)) ++pieces_;
+  if (is_end(event.kind)) packets_.count_piece();
   return true;
 }
 
@@ -197,11 +188,7 @@ template <class Normals>
 bool BasicEncoder<Normals>::put_trailer(const Event& event) {
   if (!trailer_is_sealed_) {
     if (!flush()) return false;
-    uint8_t* place = wire::put(payload(), event.slice, 4);
-    place = wire::put(place, event.abandoned ? 1 : 0, 1);
-    for (const auto total : wire::trailer_totals)
-      place = wire::put_long(place, event.statistics->*total);
-    seal(wire::PacketKind::trailer, place);
+    packets_.seal_trailer(event);
     trailer_is_sealed_ = true;
   }
   return drain();
@@ -216,64 +203,22 @@ bool BasicEncoder<Normals>::fits(size_t reserve) const {
 
 template <class Normals>
 void BasicEncoder<Normals>::open_packet() {
-  model_ = Model(Coder{RangeEncoder(payload(), wire::max_payload)});
+  model_ = Model(Coder{RangeEncoder(packets_.payload(), wire::max_payload)});
   packet_is_empty_ = true;
-  frame_bytes_ = 0;
 }
 
 template <class Normals>
 void BasicEncoder<Normals>::seal_records() {
   model_.record_kind(RecordKind::end);
-  ++packets_since_header_;
-  seal(wire::PacketKind::records, payload() + model_.coder().range.finish());
-}
-
-template <class Normals>
-void BasicEncoder<Normals>::seal_header() {
-  uint8_t* place = wire::put(payload(), wire::magic | uint32_t{wire::version} << 24, 4);
-  place = wire::put(place, header_.width, 2);
-  place = wire::put(place, header_.height, 2);
-  place = wire::put(place, header_.depth, 4);
-  for (const int32_t spacing : header_.spacing_nm)
-    place = wire::put(place, static_cast<uint32_t>(spacing), 4);
-  place = wire::put(place, static_cast<uint32_t>(header_.threshold), 4);
-  place = wire::put(place, header_.border == Border::open ? 1 : 0, 1);
-  place = wire::put(place, packets_, 4);
-  place = wire::put_long(place, pieces_);
-  packets_since_header_ = 0;
-  seal(wire::PacketKind::header, place);
-}
-
-// Makes a frame of the payload that ends at `end`.
-template <class Normals>
-void BasicEncoder<Normals>::seal(wire::PacketKind kind, uint8_t* end) {
-  uint8_t* const packet = frame_ + 1;
-  wire::put(packet,
-            uint32_t{static_cast<uint8_t>(kind)} | (packets_ & 0xFF) << 8 | pieces_before_ << 16,
-            wire::packet_head);
-  wire::put(end, crc32(packet, static_cast<size_t>(end - packet)), wire::packet_crc);
-  frame_bytes_ = static_cast<uint16_t>(
-      cobs::stuff(frame_, static_cast<size_t>(end - packet) + wire::packet_crc));
-  drained_ = 0;
-  ++packets_;
-  pieces_before_ = static_cast<uint32_t>(pieces_);
+  packets_.seal(wire::PacketKind::records, packets_.payload() + model_.coder().range.finish());
 }
 
 // Hands the sealed frame over. When all of it is gone the next packet is open.
 template <class Normals>
 bool BasicEncoder<Normals>::drain() {
-  while (frame_bytes_ > 0) {
-    const size_t left = static_cast<size_t>(frame_bytes_ - drained_);
-    const size_t taken = output_.write(output_.context, frame_ + drained_, left);
-    bytes_ += taken;
-    if (taken == 0) return false;
-    drained_ = static_cast<uint16_t>(drained_ + taken);
-    if (taken < left) continue;
-    if (packets_since_header_ == wire::header_interval)
-      seal_header();
-    else
-      open_packet();
-  }
+  if (packets_.is_open()) return true;
+  if (!packets_.drain()) return false;
+  open_packet();
   return true;
 }
 

@@ -1,0 +1,89 @@
+// Packets as they come in: frames are undone and checked, numbers compared, losses counted. Headers
+// and trailers are read here; what the others hold is the decoders' matter.
+//
+// Any bytes are safe. It never reads beyond what it is given nor writes beyond its own object.
+#ifndef DISCMC_STREAM_PACKET_READER_HPP
+#define DISCMC_STREAM_PACKET_READER_HPP
+
+#include <discmc/stream/wire.hpp>
+
+namespace discmc {
+
+/// How a stream arrived. Lost counts grow when the next whole packet reveals the gap.
+struct StreamReport {
+  bool has_header = false;
+  bool has_trailer = false;
+  bool abandoned = false;  ///< the scan was ended before its time; the surface is closed
+  uint64_t bytes = 0;
+  uint64_t packets = 0;  ///< whole ones, repeated ones not counted
+  uint64_t repeated_packets = 0;
+  uint64_t damaged_packets = 0;  ///< frames that are no packet, or fail their checksum
+  bool is_unreadable = false;    ///< a packet was whole, but its records are of no known kind
+  uint64_t lost_packets = 0;     ///< missing by their numbers
+  uint64_t regions = 0;          ///< delivered complete
+  uint64_t fragments = 0;        ///< loose ones delivered complete
+  uint64_t lost_pieces = 0;      ///< regions and fragments missing by the running count of both
+  uint32_t slices = 0;           ///< of the trailer
+  Statistics totals{};           ///< of the trailer
+
+  /// Nothing is missing from header to trailer, and nothing came that the trailer does not count.
+  bool is_complete() const {
+    return has_header && has_trailer && lost_packets == 0 && lost_pieces == 0 &&
+           regions == totals.regions && fragments == totals.fragments && !is_unreadable;
+  }
+};
+
+class PacketReader {
+ public:
+  /// Begins a stream.
+  void start();
+
+  /// What a byte has completed.
+  enum class Arrival : uint8_t { nothing, records, trailer };
+  /// Takes a byte. Limit: not is_refused(), and the decoder is done with the packet before.
+  Arrival take(uint8_t byte);
+  /// Tells that no byte follows.
+  void finish();
+
+  /// Whether something before the packet that has arrived, or at the end, is lost; says it once.
+  bool take_gap();
+  /// Whether a header names a version that is not known: nothing more is read.
+  bool is_refused() const { return is_refused_; }
+
+  /// The payload of the records that have arrived, until the next byte.
+  const uint8_t* payload() const { return frame_ + 1 + wire::packet_head; }
+  size_t payload_bytes() const { return payload_bytes_; }
+
+  /// A piece that began in one of the packets has been completed, or lost.
+  void pass_piece() { ++pieces_passed_; }
+  /// A packet, whole by its checksum, does not hold what it should.
+  void note_unreadable();
+
+  const StreamHeader& header() const { return header_; }
+  const StreamReport& report() const { return report_; }
+  StreamReport& report() { return report_; }
+
+ private:
+  Arrival open_frame(size_t bytes);
+  Arrival damage();
+  bool is_expected(const uint8_t* packet);
+  // What the next packet is to be numbered.
+  uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
+  void note_gap(uint64_t packets, uint64_t pieces);
+  bool read_header();
+  Arrival read_trailer();
+
+  StreamHeader header_;
+  StreamReport report_;
+  bool is_refused_ = false;
+  bool gap_is_untold_ = false;
+  bool gap_is_noted_ = true;    // since the last header; what came before the start is a gap
+  uint64_t pieces_passed_ = 0;  // regions and fragments sent before now, lost ones included
+  size_t payload_bytes_ = 0;
+  size_t frame_bytes_ = 0;  // what is more than a frame is dropped: it is none
+  uint8_t frame_[wire::max_frame];
+};
+
+}  // namespace discmc
+
+#endif

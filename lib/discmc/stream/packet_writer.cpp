@@ -1,0 +1,72 @@
+#include <discmc/stream/crc32.hpp>
+#include <discmc/stream/packet_writer.hpp>
+
+namespace discmc {
+
+void PacketWriter::start(const StreamHeader& header, const ByteOutput& output) {
+  header_ = header;
+  output_ = output;
+  bytes_ = 0;
+  pieces_ = 0;
+  packets_ = 0;
+  pieces_before_ = 0;
+  seal_header();
+}
+
+void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
+  uint8_t* const packet = frame_ + 1;
+  wire::put(packet,
+            uint32_t{static_cast<uint8_t>(kind)} | (packets_ & 0xFF) << 8 | pieces_before_ << 16,
+            wire::packet_head);
+  wire::put(end, crc32(packet, static_cast<size_t>(end - packet)), wire::packet_crc);
+  frame_bytes_ = static_cast<uint16_t>(
+      cobs::stuff(frame_, static_cast<size_t>(end - packet) + wire::packet_crc));
+  drained_ = 0;
+  ++packets_;
+  if (kind != wire::PacketKind::trailer) ++packets_since_header_;
+  pieces_before_ = static_cast<uint32_t>(pieces_);
+}
+
+void PacketWriter::seal_header() {
+  uint8_t* place = wire::put(payload(), wire::magic | uint32_t{wire::version} << 24, 4);
+  place = wire::put(place, header_.width, 2);
+  place = wire::put(place, header_.height, 2);
+  place = wire::put(place, header_.depth, 4);
+  for (const int32_t spacing : header_.spacing_nm)
+    place = wire::put(place, static_cast<uint32_t>(spacing), 4);
+  place = wire::put(place, static_cast<uint32_t>(header_.threshold), 4);
+  place = wire::put(place, header_.border == Border::open ? 1 : 0, 1);
+  place = wire::put(place, packets_, 4);
+  seal(wire::PacketKind::header, wire::put_long(place, pieces_));
+  packets_since_header_ = 0;
+}
+
+void PacketWriter::seal_trailer(const Event& finish) {
+  uint8_t* place = wire::put(payload(), finish.slice, 4);
+  place = wire::put(place, finish.abandoned ? 1 : 0, 1);
+  for (const auto total : wire::trailer_totals)
+    place = wire::put_long(place, finish.statistics->*total);
+  seal(wire::PacketKind::trailer, place);
+}
+
+bool PacketWriter::drain() {
+  while (frame_bytes_ > 0) {
+    const size_t left = static_cast<size_t>(frame_bytes_ - drained_);
+    const size_t taken = output_.write(output_.context, frame_ + drained_, left);
+    bytes_ += taken;
+    if (taken == 0) return false;
+    drained_ = static_cast<uint16_t>(drained_ + taken);
+    if (taken < left) continue;
+    frame_bytes_ = 0;
+    if (packets_since_header_ == wire::header_interval) seal_header();
+  }
+  return true;
+}
+
+void PacketWriter::rewind() {
+  output_ = {};
+  if (frame_bytes_ > 0) bytes_ -= drained_;
+  drained_ = 0;
+}
+
+}  // namespace discmc

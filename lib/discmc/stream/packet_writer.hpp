@@ -1,0 +1,63 @@
+// Packets on their way out: numbered, protected, framed and handed to the output. Headers among
+// them are made here; what the others hold is the encoders' matter.
+#ifndef DISCMC_STREAM_PACKET_WRITER_HPP
+#define DISCMC_STREAM_PACKET_WRITER_HPP
+
+#include <discmc/stream/wire.hpp>
+
+namespace discmc {
+
+/// Where bytes go: a UART, a ring buffer, a file. Owner: the context belongs to the caller.
+struct ByteOutput {
+  void* context = nullptr;
+  /// Takes up to `count` bytes and returns how many it took; 0 means "not now". On error, return 0.
+  size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
+};
+
+/// One packet is held: open, while its payload is written, or sealed, while its frame goes out.
+class PacketWriter {
+ public:
+  /// Begins a stream: the header is sealed. Limit: the output has a function.
+  void start(const StreamHeader& header, const ByteOutput& output);
+  bool is_started() const { return output_.write != nullptr; }
+
+  /// Whether the packet is open.
+  bool is_open() const { return frame_bytes_ == 0; }
+  /// The payload of an open packet: room for wire::max_payload bytes.
+  uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
+  /// Seals the open packet, whose payload ends at `end`.
+  void seal(wire::PacketKind kind, uint8_t* end);
+  /// Seals a trailer made of the event that ends the scan. Limit: the packet is open.
+  void seal_trailer(const Event& finish);
+  /// Hands over what is sealed. True when all of it is gone: then the next packet is open.
+  bool drain();
+
+  /// One more piece is complete, in the open packet or before it.
+  void count_piece() { ++pieces_; }
+  /// The bytes that the output has taken so far.
+  uint64_t bytes() const { return bytes_; }
+
+  /// For a checkpoint: as it was at the beginning of its frame, and without an output.
+  void rewind();
+  /// After a checkpoint: where it goes on.
+  void set_output(const ByteOutput& output) { output_ = output; }
+
+ private:
+  void seal_header();
+
+  // Small members stand first, where they are reached by short instructions.
+  uint8_t packets_since_header_ = 0;
+  uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
+  uint16_t drained_ = 0;
+  ByteOutput output_;
+  uint32_t packets_ = 0;
+  uint32_t pieces_before_ = 0;  // the open packet, modulo 2^32
+  uint64_t pieces_ = 0;         // regions and fragments so far
+  uint64_t bytes_ = 0;
+  StreamHeader header_;
+  uint8_t frame_[wire::max_frame] = {};
+};
+
+}  // namespace discmc
+
+#endif
