@@ -61,8 +61,7 @@ constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices
 template <class Index, class Normals = NoNormals>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   return Normals::bytes_for(limits) +
-         Arena::bytes_of(trace::row_words(limits.width) * trace::bit_rows(limits.height),
-                         sizeof(uint32_t)) +
+         trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
          Arena::bytes_of(sizing::sealed_words(limits), sizeof(uint32_t)) +
          Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
          Arena::bytes_of(sizing::hole_lists, sizeof(Index)) +

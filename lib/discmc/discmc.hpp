@@ -4,6 +4,7 @@
 //
 //   limits.hpp            how large a scan may be
 //   capacities.hpp        what memory it takes
+//   row_input.hpp         what push() and skip_row() of all scanners have in common
 //   extractor.hpp         samples in, regions out: what firmware meets
 //     learning_extractor.hpp  the same for hosts, with memory to learn in; not included here
 //     gradient_normals.hpp    with normals
@@ -12,6 +13,10 @@
 //   encoder.hpp           a sink that writes the stream (WIRE.md)
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
+//   slice_encoder.hpp     samples in, a stream of their bits out: a tenth of the bytes, and whoever
+//                         receives it extracts the surface; key_slices.hpp
+//   slice_decoder.hpp     rows of bits out of it
+//   surface_decoder.hpp   bytes of either stream in, the same events out
 //   joiner.hpp            loose fragments of one stream or several in, regions out
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
@@ -38,9 +43,15 @@
 // Behind encoder and decoder works stream/:
 //
 //   wire.hpp                                     packets: cobs.hpp frames, crc32.hpp protects them
+//     packet_writer.hpp, packet_reader.hpp         how they are written and read, whatever they hold
 //   record.hpp, record_encoding.hpp              what they hold
 //     region_model.hpp, range_coder.hpp            in few bits
 //   normal_encoding.hpp                          and the normals in it
+//
+// Behind the encoder and the decoder of slices works slices/:
+//
+//   row_code.hpp                           a row, voxel by voxel and run by run
+//     slice_model.hpp                        by what is learnt of its neighbours
 //
 // And behind the joiner join/:
 //
@@ -57,5 +68,7 @@
 #include <discmc/joiner.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
+#include <discmc/slice_encoder.hpp>
+#include <discmc/surface_decoder.hpp>
 
 #endif

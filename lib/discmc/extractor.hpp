@@ -18,20 +18,11 @@
 #include <discmc/capacities.hpp>
 #include <discmc/checkpoint.hpp>
 #include <discmc/gradient_normals.hpp>
-#include <discmc/status.hpp>
+#include <discmc/row_input.hpp>
 #include <discmc/trace/sealing.hpp>
 #include <discmc/trace/sweep.hpp>
 
 namespace discmc {
-
-/// What stands in for a row that never came.
-enum class Substitute : uint8_t { off, previous_row };
-
-/// The result of push(), and how many of the samples it took. The rest must be pushed again.
-struct [[nodiscard]] PushResult {
-  Status status;
-  uint32_t samples;
-};
 
 /// High-water marks. Units: as Capacities.
 struct HighWater {

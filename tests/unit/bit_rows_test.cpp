@@ -23,11 +23,11 @@ struct Rows : trace::BitRows {
   std::vector<uint32_t> memory;
 
   explicit Rows(const Limits& limits)
-      : memory(size_t{trace::row_words(limits.width)} * trace::bit_rows(limits.height),
+      : memory(trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) / 4,
                0xDEADBEEF) {
     // The vector is aligned, so what the arena sets aside for that is not needed.
     Arena arena({memory.data(), sizeof(uint32_t) * memory.size() + Arena::alignment - 1});
-    start(arena, limits);
+    start(arena, limits, trace::swept_rows(limits.height));
     REQUIRE_FALSE(arena.is_exhausted());
     clear();
   }

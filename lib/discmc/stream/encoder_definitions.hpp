@@ -23,7 +23,7 @@ template <class Normals>
 Status BasicEncoder<Normals>::start(const StreamHeader& header, const ByteOutput& output) {
   if (!Limits{header.width, header.height, header.border}.is_valid()) return Status::bad_limits;
   if (output.write == nullptr) return Status::bad_sink;
-  packets_.start(header, output);
+  packets_.start(header, 0, output);
   trailer_is_sealed_ = false;
   is_emptying_ = false;
   return Status::ok;

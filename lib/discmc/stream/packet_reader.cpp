@@ -63,12 +63,15 @@ PacketReader::Arrival PacketReader::open_frame(size_t bytes) {
   if (!is_expected(packet)) return Arrival::nothing;
   ++report_.packets;
   if (kind == PacketKind::trailer) return read_trailer();
+  if (kind == PacketKind::slices_trailer) return read_slices_trailer();
+  if (is_of_slices(packet[0])) return Arrival::slices;
   return kind == PacketKind::records ? Arrival::records : Arrival::nothing;
 }
 
 // Whether a packet is the next one or a later one; a gap before it is noted. Half of the counts of
 // pieces, and where these say nothing half of the numbers, lie behind.
 bool PacketReader::is_expected(const uint8_t* packet) {
+  if (wire::is_of_slices(packet[0])) return is_expected_by_number(packet);
   const uint8_t number = packet[1];
   const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
   const uint16_t pieces = static_cast<uint16_t>(low - pieces_passed_);
@@ -79,6 +82,19 @@ bool PacketReader::is_expected(const uint8_t* packet) {
     return false;
   }
   note_gap(gap, is_trailer ? 0 : pieces);  // a trailer tells of pieces in full
+  return true;
+}
+
+// Those of slices tell more of their number instead.
+bool PacketReader::is_expected_by_number(const uint8_t* packet) {
+  constexpr uint32_t numbers = uint32_t{1} << 24;
+  const auto number = static_cast<uint32_t>(wire::ByteReader(packet + 1, 3).get(3));
+  const uint32_t gap = (number - static_cast<uint32_t>(packets_passed())) % numbers;
+  if (gap >= numbers / 2) {
+    ++report_.repeated_packets;
+    return false;
+  }
+  note_gap(gap, 0);
   return true;
 }
 
@@ -105,7 +121,8 @@ bool PacketReader::read_header() {
   for (int32_t& spacing : header.spacing_nm)
     spacing = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
   header.threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  header.border = reader.get(1) == 1 ? Border::open : Border::closed;
+  const uint64_t flags = reader.get(1);
+  header.border = (flags & wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
   const uint64_t packets_before = reader.get(4);
   const uint64_t pieces_before = reader.get(8);
   const Limits limits{header.width, header.height, header.border};
@@ -113,7 +130,10 @@ bool PacketReader::read_header() {
     damage();
     return false;
   }
-  if (!report_.has_header) header_ = header;
+  if (!report_.has_header) {
+    header_ = header;
+    report_.holds_slices = (flags & wire::HeaderFlags::slices) != 0;
+  }
   report_.has_header = true;
   if (packets_before < packets_passed()) {
     ++report_.repeated_packets;
@@ -144,6 +164,17 @@ PacketReader::Arrival PacketReader::read_trailer() {
   const uint64_t pieces = totals.regions + totals.fragments;
   if (pieces > pieces_passed_) note_gap(0, pieces - pieces_passed_);
   gap_is_untold_ = true;
+  return Arrival::trailer;
+}
+
+PacketReader::Arrival PacketReader::read_slices_trailer() {
+  if (payload_bytes_ < wire::slices_trailer_payload) return damage();
+  wire::ByteReader reader(payload(), payload_bytes_);
+  report_.has_trailer = true;
+  report_.slices = static_cast<uint32_t>(reader.get(4));
+  report_.abandoned = reader.get(1) != 0;
+  report_.total_rows = reader.get(8);
+  report_.totals.skipped_rows = reader.get(8);
   return Arrival::trailer;
 }
 

@@ -12,6 +12,7 @@ namespace discmc {
 /// How a stream arrived. Lost counts grow when the next whole packet reveals the gap.
 struct StreamReport {
   bool has_header = false;
+  bool holds_slices = false;  ///< as its header says: a SliceDecoder or a SurfaceDecoder takes it
   bool has_trailer = false;
   bool abandoned = false;  ///< the scan was ended before its time; the surface is closed
   uint64_t bytes = 0;
@@ -23,13 +24,17 @@ struct StreamReport {
   uint64_t regions = 0;          ///< delivered complete
   uint64_t fragments = 0;        ///< loose ones delivered complete
   uint64_t lost_pieces = 0;      ///< regions and fragments missing by the running count of both
+  uint64_t rows = 0;             ///< of bits, delivered
+  uint64_t lost_rows = 0;        ///< of bits, by where the next one is
   uint32_t slices = 0;           ///< of the trailer
   Statistics totals{};           ///< of the trailer
+  uint64_t total_rows = 0;       ///< of bits: of the trailer
 
   /// Nothing is missing from header to trailer, and nothing came that the trailer does not count.
   bool is_complete() const {
-    return has_header && has_trailer && lost_packets == 0 && lost_pieces == 0 &&
-           regions == totals.regions && fragments == totals.fragments && !is_unreadable;
+    return has_header && has_trailer && lost_packets == 0 && lost_pieces == 0 && lost_rows == 0 &&
+           regions == totals.regions && fragments == totals.fragments && rows == total_rows &&
+           !is_unreadable;
   }
 };
 
@@ -39,7 +44,7 @@ class PacketReader {
   void start();
 
   /// What a byte has completed.
-  enum class Arrival : uint8_t { nothing, records, trailer };
+  enum class Arrival : uint8_t { nothing, records, slices, trailer };
   /// Takes a byte. Limit: not is_refused(), and the decoder is done with the packet before.
   Arrival take(uint8_t byte);
   /// Tells that no byte follows.
@@ -50,8 +55,11 @@ class PacketReader {
   /// Whether a header names a version that is not known: nothing more is read.
   bool is_refused() const { return is_refused_; }
 
-  /// The payload of the records that have arrived, until the next byte.
+  /// The SliceBits of the slices that have arrived.
+  uint8_t slice_bits() const { return frame_[1] & wire::SliceBits::all; }
+  /// The payload of what has arrived, until the next byte.
   const uint8_t* payload() const { return frame_ + 1 + wire::packet_head; }
+  uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
   size_t payload_bytes() const { return payload_bytes_; }
 
   /// A piece that began in one of the packets has been completed, or lost.
@@ -67,11 +75,13 @@ class PacketReader {
   Arrival open_frame(size_t bytes);
   Arrival damage();
   bool is_expected(const uint8_t* packet);
+  bool is_expected_by_number(const uint8_t* packet);
   // What the next packet is to be numbered.
   uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
   void note_gap(uint64_t packets, uint64_t pieces);
   bool read_header();
   Arrival read_trailer();
+  Arrival read_slices_trailer();
 
   StreamHeader header_;
   StreamReport report_;

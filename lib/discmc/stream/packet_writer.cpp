@@ -3,8 +3,10 @@
 
 namespace discmc {
 
-void PacketWriter::start(const StreamHeader& header, const ByteOutput& output) {
+void PacketWriter::start(const StreamHeader& header, uint8_t flags, const ByteOutput& output) {
   header_ = header;
+  const bool is_open = header.border == Border::open;
+  flags_ = static_cast<uint8_t>(flags | (is_open ? wire::HeaderFlags::open_border : 0));
   output_ = output;
   bytes_ = 0;
   pieces_ = 0;
@@ -15,15 +17,17 @@ void PacketWriter::start(const StreamHeader& header, const ByteOutput& output) {
 
 void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
   uint8_t* const packet = frame_ + 1;
-  wire::put(packet,
-            uint32_t{static_cast<uint8_t>(kind)} | (packets_ & 0xFF) << 8 | pieces_before_ << 16,
-            wire::packet_head);
+  const auto number = static_cast<uint8_t>(kind);
+  const uint32_t passed =
+      wire::is_of_slices(number) ? packets_ << 8 : (packets_ & 0xFF) << 8 | pieces_before_ << 16;
+  wire::put(packet, number | passed, wire::packet_head);
   wire::put(end, crc32(packet, static_cast<size_t>(end - packet)), wire::packet_crc);
   frame_bytes_ = static_cast<uint16_t>(
       cobs::stuff(frame_, static_cast<size_t>(end - packet) + wire::packet_crc));
   drained_ = 0;
   ++packets_;
-  if (kind != wire::PacketKind::trailer) ++packets_since_header_;
+  if (kind != wire::PacketKind::trailer && kind != wire::PacketKind::slices_trailer)
+    ++packets_since_header_;
   pieces_before_ = static_cast<uint32_t>(pieces_);
 }
 
@@ -35,7 +39,7 @@ void PacketWriter::seal_header() {
   for (const int32_t spacing : header_.spacing_nm)
     place = wire::put(place, static_cast<uint32_t>(spacing), 4);
   place = wire::put(place, static_cast<uint32_t>(header_.threshold), 4);
-  place = wire::put(place, header_.border == Border::open ? 1 : 0, 1);
+  place = wire::put(place, flags_, 1);
   place = wire::put(place, packets_, 4);
   seal(wire::PacketKind::header, wire::put_long(place, pieces_));
   packets_since_header_ = 0;
@@ -47,6 +51,14 @@ void PacketWriter::seal_trailer(const Event& finish) {
   for (const auto total : wire::trailer_totals)
     place = wire::put_long(place, finish.statistics->*total);
   seal(wire::PacketKind::trailer, place);
+}
+
+void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
+                                       uint64_t skipped_rows) {
+  uint8_t* place = wire::put(payload(), slices, 4);
+  place = wire::put(place, is_abandoned ? 1 : 0, 1);
+  place = wire::put_long(place, rows);
+  seal(wire::PacketKind::slices_trailer, wire::put_long(place, skipped_rows));
 }
 
 bool PacketWriter::drain() {

@@ -17,8 +17,9 @@ struct ByteOutput {
 /// One packet is held: open, while its payload is written, or sealed, while its frame goes out.
 class PacketWriter {
  public:
-  /// Begins a stream: the header is sealed. Limit: the output has a function.
-  void start(const StreamHeader& header, const ByteOutput& output);
+  /// Begins a stream: the header is sealed. flags: of wire::HeaderFlags, those that the header does
+  /// not tell. Limit: the output has a function.
+  void start(const StreamHeader& header, uint8_t flags, const ByteOutput& output);
   bool is_started() const { return output_.write != nullptr; }
 
   /// Whether the packet is open.
@@ -29,6 +30,9 @@ class PacketWriter {
   void seal(wire::PacketKind kind, uint8_t* end);
   /// Seals a trailer made of the event that ends the scan. Limit: the packet is open.
   void seal_trailer(const Event& finish);
+  /// The same of a scan whose slices were told.
+  void seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
+                           uint64_t skipped_rows);
   /// Hands over what is sealed. True when all of it is gone: then the next packet is open.
   bool drain();
 
@@ -47,6 +51,7 @@ class PacketWriter {
 
   // Small members stand first, where they are reached by short instructions.
   uint8_t packets_since_header_ = 0;
+  uint8_t flags_ = 0;
   uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
   uint16_t drained_ = 0;
   ByteOutput output_;

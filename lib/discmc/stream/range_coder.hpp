@@ -1,8 +1,8 @@
 // A binary range coder in 32-bit integers.
 //
-// Probabilities are fixed, in 256ths: p of 1 to 255 says that a bit is 1 with p / 256.
-// G. N. N. Martin, "Range encoding: an algorithm for removing redundancy from a digitised message",
-// 1979.
+// Fixed probabilities are in 256ths: p of 1 to 255 says that a bit is 1 with p / 256. Those that
+// are learnt are in 65,536ths. G. N. N. Martin, "Range encoding: an algorithm for removing
+// redundancy from a digitised message", 1979.
 #ifndef DISCMC_STREAM_RANGE_CODER_HPP
 #define DISCMC_STREAM_RANGE_CODER_HPP
 
@@ -12,6 +12,24 @@
 namespace discmc {
 
 using Probability = uint8_t;
+
+/// A probability that is learnt. Units: 65,536ths. It stays between 15 and 65,520 of them.
+class LearntProbability {
+ public:
+  constexpr LearntProbability() = default;
+  /// Limit: one of 15 to 65,520.
+  explicit constexpr LearntProbability(uint16_t one) : one_(one) {}
+  constexpr uint32_t of_one() const { return one_; }
+  /// The bit has come: a 16th of the way to its certainty.
+  constexpr void learn(bool bit) {
+    constexpr int rate = 4;
+    one_ =
+        static_cast<uint16_t>(bit ? one_ + ((UINT16_MAX - one_) >> rate) : one_ - (one_ >> rate));
+  }
+
+ private:
+  uint16_t one_ = 1 << 15;
+};
 
 /// Writes bits into a fixed buffer. A copy is a snapshot: to go back to it undoes all bits since,
 /// as bytes once written are never changed. Limit: at most 65,535 bytes. Owner: the buffer is the
@@ -26,15 +44,16 @@ class RangeEncoder {
         range_(UINT32_MAX) {}
 
   void encode(bool bit, Probability one) {
-    const uint32_t bound = (range_ >> 8) * one;
-    if (bit) {
-      range_ = bound;
-    } else {
-      add(bound);
-      range_ -= bound;
-    }
+    narrow(bit, (range_ >> 8) * one);
     // Down to a 256th of it is at least 2^16.
     if (range_ < min_range) {
+      shift();
+      range_ <<= 8;
+    }
+  }
+  void encode(bool bit, LearntProbability one) {
+    narrow(bit, (range_ >> 16) * one.of_one());
+    while (range_ < min_range) {
       shift();
       range_ <<= 8;
     }
@@ -91,6 +110,19 @@ class RangeEncoder {
   /// Goes on in another buffer, which holds the same bytes.
   void move_to(uint8_t* buffer) { buffer_ = buffer; }
 
+  /// Whether so many more bytes fit, whatever a carry does to those that are held back.
+  bool has_room(size_t bytes) const { return size_t{count_} + held_ + bytes <= capacity_; }
+  /// The bytes that no carry changes any more.
+  size_t final_bytes() const { return count_; }
+  /// Goes on in another buffer with what comes after the final bytes. Returns how many these are.
+  size_t continue_in(uint8_t* buffer, size_t capacity) {
+    const size_t taken = count_;
+    count_ = 0;
+    buffer_ = buffer;
+    capacity_ = static_cast<uint16_t>(capacity);
+    return taken;
+  }
+
   /// The bytes that finish() would come to. More than the capacity means that bits were lost.
   size_t size() const { return size_t{count_} + held_ + (needs_closing_byte() ? 1 : 0); }
   bool fits() const { return size() <= capacity_; }
@@ -114,6 +146,15 @@ class RangeEncoder {
 
   // Whether no multiple of 2^32, which takes no further byte, lies in the range. One of 2^24 does.
   bool needs_closing_byte() const { return 0 - low_ >= range_; }
+
+  void narrow(bool bit, uint32_t bound) {
+    if (bit) {
+      range_ = bound;
+    } else {
+      add(bound);
+      range_ -= bound;
+    }
+  }
 
   void add(uint32_t value) {
     low_ += value;
@@ -156,8 +197,26 @@ class RangeDecoder {
     for (int i = 0; i < 4; ++i) code_ = code_ << 8 | next();
   }
 
-  bool decode(Probability one) {
-    const uint32_t bound = (range_ >> 8) * one;
+  bool decode(Probability one) { return decode_below((range_ >> 8) * one); }
+  bool decode(LearntProbability one) { return decode_below((range_ >> 16) * one.of_one()); }
+
+  /// Whether more bits were read than the bytes can have held: they were not written by an encoder.
+  bool is_exhausted() const { return position_ > count_ + 4; }
+
+  /// The bytes that are not read yet.
+  size_t left() const { return position_ < count_ ? count_ - position_ : 0; }
+  const uint8_t* rest() const { return buffer_ + (count_ - left()); }
+  /// Goes on in another buffer, which begins with the rest.
+  void continue_in(const uint8_t* buffer, size_t count) {
+    buffer_ = buffer;
+    count_ = count;
+    position_ = 0;
+  }
+
+ private:
+  static constexpr uint32_t min_range = uint32_t{1} << 24;
+
+  bool decode_below(uint32_t bound) {
     const bool bit = code_ < bound;
     if (bit) {
       range_ = bound;
@@ -171,12 +230,6 @@ class RangeDecoder {
     }
     return bit;
   }
-
-  /// Whether more bits were read than the bytes can have held: they were not written by an encoder.
-  bool is_exhausted() const { return position_ > count_ + 4; }
-
- private:
-  static constexpr uint32_t min_range = uint32_t{1} << 24;
 
   uint32_t next() {
     const uint32_t byte = position_ < count_ ? buffer_[position_] : 0;

@@ -23,10 +23,34 @@ namespace wire {
 constexpr uint8_t version = 2;
 
 /// What a packet holds. Packets of unknown kinds are skipped: a better region coder is a new kind.
-enum class PacketKind : uint8_t { header = 1, records = 2, trailer = 3 };
+/// Those of slices are `slices` and their SliceBits.
+enum class PacketKind : uint8_t {
+  header = 1,
+  records = 2,
+  trailer = 3,
+  slices_trailer = 4,
+  slices = 16
+};
+
+/// What a packet of slices is in its code, which may go through several.
+struct SliceBits {
+  static constexpr uint8_t key = 1;    ///< a key slice begins with it: nothing before is needed
+  static constexpr uint8_t first = 2;  ///< the code begins with it
+  static constexpr uint8_t last = 4;   ///< and ends with it
+  static constexpr uint8_t cut = 8;    ///< within a row
+  static constexpr uint8_t all = 15;
+};
+constexpr bool is_of_slices(uint8_t kind) {
+  constexpr auto slices = static_cast<uint8_t>(PacketKind::slices);
+  return kind / slices == 1 || kind == static_cast<uint8_t>(PacketKind::slices_trailer);
+}
+/// A packet with which a key slice begins tells its number first; one that is cut tells last how
+/// many rows there were before, modulo 2^32, and how many voxels of the row are left. Units: bytes.
+constexpr int key_slice_head = 4;
+constexpr int cut_tail = 4 + 2;
 
 // A packet before stuffing: kind, number modulo 256, complete pieces (regions and fragments) before
-// it modulo 65,536, payload, CRC-32 of all before.
+// it modulo 65,536, or of slices two more bytes of the number; payload, CRC-32 of all before.
 constexpr size_t packet_head = 4;
 constexpr size_t packet_crc = 4;
 constexpr size_t max_packet = cobs::max_plain;
@@ -82,6 +106,12 @@ class ByteReader {
   size_t left_;
 };
 
+/// Bits of the header's flags.
+struct HeaderFlags {
+  static constexpr uint8_t open_border = 1;
+  static constexpr uint8_t slices = 2;  ///< the packets hold slices, not regions
+};
+
 constexpr size_t header_payload = 3 + 1 + 2 + 2 + 4 + 3 * 4 + 4 + 1 + 4 + 8;
 
 /// The totals of the trailer in their order. A reader must know all of them.
@@ -91,6 +121,7 @@ constexpr uint64_t Statistics::*trailer_totals[] = {
     &Statistics::fragments, &Statistics::skipped_rows};
 constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics);
 static_assert(sizeof(Statistics) == 8 * sizeof(uint64_t), "every total is told");
+constexpr size_t slices_trailer_payload = 4 + 1 + 8 + 8;
 
 }  // namespace wire
 

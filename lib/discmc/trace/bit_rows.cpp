@@ -20,12 +20,12 @@ constexpr uint32_t most_placed = 28;
 
 }  // namespace
 
-void BitRows::start(Arena& arena, const Limits& limits) {
+void BitRows::start(Arena& arena, const Limits& limits, uint32_t rows) {
   words_ = row_words(limits.width);
-  ring_rows_ = bit_rows(limits.height) - 1;
+  ring_rows_ = rows;
   width_ = limits.width;
   height_ = limits.height;
-  ring_ = arena.take<uint32_t>(words_ * bit_rows(limits.height));
+  ring_ = arena.take<uint32_t>(words_ * (rows + 1));
 }
 
 void BitRows::clear() {
@@ -133,6 +133,29 @@ void BitRows::append_bits(const uint8_t* bits) {
   column_ = width_;
 }
 
+void BitRows::write_bits(uint8_t* bits) const {
+  const uint32_t* word = row_before(0);
+  // Voxel 0 stands in bit 2 of the first word, those of the others begin in bit 1.
+  uint32_t held = *word >> 2 & (own_columns >> 2);
+  uint32_t count = columns_per_word - 1;
+  for (uint32_t left = width_; left > 0;) {
+    if (count < 8) {
+      // The next word's last columns may not fit: they are taken with the byte after.
+      const uint32_t next =
+          word + 1 < row_before(0) + words_ ? *++word >> 1 & (own_columns >> 1) : 0;
+      const auto byte = static_cast<uint8_t>(held | next << count);
+      *bits++ = byte;
+      held = next >> (8 - count);
+      count += columns_per_word - 8;
+    } else {
+      *bits++ = static_cast<uint8_t>(held);
+      held >>= 8;
+      count -= 8;
+    }
+    left = left < 8 ? 0 : left - 8;
+  }
+}
+
 void BitRows::repeat() {
   const bool first_of_all = rows_ == 0 && slices_ == 0;
   const uint32_t* const before = first_of_all ? row_off() : row_before(1);
@@ -167,10 +190,11 @@ void BitRows::find_around(int32_t y, RowBlock& block) const {
     const uint32_t* next = row_before(back);
     const uint32_t** const row = block.row[k];
     const uint32_t first = static_cast<uint32_t>(y) - 1;
-    if (first < there && first + 2 < there && next + size_t{2} * words_ < off) {
+    const uint32_t* const last = next + words_ + words_;
+    if (first < there && first + 2 < there && last < off) {
       row[0] = next;
       row[1] = next + words_;
-      row[2] = next + size_t{2} * words_;
+      row[2] = last;
       continue;
     }
     for (uint32_t j = 0; j < 3; ++j) {

@@ -23,9 +23,13 @@ constexpr uint32_t columns_per_word = 30;
 constexpr uint32_t row_words(uint32_t width) {
   return width / columns_per_word + 1;
 }
-/// Rows in the ring, and one that is all off.
-constexpr uint32_t bit_rows(uint32_t height) {
-  return 2 * height + 4;
+/// Rows in the ring that a sweep needs.
+constexpr uint32_t swept_rows(uint32_t height) {
+  return 2 * height + 3;
+}
+/// The bytes of a ring of so many rows, and of one that is all off.
+constexpr uint64_t bit_row_bytes(uint32_t width, uint32_t rows) {
+  return uint64_t{rows + 1} * row_words(width) * sizeof(uint32_t);
 }
 
 /// The bits of a word's own columns.
@@ -51,8 +55,9 @@ struct CellRowBits {
 /// The rows of the slice that arrives and of the two before it.
 class BitRows {
  public:
-  /// Takes row_words() * bit_rows() words from the arena and writes nothing there; clear() does.
-  void start(Arena& arena, const Limits& limits);
+  /// Keeps so many rows, the one that arrives among them. Takes bit_row_bytes() from the arena and
+  /// writes nothing there; clear() does.
+  void start(Arena& arena, const Limits& limits, uint32_t rows);
   void clear();
 
   /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples
@@ -63,6 +68,8 @@ class BitRows {
   void append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold);
   /// Fills the whole row from bits, eight voxels a byte, the first in bit 0. Limit: column() == 0.
   void append_bits(const uint8_t* bits);
+  /// The row that arrives, as append_bits() takes it. Limit: all of it is there.
+  void write_bits(uint8_t* bits) const;
   /// Fills the rest of the row with off voxels.
   void fill_off();
   /// Fills the whole row with the row before it (off for the first of all). Limit: column() == 0.
@@ -72,6 +79,13 @@ class BitRows {
   bool row_is_complete() const { return column_ == width_; }
   /// Ends the row that arrives and begins the next one of the slice.
   void next_row();
+
+  /// The words of the row that arrives: all off before its first column.
+  uint32_t* arriving();
+  /// The row that arrived `back` rows ago. Limit: it is kept, and has come.
+  const uint32_t* row(uint32_t back) const { return row_before(back); }
+  /// A row that is off.
+  const uint32_t* off() const { return row_off(); }
 
   uint32_t words() const { return words_; }
   /// Rows of the arriving slice that are complete (0 to height), and slices that are.
@@ -87,7 +101,6 @@ class BitRows {
  private:
   uint32_t* row_before(uint32_t back) const;
   uint32_t* row_off() const { return &ring_[size_t{words_} * ring_rows_]; }
-  uint32_t* arriving();
   void place(uint32_t* words, uint32_t bits) const;
   template <class Sample>
   void append_windows(uint32_t* words, const Sample* samples, uint32_t count,

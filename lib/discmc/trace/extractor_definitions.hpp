@@ -41,7 +41,7 @@ template <class Index, class Normals, class Sweep>
 bool Extractor<Index, Normals, Sweep>::lay_out(Memory memory) {
   Arena arena(memory);
   intake_.start(arena, limits_);
-  rows_.start(arena, limits_);
+  rows_.start(arena, limits_, trace::swept_rows(limits_.height));
   sealed_.bits = arena.take<uint32_t>(sizing::sealed_words(limits_));
   auto* const queues = arena.take<trace::Queue<Index>>(trace::queue_count);
   auto* const holes = arena.take<Index>(sizing::hole_lists);

@@ -1,0 +1,274 @@
+#include <discmc/slice_decoder.hpp>
+
+namespace discmc {
+
+using slices::RowNote;
+using slices::SliceKind;
+
+namespace {
+
+// What a step or a note may read. Units: bytes.
+constexpr size_t most_of_a_step = 4;
+static_assert(most_of_a_step <= wire::packet_head, "what is left has room before a payload");
+
+}  // namespace
+
+uint32_t SliceDecoder::Coder::number(uint32_t bits, uint32_t) {
+  constexpr Probability even = 128;
+  uint32_t value = 0;
+  for (; bits > 0; --bits) value = value << 1 | (range.decode(even) ? 1 : 0);
+  return value;
+}
+
+Status SliceDecoder::start(Memory memory, const RowSink& sink) {
+  if (sink.take == nullptr) return Status::bad_sink;
+  sink_ = sink;
+  memory_ = memory;
+  packets_.start();
+  stage_ = Stage::collect;
+  refusal_ = Status::ok;
+  is_laid_out_ = false;
+  is_whole_ = false;
+  trailer_has_come_ = false;
+  row_is_begun_ = false;
+  slice_ = 0;
+  passed_rows_ = 0;
+  return Status::ok;
+}
+
+Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
+  for (size_t taken = 0;; ++taken) {
+    if (refusal_ != Status::ok) return {refusal_, taken};
+    if (!deliver()) return {Status::more, taken};
+    if (taken == count) return {Status::ok, count};
+    open(packets_.take(bytes[taken]));
+  }
+}
+
+Status SliceDecoder::finish() {
+  if (refusal_ != Status::ok) return refusal_;
+  if (!deliver()) return Status::more;
+  packets_.finish();
+  open(PacketReader::Arrival::nothing);
+  return Status::ok;
+}
+
+// ---- packets ----
+
+void SliceDecoder::open(PacketReader::Arrival arrival) {
+  if (packets_.is_refused()) refusal_ = Status::wrong_version;
+  if (packets_.take_gap()) break_off();
+  if (report().has_header && !is_laid_out_) lay_out();
+  if (!is_laid_out_ || refusal_ != Status::ok) return;
+  if (arrival == PacketReader::Arrival::slices) open_slices();
+  if (arrival == PacketReader::Arrival::trailer) {
+    const uint64_t total = report().total_rows;
+    lost_rows_ = total > passed_rows_ ? total - passed_rows_ : 0;
+    trailer_has_come_ = true;
+    stage_ = Stage::lose;
+  }
+}
+
+void SliceDecoder::lay_out() {
+  const Limits limits{header().width, header().height, header().border};
+  Arena arena(memory_);
+  rows_.start(arena, limits, slices::rows_kept(limits.height, false));
+  bits_ = arena.take<uint8_t>((limits.width + 7) / 8);
+  if (arena.is_exhausted()) {
+    refusal_ = Status::too_little_memory;
+    return;
+  }
+  rows_.clear();
+  is_laid_out_ = true;
+}
+
+// What follows cannot be read before the next key slice.
+void SliceDecoder::break_off() {
+  is_whole_ = false;
+  row_is_begun_ = false;
+}
+
+void SliceDecoder::give_up() {
+  packets_.note_unreadable();
+  break_off();
+  stage_ = Stage::collect;
+}
+
+void SliceDecoder::open_slices() {
+  using wire::SliceBits;
+  const uint8_t bits = packets_.slice_bits();
+  uint8_t* code = packets_.payload();
+  size_t bytes = packets_.payload_bytes();
+  stage_ = Stage::lose;
+  lost_rows_ = 0;
+  if ((bits & SliceBits::key) != 0) {
+    if (bytes < wire::key_slice_head || !begin_key_slice()) return give_up();
+    code += wire::key_slice_head;
+    bytes -= wire::key_slice_head;
+  }
+  if (!is_whole_) {
+    stage_ = Stage::collect;
+    return;
+  }
+  const bool goes_on_in_row = cut_left_ != 0;
+  code_is_over_ = (bits & SliceBits::last) != 0;
+  cut_left_ = 0;
+  if ((bits & SliceBits::cut) != 0) {
+    if (bytes < wire::cut_tail || !code_is_over_) return give_up();
+    bytes -= wire::cut_tail;
+    wire::ByteReader tail(code + bytes, wire::cut_tail);
+    cut_row_ = static_cast<uint32_t>(tail.get(4));
+    cut_left_ = static_cast<uint32_t>(tail.get(2));
+  }
+  if ((bits & SliceBits::first) == 0) {
+    for (uint32_t i = rest_bytes_; i > 0; --i) *--code = rest_[i - 1];
+    coder_.range.continue_in(code, bytes + rest_bytes_);
+    return;
+  }
+  // A code begins with a row, or where the one before was cut, and with as many bytes as a decoder
+  // asks for first.
+  if (row_is_begun_ != goes_on_in_row || (bytes < most_of_a_step && !code_is_over_))
+    return give_up();
+  coder_.range = RangeDecoder(code, bytes);
+}
+
+bool SliceDecoder::begin_key_slice() {
+  const auto slice = static_cast<uint32_t>(wire::ByteReader(packets_.payload(), 4).get(4));
+  const bool is_ahead = slice > slice_ || (slice == slice_ && rows_.rows() == 0);
+  if (slice >= Limits::max_slices || !is_ahead) return false;
+  lost_rows_ = uint64_t{slice - slice_} * header().height - rows_.rows();
+  next_slice_ = slice;
+  is_whole_ = true;
+  is_key_ahead_ = true;
+  row_is_begun_ = false;
+  cut_left_ = 0;
+  kind_ = SliceKind::key;
+  model_.begin(kind_);
+  return true;
+}
+
+// ---- rows ----
+
+// Whether the bytes at hand suffice for a step, whatever it is.
+bool SliceDecoder::can_read() const {
+  return code_is_over_ || coder_.range.left() >= most_of_a_step;
+}
+
+bool SliceDecoder::is_at_cut() const {
+  return cut_left_ != 0 && row_is_begun_ && row_.left() == cut_left_ &&
+         static_cast<uint32_t>(passed_rows_) == cut_row_;
+}
+
+// Reads up to the end of a row, or of what is there.
+void SliceDecoder::read() {
+  while (can_read()) {
+    if (is_at_cut()) {
+      stage_ = Stage::collect;
+      return;
+    }
+    const bool is_good = row_is_begun_ ? row_.step(coder_, model_) : begin_row();
+    if (!is_good || coder_.range.is_exhausted()) return give_up();
+    if (note_ == RowNote::end) {
+      stage_ = Stage::collect;
+      return;
+    }
+    if (row_.is_done()) {
+      if (note_ == RowNote::none) row_.complete(rows_.words());
+      stage_ = Stage::hand_out;
+      return;
+    }
+  }
+  const size_t left = coder_.range.left();
+  for (rest_bytes_ = 0; rest_bytes_ < left && rest_bytes_ < most_of_a_step; ++rest_bytes_)
+    rest_[rest_bytes_] = coder_.range.rest()[rest_bytes_];
+  stage_ = Stage::collect;
+}
+
+// False when no encoder told it.
+bool SliceDecoder::begin_row() {
+  note_ = RowNote::none;
+  if (coder_.bit(model_[slices::context::note], false)) {
+    const uint32_t told = coder_.number(slices::note_bits, 0);
+    if (told >= static_cast<uint32_t>(RowNote::none)) return false;
+    note_ = static_cast<RowNote>(told);
+  }
+  if (note_ == RowNote::end) return code_is_over_;
+  if (rows_.rows() == 0 && !is_key_ahead_) slices::begin_following_slice(kind_, model_);
+  is_key_ahead_ = false;
+  row_is_begun_ = true;
+  uint32_t width = 0;
+  if (note_ == RowNote::repeated)
+    rows_.repeat();
+  else if (note_ == RowNote::off)
+    rows_.fill_off();
+  else
+    width = header().width;
+  row_.begin(rows_.arriving(), slices::rows_before(rows_, header().height, kind_), width);
+  return true;
+}
+
+// ---- delivery ----
+
+// Hands out all that is known. False when the sink said "not now".
+bool SliceDecoder::deliver() {
+  for (;;) {
+    switch (stage_) {
+      case Stage::collect:
+        return true;
+      case Stage::lose:
+        if (!report_loss()) return false;
+        stage_ = trailer_has_come_ ? Stage::finish : Stage::read;
+        break;
+      case Stage::read:
+        read();
+        break;
+      case Stage::hand_out:
+        if (!hand_out()) return false;
+        stage_ = Stage::read;
+        break;
+      case Stage::finish:
+        if (!offer(RowEvent::Kind::finish)) return false;
+        stage_ = Stage::collect;
+        break;
+    }
+  }
+}
+
+bool SliceDecoder::report_loss() {
+  if (lost_rows_ == 0) return true;
+  if (!offer(RowEvent::Kind::lost)) return false;
+  packets_.report().lost_rows += lost_rows_;
+  passed_rows_ += lost_rows_;
+  slice_ = next_slice_;
+  rows_.clear();
+  return true;
+}
+
+bool SliceDecoder::hand_out() {
+  const bool is_row = note_ == RowNote::none;
+  if (!offer(is_row ? RowEvent::Kind::row : RowEvent::Kind::skipped)) return false;
+  ++packets_.report().rows;
+  ++passed_rows_;
+  row_is_begun_ = false;
+  rows_.next_row();
+  if (rows_.rows() == header().height) {
+    rows_.next_slice();
+    ++slice_;
+  }
+  return true;
+}
+
+bool SliceDecoder::offer(RowEvent::Kind kind) {
+  RowEvent event{};
+  event.kind = kind;
+  event.repeated = note_ == RowNote::repeated;
+  event.abandoned = report().abandoned;
+  event.slice = kind == RowEvent::Kind::finish ? report().slices : slice_;
+  event.row = rows_.rows();
+  event.count = lost_rows_;
+  event.bits = bits_;
+  if (kind == RowEvent::Kind::row || kind == RowEvent::Kind::skipped) rows_.write_bits(bits_);
+  return sink_.take(sink_.context, event) == Answer::taken;
+}
+
+}  // namespace discmc

@@ -1,0 +1,122 @@
+// The slice decoder: bytes of a stream of bits in, rows out.
+//
+// Any bytes are safe. It never reads beyond what it is given nor writes beyond its object and its
+// memory, it allocates nothing, and what was whole is handed out, whatever came before or after.
+#ifndef DISCMC_SLICE_DECODER_HPP
+#define DISCMC_SLICE_DECODER_HPP
+
+#include <discmc/decoder.hpp>
+#include <discmc/key_slices.hpp>
+
+namespace discmc {
+
+/// What a SliceDecoder hands out: every row of a scan in its order, and its end. Only the members
+/// that its kind names have a meaning.
+struct RowEvent {
+  enum class Kind : uint8_t {
+    row,      ///< slice, row, bits
+    skipped,  ///< it never came to the encoder: slice, row, bits, which stand in for it; repeated
+    lost,     ///< so many rows were lost on the way: slice, row (of the first), count
+    finish,   ///< the last event: slice (how many), abandoned
+  };
+  Kind kind;
+  bool repeated;  ///< the row before stands in, not a row that is off
+  bool abandoned;
+  uint32_t slice;
+  uint32_t row;
+  uint64_t count;
+  const uint8_t* bits;  ///< eight voxels a byte, the first in bit 0; Owner: the decoder; valid
+                        ///< during the call
+};
+
+/// Where rows go. Owner: the context belongs to the caller and must outlive the decoder.
+struct RowSink {
+  void* context = nullptr;
+  Answer (*take)(void* context, const RowEvent& event) = nullptr;
+};
+
+/// A row sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
+template <class Receiver>
+RowSink row_sink_to(Receiver& receiver) {
+  return {&receiver, [](void* context, const RowEvent& event) {
+            return static_cast<Receiver*>(context)->take(event);
+          }};
+}
+
+class SliceDecoder {
+ public:
+  /// Begins a stream. memory: at least slice_decoder_bytes() for the size that the header will
+  /// tell; Owner: the caller, as long as the decoder is used. Errors: bad_sink.
+  [[nodiscard]] Status start(Memory memory, const RowSink& sink);
+
+  /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
+  /// Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells of
+  /// larger slices than the memory serves; nothing of this stream is handed out. Errors: also
+  /// not_started. Packets that arrive before any header are lost. Cost: as the encoder's.
+  Decoded push(const uint8_t* bytes, size_t count);
+
+  /// Tells that no byte follows. Status::more as push(). Errors: not_started.
+  [[nodiscard]] Status finish();
+
+  const StreamHeader& header() const { return packets_.header(); }
+  const StreamReport& report() const { return packets_.report(); }
+
+ private:
+  struct Coder {
+    RangeDecoder range;
+    bool bit(LearntProbability& probability, bool) {
+      const bool bit = range.decode(probability);
+      probability.learn(bit);
+      return bit;
+    }
+    uint32_t number(uint32_t bits, uint32_t);
+  };
+  // Between two bytes.
+  enum class Stage : uint8_t { collect, lose, read, hand_out, finish };
+
+  void open(PacketReader::Arrival arrival);
+  void lay_out();
+  void open_slices();
+  bool begin_key_slice();
+  void break_off();
+  void give_up();
+  void read();
+  bool can_read() const;
+  bool is_at_cut() const;
+  bool begin_row();
+  bool deliver();
+  bool hand_out();
+  bool report_loss();
+  bool offer(RowEvent::Kind kind);
+
+  RowSink sink_;
+  Memory memory_;
+  PacketReader packets_;
+  Stage stage_ = Stage::collect;
+  Status refusal_ = Status::not_started;
+  bool is_laid_out_ = false;
+  bool is_whole_ = false;      // nothing is lost since the last key slice began
+  bool is_key_ahead_ = false;  // the next row is the first of a key slice
+  bool code_is_over_ = false;  // its last packet has come
+  bool row_is_begun_ = false;
+  bool trailer_has_come_ = false;
+  uint8_t rest_bytes_ = 0;
+  uint8_t rest_[wire::packet_head];  // of the code, before the next packet of it
+  slices::SliceKind kind_ = slices::SliceKind::key;
+  slices::RowNote note_ = slices::RowNote::none;
+  uint32_t cut_row_ = 0;   // where the code is cut: in this row
+  uint32_t cut_left_ = 0;  // before so many of its voxels; 0 where it is not
+  uint32_t slice_ = 0;
+  uint32_t next_slice_ = 0;   // after what is lost
+  uint64_t lost_rows_ = 0;    // to be told
+  uint64_t passed_rows_ = 0;  // handed out or lost
+  Coder coder_;
+  slices::RowCode row_;
+  slices::SliceModel model_;
+  trace::BitRows rows_;
+  uint8_t* bits_ = nullptr;
+};
+
+}  // namespace discmc
+
+#endif

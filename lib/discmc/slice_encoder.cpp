@@ -1,0 +1,245 @@
+#include <discmc/slice_encoder.hpp>
+
+namespace discmc {
+
+using slices::RowNote;
+using slices::SliceKind;
+
+uint32_t SliceEncoder::Coder::number(uint32_t bits, uint32_t value) {
+  constexpr Probability even = 128;
+  while (bits > 0) range.encode((value >> --bits & 1) != 0, even);
+  return value;
+}
+
+Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Memory memory,
+                           const ByteOutput& output) {
+  const Limits limits{header.width, header.height, header.border};
+  if (!limits.is_valid()) return Status::bad_limits;
+  if (output.write == nullptr) return Status::bad_sink;
+  if (memory.data == nullptr || memory.bytes < slice_encoder_bytes(limits, key_slices))
+    return Status::too_little_memory;
+  Arena arena(memory);
+  rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every()));
+  rows_.clear();
+  packets_.start(header, wire::HeaderFlags::slices, output);
+  limits_ = limits;
+  threshold_ = header.threshold;
+  key_slices_ = key_slices;
+  state_ = State::scanning;
+  row_is_due_ = false;
+  row_is_begun_ = false;
+  code_is_open_ = false;
+  is_abandoned_ = false;
+  told_rows_ = 0;
+  skipped_rows_ = 0;
+  return Status::ok;
+}
+
+// ---- what the caller gives ----
+
+Status SliceEncoder::ready_for_row() {
+  if (state_ == State::idle) return Status::not_started;
+  if (state_ != State::scanning) return Status::finished;
+  if (!work()) return Status::more;
+  if (slices() >= Limits::max_slices) return Status::too_deep;
+  return Status::ok;
+}
+
+template <class Sample>
+PushResult SliceEncoder::push(const Sample* samples, uint32_t count, uint32_t stride) {
+  PushResult result{ready_for_row(), 0};
+  while (result.status == Status::ok && result.samples < count) {
+    const uint32_t room = limits_.width - rows_.column();
+    const uint32_t left = count - result.samples;
+    const uint32_t taken = left < room ? left : room;
+    rows_.append(samples + size_t{result.samples} * stride, taken, stride, threshold_);
+    result.samples += taken;
+    if (!rows_.row_is_complete()) break;
+    note_ = RowNote::none;
+    row_is_due_ = true;
+    result.status = result.samples == count ? resume() : ready_for_row();
+  }
+  return result;
+}
+
+template PushResult SliceEncoder::push(const uint8_t*, uint32_t, uint32_t);
+template PushResult SliceEncoder::push(const uint16_t*, uint32_t, uint32_t);
+template PushResult SliceEncoder::push(const int16_t*, uint32_t, uint32_t);
+
+PushResult SliceEncoder::push_bits(const uint8_t* bits) {
+  const Status status = ready_for_row();
+  if (status != Status::ok) return {status, 0};
+  if (rows_.column() != 0) return {Status::row_in_progress, 0};
+  rows_.append_bits(bits);
+  return take_row(RowNote::none);
+}
+
+PushResult SliceEncoder::skip_row(Substitute substitute) {
+  const Status status = ready_for_row();
+  if (status != Status::ok) return {status, 0};
+  if (rows_.column() != 0) return {Status::row_in_progress, 0};
+  const bool is_repeated = substitute == Substitute::previous_row;
+  if (is_repeated)
+    rows_.repeat();
+  else
+    rows_.fill_off();
+  ++skipped_rows_;
+  return take_row(is_repeated ? RowNote::repeated : RowNote::off);
+}
+
+PushResult SliceEncoder::take_row(RowNote note) {
+  note_ = note;
+  row_is_due_ = true;
+  return {resume(), limits_.width};
+}
+
+Status SliceEncoder::resume() {
+  if (state_ == State::idle) return Status::not_started;
+  return work() ? Status::ok : Status::more;
+}
+
+Status SliceEncoder::flush() {
+  if (state_ == State::idle) return Status::not_started;
+  if (!work()) return Status::more;
+  if (code_is_open_ && !end_code()) return Status::more;
+  return Status::ok;
+}
+
+Status SliceEncoder::finish() {
+  if (state_ == State::scanning) {
+    if (!work()) return Status::more;
+    if (rows() != 0 || rows_.column() != 0) return Status::slice_in_progress;
+    state_ = State::finishing;
+  }
+  return resume();
+}
+
+Status SliceEncoder::abandon() {
+  if (state_ == State::scanning) {
+    is_abandoned_ = true;
+    state_ = State::finishing;
+  }
+  return resume();
+}
+
+// ---- rows ----
+
+// Does all that is due. False when the output said "not now".
+bool SliceEncoder::work() {
+  if (!packets_.drain()) return false;
+  if (row_is_due_ && !tell_row()) return false;
+  if (state_ == State::finishing) {
+    if (code_is_open_ && !end_code()) return false;
+    const uint32_t slices_seen = slices() + (rows() > 0 ? 1 : 0);
+    packets_.seal_slices_trailer(slices_seen, is_abandoned_, told_rows_, skipped_rows_);
+    state_ = State::finished;
+  }
+  return packets_.drain();
+}
+
+bool SliceEncoder::tell_row() {
+  if (!row_is_begun_ && !begin_row()) return false;
+  while (!row_.is_done()) {
+    if (!make_room()) return false;
+    row_.step(coder_, model_);
+  }
+  row_is_begun_ = false;
+  row_is_due_ = false;
+  ++told_rows_;
+  rows_.next_row();
+  if (rows_.rows() == limits_.height) rows_.next_slice();
+  return true;
+}
+
+// Tells what comes before the voxels of a row; one that never came has none.
+bool SliceEncoder::begin_row() {
+  const bool begins_key_slice = rows() == 0 && key_slices_.is_key(slices());
+  if (begins_key_slice) {
+    if (code_is_open_ && !end_code()) return false;
+    kind_ = SliceKind::key;
+    model_.begin(kind_);
+  }
+  if (!make_room()) return false;
+  tell_note(note_);
+  if (rows() == 0 && !begins_key_slice) slices::begin_following_slice(kind_, model_);
+  const auto before = slices::rows_before(rows_, limits_.height, kind_);
+  row_.begin(rows_.arriving(), before, note_ == RowNote::none ? limits_.width : 0);
+  row_is_begun_ = true;
+  return true;
+}
+
+void SliceEncoder::tell_note(RowNote note) {
+  coder_.bit(model_[slices::context::note], note != RowNote::none);
+  if (note != RowNote::none) coder_.number(slices::note_bits, static_cast<uint32_t>(note));
+}
+
+// ---- packets ----
+
+// A step or a note takes up to 4 bytes, the last bits one, and before them a note 2 or behind them
+// the place of a cut 6.
+constexpr size_t code_reserve = 4 + 1 + wire::cut_tail;
+
+// Makes room in the packet for a step or a note. False when the output said "not now".
+bool SliceEncoder::make_room() {
+  if (code_is_open_ && !coder_.range.has_room(code_reserve)) {
+    // Where hardly a byte is final, as a carry may yet change all others, the code ends.
+    if (coder_.range.final_bytes() < code_reserve) {
+      if (!cut_code()) return false;
+    } else {
+      seal(code_end(coder_.range.final_bytes()));
+      coder_.range.continue_in(packets_.payload(), wire::max_payload);
+      if (!packets_.drain()) return false;
+    }
+  }
+  if (!code_is_open_) begin_code();
+  return true;
+}
+
+void SliceEncoder::begin_code() {
+  const bool is_key = !row_is_begun_ && rows() == 0 && key_slices_.is_key(slices());
+  packet_bits_ = wire::SliceBits::first;
+  uint8_t* code = packets_.payload();
+  if (is_key) {
+    packet_bits_ |= wire::SliceBits::key;
+    code = wire::put(code, slices(), wire::key_slice_head);
+  }
+  const auto head = static_cast<size_t>(code - packets_.payload());
+  coder_.range = RangeEncoder(code, wire::max_payload - head);
+  code_is_open_ = true;
+}
+
+// Ends the code between two rows.
+bool SliceEncoder::end_code() {
+  tell_note(RowNote::end);
+  return close_code(0);
+}
+
+// Ends it wherever it is.
+bool SliceEncoder::cut_code() {
+  return row_is_begun_ ? close_code(wire::SliceBits::cut) : end_code();
+}
+
+bool SliceEncoder::close_code(uint8_t bits) {
+  packet_bits_ = static_cast<uint8_t>(packet_bits_ | wire::SliceBits::last | bits);
+  uint8_t* end = code_end(coder_.range.finish());
+  if (bits == wire::SliceBits::cut) {
+    end = wire::put(end, static_cast<uint32_t>(told_rows_), 4);
+    end = wire::put(end, row_.left(), 2);
+  }
+  seal(end);
+  code_is_open_ = false;
+  return packets_.drain();
+}
+
+uint8_t* SliceEncoder::code_end(size_t code_bytes) {
+  const size_t head = (packet_bits_ & wire::SliceBits::key) != 0 ? wire::key_slice_head : 0;
+  return packets_.payload() + head + code_bytes;
+}
+
+void SliceEncoder::seal(uint8_t* end) {
+  const auto kind = static_cast<uint8_t>(wire::PacketKind::slices) | packet_bits_;
+  packets_.seal(static_cast<wire::PacketKind>(kind), end);
+  packet_bits_ = 0;
+}
+
+}  // namespace discmc

@@ -1,0 +1,119 @@
+// The slice encoder: samples in, a stream of bits out. For a device that leaves the surface to
+// whoever receives it.
+//
+//   start(header, key_slices, memory, output)
+//   push(samples, count)      as often as samples arrive, any number at a time
+//   resume()                  after Status::more, when the output may take again
+//   finish()                  after the last slice
+//
+// Every voxel is told by its neighbours, and what they say of it is learnt on the way (WIRE.md,
+// "Slices"). The stream of a CT head is a tenth of that of its regions, in a fifth of the
+// instructions. But the receiver must extract the surface, in as much memory as the device would
+// have needed; and what is lost on the way costs all slices up to the next key slice.
+#ifndef DISCMC_SLICE_ENCODER_HPP
+#define DISCMC_SLICE_ENCODER_HPP
+
+#include <discmc/key_slices.hpp>
+#include <discmc/row_input.hpp>
+#include <discmc/stream/packet_writer.hpp>
+
+namespace discmc {
+
+class SliceEncoder {
+ public:
+  /// Begins a scan and its stream; the header is the first packet. A voxel is on where its sample
+  /// is
+  /// >= header.threshold.
+  /// memory: at least slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts.
+  /// Errors: bad_limits, bad_sink (no write), too_little_memory.
+  [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
+                             const ByteOutput& output);
+
+  /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
+  /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
+  /// next, in samples. Errors: not_started, finished, too_deep.
+  /// With Status::more all samples up to the end of the row that caused it have been taken.
+  /// Sample is uint8_t, uint16_t or int16_t. Cost: a comparison a sample, and of a row one decision
+  /// where it is as its neighbours say, else about one a voxel of outline and two.
+  template <class Sample>
+  PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1);
+
+  /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0.
+  /// Errors: as push(), row_in_progress. PushResult::samples is the width when the row was taken,
+  /// else 0.
+  PushResult push_bits(const uint8_t* bits);
+
+  /// Stands in for a row that never came; the stream says so. Result and errors: as push_bits().
+  PushResult skip_row(Substitute substitute);
+
+  /// Goes on after Status::more. Also harmless at any other time. Errors: not_started.
+  [[nodiscard]] Status resume();
+
+  /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
+  /// stream. Errors: not_started. After Status::more call it again.
+  [[nodiscard]] Status flush();
+
+  /// Ends the scan and the stream. Errors: not_started, slice_in_progress. After Status::more call
+  /// it again. Calling it once more is harmless.
+  [[nodiscard]] Status finish();
+
+  /// Ends the scan wherever it is: the stream says so, and the receiver takes the rest of the slice
+  /// as off. Samples of a row that is not complete are dropped. Errors: not_started. Status::more
+  /// as finish().
+  [[nodiscard]] Status abandon();
+
+  /// The bytes that the output has taken so far.
+  uint64_t bytes() const { return packets_.bytes(); }
+  /// Complete slices so far, and complete rows of the current one.
+  uint32_t slices() const { return rows_.slices(); }
+  uint32_t rows() const { return rows_.rows(); }
+
+ private:
+  enum class State : uint8_t { idle, scanning, finishing, finished };
+  struct Coder {
+    RangeEncoder range;
+    bool bit(LearntProbability& probability, bool bit) {
+      range.encode(bit, probability);
+      probability.learn(bit);
+      return bit;
+    }
+    uint32_t number(uint32_t bits, uint32_t value);
+  };
+
+  Status ready_for_row();
+  PushResult take_row(slices::RowNote note);
+  bool work();
+  bool tell_row();
+  bool begin_row();
+  void tell_note(slices::RowNote note);
+  bool make_room();
+  void begin_code();
+  bool end_code();
+  bool cut_code();
+  bool close_code(uint8_t bits);
+  uint8_t* code_end(size_t code_bytes);
+  void seal(uint8_t* end);
+
+  State state_ = State::idle;
+  slices::RowNote note_ = slices::RowNote::none;  // of the row that is due
+  bool row_is_due_ = false;
+  bool row_is_begun_ = false;
+  bool code_is_open_ = false;
+  bool is_abandoned_ = false;
+  uint8_t packet_bits_ = 0;  // of the packet: see wire::SliceBits
+  slices::SliceKind kind_ = slices::SliceKind::key;
+  int32_t threshold_ = 0;
+  KeySlices key_slices_;
+  Limits limits_{};
+  uint64_t told_rows_ = 0;
+  uint64_t skipped_rows_ = 0;
+  Coder coder_;
+  slices::RowCode row_;
+  slices::SliceModel model_;
+  trace::BitRows rows_;
+  PacketWriter packets_;
+};
+
+}  // namespace discmc
+
+#endif

@@ -1,0 +1,176 @@
+// A row of bits, told or read voxel by voxel, and where neighbours are all alike run by run.
+#ifndef DISCMC_SLICES_ROW_CODE_HPP
+#define DISCMC_SLICES_ROW_CODE_HPP
+
+#include <discmc/compiler.hpp>
+#include <discmc/slices/slice_model.hpp>
+#include <discmc/trace/bit_rows.hpp>
+
+namespace discmc::slices {
+
+/// The rows that a row is told by. Owner: whoever has the rows.
+struct RowsBefore {
+  const uint32_t* near;   ///< its voxels 0, 1 and 2 are neighbours: see slice_model.hpp
+  const uint32_t* next;   ///< 3, 4 and 5
+  const uint32_t* third;  ///< 6
+  const uint32_t* last;   ///< 7
+};
+
+/// Those of the row that arrives.
+inline RowsBefore rows_before(const trace::BitRows& rows, uint32_t height, SliceKind kind) {
+  const auto row = [&rows](bool is_there, uint32_t back) {
+    return is_there ? rows.row(back) : rows.off();
+  };
+  const uint32_t y = rows.rows();
+  if (kind == SliceKind::key) return {row(y >= 1, 1), row(y >= 2, 2), row(y >= 3, 3), rows.off()};
+  return {row(y >= 1, 1), rows.row(height), row(y + 1 < height, height - 1),
+          row(y >= 1, height + 1)};
+}
+/// The rows that have to be kept for that, the one that arrives among them.
+constexpr uint32_t rows_kept(uint32_t height, bool all_are_key) {
+  const uint32_t of_slice = height + 2;
+  return all_are_key || of_slice < 4 ? 4 : of_slice;
+}
+
+/// What is said before a row.
+enum class RowNote : uint8_t {
+  end,       ///< no row follows: the code ends
+  off,       ///< the row never came, and is off
+  repeated,  ///< the row never came, and the one before stands in for it
+  none,      ///< the row follows
+};
+/// The bits of a note, which is told where there is one.
+constexpr uint32_t note_bits = 3;
+
+/// Where a row is told or read. A coder's bit(probability, bit) tells a bit or gives the one that
+/// is read, and so does its number(bits, value).
+class RowCode {
+ public:
+  /// row: as BitRows has it, of so many voxels; what is read is written there. Limit: a row that is
+  /// to be read is off.
+  void begin(uint32_t* row, const RowsBefore& before, uint32_t width) {
+    row_ = row;
+    before_ = before;
+    left_ = width;
+    word_ = 0;
+    bit_ = 2;
+    is_on_ = false;
+  }
+  bool is_done() const { return left_ == 0; }
+  /// The voxels that are not told yet.
+  uint32_t left() const { return left_; }
+
+  /// The next voxel or run. False when no encoder told what is read. Limit: not is_done().
+  /// Cost: 1 decision, or for a run that ends early some 10.
+  template <class Coder>
+  bool step(Coder& coder, SliceModel& model) {
+    const uint32_t neighbours = differing_neighbours();
+    const uint32_t level = neighbours == 0 ? level_voxels() : 0;
+    if (level < 2) {
+      const bool differs =
+          coder.bit(model[context::voxel + neighbours], ((*row() >> bit_ & 1) != 0) != is_on_);
+      go_to(0, differs);
+      return true;
+    }
+    const uint32_t bits = bit_width(level - 1);
+    uint32_t same = same_voxels(level);
+    if (coder.bit(model[run_context(level)], same == level)) {
+      pass(level);
+      return true;
+    }
+    same = coder.number(bits, same);
+    if (same >= level) return false;
+    go_to(same, true);
+    return true;
+  }
+
+  /// A row that has been read: what each word holds of the words beside it is written.
+  void complete(uint32_t words) {
+    for (uint32_t word = 1; word < words; ++word) {
+      row_[word] |= row_[word - 1] >> 30 & 1;
+      row_[word - 1] |= (row_[word] >> 1 & 1) << 31;
+    }
+  }
+
+ private:
+  uint32_t* row() { return row_ + word_; }
+  uint32_t as_before() const { return is_on_ ? ~uint32_t{0} : 0; }
+
+  // A bit each for those that are not as the voxel before.
+  uint32_t differing_neighbours() const {
+    const uint32_t near = before_.near[word_] >> (bit_ - 1) & 7;
+    const uint32_t next = before_.next[word_] >> (bit_ - 1) & 7;
+    const uint32_t third = before_.third[word_] >> bit_ & 1;
+    const uint32_t last = before_.last[word_] >> bit_ & 1;
+    return (near | next << 3 | third << 6 | last << 7) ^ (as_before() & 0xFF);
+  }
+
+  // The voxels from here on, as far as all their neighbours are as the voxel before.
+  uint32_t level_voxels() const {
+    return voxels_before(left_, [this](uint32_t word) {
+      const uint32_t near = before_.near[word] ^ as_before();
+      const uint32_t next = before_.next[word] ^ as_before();
+      const uint32_t beside = near | next;
+      const uint32_t below = before_.third[word] | before_.last[word];
+      const uint32_t both = before_.third[word] & before_.last[word];
+      return beside | beside << 1 | beside >> 1 | (is_on_ ? ~both : below);
+    });
+  }
+  // The same as far as they are as the voxel before.
+  uint32_t same_voxels(uint32_t most) const {
+    return voxels_before(most, [this](uint32_t word) { return row_[word] ^ as_before(); });
+  }
+  // Those from here on before the first whose bit is set, at most so many.
+  template <class Bits>
+  uint32_t voxels_before(uint32_t most, Bits bits) const {
+    uint32_t passed = 0;
+    for (uint32_t word = word_, bit = bit_; passed < most; ++word, bit = 1) {
+      const uint32_t rest = (bits(word) & trace::own_columns) >> bit;
+      if (rest != 0) {
+        passed += trailing_zeros(rest);
+        break;
+      }
+      passed += trace::columns_per_word + 1 - bit;
+    }
+    return passed < most ? passed : most;
+  }
+
+  uint32_t run_context(uint32_t level) const {
+    const uint32_t width = bit_width(level);
+    const uint32_t length = width < context::run_lengths ? width : context::run_lengths;
+    return context::run + 2 * (length - 1) + (level == left_ ? 1 : 0);
+  }
+
+  // So many voxels are as the one before.
+  void pass(uint32_t voxels) {
+    left_ -= voxels;
+    while (voxels > 0) {
+      const uint32_t room = trace::columns_per_word + 1 - bit_;
+      const uint32_t here = voxels < room ? voxels : room;
+      if (is_on_) *row() |= ((uint32_t{1} << here) - 1) << bit_;
+      voxels -= here;
+      bit_ += here;
+      if (here == room) {
+        ++word_;
+        bit_ = 1;
+      }
+    }
+  }
+  // So many are, and the next one is, or is not.
+  void go_to(uint32_t same, bool differs) {
+    pass(same);
+    is_on_ = is_on_ != differs;
+    pass(1);
+  }
+
+  uint32_t* row_ = nullptr;
+  RowsBefore before_{};
+  uint32_t left_ = 0;
+  uint32_t word_ = 0;
+  uint32_t bit_ = 0;    // of the next voxel
+  bool is_on_ = false;  // the voxel before
+};
+
+}  // namespace discmc::slices
+
+#endif

@@ -1,0 +1,86 @@
+#include <discmc/surface_decoder.hpp>
+
+namespace discmc {
+
+Status SurfaceDecoder::start(Memory memory, const Sink& sink) {
+  if (sink.take == nullptr) return Status::bad_sink;
+  sink_ = sink;
+  memory_ = memory;
+  is_known_ = false;
+  is_of_slices_ = false;
+  skipped_ = 0;
+  refusal_ = regions_.start(sink);
+  return slices_.start(memory, row_sink_to(sweeper_));
+}
+
+Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {
+  size_t taken = 0;
+  // What the stream holds is known from its header on. Until then both decoders listen.
+  while (!is_known_ && taken < count) {
+    const Decoded decoded = push_to_both(bytes + taken);
+    taken += decoded.bytes;
+    if (decoded.status != Status::ok) return {decoded.status, taken};
+  }
+  if (refusal_ != Status::ok) return {refusal_, taken};
+  const Decoded decoded = is_of_slices_ ? slices_.push(bytes + taken, count - taken)
+                                        : regions_.push(bytes + taken, count - taken);
+  return {decoded.status, taken + decoded.bytes};
+}
+
+// Pushes one byte.
+Decoded SurfaceDecoder::push_to_both(const uint8_t* byte) {
+  const Decoded decoded = regions_.push(byte, 1);
+  if (decoded.bytes == 0) return decoded;
+  (void)slices_.push(byte, 1);
+  is_known_ = regions_.report().has_header;
+  is_of_slices_ = regions_.report().holds_slices;
+  if (is_of_slices_) refusal_ = begin_sweep();
+  return {refusal_, 1};
+}
+
+// The memory holds the rows of the slice decoder first, and behind them what the sweep needs.
+Status SurfaceDecoder::begin_sweep() {
+  const Limits limits{header().width, header().height, header().border};
+  const uint64_t of_rows = slice_decoder_bytes(limits);
+  if (memory_.data == nullptr || memory_.bytes < of_rows) return Status::too_little_memory;
+  const auto bytes = static_cast<size_t>(of_rows);
+  const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};
+  constexpr int32_t any = 0;  // bits are not compared
+  return extractor_.start(limits, any, rest, sink_);
+}
+
+Status SurfaceDecoder::finish() {
+  if (refusal_ != Status::ok) return refusal_;
+  return is_of_slices_ ? slices_.finish() : regions_.finish();
+}
+
+// ---- rows ----
+
+Answer SurfaceDecoder::take(const RowEvent& event) {
+  switch (event.kind) {
+    case RowEvent::Kind::row:
+      return extractor_.push_bits(event.bits).samples > 0 ? Answer::taken : Answer::not_now;
+    case RowEvent::Kind::skipped:
+      return skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
+    case RowEvent::Kind::lost:
+      return skip(event.count, Substitute::off);
+    case RowEvent::Kind::finish:
+      break;
+  }
+  return end(event.abandoned);
+}
+
+Answer SurfaceDecoder::skip(uint64_t rows, Substitute substitute) {
+  for (; skipped_ < rows; ++skipped_)
+    if (extractor_.skip_row(substitute).samples == 0) return Answer::not_now;
+  skipped_ = 0;
+  return Answer::taken;
+}
+
+Answer SurfaceDecoder::end(bool is_abandoned) {
+  Status status = is_abandoned ? extractor_.abandon() : extractor_.finish();
+  if (status == Status::slice_in_progress) status = extractor_.abandon();
+  return status == Status::more ? Answer::not_now : Answer::taken;
+}
+
+}  // namespace discmc

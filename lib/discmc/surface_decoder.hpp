@@ -1,0 +1,64 @@
+// The surface decoder: bytes of a stream in, whatever it holds, the events of the scan out.
+//
+// A stream of regions it decodes. One of bits it sweeps, as the device would have done: the events
+// are those of an extractor that is given the same rows, skipped ones and all. Rows that were lost
+// on the way are skipped rows: so the surface is closed, and the loss is told where it is.
+#ifndef DISCMC_SURFACE_DECODER_HPP
+#define DISCMC_SURFACE_DECODER_HPP
+
+#include <discmc/extractor.hpp>
+#include <discmc/slice_decoder.hpp>
+
+namespace discmc {
+
+/// The least memory for streams of bits whose slices have this size. Limit: valid limits.
+constexpr uint64_t minimum_surface_bytes(const Limits& limits) {
+  return slice_decoder_bytes(limits) + minimum_bytes<uint32_t>(limits);
+}
+
+class SurfaceDecoder {
+ public:
+  /// Begins a stream. memory: none for streams of regions; at least minimum_surface_bytes() for the
+  /// size that the header of a stream of bits will tell, and more for fewer loose fragments; Owner:
+  /// the caller, as long as the decoder is used. Errors: bad_sink.
+  [[nodiscard]] Status start(Memory memory, const Sink& sink);
+
+  /// As Decoder::push(). Errors: also too_little_memory, as of SliceDecoder::push().
+  Decoded push(const uint8_t* bytes, size_t count);
+
+  /// As Decoder::finish(). Of a stream of bits that has no end the surface has none either.
+  [[nodiscard]] Status finish();
+
+  const StreamHeader& header() const { return regions_.header(); }
+  const StreamReport& report() const {
+    return is_of_slices_ ? slices_.report() : regions_.report();
+  }
+
+ private:
+  // Takes the rows of the slice decoder.
+  struct Sweeper {
+    SurfaceDecoder& of;
+    Answer take(const RowEvent& event) { return of.take(event); }
+  };
+
+  Decoded push_to_both(const uint8_t* byte);
+  Status begin_sweep();
+  Answer take(const RowEvent& event);
+  Answer skip(uint64_t rows, Substitute substitute);
+  Answer end(bool is_abandoned);
+
+  Sink sink_;
+  Memory memory_;
+  Decoder regions_;
+  SliceDecoder slices_;
+  Extractor32 extractor_;
+  Sweeper sweeper_{*this};
+  Status refusal_ = Status::not_started;
+  bool is_known_ = false;  // what the stream holds
+  bool is_of_slices_ = false;
+  uint64_t skipped_ = 0;  // of the rows that were lost together
+};
+
+}  // namespace discmc
+
+#endif

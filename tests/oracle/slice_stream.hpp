@@ -1,0 +1,121 @@
+// Streams of bits for tests: written, and read back as the rows that arrive.
+#ifndef DISCMC_TESTS_SLICE_STREAM_HPP
+#define DISCMC_TESTS_SLICE_STREAM_HPP
+
+#include <discmc/slice_decoder.hpp>
+#include <discmc/slice_encoder.hpp>
+
+#include "stream.hpp"
+
+namespace discmc::test {
+
+/// What happens while a volume is told.
+struct SlicePlan {
+  KeySlices key_slices{};
+  uint32_t portion = 1000000;  ///< samples a push
+  size_t bytes_a_time = 0;     ///< that the line takes: see Line
+  uint32_t flush_every = 0;    ///< so many rows; 0 never
+};
+
+inline void push_rows(SliceEncoder& encoder, const uint8_t* samples, uint32_t count,
+                      uint32_t portion) {
+  for (uint32_t at = 0; at < count;) {
+    const uint32_t left = count - at;
+    const PushResult result = encoder.push(samples + at, left < portion ? left : portion);
+    at += result.samples;
+    if (result.status != Status::more) reference::require_ok(result.status);
+  }
+}
+
+template <class Call>
+void until_done(Call call) {
+  Status status = Status::more;
+  while (status == Status::more) status = call();
+  reference::require_ok(status);
+}
+
+inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& plan = {}) {
+  const StreamHeader header = header_of(volume);
+  const Limits limits{volume.width, volume.height};
+  reference::Block block(slice_encoder_bytes(limits, plan.key_slices));
+  Line line(plan.bytes_a_time);
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header, plan.key_slices, block.memory(), line.output()));
+  const uint32_t rows = volume.height * volume.depth;
+  const uint32_t together = plan.flush_every > 0 ? plan.flush_every : rows;
+  for (uint32_t row = 0; row < rows; row += together) {
+    const uint32_t count = std::min(together, rows - row);
+    push_rows(encoder, &volume.on[size_t{row} * volume.width], count * volume.width, plan.portion);
+    if (plan.flush_every > 0) until_done([&] { return encoder.flush(); });
+  }
+  until_done([&] { return encoder.finish(); });
+  if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
+  if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
+  return line.bytes;
+}
+
+struct RecordedRow {
+  RowEvent event;
+  Bytes bits;
+
+  bool is(RowEvent::Kind kind) const { return event.kind == kind; }
+};
+
+struct ReceivedRows {
+  std::vector<RecordedRow> rows;
+  StreamReport report;
+  Status status;
+};
+
+/// Records rows; one that refuses takes every event at the second time.
+class RowLog {
+ public:
+  explicit RowLog(bool refuses) : refuses_(refuses) {}
+  void set_width(uint32_t width) { width_ = width; }
+  Answer take(const RowEvent& event) {
+    was_refused_ = refuses_ && !was_refused_;
+    if (was_refused_) return Answer::not_now;
+    Bytes bits;
+    if (event.kind == RowEvent::Kind::row || event.kind == RowEvent::Kind::skipped)
+      for (uint32_t x = 0; x < width_; ++x) bits.push_back(event.bits[x / 8] >> x % 8 & 1);
+    rows.push_back({event, bits});
+    return Answer::taken;
+  }
+
+  std::vector<RecordedRow> rows;
+
+ private:
+  bool refuses_;
+  bool was_refused_ = false;
+  uint32_t width_ = 0;
+};
+
+/// Decodes so many bytes at a time (0: all at once). Limit: the slices are as large as `size` says,
+/// or the status will tell that they are larger.
+inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& size, size_t chunk = 0,
+                                  bool refuses = false) {
+  reference::Block block(slice_decoder_bytes({size.width, size.height}));
+  RowLog log(refuses);
+  log.set_width(size.width);
+  SliceDecoder decoder;
+  reference::require_ok(decoder.start(block.memory(), row_sink_to(log)));
+  Status status = Status::ok;
+  for (size_t at = 0; at < bytes.size();) {
+    const size_t left = bytes.size() - at;
+    const Decoded decoded =
+        decoder.push(bytes.data() + at, chunk == 0 || chunk > left ? left : chunk);
+    at += decoded.bytes;
+    status = decoded.status;
+    if (status != Status::ok && status != Status::more) break;
+  }
+  if (status == Status::ok || status == Status::more) {
+    until_done([&] { return decoder.finish(); });
+    status = Status::ok;
+  }
+  if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
+  return {log.rows, decoder.report(), status};
+}
+
+}  // namespace discmc::test
+
+#endif

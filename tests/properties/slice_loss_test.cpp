@@ -1,0 +1,192 @@
+// What a lossy link does to a stream of bits: every loss is told where it is, and no row is wrong.
+#include <doctest/doctest.h>
+
+#include "oracle/slice_stream.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using Kind = RowEvent::Kind;
+
+namespace {
+
+constexpr reference::Size size{40, 12, 60};
+constexpr uint32_t all_rows = size.height * size.depth;
+
+struct Sent {
+  explicit Sent(uint32_t interval)
+      : volume(reference::random(size, 128, 3)),
+        stream(encode_slices(volume, {{interval}})),
+        frames(frames_of(stream)) {}
+  BitVolume volume;
+  Bytes stream;
+  std::vector<Bytes> frames;
+};
+
+const Sent& sent_with_keys() {
+  static const Sent sent(4);
+  return sent;
+}
+
+// That every row told is right, in its order and in its place. Returns how many are not told.
+uint64_t check_told_rows(const BitVolume& volume, const ReceivedRows& received) {
+  size_t next = 0, lost = 0;
+  bool is_over = false;
+  for (const RecordedRow& row : received.rows) {
+    REQUIRE_FALSE(is_over);
+    is_over = row.is(Kind::finish);
+    if (is_over) break;
+    const size_t at = size_t{row.event.slice} * volume.height + row.event.row;
+    REQUIRE(at == next);
+    if (row.is(Kind::lost)) {
+      REQUIRE(row.event.count > 0);
+      lost += row.event.count;
+      next += row.event.count;
+      continue;
+    }
+    REQUIRE(row.is(Kind::row));
+    const uint8_t* const first = &volume.on[next * volume.width];
+    REQUIRE(row.bits == Bytes(first, first + volume.width));
+    ++next;
+  }
+  CHECK(received.report.lost_rows == lost);
+  CHECK(received.report.rows + lost == next);
+  if (is_over) CHECK(next == uint64_t{volume.height} * volume.depth);
+  return lost;
+}
+
+ReceivedRows arrive(const std::vector<Bytes>& frames) {
+  return decode_slices(joined(frames), size);
+}
+
+}  // namespace
+
+TEST_CASE("a packet that is lost costs the rows up to the next key slice, and no other") {
+  const Sent& sent = sent_with_keys();
+  REQUIRE(sent.frames.size() > 20);
+  for (size_t i = 1; i + 1 < sent.frames.size(); ++i) {
+    CAPTURE(i);
+    std::vector<Bytes> frames = sent.frames;
+    frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(i));
+    const ReceivedRows received = arrive(frames);
+    const uint64_t lost = check_told_rows(sent.volume, received);
+    CHECK(lost > 0);
+    CHECK(lost <= 4 * size.height);
+    CHECK(received.report.lost_packets == 1);
+    CHECK_FALSE(received.report.is_complete());
+    CHECK(received.rows.back().is(Kind::finish));
+  }
+}
+
+TEST_CASE("without key slices a packet that is lost costs all that follows") {
+  const Sent sent(0);
+  for (size_t i = 1; i + 1 < sent.frames.size(); i += 5) {
+    std::vector<Bytes> frames = sent.frames;
+    frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(i));
+    const ReceivedRows received = arrive(frames);
+    CHECK(check_told_rows(sent.volume, received) > 0);
+    CHECK(received.report.rows < all_rows);
+  }
+}
+
+TEST_CASE("a listener that comes late hears all from the next key slice on") {
+  const Sent& sent = sent_with_keys();
+  for (size_t first = 1; first + 2 < sent.frames.size(); first += 3) {
+    CAPTURE(first);
+    // As headers come again after 64 packets, one is put where he begins.
+    std::vector<Bytes> frames(sent.frames.begin() + static_cast<std::ptrdiff_t>(first),
+                              sent.frames.end());
+    frames.insert(frames.begin(), sent.frames[0]);
+    const ReceivedRows received = arrive(frames);
+    check_told_rows(sent.volume, received);
+    CHECK(received.report.lost_packets == first - 1);
+  }
+}
+
+TEST_CASE("any mixture of losses leaves rows that are right") {
+  const Sent& sent = sent_with_keys();
+  Chance chance(4);
+  for (int round = 0; round < 300; ++round) {
+    CAPTURE(round);
+    std::vector<Bytes> frames;
+    const uint32_t percent = chance.below(70);
+    for (const Bytes& frame : sent.frames)
+      if (chance.below(100) >= percent) frames.push_back(frame);
+    if (frames.empty()) continue;
+    const ReceivedRows received = arrive(frames);
+    check_told_rows(sent.volume, received);
+  }
+}
+
+TEST_CASE("packets that come twice are taken once") {
+  const Sent& sent = sent_with_keys();
+  for (const size_t back : {0U, 1U, 7U, 30U}) {
+    std::vector<Bytes> frames;
+    for (size_t i = 0; i < sent.frames.size(); ++i) {
+      frames.push_back(sent.frames[i]);
+      if (i >= back) frames.push_back(sent.frames[i - back]);
+    }
+    const ReceivedRows received = arrive(frames);
+    CHECK(check_told_rows(sent.volume, received) == 0);
+    CHECK(received.report.is_complete());
+    CHECK(received.report.repeated_packets + back == sent.frames.size());
+  }
+}
+
+TEST_CASE("of packets that change places the later one is kept") {
+  const Sent& sent = sent_with_keys();
+  for (size_t i = 1; i + 2 < sent.frames.size(); ++i) {
+    CAPTURE(i);
+    std::vector<Bytes> frames = sent.frames;
+    std::swap(frames[i], frames[i + 1]);
+    const ReceivedRows received = arrive(frames);
+    CHECK(check_told_rows(sent.volume, received) <= 8 * size.height);
+    CHECK(received.report.repeated_packets == 1);
+  }
+}
+
+TEST_CASE("a stream that ends anywhere has told only rows that are right") {
+  const Sent& sent = sent_with_keys();
+  for (size_t bytes = 0; bytes < sent.stream.size(); bytes += bytes < 600 ? 1 : 37) {
+    CAPTURE(bytes);
+    const Bytes part(sent.stream.begin(), sent.stream.begin() + static_cast<std::ptrdiff_t>(bytes));
+    const ReceivedRows received = decode_slices(part, size);
+    CHECK(check_told_rows(sent.volume, received) == 0);
+    CHECK_FALSE(received.report.is_complete());
+  }
+}
+
+TEST_CASE("any one bit that is flipped costs a packet, or two, and no row is wrong") {
+  const BitVolume volume = reference::random({20, 6, 12}, 60, 9);
+  const Bytes stream = encode_slices(volume, {{3}});
+  uint32_t complete = 0;
+  for (size_t bit = 0; bit < 8 * stream.size(); ++bit) {
+    CAPTURE(bit);
+    Bytes damaged = stream;
+    damaged[bit / 8] = static_cast<uint8_t>(damaged[bit / 8] ^ 1U << bit % 8);
+    const ReceivedRows received = decode_slices(damaged, {20, 6, 12});
+    check_told_rows(volume, received);
+    if (received.report.is_complete()) ++complete;
+  }
+  // A header that is lost before any other leaves nothing; no damage goes unnoticed.
+  CHECK(complete == 0);
+}
+
+TEST_CASE("packets that are whole but hold anything do no harm") {
+  const Sent& sent = sent_with_keys();
+  Chance chance(6);
+  for (int round = 0; round < 2000; ++round) {
+    CAPTURE(round);
+    std::vector<Bytes> frames = sent.frames;
+    Packet packet = packet_of(frames[1 + chance.below(5)]);
+    const uint32_t at = chance.below(static_cast<uint32_t>(packet.payload.size()));
+    if (round % 2 == 0)
+      packet.payload.resize(at);
+    else
+      packet.payload[at] = chance.byte();
+    if (round % 3 == 0) packet.kind = static_cast<uint8_t>(8 + chance.below(8));
+    frames[1 + chance.below(5)] = frame_of(packet);
+    const ReceivedRows received = arrive(frames);
+    CHECK(received.report.rows <= all_rows + 100000);
+  }
+}

@@ -1,0 +1,161 @@
+// From either payload comes the same surface.
+#include <doctest/doctest.h>
+#include <discmc/surface_decoder.hpp>
+
+#include "oracle/slice_stream.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using reference::Plan;
+
+namespace {
+
+struct Surface {
+  Events events;
+  StreamReport report;
+  Status status;
+};
+
+Surface decode_surface(const Bytes& stream, const Limits& limits, size_t chunk = 0,
+                       bool refuses = false) {
+  EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
+  reference::Block block(minimum_surface_bytes(limits) + 200000);
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start(block.memory(), sink_to(log)));
+  Status status = Status::ok;
+  for (size_t at = 0; at < stream.size();) {
+    const size_t left = stream.size() - at;
+    const Decoded decoded =
+        decoder.push(stream.data() + at, chunk == 0 || chunk > left ? left : chunk);
+    at += decoded.bytes;
+    status = decoded.status;
+    if (status != Status::ok && status != Status::more) break;
+  }
+  if (status == Status::ok || status == Status::more) until_done([&] { return decoder.finish(); });
+  CHECK(block.is_intact());
+  return {log.events, decoder.report(), status == Status::more ? Status::ok : status};
+}
+
+// A scan with rows that never came, for an extractor and for a slice encoder alike.
+template <class Scanner>
+void scan(Scanner& scanner, const BitVolume& volume, bool skips) {
+  for (uint32_t row = 0; row < volume.height * volume.depth; ++row) {
+    const bool is_skipped = skips && row % 7 == 3;
+    const uint8_t* const samples = &volume.on[size_t{row} * volume.width];
+    const PushResult result =
+        is_skipped ? scanner.skip_row(row % 2 == 0 ? Substitute::off : Substitute::previous_row)
+                   : scanner.push(samples, volume.width);
+    reference::require_ok(result.status);
+  }
+  reference::require_ok(scanner.finish());
+}
+
+Events swept(const BitVolume& volume, Border border, bool skips) {
+  EventLog log;
+  const Limits limits{volume.width, volume.height, border};
+  Bytes memory(minimum_bytes<uint32_t>(limits) + 200000);
+  Extractor32 extractor;
+  reference::require_ok(extractor.start(limits, 1, {memory.data(), memory.size()}, sink_to(log)));
+  scan(extractor, volume, skips);
+  return log.events;
+}
+
+Bytes told(const BitVolume& volume, Border border, bool skips, uint32_t interval) {
+  Line line;
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {interval}));
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header_of(volume, border), {interval},
+                                      {memory.data(), memory.size()}, line.output()));
+  scan(encoder, volume, skips);
+  return line.bytes;
+}
+
+std::vector<BitVolume> volumes() {
+  return {reference::ball({20, 20, 20}, {19, 19, 19}, 70), reference::random({13, 11, 9}, 128, 1),
+          reference::random({33, 7, 5}, 30, 2), BitVolume({4, 3, 2}), BitVolume({1, 1, 1})};
+}
+
+}  // namespace
+
+TEST_CASE("a stream of bits tells the events of an extractor that is given the same rows") {
+  for (const BitVolume& volume : volumes())
+    for (const Border border : {Border::closed, Border::open})
+      for (const bool skips : {false, true})
+        for (const uint32_t interval : {0U, 1U, 3U}) {
+          const Bytes stream = told(volume, border, skips, interval);
+          const Limits limits{volume.width, volume.height, border};
+          const Events events = swept(volume, border, skips);
+          for (const size_t chunk : {0U, 1U, 100U})
+            for (const bool refuses : {false, true}) {
+              const Surface surface = decode_surface(stream, limits, chunk, refuses);
+              CHECK(surface.status == Status::ok);
+              CHECK(surface.report.is_complete());
+              CHECK(surface.events == events);
+            }
+        }
+}
+
+TEST_CASE("a stream of regions is decoded as ever, without any memory") {
+  const BitVolume volume = volumes()[0];
+  const Events events = swept(volume, Border::closed, false);
+  const Bytes stream = encode(events, header_of(volume));
+  EventLog log;
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start({}, sink_to(log)));
+  CHECK(decoder.push(stream.data(), stream.size()).bytes == stream.size());
+  reference::require_ok(decoder.finish());
+  CHECK(decoder.report().is_complete());
+  CHECK(decoder.header().width == volume.width);
+  CHECK(log.events == decode(stream).events);
+}
+
+TEST_CASE("the surface of a stream that has lost packets is closed, and what is lost is skipped") {
+  const BitVolume volume = reference::ball({40, 40, 40}, {39, 39, 39}, 300);
+  const std::vector<Bytes> frames = frames_of(told(volume, Border::closed, false, 4));
+  REQUIRE(frames.size() > 10);
+  for (size_t lost = 1; lost + 1 < frames.size(); ++lost) {
+    CAPTURE(lost);
+    std::vector<Bytes> kept = frames;
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(lost));
+    const Surface surface = decode_surface(joined(kept), {40, 40});
+    CHECK(surface.status == Status::ok);
+    CHECK_FALSE(surface.report.is_complete());
+    CHECK(surface.report.lost_rows > 0);
+    CHECK(surface.report.lost_rows <= 4 * 40);
+    // The surface of the volume without those rows.
+    BitVolume rest = volume;
+    uint64_t skipped = 0;
+    for (const RecordedEvent& recorded : surface.events) {
+      if (!recorded.is(Event::Kind::skipped)) continue;
+      const Event event = recorded.event();
+      ++skipped;
+      for (uint32_t x = 0; x < 40; ++x) rest.on[rest.index(x, event.row, event.slice)] = 0;
+    }
+    CHECK(skipped == surface.report.lost_rows);
+    CHECK(pieces_of(surface.events) == pieces_of(swept(rest, Border::closed, false)));
+  }
+}
+
+TEST_CASE("memory that is too small for a stream of bits is refused") {
+  const BitVolume volume = volumes()[0];
+  const Bytes stream = told(volume, Border::closed, false, 0);
+  const Limits limits{volume.width, volume.height};
+  for (const uint64_t bytes : {uint64_t{0}, uint64_t{100}, slice_decoder_bytes(limits),
+                               minimum_surface_bytes(limits) - 1, minimum_surface_bytes(limits)}) {
+    CAPTURE(bytes);
+    Bytes memory(bytes);
+    EventLog log;
+    SurfaceDecoder decoder;
+    reference::require_ok(decoder.start({memory.data(), bytes}, sink_to(log)));
+    const Status status = decoder.push(stream.data(), stream.size()).status;
+    const bool is_enough = bytes == minimum_surface_bytes(limits);
+    CHECK(status == (is_enough ? Status::ok : Status::too_little_memory));
+    CHECK(decoder.push(stream.data(), 0).status == status);
+    CHECK(log.events.empty() == !is_enough);
+  }
+  SurfaceDecoder decoder;
+  CHECK(decoder.start({}, {}) == Status::bad_sink);
+  CHECK(decoder.push(stream.data(), 5).status == Status::not_started);
+  CHECK(decoder.finish() == Status::not_started);
+}

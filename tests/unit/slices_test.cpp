@@ -1,0 +1,363 @@
+// Streams of bits: every volume comes through, whatever the portions, the line and the receiver.
+#include <doctest/doctest.h>
+
+#include "oracle/slice_stream.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using Kind = RowEvent::Kind;
+
+namespace {
+
+// That all rows of a volume have arrived, and then the end.
+void check_rows(const BitVolume& volume, const ReceivedRows& received) {
+  CHECK(received.status == Status::ok);
+  CHECK(received.report.is_complete());
+  const uint32_t rows = volume.height * volume.depth;
+  REQUIRE(received.rows.size() == rows + 1);
+  uint32_t wrong = 0;
+  for (uint32_t i = 0; i < rows; ++i) {
+    const RecordedRow& row = received.rows[i];
+    const uint8_t* const first = &volume.on[size_t{i} * volume.width];
+    if (!row.is(Kind::row) || row.event.slice != i / volume.height ||
+        row.event.row != i % volume.height || row.bits != Bytes(first, first + volume.width))
+      ++wrong;
+  }
+  CHECK(wrong == 0);
+  CHECK(received.rows.back().is(Kind::finish));
+  CHECK(received.rows.back().event.slice == volume.depth);
+  CHECK_FALSE(received.rows.back().event.abandoned);
+}
+
+void check_round_trip(const BitVolume& volume, const SlicePlan& plan = {}) {
+  CAPTURE(volume.width);
+  CAPTURE(volume.height);
+  CAPTURE(plan.key_slices.interval);
+  check_rows(volume, decode_slices(encode_slices(volume, plan),
+                                   {volume.width, volume.height, volume.depth}));
+}
+
+BitVolume ball(uint32_t size) {
+  const auto middle = static_cast<int32_t>(size - 1);
+  return reference::ball({size, size, size}, {middle, middle, middle}, middle * middle * 3 / 4);
+}
+
+// The coders of a row, without packets.
+struct WritingRows {
+  RangeEncoder range;
+  bool bit(LearntProbability& probability, bool bit) {
+    range.encode(bit, probability);
+    probability.learn(bit);
+    return bit;
+  }
+  uint32_t number(uint32_t bits, uint32_t value) {
+    while (bits > 0) range.encode((value >> --bits & 1) != 0, Probability{128});
+    return value;
+  }
+};
+struct ReadingRows {
+  RangeDecoder range;
+  bool bit(LearntProbability& probability, bool) {
+    const bool bit = range.decode(probability);
+    probability.learn(bit);
+    return bit;
+  }
+  uint32_t number(uint32_t bits, uint32_t) {
+    uint32_t value = 0;
+    for (; bits > 0; --bits) value = value << 1 | (range.decode(Probability{128}) ? 1 : 0);
+    return value;
+  }
+};
+
+// Tells the first slice of a volume, or reads it.
+template <class Coder>
+void tell_key_slice(Coder& coder, BitVolume& volume) {
+  const Limits limits{volume.width, volume.height};
+  Bytes memory(slice_decoder_bytes(limits));
+  Arena arena({memory.data(), memory.size()});
+  trace::BitRows rows;
+  rows.start(arena, limits, slices::rows_kept(limits.height, false));
+  rows.clear();
+  slices::SliceModel model;
+  model.begin(slices::SliceKind::key);
+  for (uint32_t y = 0; y < volume.height; ++y) {
+    Bytes bits((volume.width + 7) / 8);
+    uint8_t* const first = &volume.on[size_t{y} * volume.width];
+    for (uint32_t x = 0; x < volume.width; ++x)
+      bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | first[x] << x % 8);
+    rows.append_bits(bits.data());
+    coder.bit(model[slices::context::note], false);
+    slices::RowCode row;
+    const auto before = slices::rows_before(rows, volume.height, slices::SliceKind::key);
+    row.begin(rows.arriving(), before, volume.width);
+    while (!row.is_done() && row.step(coder, model)) continue;
+    row.complete(rows.words());
+    rows.write_bits(bits.data());
+    for (uint32_t x = 0; x < volume.width; ++x) first[x] = bits[x / 8] >> x % 8 & 1;
+    rows.next_row();
+  }
+}
+
+struct Device {
+  explicit Device(const Limits& limits, KeySlices key_slices = {}, size_t bytes_a_time = 0)
+      : memory(slice_encoder_bytes(limits, key_slices)), line(bytes_a_time) {
+    StreamHeader header;
+    header.width = limits.width;
+    header.height = limits.height;
+    header.threshold = 1;
+    reference::require_ok(
+        encoder.start(header, key_slices, {memory.data(), memory.size()}, line.output()));
+  }
+  Bytes memory;
+  Line line;
+  SliceEncoder encoder;
+};
+
+}  // namespace
+
+TEST_CASE("all volumes of 3x3x2 voxels come through") {
+  BitVolume volume({3, 3, 2});
+  uint32_t wrong = 0;
+  for (uint32_t bits = 0; bits < 1U << 18; ++bits) {
+    for (uint32_t i = 0; i < 18; ++i) volume.on[i] = bits >> i & 1;
+    const ReceivedRows received = decode_slices(encode_slices(volume), {3, 3, 2});
+    if (!received.report.is_complete() || received.rows.size() != 7) ++wrong;
+    for (uint32_t i = 0; i < 6 && wrong == 0; ++i)
+      if (received.rows[i].bits != Bytes(&volume.on[i * 3], &volume.on[i * 3] + 3)) ++wrong;
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("volumes of any width and height come through") {
+  for (uint32_t width = 1; width < 100; width += width < 35 ? 1 : 7)
+    for (const uint32_t height : {1U, 2U, 3U, 4U, 9U})
+      for (const uint32_t density : {2U, 40U, 128U, 250U})
+        for (const uint32_t interval : {0U, 1U, 2U})
+          check_round_trip(reference::random({width, height, 3}, density, width), {{interval}});
+}
+
+TEST_CASE("rows that are all off, all on or nearly so come through") {
+  for (const uint32_t width : {1U, 29U, 30U, 31U, 59U, 60U, 100U, 1000U}) {
+    BitVolume volume({width, 6, 4});
+    check_round_trip(volume);
+    for (uint32_t x = 0; x < width; x += 1 + width / 13) {
+      volume.on[volume.index(x, 2, 1)] = 1;
+      check_round_trip(volume);
+    }
+    std::fill(volume.on.begin(), volume.on.end(), uint8_t{1});
+    check_round_trip(volume);
+    for (uint32_t x = 0; x < width; x += 1 + width / 13) {
+      volume.on[volume.index(x, 2, 2)] = 0;
+      check_round_trip(volume);
+    }
+  }
+}
+
+TEST_CASE("the stream does not depend on portions or on how busy the line is") {
+  const BitVolume volume = reference::random({37, 11, 9}, 90, 5);
+  for (const uint32_t interval : {0U, 1U, 4U}) {
+    const Bytes stream = encode_slices(volume, {{interval}});
+    for (const uint32_t portion : {1U, 7U, 36U, 38U, 400U})
+      for (const size_t bytes : {1U, 3U, 250U})
+        CHECK(encode_slices(volume, {{interval}, portion, bytes}) == stream);
+  }
+}
+
+TEST_CASE(
+    "rows come out the same whatever bytes come at a time and however often they are refused") {
+  const BitVolume volume = reference::random({45, 9, 30}, 128, 6);
+  const Bytes stream = encode_slices(volume, {{8}});
+  for (const size_t chunk : {0U, 1U, 2U, 13U, 300U})
+    for (const bool refuses : {false, true})
+      check_rows(volume, decode_slices(stream, {45, 9, 30}, chunk, refuses));
+}
+
+TEST_CASE("what was flushed has arrived, row for row") {
+  const BitVolume volume = ball(20);
+  for (const uint32_t rows : {1U, 3U, 20U, 77U}) {
+    SlicePlan plan{{5}};
+    plan.flush_every = rows;
+    check_round_trip(volume, plan);
+  }
+  Device device({20, 20});
+  RowLog log(false);
+  SliceDecoder decoder;
+  Bytes memory(slice_decoder_bytes({20, 20}));
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(log)));
+  size_t sent = 0;
+  for (uint32_t row = 0; row < 60; ++row) {
+    push_rows(device.encoder, &volume.on[row * 20], 20, 20);
+    until_done([&] { return device.encoder.flush(); });
+    const Bytes& bytes = device.line.bytes;
+    CHECK(decoder.push(bytes.data() + sent, bytes.size() - sent).status == Status::ok);
+    sent = bytes.size();
+    CHECK(log.rows.size() == row + 1);
+  }
+}
+
+TEST_CASE("bits under which all bytes may yet be changed by a carry come through") {
+  // Noise, and then what a decoder makes of zeros: the number that an encoder of these has is all
+  // the time just below one that ends in zeros, or at it. So its bytes are 255 or 0, and it knows
+  // which at the end.
+  uint32_t cuts = 0;
+  for (uint32_t seed = 1; seed < 20; ++seed) {
+    BitVolume noise = reference::random({300, 12, 1}, 128, seed);
+    Bytes number(2000);
+    WritingRows written{RangeEncoder(number.data(), number.size())};
+    tell_key_slice(written, noise);
+    const auto noisy = static_cast<std::ptrdiff_t>(written.range.final_bytes());
+    std::fill(number.begin() + noisy, number.end(), uint8_t{0});
+    BitVolume volume({300, 36, 1});
+    ReadingRows read{RangeDecoder(number.data(), number.size())};
+    tell_key_slice(read, volume);
+    REQUIRE(std::equal(noise.on.begin(), noise.on.begin() + 3000, volume.on.begin()));
+    for (const Bytes& frame : frames_of(encode_slices(volume))) {
+      const uint8_t kind = packet_of(frame).kind;
+      if (kind >= 16 && (kind & wire::SliceBits::cut) != 0) ++cuts;
+    }
+    check_round_trip(volume);
+    check_round_trip(volume, {{1}, 1, 1});
+  }
+  CHECK(cuts > 0);
+}
+
+TEST_CASE("samples are compared with the threshold of the header, at a stride") {
+  StreamHeader header;
+  header.width = 40;
+  header.height = 2;
+  header.threshold = -5;
+  Bytes memory(slice_encoder_bytes({40, 2}, {}));
+  Line line;
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  int16_t samples[160];
+  for (int i = 0; i < 160; ++i) samples[i] = static_cast<int16_t>(i % 4 == 0 ? i % 9 - 9 : 100);
+  const PushResult result = encoder.push(samples, 40, 4);
+  CHECK(result.status == Status::ok);
+  CHECK(result.samples == 40);
+  const uint8_t bits[5] = {1, 2, 3, 4, 0x85};
+  CHECK(encoder.push_bits(bits).samples == 40);
+  reference::require_ok(encoder.finish());
+  const ReceivedRows received = decode_slices(line.bytes, {40, 2, 1});
+  REQUIRE(received.rows.size() == 3);
+  for (uint32_t x = 0; x < 40; ++x) {
+    CHECK(received.rows[0].bits[x] == (samples[4 * x] >= -5 ? 1 : 0));
+    CHECK(received.rows[1].bits[x] == (bits[x / 8] >> x % 8 & 1));
+  }
+}
+
+TEST_CASE("a row that never came says so, and what stands in for it") {
+  const BitVolume volume = reference::random({33, 5, 4}, 128, 7);
+  for (const size_t bytes_a_time : {0U, 1U}) {
+    Device device({33, 5}, {3}, bytes_a_time);
+    for (uint32_t row = 0; row < 20; ++row) {
+      if (row % 3 == 2) {
+        const Substitute substitute = row % 2 == 0 ? Substitute::off : Substitute::previous_row;
+        PushResult result{Status::more, 0};
+        while (result.samples == 0) result = device.encoder.skip_row(substitute);
+      } else {
+        push_rows(device.encoder, &volume.on[row * 33], 33, 33);
+      }
+    }
+    until_done([&] { return device.encoder.finish(); });
+    const ReceivedRows received = decode_slices(device.line.bytes, {33, 5, 4});
+    CHECK(received.report.is_complete());
+    CHECK(received.report.totals.skipped_rows == 6);
+    REQUIRE(received.rows.size() == 21);
+    Bytes before(33);
+    for (uint32_t row = 0; row < 20; ++row) {
+      CAPTURE(row);
+      const RecordedRow& got = received.rows[row];
+      CHECK(got.is(row % 3 == 2 ? Kind::skipped : Kind::row));
+      if (row % 3 != 2) {
+        before = Bytes(&volume.on[row * 33], &volume.on[row * 33] + 33);
+      } else {
+        CHECK(got.event.repeated == (row % 2 != 0));
+        if (row % 2 == 0) before = Bytes(33);
+      }
+      CHECK(got.bits == before);
+    }
+  }
+}
+
+TEST_CASE("a scan that is abandoned ends where it is") {
+  const BitVolume volume = ball(12);
+  Device device({12, 12});
+  push_rows(device.encoder, volume.on.data(), 12 * 30 + 5, 100);
+  CHECK(device.encoder.finish() == Status::slice_in_progress);
+  CHECK(device.encoder.slices() == 2);
+  CHECK(device.encoder.rows() == 6);
+  until_done([&] { return device.encoder.abandon(); });
+  CHECK(device.encoder.push(volume.on.data(), 12).status == Status::finished);
+  const ReceivedRows received = decode_slices(device.line.bytes, {12, 12, 3});
+  CHECK(received.report.is_complete());
+  CHECK(received.report.abandoned);
+  REQUIRE(received.rows.size() == 31);
+  CHECK(received.rows.back().is(Kind::finish));
+  CHECK(received.rows.back().event.abandoned);
+  CHECK(received.rows.back().event.slice == 3);
+}
+
+TEST_CASE("what the encoder cannot do it refuses, and says why") {
+  Line line;
+  SliceEncoder encoder;
+  uint8_t samples[8] = {};
+  CHECK(encoder.push(samples, 8).status == Status::not_started);
+  CHECK(encoder.push_bits(samples).status == Status::not_started);
+  CHECK(encoder.skip_row(Substitute::off).status == Status::not_started);
+  CHECK(encoder.resume() == Status::not_started);
+  CHECK(encoder.flush() == Status::not_started);
+  CHECK(encoder.finish() == Status::not_started);
+  CHECK(encoder.abandon() == Status::not_started);
+  StreamHeader header;
+  header.width = 8;
+  header.height = 3;
+  Bytes memory(slice_encoder_bytes({8, 3}, {}));
+  CHECK(encoder.start(StreamHeader{}, {}, {memory.data(), memory.size()}, line.output()) ==
+        Status::bad_limits);
+  CHECK(encoder.start(header, {}, {memory.data(), memory.size()}, {}) == Status::bad_sink);
+  CHECK(encoder.start(header, {}, {}, line.output()) == Status::too_little_memory);
+  CHECK(encoder.start(header, {}, {memory.data(), memory.size() - 1}, line.output()) ==
+        Status::too_little_memory);
+  CHECK(line.bytes.empty());
+  reference::require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  CHECK(encoder.push(samples, 3).status == Status::ok);
+  CHECK(encoder.push_bits(samples).status == Status::row_in_progress);
+  CHECK(encoder.skip_row(Substitute::off).status == Status::row_in_progress);
+  CHECK(encoder.finish() == Status::slice_in_progress);
+}
+
+TEST_CASE("what the decoder cannot do it refuses, and says why") {
+  const BitVolume volume = ball(9);
+  const Bytes stream = encode_slices(volume);
+  SliceDecoder decoder;
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::not_started);
+  CHECK(decoder.finish() == Status::not_started);
+  CHECK(decoder.start({}, {}) == Status::bad_sink);
+  const ReceivedRows small = decode_slices(stream, {9, 8, 9});
+  CHECK(small.status == Status::too_little_memory);
+  CHECK(small.rows.empty());
+  std::vector<Bytes> frames = frames_of(stream);
+  Packet header = packet_of(frames[0]);
+  header.payload[3] = 99;
+  frames[0] = frame_of(header);
+  CHECK(decode_slices(joined(frames), {9, 9, 9}).status == Status::wrong_version);
+}
+
+TEST_CASE("where every slice is a key slice four rows of bits are all that is kept") {
+  CHECK(slice_encoder_bytes({256, 256}, {1}) == 5 * 9 * 4 + 3);
+  CHECK(slice_encoder_bytes({256, 256}, {2}) == 259 * 9 * 4 + 3);
+  CHECK(slice_encoder_bytes({256, 1}, {0}) == 5 * 9 * 4 + 3);
+}
+
+TEST_CASE("streams of bits are as short as the page of the stream says") {
+  const auto bytes = [](const BitVolume& volume, uint32_t interval) {
+    return encode_slices(volume, {{interval}}).size();
+  };
+  const BitVolume round = reference::ball({100, 100, 100}, {100, 100, 100}, 1002);
+  CHECK(bytes(round, 0) == 1134);
+  CHECK(bytes(round, 16) == 1325);
+  CHECK(bytes(BitVolume({256, 256, 100}), 0) < 170);
+  CHECK(bytes(reference::random({64, 64, 64}, 128, 1), 0) < 35500);
+}
