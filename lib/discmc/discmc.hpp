@@ -43,7 +43,8 @@
 // Behind encoder and decoder works stream/:
 //
 //   wire.hpp                                     packets: cobs.hpp frames, crc32.hpp protects them
-//     packet_writer.hpp, packet_reader.hpp         how they are written and read, whatever they hold
+//     packet_writer.hpp, packet_reader.hpp         how they are written and read, whatever they
+//     hold
 //   record.hpp, record_encoding.hpp              what they hold
 //     region_model.hpp, range_coder.hpp            in few bits
 //   normal_encoding.hpp                          and the normals in it

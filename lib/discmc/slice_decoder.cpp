@@ -45,6 +45,14 @@ Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
   }
 }
 
+Status SliceDecoder::give_memory(Memory memory) {
+  if (refusal_ != Status::too_little_memory) return refusal_;
+  memory_ = memory;
+  refusal_ = Status::ok;
+  lay_out();
+  return refusal_;
+}
+
 Status SliceDecoder::finish() {
   if (refusal_ != Status::ok) return refusal_;
   if (!deliver()) return Status::more;

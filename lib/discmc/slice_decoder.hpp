@@ -55,6 +55,10 @@ class SliceDecoder {
   /// not_started. Packets that arrive before any header are lost. Cost: as the encoder's.
   Decoded push(const uint8_t* bytes, size_t count);
 
+  /// Goes on with other memory, of slice_decoder_bytes(), after Status::too_little_memory. Errors:
+  /// too_little_memory.
+  [[nodiscard]] Status give_memory(Memory memory);
+
   /// Tells that no byte follows. Status::more as push(). Errors: not_started.
   [[nodiscard]] Status finish();
 

@@ -49,6 +49,14 @@ Status SurfaceDecoder::begin_sweep() {
   return extractor_.start(limits, any, rest, sink_);
 }
 
+Status SurfaceDecoder::give_memory(Memory memory) {
+  if (refusal_ != Status::too_little_memory) return refusal_;
+  memory_ = memory;
+  refusal_ = begin_sweep();
+  // It may have had enough: then this changes nothing.
+  return refusal_ == Status::ok ? slices_.give_memory(memory) : refusal_;
+}
+
 Status SurfaceDecoder::finish() {
   if (refusal_ != Status::ok) return refusal_;
   return is_of_slices_ ? slices_.finish() : regions_.finish();

@@ -18,13 +18,17 @@ constexpr uint64_t minimum_surface_bytes(const Limits& limits) {
 
 class SurfaceDecoder {
  public:
-  /// Begins a stream. memory: none for streams of regions; at least minimum_surface_bytes() for the
-  /// size that the header of a stream of bits will tell, and more for fewer loose fragments; Owner:
-  /// the caller, as long as the decoder is used. Errors: bad_sink.
+  /// Begins a stream. memory: none for streams of regions, or before it is known; at least
+  /// minimum_surface_bytes() for the size that the header of a stream of bits will tell, and more
+  /// for fewer loose fragments; Owner: the caller, as long as the decoder is used. Errors:
+  /// bad_sink.
   [[nodiscard]] Status start(Memory memory, const Sink& sink);
 
   /// As Decoder::push(). Errors: also too_little_memory, as of SliceDecoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
+
+  /// As SliceDecoder::give_memory(), with minimum_surface_bytes() or more.
+  [[nodiscard]] Status give_memory(Memory memory);
 
   /// As Decoder::finish(). Of a stream of bits that has no end the surface has none either.
   [[nodiscard]] Status finish();

@@ -191,6 +191,17 @@ void check_kind(const RenderArguments& arguments, const std::vector<CLI::Option*
 
 }  // namespace
 
+void check_wire(const ExtractArguments& arguments) {
+  const bool is_of_slices = arguments.wire == Wire::slices;
+  if (is_of_slices && format_of(arguments.output) != Format::stream)
+    throw CLI::ValidationError("--wire", "slices are a stream: give -o FILE.dmc");
+  if (is_of_slices && arguments.normals != Normals::none)
+    throw CLI::ValidationError("--wire",
+                               "a stream of slices holds no normals: leave out --normals");
+  if (!is_of_slices && arguments.key_slices > 0)
+    throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
+}
+
 void add_extract(CLI::App& app, ExtractArguments& arguments) {
   CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
   extract
@@ -201,10 +212,29 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
   add_output(*extract, arguments.output, "the stream on standard output (default)");
   add_normals(*extract, arguments.normals,
               "from the samples of the volume, and what a .dmc stream can hold");
+  extract
+      ->add_option_function<std::string>(
+          "--wire",
+          [&arguments](const std::string& name) {
+            arguments.wire = name == "slices" ? Wire::slices : Wire::regions;
+          },
+          "what a .dmc stream holds: regions (default), final as they come; or slices, the bits of "
+          "the volume, in a tenth of the bytes")
+      ->check(CLI::IsMember({"regions", "slices"}))
+      ->option_text("regions|slices");
+  extract
+      ->add_option("--key-slices", arguments.key_slices,
+                   "with --wire slices: every N slices one that needs none before it, for who has "
+                   "lost some (default: the first alone)")
+      ->check(CLI::Range(std::uint32_t{1}, Limits::max_slices))
+      ->option_text("N");
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
   extract->add_flag("-q,--quiet", arguments.quiet, "no table");
-  extract->callback([&arguments] { check_normals(arguments.normals, arguments.output, true); });
+  extract->callback([&arguments] {
+    check_normals(arguments.normals, arguments.output, true);
+    check_wire(arguments);
+  });
 }
 
 void add_stream_commands(CLI::App& app, StreamArguments& arguments) {

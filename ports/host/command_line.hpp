@@ -33,12 +33,17 @@ struct VolumeArguments {
 /// Where the normals of a mesh's vertices come from: its polygons, or the samples.
 enum class Normals { none, surface, gradient };
 
+/// What a stream holds.
+enum class Wire { regions, slices };
+
 /// Of `extract`.
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
   std::string output = "-";
   Normals normals = Normals::none;
+  Wire wire = Wire::regions;
+  std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
   bool conforming = true;
   bool quiet = false;
 };

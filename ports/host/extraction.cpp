@@ -103,6 +103,13 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
 }
 
+template <class Sample>
+void tell_slice(SliceEncoder& encoder, const std::vector<Sample>& slice) {
+  const auto count = static_cast<std::uint32_t>(slice.size());
+  const PushResult told = encoder.push(slice.data(), count);
+  if (told.status != Status::ok) throw std::runtime_error(text(told.status));
+}
+
 template <class Index, class Sample, class Normals>
 Extraction extract_samples(VolumeReader& volume, const Limits& limits,
                            const ExtractionOptions& options, const Arena& arena, const Sink& sink) {
@@ -124,10 +131,12 @@ Extraction extract_samples(VolumeReader& volume, const Limits& limits,
     const PushResult pushed =
         extractor.push(slice.data(), static_cast<std::uint32_t>(slice.size()));
     if (pushed.status != Status::ok) throw std::runtime_error(text(pushed.status));
+    if (options.slices != nullptr) tell_slice(*options.slices, slice);
     crossings.add_slice(slice.data());
     if (options.progress) options.progress(z + 1);
   }
-  const Status finished = extractor.finish();
+  Status finished = extractor.finish();
+  if (finished == Status::ok && options.slices != nullptr) finished = options.slices->finish();
   if (finished != Status::ok) throw std::runtime_error(text(finished));
   return {extractor.statistics(), std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2],
           crossings.count(),      arena.bytes,

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <discmc/extractor.hpp>
+#include <discmc/slice_encoder.hpp>
 #include <discmc/stream/wire.hpp>
 
 #include "volume.hpp"
@@ -22,6 +23,8 @@ struct ExtractionOptions {
   std::function<void(std::uint32_t)> progress;
   /// Whether the events tell gradient normals. The arena then also holds four slices.
   bool normals = false;
+  /// Is given the samples as well, and finished, if there is one; its output must take all.
+  SliceEncoder* slices = nullptr;
   /// In place of `memory`: the arena is as large as these need.
   std::optional<Capacities> capacities{};
 };

@@ -1,7 +1,7 @@
 // The discmc command.
 #include <unistd.h>
 
-#include <discmc/extractor.hpp>
+#include <discmc/slice_encoder.hpp>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -46,6 +46,22 @@ struct Tee {
     if (encoder.take(event) != Answer::taken) return Answer::not_now;
     return joiner.take(event);
   }
+};
+
+// Tells the bits of a volume, in memory of its own.
+class SliceWriter {
+ public:
+  void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
+    memory_.resize(slice_encoder_bytes({header.width, header.height}, key_slices));
+    const Status status =
+        encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output);
+    if (status != Status::ok) throw std::runtime_error(text(status));
+  }
+  SliceEncoder& encoder() { return encoder_; }
+
+ private:
+  std::vector<std::uint8_t> memory_;
+  SliceEncoder encoder_;
 };
 
 std::optional<RawLayout> raw_layout(const LayoutArguments& arguments) {
@@ -125,7 +141,15 @@ int run_extract(const ExtractArguments& arguments) {
   Progress progress("slice", info.dims[2]);
   ExtractionOptions options = extraction_options(info, arguments.reading, progress);
   options.normals = format == Format::stream && arguments.normals == Normals::gradient;
-  require(tee.encoder.start(stream_header(info, options), output.byte_output()));
+  const StreamHeader header = stream_header(info, options);
+  const bool tells_slices = format == Format::stream && arguments.wire == Wire::slices;
+  StreamOutput no_output(nullptr);
+  require(tee.encoder.start(header, (tells_slices ? no_output : output).byte_output()));
+  SliceWriter slices;
+  if (tells_slices) {
+    slices.start(header, {arguments.key_slices}, output.byte_output());
+    options.slices = &slices.encoder();
+  }
   const Extraction extraction = extract(*volume, options, sink_to(tee));
   tee.builder.surface().spacing_mm = info.spacing_mm;
   if (format != Format::stream)
@@ -140,25 +164,24 @@ int run_extract(const ExtractArguments& arguments) {
   return exit_ok;
 }
 
-// Reads the named stream into the decoder; "-" is standard input.
-void decode_file(const std::string& path, const Sink& sink, Decoder& decoder) {
+// Reads the named stream; "-" is standard input.
+void read_file(const std::string& path, StreamReader& reader) {
   std::ifstream file;
   if (path != "-") {
     if (!std::filesystem::is_directory(path)) file.open(path, std::ios::binary);
     if (!file.is_open())
       throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
   }
-  require(decoder.start(sink));
   Progress progress("bytes", 0);
   try {
-    read_stream(path == "-" ? std::cin : file, decoder,
+    reader.read(path == "-" ? std::cin : file,
                 [&progress](std::uint64_t bytes) { progress.show(bytes); });
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
-  if (!decoder.report().has_header)
+  if (!reader.report().has_header)
     throw std::runtime_error(path + ": no header of a discmc stream in " +
-                             std::to_string(decoder.report().bytes) +
+                             std::to_string(reader.report().bytes) +
                              " bytes: is this a .dmc file?");
 }
 
@@ -171,20 +194,21 @@ struct DecodedStream {
 DecodedStream decode_surface(const std::string& path) {
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
-  Decoder decoder;
-  decode_file(path, sink_to(joiner), decoder);
+  StreamReader reader(sink_to(joiner));
+  read_file(path, reader);
   joiner.finish();
-  builder.surface().spacing_mm = spacing_mm(decoder.header());
-  StreamReport report = decoder.report();
+  builder.surface().spacing_mm = spacing_mm(reader.header());
+  StreamReport report = reader.report();
   report.lost_pieces += builder.incomplete_regions();
-  return {decoder.header(), report, std::move(builder.surface())};
+  return {reader.header(), report, std::move(builder.surface())};
 }
 
 // What is missing is said, and told by the exit code, but what is there is used.
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
   std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
-            << " packets and " << report.lost_pieces << " regions or fragments are missing"
+            << " packets and " << (report.holds_slices ? report.lost_rows : report.lost_pieces)
+            << (report.holds_slices ? " rows" : " regions or fragments") << " are missing"
             << (report.has_trailer ? "" : ", and its end") << '\n';
   return exit_incomplete;
 }
@@ -192,15 +216,17 @@ int completeness(const std::string& path, const StreamReport& report) {
 // A stream from a stream: what was whole, or is now that it is joined, packed anew.
 class Recoder {
  public:
-  Recoder(const Decoder& decoder, const ByteOutput& output) : decoder_(decoder), output_(output) {}
+  explicit Recoder(const ByteOutput& output) : output_(output) {}
+  /// Whose events are taken. Owner: the caller, as long as they are.
+  void set_reader(const StreamReader& reader) { reader_ = &reader; }
 
   Answer take(const Event& event) {
     if (!is_started_) {
-      if (!decoder_.report().has_header) {  // its first header is lost: wait for the next
+      if (!reader_->report().has_header) {  // its first header is lost: wait for the next
         early_.push_back(event);
         return Answer::taken;
       }
-      require(encoder_.start(decoder_.header(), output_));
+      require(encoder_.start(reader_->header(), output_));
       is_started_ = true;
       for (const Event& early : early_) encoder_.take(early);  // a file takes all
     }
@@ -211,7 +237,7 @@ class Recoder {
   }
 
  private:
-  const Decoder& decoder_;
+  const StreamReader* reader_ = nullptr;
   ByteOutput output_;
   NormalEncoder encoder_;
   std::vector<Event> early_;  // before any header
@@ -251,14 +277,15 @@ int run_decode(const StreamArguments& arguments) {
   OutputFile file(arguments.output);
   StreamReport report;
   if (format == Format::stream) {
-    Decoder decoder;
     StreamOutput output(&file.stream());
-    Recoder recoder(decoder, output.byte_output());
+    Recoder recoder(output.byte_output());
     GrowingJoiner joiner(sink_to(recoder));
-    decode_file(arguments.stream, sink_to(joiner), decoder);
+    StreamReader reader(sink_to(joiner));
+    recoder.set_reader(reader);
+    read_file(arguments.stream, reader);
     joiner.finish();
     recoder.flush();
-    report = decoder.report();
+    report = reader.report();
   } else {
     const DecodedStream decoded = decode_surface(arguments.stream);
     write_surface(

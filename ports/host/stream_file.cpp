@@ -30,22 +30,40 @@ ByteOutput StreamOutput::byte_output() {
           }};
 }
 
-void read_stream(std::istream& in, Decoder& decoder,
-                 const std::function<void(std::uint64_t)>& progress) {
-  Status status = Status::ok;
+StreamReader::StreamReader(const Sink& sink) : status_(decoder_.start({}, sink)) {}
+
+void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t)>& progress) {
   std::vector<char> buffer(std::size_t{1} << 16);
-  while (in && status == Status::ok) {
+  while (in && status_ == Status::ok) {
     in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    const auto count = static_cast<std::size_t>(in.gcount());
-    status = decoder.push(reinterpret_cast<const std::uint8_t*>(buffer.data()), count).status;
-    if (progress) progress(decoder.report().bytes);
+    push(reinterpret_cast<const std::uint8_t*>(buffer.data()),
+         static_cast<std::size_t>(in.gcount()));
+    if (progress) progress(report().bytes);
   }
-  if (status == Status::ok) status = decoder.finish();
-  if (status == Status::wrong_version)
+  if (status_ == Status::ok) status_ = decoder_.finish();
+  if (status_ == Status::wrong_version)
     throw std::runtime_error(
         "the stream is of a version that this program does not know (it knows " +
         std::to_string(wire::version) + "): use a newer discmc");
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status_ != Status::ok) throw std::runtime_error(text(status_));
+}
+
+void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
+  const Decoded decoded = decoder_.push(bytes, count);
+  status_ = decoded.status;
+  if (status_ != Status::too_little_memory || memory_ != nullptr) return;
+  give_memory();
+  push(bytes + decoded.bytes, count - decoded.bytes);
+}
+
+// Enough for surfaces of any size: what is never used costs nothing, and what has no room is
+// joined.
+void StreamReader::give_memory() {
+  const Limits limits{header().width, header().height, header().border};
+  constexpr std::uint64_t for_chains = std::uint64_t{64} << 20;
+  const std::uint64_t bytes = minimum_surface_bytes(limits) + for_chains;
+  memory_.reset(new std::uint8_t[bytes]);
+  status_ = decoder_.give_memory({memory_.get(), bytes});
 }
 
 std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm) {

@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <functional>
 #include <istream>
+#include <memory>
 #include <ostream>
 
-#include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
+#include <discmc/surface_decoder.hpp>
 
 namespace discmc::host {
 
@@ -26,11 +27,26 @@ class StreamOutput {
   std::uint64_t bytes_ = 0;
 };
 
-/// Gives a decoder that has been started a stream to its end; its sink must not say "not now".
-/// progress: called now and then with the bytes read so far.
-/// Throws std::runtime_error when the stream's version is not known.
-void read_stream(std::istream& in, Decoder& decoder,
-                 const std::function<void(std::uint64_t)>& progress = {});
+/// A stream of either kind, read to its end.
+class StreamReader {
+ public:
+  /// sink: it must not say "not now".
+  explicit StreamReader(const Sink& sink);
+  /// progress: called now and then with the bytes read so far.
+  /// Throws std::runtime_error when the stream's version is not known.
+  void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
+
+  const StreamHeader& header() const { return decoder_.header(); }
+  const StreamReport& report() const { return decoder_.report(); }
+
+ private:
+  void push(const std::uint8_t* bytes, std::size_t count);
+  void give_memory();
+
+  SurfaceDecoder decoder_;
+  std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of bits
+  Status status_;
+};
 
 /// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
 std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);

@@ -70,6 +70,7 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << (report.has_trailer ? report.slices : header.depth) << '\n'
       << "spacing " << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2] << '\n'
       << "position dropped\n"
+      << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
       << "threshold " << header.threshold << '\n'
       << "border " << (header.border == Border::closed ? "closed" : "open") << '\n'
       << "regions " << counts.regions << '\n'
@@ -86,6 +87,7 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << "lost_packets " << report.lost_packets << '\n'
       << "damaged_packets " << report.damaged_packets << '\n'
       << "lost_pieces " << report.lost_pieces << '\n'
+      << "lost_rows " << report.lost_rows << '\n'
       << "bytes " << report.bytes << '\n'
       << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
       << "complete " << (report.is_complete() ? "yes" : "no") << '\n';

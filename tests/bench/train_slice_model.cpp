@@ -73,24 +73,19 @@ struct RowCollector {
   }
 };
 
-// The width of a stream's rows must be known before the first is taken, so it is decoded twice.
 bool read_stream(const char* path, RowCollector& collector, discmc::Limits& limits) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-  std::vector<uint8_t> memory(1);
-  for (int round = 0; round < 2; ++round) {
-    discmc::SliceDecoder decoder;
-    if (decoder.start({memory.data(), memory.size()}, discmc::row_sink_to(collector)) !=
-        discmc::Status::ok)
-      return false;
-    (void)decoder.push(bytes.data(), bytes.size());
-    limits = {decoder.header().width, decoder.header().height};
-    if (!limits.is_valid()) return false;
-    collector.row_bytes = (limits.width + 7) / 8;
-    memory.resize(discmc::slice_decoder_bytes(limits));
-    if (round == 1) return decoder.report().is_complete();
-  }
-  return false;
+  discmc::SliceDecoder decoder;
+  if (decoder.start({}, discmc::row_sink_to(collector)) != discmc::Status::ok) return false;
+  const size_t taken = decoder.push(bytes.data(), bytes.size()).bytes;
+  limits = {decoder.header().width, decoder.header().height};
+  if (!limits.is_valid()) return false;
+  std::vector<uint8_t> memory(discmc::slice_decoder_bytes(limits));
+  collector.row_bytes = (limits.width + 7) / 8;
+  return decoder.give_memory({memory.data(), memory.size()}) == discmc::Status::ok &&
+         decoder.push(bytes.data() + taken, bytes.size() - taken).status == discmc::Status::ok &&
+         decoder.report().is_complete();
 }
 
 void print(const char* name, const Counts& shares) {

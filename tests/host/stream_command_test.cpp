@@ -94,6 +94,43 @@ TEST_CASE("decode, info and render read standard input, pipes too") {
   CHECK(workshop.read("piped.stl") == workshop.read("v.stl"));
 }
 
+TEST_CASE("a stream of slices is taken as one of regions is, without being told") {
+  const Workshop workshop;
+  const std::string regions = write_stream(workshop, "v.dmc");
+  workshop.done("extract v.nrrd --iso 100 --wire slices -o s.dmc");
+  CHECK(workshop.read("s.dmc").size() < regions.size() / 2);
+  for (const char* stream : {"v.dmc", "s.dmc"}) {
+    workshop.done(std::string("decode ") + stream + " -o " + stream + ".stl");
+    workshop.done(std::string("decode ") + stream + " -o again-" + stream);
+    workshop.done(std::string("render ") + stream + " -o " + stream + ".png --size 30,20");
+  }
+  CHECK(workshop.read("s.dmc.stl") == workshop.read("v.dmc.stl"));
+  CHECK(workshop.read("s.dmc.png") == workshop.read("v.dmc.png"));
+  CHECK(workshop.read("again-s.dmc") == workshop.read("again-v.dmc"));
+  auto of_regions = workshop.info("v.dmc"), of_slices = workshop.info("s.dmc");
+  CHECK(of_regions["wire"] == "regions");
+  CHECK(of_slices["wire"] == "slices");
+  for (const char* key : {"dimensions", "spacing", "threshold", "regions", "links", "complete"})
+    CHECK(of_slices[key] == of_regions[key]);
+}
+
+TEST_CASE("of a stream of slices that has lost a packet the other slices are used") {
+  const Workshop workshop;
+  write_stream(workshop, "v.dmc");
+  workshop.done("extract v.nrrd --iso 100 --wire slices --key-slices 5 -o s.dmc");
+  const std::string whole = workshop.read("s.dmc");
+  // The third frame is the second key slice's; the first is the header.
+  const std::size_t second = whole.find('\0', whole.find('\0') + 1) + 1;
+  const std::size_t third = whole.find('\0', second) + 1;
+  workshop.write("lost.dmc", whole.substr(0, second) + whole.substr(third));
+  const Result result = workshop.run("info lost.dmc");
+  CHECK(result.code == 3);
+  CHECK(result.error.find("1 packets and 100 rows are missing") != std::string::npos);
+  CHECK(result.out.find("lost_rows 100\n") != std::string::npos);
+  CHECK(result.out.find("skipped_rows 0\n") != std::string::npos);
+  CHECK(result.out.find("slices") != std::string::npos);
+}
+
 TEST_CASE("render draws a picture of the size asked for") {
   const Workshop workshop;
   write_stream(workshop, "v.dmc");

@@ -153,6 +153,14 @@ TEST_CASE("memory that is too small for a stream of bits is refused") {
     CHECK(status == (is_enough ? Status::ok : Status::too_little_memory));
     CHECK(decoder.push(stream.data(), 0).status == status);
     CHECK(log.events.empty() == !is_enough);
+    if (is_enough) continue;
+    // With enough it goes on where it was.
+    Bytes enough(minimum_surface_bytes(limits));
+    CHECK(decoder.give_memory({enough.data(), enough.size() - 1}) == Status::too_little_memory);
+    CHECK(decoder.give_memory({enough.data(), enough.size()}) == Status::ok);
+    const size_t taken = frames_of(stream)[0].size();
+    CHECK(decoder.push(stream.data() + taken, stream.size() - taken).status == Status::ok);
+    CHECK(decoder.report().is_complete());
   }
   SurfaceDecoder decoder;
   CHECK(decoder.start({}, {}) == Status::bad_sink);

@@ -1,0 +1,92 @@
+// Fuzz target. The promises of streams of bits: any small volume comes through, whatever portions,
+// key slices, flushes and refusals there are; of packets that are lost, damaged or made up under a
+// correct checksum rows come out in their order, each once, and those that are there but for
+// made-up ones are right; nothing faults or goes on for ever.
+//
+//   fuzz_slices -max_len=600 corpus/slices      with libFuzzer
+//   fuzz_slices corpus/slices                   with replay_main.cpp
+#include "input.hpp"
+#include "oracle/slice_stream.hpp"
+#include "require.hpp"
+#include "small_volume.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using Kind = RowEvent::Kind;
+
+namespace {
+
+SlicePlan read_plan(Input& input) {
+  SlicePlan plan;
+  plan.key_slices.interval = input.below(5);
+  plan.portion = 1 + input.byte();
+  plan.bytes_a_time = input.below(20);
+  plan.flush_every = input.below(9);
+  return plan;
+}
+
+// Keeps packets, drops them, or puts others in their place.
+Bytes mangled(const Bytes& stream, Input& input, bool& is_made_up) {
+  Bytes result;
+  for (const Bytes& frame : frames_of(stream)) {
+    const uint32_t what = input.byte();
+    Bytes sent = frame;
+    if (what >= 250) {
+      Packet packet = packet_of(frame);
+      packet.kind = static_cast<uint8_t>(packet.kind ^ input.below(32));
+      const Bytes payload = input.bytes(1 + input.byte());
+      if (payload.size() <= wire::max_payload) packet.payload = payload;
+      sent = frame_of(packet);
+      is_made_up = true;
+    } else if (what >= 230) {
+      sent.clear();
+    } else if (what >= 210) {
+      sent[input.byte() % sent.size()] = static_cast<uint8_t>(input.byte());
+    } else if (what >= 200) {
+      sent.insert(sent.end(), frame.begin(), frame.end());
+    }
+    result.insert(result.end(), sent.begin(), sent.end());
+  }
+  return result;
+}
+
+// Returns whether all rows of the volume were told.
+bool check_rows(const BitVolume& volume, const ReceivedRows& received, bool is_made_up) {
+  size_t next = 0;
+  uint64_t told = 0;
+  for (const RecordedRow& row : received.rows) {
+    if (row.is(Kind::finish)) break;
+    const size_t at = size_t{row.event.slice} * volume.height + row.event.row;
+    require(at == next, "a row out of its order");
+    next += row.is(Kind::lost) ? static_cast<size_t>(row.event.count) : 1;
+    if (row.is(Kind::lost) || is_made_up) continue;
+    const uint8_t* const first = &volume.on[at * volume.width];
+    require(row.bits == Bytes(first, first + volume.width), "a row that is wrong");
+    ++told;
+  }
+  return told == uint64_t{volume.height} * volume.depth;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  Input input(data, size);
+  const SlicePlan plan = read_plan(input);
+  const size_t portion = 1 + input.below(30);
+  const BitVolume volume = read_small_volume(input, {70, 9, 12});
+  const reference::Size slice{volume.width, volume.height, volume.depth};
+  const Bytes stream = encode_slices(volume, plan);
+  const ReceivedRows whole = decode_slices(stream, slice, portion, true);
+  require(whole.report.is_complete(), "a whole stream that is not complete");
+  require(check_rows(volume, whole, false), "a row that is missing");
+
+  bool is_made_up = false;
+  const Bytes sent = mangled(stream, input, is_made_up);
+  const ReceivedRows arrived = decode_slices(sent, slice);
+  check_rows(volume, arrived, is_made_up);
+  const ReceivedRows again = decode_slices(sent, slice, portion, true);
+  require(again.rows.size() == arrived.rows.size(), "portions or refusals show");
+  require(again.report.lost_rows == arrived.report.lost_rows, "the report depends on them");
+  return 0;
+}
