@@ -30,7 +30,9 @@ ByteOutput StreamOutput::byte_output() {
           }};
 }
 
-StreamReader::StreamReader(const Sink& sink) : status_(decoder_.start({}, sink)) {}
+StreamReader::StreamReader(const Sink& sink) {
+  status_ = decoder_.start({}, sink);
+}
 
 void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t)>& progress) {
   std::vector<char> buffer(std::size_t{1} << 16);

@@ -43,9 +43,9 @@ class StreamReader {
   void push(const std::uint8_t* bytes, std::size_t count);
   void give_memory();
 
-  SurfaceDecoder decoder_;
+  SurfaceDecoder decoder_{};
   std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of bits
-  Status status_;
+  Status status_ = Status::ok;
 };
 
 /// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
