@@ -7,7 +7,7 @@
 //   finish()                  after the last slice
 //
 // Every voxel is told by its neighbours, and what they say of it is learnt on the way (WIRE.md,
-// "Slices"). The stream of a CT head is a tenth of that of its regions, in a fifth of the
+// "Slices"). The stream of a CT head is a tenth of that of its regions, in a quarter of the
 // instructions. But the receiver must extract the surface, in as much memory as the device would
 // have needed; and what is lost on the way costs all slices up to the next key slice.
 #ifndef DISCMC_SLICE_ENCODER_HPP
@@ -21,11 +21,9 @@ namespace discmc {
 
 class SliceEncoder {
  public:
-  /// Begins a scan and its stream; the header is the first packet. A voxel is on where its sample
-  /// is
-  /// >= header.threshold.
-  /// memory: at least slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts.
-  /// Errors: bad_limits, bad_sink (no write), too_little_memory.
+  /// Begins a scan and its stream; the header is the first packet, and its threshold that of the
+  /// samples. memory: at least slice_encoder_bytes(); Owner: the caller, for as long as the scan
+  /// lasts. Errors: bad_limits, bad_sink (no write), too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                              const ByteOutput& output);
 

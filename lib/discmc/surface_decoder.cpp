@@ -10,7 +10,9 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink) {
   is_of_slices_ = false;
   skipped_ = 0;
   refusal_ = regions_.start(sink);
-  return slices_.start(memory, row_sink_to(sweeper_));
+  return slices_.start(memory, {this, [](void* context, const RowEvent& event) {
+                                  return static_cast<SurfaceDecoder*>(context)->take(event);
+                                }});
 }
 
 Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {

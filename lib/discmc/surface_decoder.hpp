@@ -39,12 +39,6 @@ class SurfaceDecoder {
   }
 
  private:
-  // Takes the rows of the slice decoder.
-  struct Sweeper {
-    SurfaceDecoder& of;
-    Answer take(const RowEvent& event) { return of.take(event); }
-  };
-
   Decoded push_to_both(const uint8_t* byte);
   Status begin_sweep();
   Answer take(const RowEvent& event);
@@ -56,7 +50,6 @@ class SurfaceDecoder {
   Decoder regions_;
   SliceDecoder slices_;
   Extractor32 extractor_;
-  Sweeper sweeper_{*this};
   Status refusal_ = Status::not_started;
   bool is_known_ = false;  // what the stream holds
   bool is_of_slices_ = false;
