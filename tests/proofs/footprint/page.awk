@@ -52,8 +52,8 @@ function print_summary(    target) {
     grouped(figure("Flash", "scanner: the three above", target)) " bytes of flash, " \
     grouped(figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes")) \
     " bytes of RAM for its two"
-  print "objects, an arena of at least " grouped(figure("Arena", "64x64", "least")) \
-    " bytes for slices of 64x64 voxels (256x256: " grouped(figure("Arena", "256x256", "least")) \
+  print "objects, an arena of at least " grouped(figure("Arena", "64x64", "extractor, least")) \
+    " bytes for slices of 64x64 voxels (256x256: " grouped(figure("Arena", "256x256", "extractor, least")) \
     "), and at most"
   print grouped(figure("Stack", "Extractor16 into an Encoder", target)) \
     " bytes of stack. Extraction costs " \

@@ -3,16 +3,21 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
+#include <discmc/slice_encoder.hpp>
 
 using namespace discmc;
 
 #define DISCMC_OBJECT(Class) uint8_t object_##Class[sizeof(Class)];
-#define DISCMC_ARENA(size) uint8_t least_##size[minimum_bytes<uint16_t>({size, size})];
+#define DISCMC_ARENA(size)                                      \
+  uint8_t least_##size[minimum_bytes<uint16_t>({size, size})];  \
+  uint8_t slices_##size[slice_encoder_bytes({size, size}, {})]; \
+  uint8_t keys_##size[slice_encoder_bytes({size, size}, {1})];
 
 extern "C" {
 DISCMC_OBJECT(Extractor16)
 DISCMC_OBJECT(Encoder)
 DISCMC_OBJECT(Decoder)
+DISCMC_OBJECT(SliceEncoder)
 
 DISCMC_ARENA(32)
 DISCMC_ARENA(64)

@@ -10,6 +10,7 @@ BEGIN {
   FS = OFS = "\t"
   want("Extractor16::", "start reset push push_bits skip_row resume finish abandon")
   want("Encoder::", "start take flush")
+  want("SliceEncoder::", "start push push_bits skip_row resume flush finish abandon")
   want("Decoder::", "start push finish")
   want("", "unfold twice_area split_ring is_corner")
 }

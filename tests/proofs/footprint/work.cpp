@@ -4,6 +4,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/sample_window.hpp>
+#include <discmc/slice_encoder.hpp>
 
 #include "marks.hpp"
 
@@ -17,6 +18,7 @@ static uint8_t memory[11 * 1024];
 static_assert(sizeof memory >= minimum_bytes<uint16_t>(wide), "or the scan does not start");
 static Extractor16 extractor;
 static Encoder encoder;
+static SliceEncoder slice_encoder;
 
 static Answer take_event(void*, const Event&) {
   return Answer::taken;
@@ -46,22 +48,35 @@ static void report(const char* name, uint64_t value) {
 }
 
 // Counts the instructions of all calls of push(); a row a call.
-template <class Sample>
-static bool scan(const Limits& limits, uint32_t slices,
-                 uint8_t (*sample)(int32_t, int32_t, int32_t), const Sink& sink) {
+template <class Sample, class Scanner>
+static bool push_rows(Scanner& scanner, const Limits& limits, uint32_t slices,
+                      uint8_t (*sample)(int32_t, int32_t, int32_t)) {
   alignas(4) static Sample row[wide.width];
-  if (extractor.start(limits, threshold, memory_of(memory), sink) != Status::ok) return false;
   for (uint32_t i = 0; i < limits.height * slices; ++i) {
     for (uint32_t x = 0; x < limits.width; ++x)
       row[x] = sample(static_cast<int32_t>(x), static_cast<int32_t>(i % limits.height),
                       static_cast<int32_t>(i / limits.height));
     count_on();
-    const Status status = extractor.push(row, limits.width).status;
+    const Status status = scanner.push(row, limits.width).status;
     count_off();
     if (status != Status::ok) return false;
   }
   count_tell();
-  return extractor.finish() == Status::ok;
+  return scanner.finish() == Status::ok;
+}
+
+template <class Sample>
+static bool scan(const Limits& limits, uint32_t slices,
+                 uint8_t (*sample)(int32_t, int32_t, int32_t), const Sink& sink) {
+  return extractor.start(limits, threshold, memory_of(memory), sink) == Status::ok &&
+         push_rows<Sample>(extractor, limits, slices, sample);
+}
+
+static bool tell_slices(const Limits& limits, uint32_t slices,
+                        uint8_t (*sample)(int32_t, int32_t, int32_t)) {
+  const StreamHeader header{limits.width, limits.height, slices, {}, threshold};
+  return slice_encoder.start(header, {}, memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
+         push_rows<uint8_t>(slice_encoder, limits, slices, sample);
 }
 
 // ---- normals ----
@@ -110,6 +125,8 @@ int main() {
   const StreamHeader header{ball.width, ball.height, ball.width, {}, threshold};
   good = good && encoder.start(header, {nullptr, take_bytes}) == Status::ok &&
          scan<uint8_t>(ball, ball.width, inside_ball, sink_to(encoder));
+  good =
+      good && tell_slices(wide, wide_slices, outside) && tell_slices(ball, ball.width, inside_ball);
   good = good && count_normals(octahedral, 0) && count_normals(octahedral, 1) &&
          count_normals(unit, 0) && count_normals(unit, 1);
   const Statistics statistics = extractor.statistics();
@@ -121,5 +138,6 @@ int main() {
   report("links", statistics.links);
   report("fragments", statistics.fragments);
   report("stream_bytes", encoder.bytes());
+  report("slice_bytes", slice_encoder.bytes());
   board::stop(good);
 }

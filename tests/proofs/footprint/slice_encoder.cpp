@@ -1,0 +1,12 @@
+// Flash: a slice encoder of 8-bit samples.
+#include <discmc/slice_encoder.hpp>
+
+using namespace discmc;
+
+extern "C" Status run(SliceEncoder& encoder, const ByteOutput& output, const StreamHeader& header,
+                      Memory memory, const uint8_t* row) {
+  Status status = encoder.start(header, {}, memory, output);
+  if (status == Status::ok) status = encoder.push(row, header.width).status;
+  if (status == Status::more) status = encoder.resume();
+  return status == Status::ok ? encoder.finish() : status;
+}
