@@ -51,21 +51,23 @@ void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t
 }
 
 void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
-  const Decoded decoded = decoder_.push(bytes, count);
+  Decoded decoded = decoder_.push(bytes, count);
+  if (decoded.status == Status::too_little_memory && memory_ == nullptr) {
+    decoded.status = give_memory();
+    if (decoded.status == Status::ok)
+      decoded = decoder_.push(bytes + decoded.bytes, count - decoded.bytes);
+  }
   status_ = decoded.status;
-  if (status_ != Status::too_little_memory || memory_ != nullptr) return;
-  give_memory();
-  push(bytes + decoded.bytes, count - decoded.bytes);
 }
 
 // Enough for surfaces of any size: what is never used costs nothing, and what has no room is
 // joined.
-void StreamReader::give_memory() {
+Status StreamReader::give_memory() {
   const Limits limits{header().width, header().height, header().border};
   constexpr std::uint64_t for_chains = std::uint64_t{64} << 20;
   const std::uint64_t bytes = minimum_surface_bytes(limits) + for_chains;
   memory_.reset(new std::uint8_t[bytes]);
-  status_ = decoder_.give_memory({memory_.get(), bytes});
+  return decoder_.give_memory({memory_.get(), bytes});
 }
 
 std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm) {

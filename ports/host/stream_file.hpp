@@ -41,7 +41,7 @@ class StreamReader {
 
  private:
   void push(const std::uint8_t* bytes, std::size_t count);
-  void give_memory();
+  Status give_memory();
 
   SurfaceDecoder decoder_{};
   std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of bits
