@@ -51,7 +51,7 @@
 //
 // Behind the encoder and the decoder of slices works slices/:
 //
-//   row_code.hpp                           a row, voxel by voxel and run by run
+//   row_code.hpp, row_coders.hpp           a row, voxel by voxel and run by run
 //     slice_model.hpp                        by what is learnt of its neighbours
 //
 // And behind the joiner join/:

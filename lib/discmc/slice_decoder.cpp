@@ -13,13 +13,6 @@ static_assert(most_of_a_step <= wire::packet_head, "what is left has room before
 
 }  // namespace
 
-uint32_t SliceDecoder::Coder::number(uint32_t bits, uint32_t) {
-  constexpr Probability even = 128;
-  uint32_t value = 0;
-  for (; bits > 0; --bits) value = value << 1 | (range.decode(even) ? 1 : 0);
-  return value;
-}
-
 Status SliceDecoder::start(Memory memory, const RowSink& sink) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
@@ -29,7 +22,6 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink) {
   refusal_ = Status::ok;
   is_laid_out_ = false;
   is_whole_ = false;
-  trailer_has_come_ = false;
   row_is_begun_ = false;
   slice_ = 0;
   passed_rows_ = 0;
@@ -72,7 +64,6 @@ void SliceDecoder::open(PacketReader::Arrival arrival) {
   if (arrival == PacketReader::Arrival::trailer) {
     const uint64_t total = report().total_rows;
     lost_rows_ = total > passed_rows_ ? total - passed_rows_ : 0;
-    trailer_has_come_ = true;
     stage_ = Stage::lose;
   }
 }
@@ -225,7 +216,7 @@ bool SliceDecoder::deliver() {
         return true;
       case Stage::lose:
         if (!report_loss()) return false;
-        stage_ = trailer_has_come_ ? Stage::finish : Stage::read;
+        stage_ = report().has_trailer ? Stage::finish : Stage::read;
         break;
       case Stage::read:
         read();

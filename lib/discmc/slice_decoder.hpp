@@ -7,6 +7,7 @@
 
 #include <discmc/decoder.hpp>
 #include <discmc/key_slices.hpp>
+#include <discmc/slices/row_coders.hpp>
 
 namespace discmc {
 
@@ -46,12 +47,13 @@ RowSink row_sink_to(Receiver& receiver) {
 class SliceDecoder {
  public:
   /// Begins a stream. memory: at least slice_decoder_bytes() for the size that the header will
-  /// tell; Owner: the caller, as long as the decoder is used. Errors: bad_sink.
+  /// tell, or none before it is known; Owner: the caller, as long as the decoder is used. Errors:
+  /// bad_sink.
   [[nodiscard]] Status start(Memory memory, const RowSink& sink);
 
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
   /// Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells of
-  /// larger slices than the memory serves; nothing of this stream is handed out. Errors: also
+  /// larger slices than the memory serves: give_memory(), and push the rest. Errors: also
   /// not_started. Packets that arrive before any header are lost. Cost: as the encoder's.
   Decoded push(const uint8_t* bytes, size_t count);
 
@@ -66,15 +68,6 @@ class SliceDecoder {
   const StreamReport& report() const { return packets_.report(); }
 
  private:
-  struct Coder {
-    RangeDecoder range;
-    bool bit(LearntProbability& probability, bool) {
-      const bool bit = range.decode(probability);
-      probability.learn(bit);
-      return bit;
-    }
-    uint32_t number(uint32_t bits, uint32_t);
-  };
   // Between two bytes.
   enum class Stage : uint8_t { collect, lose, read, hand_out, finish };
 
@@ -103,7 +96,6 @@ class SliceDecoder {
   bool is_key_ahead_ = false;  // the next row is the first of a key slice
   bool code_is_over_ = false;  // its last packet has come
   bool row_is_begun_ = false;
-  bool trailer_has_come_ = false;
   uint8_t rest_bytes_ = 0;
   uint8_t rest_[wire::packet_head];  // of the code, before the next packet of it
   slices::SliceKind kind_ = slices::SliceKind::key;
@@ -114,7 +106,7 @@ class SliceDecoder {
   uint32_t next_slice_ = 0;   // after what is lost
   uint64_t lost_rows_ = 0;    // to be told
   uint64_t passed_rows_ = 0;  // handed out or lost
-  Coder coder_;
+  slices::RowReader coder_;
   slices::RowCode row_;
   slices::SliceModel model_;
   trace::BitRows rows_;

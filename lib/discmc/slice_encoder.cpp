@@ -5,12 +5,6 @@ namespace discmc {
 using slices::RowNote;
 using slices::SliceKind;
 
-uint32_t SliceEncoder::Coder::number(uint32_t bits, uint32_t value) {
-  constexpr Probability even = 128;
-  while (bits > 0) range.encode((value >> --bits & 1) != 0, even);
-  return value;
-}
-
 Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                            const ByteOutput& output) {
   const Limits limits{header.width, header.height, header.border};

@@ -15,6 +15,7 @@
 
 #include <discmc/key_slices.hpp>
 #include <discmc/row_input.hpp>
+#include <discmc/slices/row_coders.hpp>
 #include <discmc/stream/packet_writer.hpp>
 
 namespace discmc {
@@ -68,15 +69,6 @@ class SliceEncoder {
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
-  struct Coder {
-    RangeEncoder range;
-    bool bit(LearntProbability& probability, bool bit) {
-      range.encode(bit, probability);
-      probability.learn(bit);
-      return bit;
-    }
-    uint32_t number(uint32_t bits, uint32_t value);
-  };
 
   Status ready_for_row();
   PushResult take_row(slices::RowNote note);
@@ -105,7 +97,7 @@ class SliceEncoder {
   Limits limits_{};
   uint64_t told_rows_ = 0;
   uint64_t skipped_rows_ = 0;
-  Coder coder_;
+  slices::RowWriter coder_;
   slices::RowCode row_;
   slices::SliceModel model_;
   trace::BitRows rows_;

@@ -90,6 +90,21 @@ class RowLog {
   uint32_t width_ = 0;
 };
 
+/// Gives a decoder all bytes of a stream, so many at a time (0: all at once), and its end. Returns
+/// why it refused, or ok.
+template <class Decoding>
+Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
+  for (size_t at = 0; at < bytes.size();) {
+    const size_t left = bytes.size() - at;
+    const Decoded decoded =
+        decoder.push(bytes.data() + at, chunk == 0 || chunk > left ? left : chunk);
+    at += decoded.bytes;
+    if (decoded.status != Status::ok && decoded.status != Status::more) return decoded.status;
+  }
+  until_done([&] { return decoder.finish(); });
+  return Status::ok;
+}
+
 /// Decodes so many bytes at a time (0: all at once). Limit: the slices are as large as `size` says,
 /// or the status will tell that they are larger.
 inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& size, size_t chunk = 0,
@@ -99,19 +114,7 @@ inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& siz
   log.set_width(size.width);
   SliceDecoder decoder;
   reference::require_ok(decoder.start(block.memory(), row_sink_to(log)));
-  Status status = Status::ok;
-  for (size_t at = 0; at < bytes.size();) {
-    const size_t left = bytes.size() - at;
-    const Decoded decoded =
-        decoder.push(bytes.data() + at, chunk == 0 || chunk > left ? left : chunk);
-    at += decoded.bytes;
-    status = decoded.status;
-    if (status != Status::ok && status != Status::more) break;
-  }
-  if (status == Status::ok || status == Status::more) {
-    until_done([&] { return decoder.finish(); });
-    status = Status::ok;
-  }
+  const Status status = push_stream(decoder, bytes, chunk);
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
   return {log.rows, decoder.report(), status};
 }

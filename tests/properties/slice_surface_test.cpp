@@ -23,18 +23,9 @@ Surface decode_surface(const Bytes& stream, const Limits& limits, size_t chunk =
   reference::Block block(minimum_surface_bytes(limits) + 200000);
   SurfaceDecoder decoder;
   reference::require_ok(decoder.start(block.memory(), sink_to(log)));
-  Status status = Status::ok;
-  for (size_t at = 0; at < stream.size();) {
-    const size_t left = stream.size() - at;
-    const Decoded decoded =
-        decoder.push(stream.data() + at, chunk == 0 || chunk > left ? left : chunk);
-    at += decoded.bytes;
-    status = decoded.status;
-    if (status != Status::ok && status != Status::more) break;
-  }
-  if (status == Status::ok || status == Status::more) until_done([&] { return decoder.finish(); });
+  const Status status = push_stream(decoder, stream, chunk);
   CHECK(block.is_intact());
-  return {log.events, decoder.report(), status == Status::more ? Status::ok : status};
+  return {log.events, decoder.report(), status};
 }
 
 // A scan with rows that never came, for an extractor and for a slice encoder alike.

@@ -43,33 +43,6 @@ BitVolume ball(uint32_t size) {
   return reference::ball({size, size, size}, {middle, middle, middle}, middle * middle * 3 / 4);
 }
 
-// The coders of a row, without packets.
-struct WritingRows {
-  RangeEncoder range;
-  bool bit(LearntProbability& probability, bool bit) {
-    range.encode(bit, probability);
-    probability.learn(bit);
-    return bit;
-  }
-  uint32_t number(uint32_t bits, uint32_t value) {
-    while (bits > 0) range.encode((value >> --bits & 1) != 0, Probability{128});
-    return value;
-  }
-};
-struct ReadingRows {
-  RangeDecoder range;
-  bool bit(LearntProbability& probability, bool) {
-    const bool bit = range.decode(probability);
-    probability.learn(bit);
-    return bit;
-  }
-  uint32_t number(uint32_t bits, uint32_t) {
-    uint32_t value = 0;
-    for (; bits > 0; --bits) value = value << 1 | (range.decode(Probability{128}) ? 1 : 0);
-    return value;
-  }
-};
-
 // Tells the first slice of a volume, or reads it.
 template <class Coder>
 void tell_key_slice(Coder& coder, BitVolume& volume) {
@@ -204,12 +177,12 @@ TEST_CASE("bits under which all bytes may yet be changed by a carry come through
   for (uint32_t seed = 1; seed < 20; ++seed) {
     BitVolume noise = reference::random({300, 12, 1}, 128, seed);
     Bytes number(2000);
-    WritingRows written{RangeEncoder(number.data(), number.size())};
+    slices::RowWriter written{RangeEncoder(number.data(), number.size())};
     tell_key_slice(written, noise);
     const auto noisy = static_cast<std::ptrdiff_t>(written.range.final_bytes());
     std::fill(number.begin() + noisy, number.end(), uint8_t{0});
     BitVolume volume({300, 36, 1});
-    ReadingRows read{RangeDecoder(number.data(), number.size())};
+    slices::RowReader read{RangeDecoder(number.data(), number.size())};
     tell_key_slice(read, volume);
     REQUIRE(std::equal(noise.on.begin(), noise.on.begin() + 3000, volume.on.begin()));
     for (const Bytes& frame : frames_of(encode_slices(volume))) {

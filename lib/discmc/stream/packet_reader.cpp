@@ -153,12 +153,17 @@ bool PacketReader::read_header() {
   return true;
 }
 
-PacketReader::Arrival PacketReader::read_trailer() {
-  if (payload_bytes_ < wire::trailer_payload) return damage();
-  wire::ByteReader reader(payload(), payload_bytes_);
+// What both kinds of trailer begin with.
+void PacketReader::note_end(wire::ByteReader& reader) {
   report_.has_trailer = true;
   report_.slices = static_cast<uint32_t>(reader.get(4));
   report_.abandoned = reader.get(1) != 0;
+}
+
+PacketReader::Arrival PacketReader::read_trailer() {
+  if (payload_bytes_ < wire::trailer_payload) return damage();
+  wire::ByteReader reader(payload(), payload_bytes_);
+  note_end(reader);
   Statistics& totals = report_.totals;
   for (const auto total : wire::trailer_totals) totals.*total = reader.get(8);
   const uint64_t pieces = totals.regions + totals.fragments;
@@ -170,9 +175,7 @@ PacketReader::Arrival PacketReader::read_trailer() {
 PacketReader::Arrival PacketReader::read_slices_trailer() {
   if (payload_bytes_ < wire::slices_trailer_payload) return damage();
   wire::ByteReader reader(payload(), payload_bytes_);
-  report_.has_trailer = true;
-  report_.slices = static_cast<uint32_t>(reader.get(4));
-  report_.abandoned = reader.get(1) != 0;
+  note_end(reader);
   report_.total_rows = reader.get(8);
   report_.totals.skipped_rows = reader.get(8);
   return Arrival::trailer;

@@ -80,6 +80,7 @@ class PacketReader {
   uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
   void note_gap(uint64_t packets, uint64_t pieces);
   bool read_header();
+  void note_end(wire::ByteReader& reader);
   Arrival read_trailer();
   Arrival read_slices_trailer();
 

@@ -1,0 +1,41 @@
+// The coders of a row (row_code.hpp): one tells its bits, the other reads them.
+#ifndef DISCMC_SLICES_ROW_CODERS_HPP
+#define DISCMC_SLICES_ROW_CODERS_HPP
+
+#include <discmc/stream/range_coder.hpp>
+
+namespace discmc::slices {
+
+struct RowWriter {
+  RangeEncoder range;
+
+  bool bit(LearntProbability& probability, bool bit) {
+    range.encode(bit, probability);
+    probability.learn(bit);
+    return bit;
+  }
+  /// So many even bits, the highest first.
+  uint32_t number(uint32_t bits, uint32_t value) {
+    while (bits > 0) range.encode((value >> --bits & 1) != 0, Probability{128});
+    return value;
+  }
+};
+
+struct RowReader {
+  RangeDecoder range;
+
+  bool bit(LearntProbability& probability, bool) {
+    const bool bit = range.decode(probability);
+    probability.learn(bit);
+    return bit;
+  }
+  uint32_t number(uint32_t bits, uint32_t) {
+    uint32_t value = 0;
+    for (; bits > 0; --bits) value = value << 1 | (range.decode(Probability{128}) ? 1 : 0);
+    return value;
+  }
+};
+
+}  // namespace discmc::slices
+
+#endif
