@@ -29,10 +29,10 @@ static int succeeds(discmc_status status) {
 }
 
 int main(void) {
-  const discmc_stream_header header = {SIZE, SIZE, SIZE, {0, 0, 0}, THRESHOLD, DISCMC_CLOSED};
+  const discmc_stream_label label = {SIZE, {0, 0, 0}, 0, 0};
   const discmc_byte_output uart = {NULL, uart_write};
   const discmc_memory arena = {memory, sizeof memory};
-  int good = succeeds(discmc_encoder_start(&encoder, &header, uart)) &&
+  int good = succeeds(discmc_encoder_start(&encoder, &label, uart)) &&
              succeeds(discmc_extractor_start(&extractor, &limits, NULL, THRESHOLD, arena, &sink));
   int32_t i, x;
   for (i = 0; good && i < SIZE * SIZE; ++i) {

@@ -29,7 +29,7 @@ static bool succeeds(Status status) {
 }
 
 int main() {
-  bool good = succeeds(encoder.start({size, size, size, {}, threshold}, {nullptr, uart_write})) &&
+  bool good = succeeds(encoder.start({size}, {nullptr, uart_write})) &&
               succeeds(extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)));
   for (int32_t i = 0; good && i < size * size; ++i) {
     uint8_t row[size];

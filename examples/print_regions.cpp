@@ -43,8 +43,10 @@ class Printer {
       case Event::Kind::lost:
         std::printf(" ... lost\n");
         break;
+      case Event::Kind::start:
       case Event::Kind::skipped:
       case Event::Kind::layer:
+      case Event::Kind::application:
       case Event::Kind::finish:
         break;
     }

@@ -78,7 +78,7 @@ static bool take(const Row& row, uint32_t& next) {
 // Without a row for a second the scan is over before its time; what there is becomes a closed
 // surface.
 static bool scan() {
-  if (encoder.start({size, size, size, {}, threshold}, {nullptr, uart_write}) != Status::ok ||
+  if (encoder.start({size}, {nullptr, uart_write}) != Status::ok ||
       extractor.start(limits, threshold, memory_of(arena), sink_to(encoder)) != Status::ok)
     return false;
   read_row(filling->samples, next_number);

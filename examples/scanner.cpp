@@ -77,10 +77,8 @@ bool succeeds(Status status) {
 
 bool start() {
   const int32_t(&spacing)[3] = scan::spacing_nm;
-  const StreamHeader header{scan::limits.width, scan::limits.height,
-                            scan::depth,        {spacing[0], spacing[1], spacing[2]},
-                            scan::threshold,    scan::limits.border};
-  return succeeds(encoder.start(header, {nullptr, board::uart_write})) &&
+  const StreamLabel label{scan::depth, {spacing[0], spacing[1], spacing[2]}};
+  return succeeds(encoder.start(label, {nullptr, board::uart_write})) &&
          succeeds(extractor.start(scan::limits, capacities, scan::threshold, memory_of(arena),
                                   sink_to(encoder)));
 }

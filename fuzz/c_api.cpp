@@ -317,23 +317,21 @@ class Both {
   // ---- the stream ----
 
   void start_encoder() {
-    discmc_stream_header header = {};
-    header.width = input_.byte();
-    header.height = 1 + input_.byte();
-    header.depth = input_.number(UINT32_MAX);
-    for (int32_t& spacing : header.spacing_nm)
+    discmc_stream_label label = {};
+    label.scan = static_cast<uint16_t>(input_.byte());
+    label.channel = static_cast<uint8_t>(input_.byte() % 80);
+    label.depth = input_.number(UINT32_MAX);
+    for (int32_t& spacing : label.spacing_nm)
       spacing = static_cast<int32_t>(input_.number(INT32_MAX)) - 1000;
-    header.border = static_cast<uint8_t>(input_.below(2));
     const bool has_output = input_.byte() < 250;
-    StreamHeader cpp_header;
-    cpp_header.width = header.width;
-    cpp_header.height = header.height;
-    cpp_header.depth = header.depth;
-    for (int i = 0; i < 3; ++i) cpp_header.spacing_nm[i] = header.spacing_nm[i];
-    cpp_header.border = static_cast<Border>(header.border);
+    StreamLabel cpp_label;
+    cpp_label.scan = label.scan;
+    cpp_label.channel = label.channel;
+    cpp_label.depth = label.depth;
+    for (int i = 0; i < 3; ++i) cpp_label.spacing_nm[i] = label.spacing_nm[i];
     const auto write = has_output ? Line::write : nullptr;
-    const discmc_status in_c = discmc_encoder_start(encoder_.get(), &header, {&line_c_, write});
-    require_same(in_c, encoder_cpp_.start(cpp_header, {&line_cpp_, write}));
+    const discmc_status in_c = discmc_encoder_start(encoder_.get(), &label, {&line_c_, write});
+    require_same(in_c, encoder_cpp_.start(cpp_label, {&line_cpp_, write}));
   }
 
   void flush() {
@@ -346,8 +344,10 @@ class Both {
     const discmc_sink sink = {&decoded_c_, has_sink ? SinkInC::take : nullptr, 1};
     Sink cpp_sink = sink_to(decoded_cpp_);
     if (!has_sink) cpp_sink.take = nullptr;
-    const discmc_status in_c = discmc_decoder_start(decoder_.get(), &sink);
-    require_same(in_c, decoder_cpp_.start(cpp_sink));
+    const uint32_t choice = input_.byte();
+    const auto channel = choice < 200 ? any_channel : static_cast<uint8_t>(choice % 80);
+    const discmc_status in_c = discmc_decoder_start(decoder_.get(), &sink, channel);
+    require_same(in_c, decoder_cpp_.start(cpp_sink, channel));
     if (in_c == DISCMC_OK) arrived_ = 0;
   }
 

@@ -20,8 +20,25 @@ static_assert(sizeof(Event) == sizeof(discmc_event) && DISCMC_SAME_PLACE(kind) &
                   DISCMC_SAME_PLACE(hole) && DISCMC_SAME_PLACE(repeated) &&
                   DISCMC_SAME_PLACE(abandoned) && DISCMC_SAME_PLACE(normal) &&
                   DISCMC_SAME_PLACE(run) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&
-                  DISCMC_SAME_PLACE(start) && DISCMC_SAME_PLACE(statistics),
+                  DISCMC_SAME_PLACE(start) &&
+                  offsetof(Event, statistics) == offsetof(discmc_event, of),
               "events have one layout");
+#undef DISCMC_SAME_PLACE
+#define DISCMC_SAME_PLACE(member) \
+  (offsetof(StreamHeader, member) == offsetof(discmc_stream_header, member))
+static_assert(sizeof(StreamHeader) == sizeof(discmc_stream_header) && DISCMC_SAME_PLACE(width) &&
+                  DISCMC_SAME_PLACE(height) && DISCMC_SAME_PLACE(depth) &&
+                  DISCMC_SAME_PLACE(spacing_nm) && DISCMC_SAME_PLACE(threshold) &&
+                  DISCMC_SAME_PLACE(border) && DISCMC_SAME_PLACE(channel) &&
+                  DISCMC_SAME_PLACE(scan),
+              "so have headers");
+#undef DISCMC_SAME_PLACE
+#define DISCMC_SAME_PLACE(member) \
+  (offsetof(ApplicationRecord, member) == offsetof(discmc_application_record, member))
+static_assert(sizeof(ApplicationRecord) == sizeof(discmc_application_record) &&
+                  DISCMC_SAME_PLACE(kind) && DISCMC_SAME_PLACE(slice) && DISCMC_SAME_PLACE(row) &&
+                  DISCMC_SAME_PLACE(bytes) && DISCMC_SAME_PLACE(count),
+              "so have application records");
 #undef DISCMC_SAME_PLACE
 #define DISCMC_SAME_PLACE(member) \
   (offsetof(Statistics, member) == offsetof(discmc_statistics, member))
@@ -33,7 +50,7 @@ static_assert(sizeof(Statistics) == sizeof(discmc_statistics) && DISCMC_SAME_PLA
               "so have totals");
 #undef DISCMC_SAME_PLACE
 
-static_assert(DISCMC_BAD_CHECKPOINT == static_cast<int>(Status::bad_checkpoint) &&
+static_assert(DISCMC_BAD_RECORD == static_cast<int>(Status::bad_record) &&
                   DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
                   DISCMC_FINISHED == static_cast<int>(Status::finished) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
@@ -43,7 +60,11 @@ static_assert(DISCMC_BAD_CHECKPOINT == static_cast<int>(Status::bad_checkpoint) 
               "enumerations are in the same order");
 
 static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == DISCMC_MAX_SLICES &&
-                  wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME,
+                  wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME &&
+                  StreamLabel::max_channel == DISCMC_MAX_CHANNEL &&
+                  any_channel == DISCMC_ANY_CHANNEL &&
+                  ApplicationRecord::max_bytes == DISCMC_MAX_RECORD_BYTES &&
+                  ApplicationRecord::first_standard_kind == DISCMC_FIRST_STANDARD_KIND,
               "constants are the same");
 
 constexpr Limits some_limits{31, 7};
@@ -85,14 +106,16 @@ discmc_push_result c(PushResult from) {
   return {c(from.status), from.samples};
 }
 discmc_stream_header c(const StreamHeader& from) {
-  return {from.width,     from.height,
-          from.depth,     {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
-          from.threshold, static_cast<uint8_t>(from.border)};
+  return *reinterpret_cast<const discmc_stream_header*>(&from);
 }
-StreamHeader cpp(const discmc_stream_header& from) {
-  return {from.width,     from.height,
-          from.depth,     {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
-          from.threshold, static_cast<Border>(from.border)};
+StreamLabel cpp(const discmc_stream_label& from) {
+  return {from.depth,
+          {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
+          from.scan,
+          from.channel};
+}
+const ApplicationRecord& cpp(const discmc_application_record& from) {
+  return reinterpret_cast<const ApplicationRecord&>(from);
 }
 
 using ExtractorAdapter = SinkAdapter<Extractor16>;
@@ -231,9 +254,16 @@ uint32_t discmc_extractor_rows(const discmc_extractor* extractor) {
   return cpp(extractor).rows();
 }
 
-discmc_status discmc_encoder_start(discmc_encoder* encoder, const discmc_stream_header* header,
+discmc_status discmc_encoder_start(discmc_encoder* encoder, const discmc_stream_label* label,
                                    discmc_byte_output output) {
-  return c(cpp(encoder).start(cpp(*header), {output.context, output.write}));
+  return c(cpp(encoder).start(cpp(*label), {output.context, output.write}));
+}
+discmc_status discmc_encoder_tell(discmc_encoder* encoder,
+                                  const discmc_application_record* record) {
+  return c(cpp(encoder).tell(cpp(*record)));
+}
+void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output) {
+  cpp(encoder).set_output({output.context, output.write});
 }
 discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event) {
   return static_cast<discmc_answer>(
@@ -256,8 +286,10 @@ uint64_t discmc_encoder_bytes(const discmc_encoder* encoder) {
   return cpp(encoder).bytes();
 }
 
-discmc_status discmc_decoder_start(discmc_decoder* decoder, const discmc_sink* sink) {
-  return adapter(decoder).start_to(*sink, [&](const Sink& to) { return cpp(decoder).start(to); });
+discmc_status discmc_decoder_start(discmc_decoder* decoder, const discmc_sink* sink,
+                                   uint8_t channel) {
+  return adapter(decoder).start_to(*sink,
+                                   [&](const Sink& to) { return cpp(decoder).start(to, channel); });
 }
 discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes, size_t count) {
   const Decoded decoded = cpp(decoder).push(bytes, count);
@@ -271,8 +303,9 @@ discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder) {
 }
 discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder) {
   const StreamReport& from = cpp(decoder).report();
-  return {from.has_header,      from.has_trailer,  from.abandoned, from.is_unreadable,
-          from.is_complete(),   from.bytes,        from.packets,   from.repeated_packets,
-          from.damaged_packets, from.lost_packets, from.regions,   from.fragments,
-          from.lost_pieces,     from.slices,       c(from.totals)};
+  return {from.has_header,       from.has_trailer,     from.abandoned,       from.is_unreadable,
+          from.is_mixed,         from.is_complete(),   from.bytes,           from.packets,
+          from.repeated_packets, from.damaged_packets, from.foreign_packets, from.lost_packets,
+          from.regions,          from.fragments,       from.lost_pieces,     from.slices,
+          c(from.totals)};
 }

@@ -19,11 +19,15 @@ struct SinkAdapter {
   /// start(sink): starts the object. When it fails, the sink of the last start stays.
   template <class Start>
   discmc_status start_to(const discmc_sink& sink, Start start) {
+    const auto last_context = context;
+    const auto last_take = take;
+    context = sink.context;
+    take = sink.take;
     const Status status = start(Sink{this, sink.take == nullptr ? nullptr : offer,
                                      sink.takes_fragments != 0 ? nullptr : &trace::sealing});
-    if (status == Status::ok) {
-      context = sink.context;
-      take = sink.take;
+    if (status != Status::ok) {
+      context = last_context;
+      take = last_take;
     }
     return static_cast<discmc_status>(status);
   }

@@ -3,11 +3,12 @@
 
 namespace discmc {
 
-Status Decoder::start(const Sink& sink) {
+Status Decoder::start(const Sink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
-  packets_.start();
+  packets_.start(channel);
   is_started_ = true;
+  start_is_told_ = false;
   stage_ = Stage::collect;
   lost_is_untold_ = false;
   is_open_ = false;
@@ -38,6 +39,8 @@ void Decoder::open(PacketReader::Arrival arrival) {
     model_ = Model(Coder{RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     normals_are_ahead_ = false;
     stage_ = Stage::records;
+  } else if (arrival == PacketReader::Arrival::application) {
+    note_application();
   } else if (arrival == PacketReader::Arrival::trailer) {
     note_finish();
   }
@@ -49,13 +52,25 @@ void Decoder::lose_open() {
   is_open_ = false;
 }
 
-void Decoder::note_finish() {
+// A packet without records is an event.
+Event& Decoder::packet_mark(Event::Kind kind) {
+  lose_open();
   mark_ = Event{};
-  mark_.kind = Event::Kind::finish;
-  mark_.slice = report().slices;
-  mark_.abandoned = report().abandoned;
-  mark_.statistics = &report().totals;
-  stage_ = Stage::finish;
+  mark_.kind = kind;
+  stage_ = Stage::packet_mark;
+  return mark_;
+}
+
+void Decoder::note_application() {
+  application_ = packets_.application();
+  packet_mark(Event::Kind::application).application = &application_;
+}
+
+void Decoder::note_finish() {
+  Event& finish = packet_mark(Event::Kind::finish);
+  finish.slice = report().slices;
+  finish.abandoned = report().abandoned;
+  finish.statistics = &report().totals;
 }
 
 // ---- records ----
@@ -281,6 +296,7 @@ bool Decoder::deliver() {
       if (!offer(event)) return false;
       lost_is_untold_ = false;
     }
+    if (!tell_start()) return false;
     switch (stage_) {
       case Stage::collect:
         return true;
@@ -291,12 +307,23 @@ bool Decoder::deliver() {
         if (!deliver_record()) return false;
         stage_ = Stage::records;
         break;
-      default:  // mark or finish
+      default:  // a mark
         if (!offer(mark_)) return false;
         stage_ = stage_ == Stage::mark ? Stage::records : Stage::collect;
         break;
     }
   }
+}
+
+// Tells of the header once it is there, and between two pieces.
+bool Decoder::tell_start() {
+  const bool is_between = stage_ == Stage::collect || stage_ == Stage::packet_mark;
+  if (start_is_told_ || !report().has_header || is_open_ || !is_between) return true;
+  Event event{};
+  event.kind = Event::Kind::start;
+  event.header = &header();
+  start_is_told_ = offer(event);
+  return start_is_told_;
 }
 
 bool Decoder::deliver_record() {

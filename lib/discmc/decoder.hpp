@@ -20,8 +20,10 @@ struct [[nodiscard]] Decoded {
 /// Runs come with the normals where they start, if the stream tells any.
 class Decoder {
  public:
-  /// Begins a stream. Errors: bad_sink.
-  [[nodiscard]] Status start(const Sink& sink);
+  /// Begins a stream: the one of the first whole packet that comes on this channel. Packets of
+  /// other scans and channels are counted and left alone, so every decoder of a link may get all
+  /// bytes. Errors: bad_sink.
+  [[nodiscard]] Status start(const Sink& sink, uint8_t channel = any_channel);
 
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
   /// Status::wrong_version: the header names a version this decoder does not know; nothing more of
@@ -44,11 +46,13 @@ class Decoder {
   using Model = RegionModel<Coder>;
 
   // What is under way between two bytes.
-  enum class Stage : uint8_t { collect, records, record, mark, finish };
+  enum class Stage : uint8_t { collect, records, record, mark, packet_mark };
 
   void open(PacketReader::Arrival arrival);
   void lose_open();
+  void note_application();
   void note_finish();
+  Event& packet_mark(Event::Kind kind);
   void read_record();
   bool read_region();
   bool read_ring(Chain chain);
@@ -60,12 +64,14 @@ class Decoder {
   bool rings_are_whole();
 
   bool deliver();
+  bool tell_start();
   bool deliver_record();
   bool offer(const Event& event) { return sink_.take(sink_.context, event) == Answer::taken; }
 
   Sink sink_;
   PacketReader packets_;
   bool is_started_ = false;
+  bool start_is_told_ = false;
 
   Stage stage_ = Stage::collect;
   Model model_{Coder{}};
@@ -86,6 +92,7 @@ class Decoder {
   bool is_open_ = false;
   bool ring_is_empty_ = false;  // the record so far ends with a ring's start
   Event mark_{};
+  ApplicationRecord application_;
 };
 
 }  // namespace discmc

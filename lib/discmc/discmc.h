@@ -43,14 +43,16 @@ enum {
   DISCMC_BAD_LIMITS,        /* see discmc_limits */
   DISCMC_BAD_CAPACITIES,    /* below the minimum, or more records than an index can count */
   DISCMC_TOO_LITTLE_MEMORY, /* smaller than the limits or capacities need, or null */
-  DISCMC_BAD_SINK,          /* it has no function, or takes no fragments where a slab needs them */
-  DISCMC_NOT_STARTED,       /* ..._start() has not succeeded yet */
-  DISCMC_FINISHED,          /* the scan takes no more samples: ..._reset() or ..._start() */
-  DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
+  DISCMC_BAD_SINK,        /* it has no function, refuses to start, or a slab's takes no fragments */
+  DISCMC_NOT_STARTED,     /* ..._start() has not succeeded yet */
+  DISCMC_FINISHED,        /* the scan takes no more samples: ..._reset() or ..._start() */
+  DISCMC_ROW_IN_PROGRESS, /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
   DISCMC_TOO_DEEP,          /* the volume has DISCMC_MAX_SLICES; finish still works */
   DISCMC_WRONG_VERSION,     /* this decoder does not know the stream's version */
-  DISCMC_BAD_CHECKPOINT     /* it, or the memory that goes with it, is not what was saved */
+  DISCMC_BAD_CHECKPOINT,    /* it, or the memory that goes with it, is not what was saved */
+  DISCMC_BAD_LABEL,         /* see discmc_stream_label */
+  DISCMC_BAD_RECORD         /* an application record is too long */
 };
 
 /* A short English text for a status. Owner: static storage. */
@@ -127,8 +129,8 @@ typedef struct discmc_octahedral_normal {
   uint8_t u, v;
 } discmc_octahedral_normal;
 
-/* Totals of a scan so far. All counts are exact; two slabs share the cells at their seam, and of the
- * first three counts the slabs of a volume have up to one less a seam, all together. */
+/* Totals of a scan so far. All counts are exact; two slabs share the cells at their seam, and of
+ * the first three counts the slabs of a volume have up to one less a seam, all together. */
 typedef struct discmc_statistics {
   uint64_t cells;             /* active cells swept */
   uint64_t facets;            /* before merging */
@@ -140,9 +142,43 @@ typedef struct discmc_statistics {
   uint64_t skipped_rows;
 } discmc_statistics;
 
+/* What an encoder is told of a scan; the rest the extractor knows. */
+typedef struct discmc_stream_label {
+  uint32_t depth;        /* planned slices; 0 when not known */
+  int32_t spacing_nm[3]; /* between voxels; negative for a mirrored axis; 0 unknown */
+  uint16_t scan;         /* a number that no other scan on the link has, such as a device's own and
+                          * a count of its scans */
+  uint8_t channel;       /* of the surface, where several share a link; Limit: at most
+                          * DISCMC_MAX_CHANNEL */
+} discmc_stream_label;
+
+/* For a decoder that takes the first stream that comes, of whatever channel. */
+enum { DISCMC_MAX_CHANNEL = 63, DISCMC_ANY_CHANNEL = 255 };
+
+/* What a stream says of its scan. */
+typedef struct discmc_stream_header {
+  uint32_t width, height;
+  uint32_t depth;        /* planned slices; 0 when not known */
+  int32_t spacing_nm[3]; /* between voxels; negative for a mirrored axis; 0 unknown */
+  int32_t threshold;     /* a voxel is on where its sample is >= threshold */
+  uint8_t border;        /* DISCMC_CLOSED or DISCMC_OPEN */
+  uint8_t channel;
+  uint16_t scan;
+} discmc_stream_header;
+
+/* The user's own data in a stream: a time stamp, a pose, the state of a battery. A record goes out
+ * at once, in a packet of its own: so tell rarely, and much at once. */
+typedef struct discmc_application_record {
+  uint8_t kind;         /* the user's; Limit: below DISCMC_FIRST_STANDARD_KIND */
+  uint32_t slice, row;  /* where the scan was: as many were complete */
+  const uint8_t* bytes; /* Owner: whoever tells it; free again when the call returns */
+  size_t count;         /* Limit: at most DISCMC_MAX_RECORD_BYTES */
+} discmc_application_record;
+enum { DISCMC_MAX_RECORD_BYTES = 200, DISCMC_FIRST_STANDARD_KIND = 240 };
+
 /* The kinds of events, in this grammar:
  *
- *   scan     = { region | fragment | skipped | layer } finish
+ *   scan     = start { region | fragment | skipped | layer | application } finish
  *   region   = region { ring { run } } region_end       outer ring first, then the holes
  *   fragment = fragment { run } fragment_end            only when the sink takes fragments
  *
@@ -151,8 +187,12 @@ typedef struct discmc_statistics {
  * end, and E came there by the direction of F's last run; there is one match at most. Where two
  * fragments are joined, runs of one direction may meet: that is no corner. A ring that goes out
  * loose as a whole follows itself. All loose fragments of a region's holes come before its outer
- * ring, or the last fragment of it. */
+ * ring, or the last fragment of it.
+ *
+ * A start must be taken at once: an extractor whose sink does not is not started. Only decoders
+ * send `application`. */
 enum {
+  DISCMC_START,        /* the first event: header */
   DISCMC_REGION,       /* a complete region begins: incidence */
   DISCMC_RING,         /* one of its rings begins: start, hole */
   DISCMC_RUN,          /* the next run of the ring or fragment: run, normal */
@@ -161,6 +201,7 @@ enum {
   DISCMC_FRAGMENT_END, /* the fragment is complete */
   DISCMC_SKIPPED,      /* a row never came: slice, row, repeated */
   DISCMC_LAYER,        /* every region that does not reach `slice` has been delivered */
+  DISCMC_APPLICATION,  /* the user's own data: application */
   DISCMC_FINISH,       /* the last event: slice (how many; of a slab, its own), abandoned,
                         * statistics */
   DISCMC_LOST          /* decoder only: part of the region or fragment just begun is lost */
@@ -180,7 +221,12 @@ typedef struct discmc_event {
   uint32_t slice;
   uint32_t row;
   discmc_vertex start;
-  const discmc_statistics* statistics; /* Owner: the sender; valid during the call */
+  /* Owner: the sender; valid during the call. */
+  union {
+    const discmc_statistics* statistics;
+    const discmc_stream_header* header; /* of an extractor: not the depth, scan and channel */
+    const discmc_application_record* application;
+  } of;
 } discmc_event;
 
 /* A sink's answer. What it did not take is offered again, unchanged, on the next resume. */
@@ -305,15 +351,6 @@ uint32_t discmc_extractor_rows(const discmc_extractor* extractor);
 /* The version of the stream that is written, and the most bytes of one of its frames. */
 enum { DISCMC_WIRE_VERSION = 2, DISCMC_MAX_FRAME = 256 };
 
-/* A stream's description of its scan. */
-typedef struct discmc_stream_header {
-  uint32_t width, height;
-  uint32_t depth;        /* planned slices; 0 when not known */
-  int32_t spacing_nm[3]; /* between voxels; negative for a mirrored axis; 0 unknown */
-  int32_t threshold;     /* a voxel is on where its sample is >= threshold */
-  uint8_t border;        /* DISCMC_CLOSED or DISCMC_OPEN */
-} discmc_stream_header;
-
 /* Where bytes go. Owner: the context is the caller's. */
 typedef struct discmc_byte_output {
   void* context;
@@ -326,15 +363,26 @@ typedef struct discmc_encoder {
   uint64_t opaque[(sizeof(void*) == 8 ? 848 : 808) / 8];
 } discmc_encoder;
 
-/* Begins a stream; its header is the first packet. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_SINK (no
- * write). */
+/* Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of its
+ * header, the first packet. A further scan is a further stream; its number is one more. Errors:
+ * DISCMC_BAD_LABEL, DISCMC_BAD_SINK (no write). */
 DISCMC_NODISCARD discmc_status discmc_encoder_start(discmc_encoder* encoder,
-                                                    const discmc_stream_header* header,
+                                                    const discmc_stream_label* label,
                                                     discmc_byte_output output);
 
 /* Takes an event; encoder points to a discmc_encoder, so that this is the `take` of a sink whose
  * context is one: {&encoder, discmc_encoder_take, 1}. */
 discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
+
+/* Sends an application record now, in the order of the stream. DISCMC_MORE: the output takes
+ * nothing now, or a region is on its way: resume the extractor and call again. Errors:
+ * DISCMC_NOT_STARTED, DISCMC_BAD_RECORD. */
+DISCMC_NODISCARD discmc_status discmc_encoder_tell(discmc_encoder* encoder,
+                                                   const discmc_application_record* record);
+
+/* Goes on with another output. Without a write the stream is dropped, but counted: so a scan goes
+ * on though its link is dead, and the stream is there again once it has an output. */
+void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output);
 
 /* Sends what is there so far instead of waiting for a full packet. 0 when the output does not take
  * all of it now: call again. */
@@ -367,11 +415,13 @@ typedef struct discmc_stream_report {
   uint8_t has_header, has_trailer;
   uint8_t abandoned;     /* the scan was ended before its time; the surface is closed */
   uint8_t is_unreadable; /* a packet was whole, but its records are of no known kind */
+  uint8_t is_mixed;      /* packets of another scan, of the same name, were taken */
   uint8_t is_complete;   /* nothing is missing from header to trailer */
   uint64_t bytes;
   uint64_t packets; /* whole ones, repeated ones not counted */
   uint64_t repeated_packets;
   uint64_t damaged_packets; /* frames that are no packet, or fail their checksum */
+  uint64_t foreign_packets; /* of another scan or channel; not counted above, and left alone */
   uint64_t lost_packets;    /* missing by their numbers */
   uint64_t regions;         /* delivered complete */
   uint64_t fragments;       /* loose ones delivered complete */
@@ -387,12 +437,14 @@ typedef struct discmc_decoded {
 } discmc_decoded;
 
 typedef struct discmc_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 1288 : 1240) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 1328 : 1264) / 8];
 } discmc_decoder;
 
-/* Begins a stream. Errors: DISCMC_BAD_SINK. */
+/* Begins a stream: the one of the first whole packet that comes on this channel, or
+ * DISCMC_ANY_CHANNEL. Packets of other scans and channels are counted and left alone, so every
+ * decoder of a link may get all bytes. Errors: DISCMC_BAD_SINK. */
 DISCMC_NODISCARD discmc_status discmc_decoder_start(discmc_decoder* decoder,
-                                                    const discmc_sink* sink);
+                                                    const discmc_sink* sink, uint8_t channel);
 
 /* Takes bytes, any number at a time. DISCMC_MORE: the sink said "not now", push the rest again.
  * DISCMC_WRONG_VERSION: nothing more of this stream is delivered. Errors: also DISCMC_NOT_STARTED.

@@ -33,10 +33,13 @@ class SymbolCoder {
 template <class Normals>
 class BasicEncoder : private Normals {
  public:
-  /// Begins a stream; its header is the first packet. Errors: bad_limits, bad_sink (no write).
-  [[nodiscard]] Status start(const StreamHeader& header, const ByteOutput& output);
+  /// Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of
+  /// its header, the first packet. A further scan is a further stream; its number is one more.
+  /// Errors: bad_label, bad_sink (no write).
+  [[nodiscard]] Status start(const StreamLabel& label, const ByteOutput& output);
 
-  /// Takes an event of the extractor (or of a decoder); nothing before start().
+  /// Takes an event of the extractor (or of a decoder); nothing before start(), and no start of a
+  /// scan while the output has not taken what was sealed before.
   /// Cost: a few decisions a run, and the bytes.
   Answer take(const Event& event) {
     // Most events: on a host they are worth a shortcut.
@@ -48,6 +51,17 @@ class BasicEncoder : private Normals {
     }
     return take_any(event);
   }
+
+  /// Sends an application record now, in the order of the stream. Its slice and row are the
+  /// caller's to fill in: extractor.slices() and rows(). Status::more: the output takes nothing
+  /// now, or a region is on its way: resume() the extractor and call again. Errors: not_started,
+  /// bad_record.
+  [[nodiscard]] Status tell(const ApplicationRecord& record);
+
+  /// Goes on with another output. Without a function the stream is dropped, but counted: so a scan
+  /// goes on though its link is dead, and stream there is again once it has an output. Limit:
+  /// start().
+  void set_output(const ByteOutput& output) { packets_.set_output(output); }
 
   /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
   /// stream. False when the output does not take all of it now: call again. Nothing before start().
@@ -92,6 +106,7 @@ class BasicEncoder : private Normals {
            !is_emptying_ && packets_.is_started();
   }
   Answer take_any(const Event& event);
+  bool begin_stream(const StreamHeader& scan);
   bool put(const Event& event);
   bool encode_whole(const Event& event);
   bool encode_part(uint32_t& words, Event::Kind cause);
@@ -111,7 +126,8 @@ class BasicEncoder : private Normals {
   // Small members stand first, where they are reached by short instructions.
   bool packet_is_empty_ = false;
   bool trailer_is_sealed_ = false;
-  bool is_emptying_ = false;  // the record is on its way out in parts, and takes nothing
+  bool piece_is_open_ = false;  // it has begun and not ended
+  bool is_emptying_ = false;    // the record is on its way out in parts, and takes nothing
   Model model_;
   Record record_;
   PacketWriter packets_;

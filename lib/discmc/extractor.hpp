@@ -42,8 +42,9 @@ class Extractor {
   /// Begins a scan with as many records as the memory has room for (default_capacities()).
   /// threshold: a voxel is on where its sample is >= threshold.
   /// memory: at least minimum_bytes<Index, Normals>(limits); Owner: the caller, for as long as the
-  /// scan lasts. Errors: bad_limits, bad_sink, too_little_memory; then memory is untouched. Cost: a
-  /// write for each queue, and for each word of a row.
+  /// scan lasts. Errors: bad_limits, bad_sink (also a sink that does not take the start of the
+  /// scan, such as an encoder that was not started), too_little_memory; then memory is untouched.
+  /// Cost: a write for each queue, and for each word of a row.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities<Index, Normals>(limits, memory.bytes), threshold,
@@ -60,16 +61,17 @@ class Extractor {
   }
 
   /// Tells how far apart voxels are, for the normals of the scans to come, until told otherwise:
-  /// without it voxels are cubes. It is not told to the stream: StreamHeader::spacing_nm has to say
-  /// the same. spacing: negative where an axis is mirrored; Units: any. Limit: GradientNormals, and
-  /// not during a scan, whose normals would differ from then on.
+  /// without it voxels are cubes. The start of the scan tells it to the stream. spacing_nm:
+  /// negative where an axis is mirrored; Units: nanometres. Limit: GradientNormals, and not during
+  /// a scan, whose normals would differ from then on.
   template <class N = Normals>
-  void set_spacing(const int32_t (&spacing)[3]) {
+  void set_spacing(const int32_t (&spacing_nm)[3]) {
     static_assert(N::holds_samples, "an extractor without normals has no use for the spacing");
-    intake_.set_weights(axis_weights(spacing));
+    intake_.set_spacing(spacing_nm);
   }
 
-  /// Begins the next scan with the limits, threshold, memory and sink of the last start().
+  /// Begins the next scan with the limits, threshold, memory and sink of the last start(). Errors:
+  /// not_started, bad_sink (it does not take the start of the scan).
   [[nodiscard]] Status reset();
 
   /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
@@ -156,6 +158,7 @@ class Extractor {
                const Sink& sink, AtSeam at_seam);
   PushResult push_row_of_bits(const uint8_t* bits);
   bool lay_out(Memory memory);
+  void clear();
   bool is_suspended() const;
   Status ready_for_samples();
   void note(Arrival arrival);
@@ -170,6 +173,7 @@ class Extractor {
   bool end_slice();
   bool end_scan();
   uint32_t own_slices() const;
+  bool tell_start();
   bool tell(Event::Kind kind);
 
   // What the sweep works with stands first, where it is reached by short instructions.

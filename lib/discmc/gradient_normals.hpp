@@ -5,7 +5,7 @@
 //   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
 //   static Extractor<uint16_t, Normals> extractor;      // used like any other
 //   static NormalEncoder encoder;                       // and an Encoder leaves them out
-//   extractor.set_spacing(header.spacing_nm);           // before start(), unless voxels are cubes
+//   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
 // It keeps the samples of four slices and six rows, and lets every row wait for a slice and a row:
 // so samples on all sides are at hand where the sweep is. A normal is made with its corner, and
@@ -49,8 +49,14 @@ class GradientNormals {
     waiting_ = 0;
   }
 
-  /// How the normals are bent where voxels are not cubes.
-  void set_weights(const AxisWeights& weights) { weights_ = weights; }
+  /// How the normals are bent where voxels are not cubes. Units: nanometres
+  void set_spacing(const int32_t (&spacing_nm)[3]) {
+    for (int axis = 0; axis < 3; ++axis) spacing_nm_[axis] = spacing_nm[axis];
+    weights_ = axis_weights(spacing_nm);
+  }
+  void tell_spacing(int32_t (&spacing_nm)[3]) const {
+    for (int axis = 0; axis < 3; ++axis) spacing_nm[axis] = spacing_nm_[axis];
+  }
 
   /// Where the samples that arrive are: as NoNormals.
   uint32_t column(const trace::BitRows&) const { return samples_.column(); }
@@ -129,6 +135,7 @@ class GradientNormals {
     return static_cast<Sample>(threshold > least ? threshold - 1 : least);
   }
 
+  int32_t spacing_nm_[3] = {0, 0, 0};  // unknown
   AxisWeights weights_;
   SampleRows<Sample> samples_;
   uint16_t* given_ = nullptr;

@@ -61,6 +61,7 @@ bool Joiner::accept(const Event& event) {
   if (kind == Event::Kind::fragment) return begin_fragment(event);
   if (kind == Event::Kind::region_end) return end_region(event);
   if (kind == Event::Kind::finish) return take_finish(event);
+  if (kind == Event::Kind::start) return take_start(event);
   return pass(event);
 }
 
@@ -131,6 +132,12 @@ bool Joiner::end_region(const Event& event) {
   claimed_ = region_.claim(waiting_);
   begin_next_hole();
   return settle() && pass(event);
+}
+
+// Of several streams, such as those of slabs, the first.
+bool Joiner::take_start(const Event& event) {
+  has_start_ = has_start_ || pass(event);
+  return has_start_;
 }
 
 bool Joiner::take_finish(const Event& event) {

@@ -114,6 +114,7 @@ class Joiner {
   bool end_fragment(const Event& event);
   bool end_region(const Event& event);
   bool lose(const Event& event);
+  bool take_start(const Event& event);
   bool take_finish(const Event& event);
   bool pass(const Event& event);
   bool pass_loose(const Event& event);
@@ -157,13 +158,14 @@ class Joiner {
   // What is delivered: the next event, and of which chain. `holes` complete a region that passes; a
   // `beginning` is of the fragment that arrives.
   Delivery delivery_ = Delivery::none;
-  Event::Kind next_kind_ = Event::Kind::region;
+  Event::Kind next_kind_{};
   bool is_letting_go_ = false;  // of all chains, one after another
   uint32_t delivered_ = no_record;
   uint32_t claimed_ = no_record;  // the holes that follow
   uint32_t looked_at_ = 0;        // the last chain, on a walk over all
 
   // The sum of the `finish` events.
+  bool has_start_ = false;
   bool has_finish_ = false;
   bool was_abandoned_ = false;
   uint32_t slices_ = 0;

@@ -3,12 +3,14 @@
 // A sink is one function with a context. It is offered events in a fixed grammar and answers
 // `taken` or `not_now`; what it did not take is offered again, unchanged, on the next resume().
 //
-//   scan     = { region | fragment | skipped | layer } finish
+//   scan     = start { region | fragment | skipped | layer | application } finish
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
 //   fragment = fragment { run } fragment_end              only when the sink takes fragments
 //
-// A decoder may put `lost` in place of the rest of a region or fragment, and a stream that breaks
-// off has no `finish`.
+// `start` must be taken at once: an extractor whose sink does not is not started. Only decoders
+// send `application`. A decoder may put `lost` in place of the rest of a region or fragment; a
+// stream that breaks off has no `finish`, and one whose header is late has its `start` late, or
+// none.
 //
 // A fragment is loose: a piece of a boundary ring, sent early for lack of memory, complete in
 // itself. Fragment E follows fragment F where both have the same incidence, E starts where F's runs
@@ -19,8 +21,10 @@
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
+#include <discmc/application_record.hpp>
 #include <discmc/chain.hpp>
 #include <discmc/normal.hpp>
+#include <discmc/stream_header.hpp>
 
 namespace discmc {
 
@@ -43,6 +47,7 @@ struct Statistics {
 /// One thing that a sink is offered. Only the members that its kind names have a meaning.
 struct Event {
   enum class Kind : uint8_t {
+    start,         ///< the first event: header
     region,        ///< a complete region begins: incidence
     ring,          ///< one of its rings begins: start, hole
     run,           ///< the next run of the ring or fragment: run, normal
@@ -51,6 +56,7 @@ struct Event {
     fragment_end,  ///< the fragment is complete
     skipped,       ///< a row never came: slice, row; `repeated` when the row before stood in for it
     layer,         ///< every region that does not reach `slice` has been delivered
+    application,   ///< the user's own data: application
     finish,        ///< the last event: slice (how many: of a slab its own), abandoned, statistics
     lost,          ///< decoder only: part of the region or fragment just begun is lost, forget it
   };
@@ -65,8 +71,14 @@ struct Event {
   Run run;
   uint32_t slice;
   uint32_t row;
-  Vertex start;                  ///< Units: half-steps
-  const Statistics* statistics;  ///< Owner: the sender; valid during the call
+  Vertex start;  ///< Units: half-steps
+  /// Owner: the sender; valid during the call.
+  union {
+    const Statistics* statistics;
+    const StreamHeader*
+        header;  ///< of an extractor, what it knows: not the depth, scan and channel
+    const ApplicationRecord* application;
+  };
 };
 
 namespace trace {

@@ -13,11 +13,11 @@ static_assert(most_of_a_step <= wire::packet_head, "what is left has room before
 
 }  // namespace
 
-Status SliceDecoder::start(Memory memory, const RowSink& sink) {
+Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
   memory_ = memory;
-  packets_.start();
+  packets_.start(channel);
   stage_ = Stage::collect;
   refusal_ = Status::ok;
   is_laid_out_ = false;
@@ -61,6 +61,7 @@ void SliceDecoder::open(PacketReader::Arrival arrival) {
   if (report().has_header && !is_laid_out_) lay_out();
   if (!is_laid_out_ || refusal_ != Status::ok) return;
   if (arrival == PacketReader::Arrival::slices) open_slices();
+  if (arrival == PacketReader::Arrival::application) stage_ = Stage::application;
   if (arrival == PacketReader::Arrival::trailer) {
     const uint64_t total = report().total_rows;
     lost_rows_ = total > passed_rows_ ? total - passed_rows_ : 0;
@@ -79,6 +80,7 @@ void SliceDecoder::lay_out() {
   }
   rows_.clear();
   is_laid_out_ = true;
+  stage_ = Stage::start;
 }
 
 // What follows cannot be read before the next key slice.
@@ -225,6 +227,14 @@ bool SliceDecoder::deliver() {
         if (!hand_out()) return false;
         stage_ = Stage::read;
         break;
+      case Stage::start:
+        if (!offer(RowEvent::Kind::start)) return false;
+        stage_ = Stage::collect;
+        break;
+      case Stage::application:
+        if (!offer(RowEvent::Kind::application)) return false;
+        stage_ = Stage::collect;
+        break;
       case Stage::finish:
         if (!offer(RowEvent::Kind::finish)) return false;
         stage_ = Stage::collect;
@@ -265,8 +275,16 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
   event.slice = kind == RowEvent::Kind::finish ? report().slices : slice_;
   event.row = rows_.rows();
   event.count = lost_rows_;
-  event.bits = bits_;
-  if (kind == RowEvent::Kind::row || kind == RowEvent::Kind::skipped) rows_.write_bits(bits_);
+  ApplicationRecord application;
+  if (kind == RowEvent::Kind::start) {
+    event.header = &header();
+  } else if (kind == RowEvent::Kind::application) {
+    application = packets_.application();
+    event.application = &application;
+  } else if (kind == RowEvent::Kind::row || kind == RowEvent::Kind::skipped) {
+    rows_.write_bits(bits_);
+    event.bits = bits_;
+  }
   return sink_.take(sink_.context, event) == Answer::taken;
 }
 

@@ -15,10 +15,12 @@ namespace discmc {
 /// that its kind names have a meaning.
 struct RowEvent {
   enum class Kind : uint8_t {
+    start,    ///< the first event: header
     row,      ///< slice, row, bits
     skipped,  ///< it never came to the encoder: slice, row, bits, which stand in for it; repeated
     lost,     ///< so many rows were lost on the way: slice, row (of the first), count
-    finish,   ///< the last event: slice (how many), abandoned
+    application,  ///< the user's own data: application
+    finish,       ///< the last event: slice (how many), abandoned
   };
   Kind kind;
   bool repeated;  ///< the row before stands in, not a row that is off
@@ -26,8 +28,12 @@ struct RowEvent {
   uint32_t slice;
   uint32_t row;
   uint64_t count;
-  const uint8_t* bits;  ///< eight voxels a byte, the first in bit 0; Owner: the decoder; valid
-                        ///< during the call
+  /// Owner: the decoder; valid during the call.
+  union {
+    const uint8_t* bits;  ///< eight voxels a byte, the first in bit 0
+    const StreamHeader* header;
+    const ApplicationRecord* application;
+  };
 };
 
 /// Where rows go. Owner: the context belongs to the caller and must outlive the decoder.
@@ -47,9 +53,9 @@ RowSink row_sink_to(Receiver& receiver) {
 class SliceDecoder {
  public:
   /// Begins a stream. memory: at least slice_decoder_bytes() for the size that the header will
-  /// tell, or none before it is known; Owner: the caller, as long as the decoder is used. Errors:
-  /// bad_sink.
-  [[nodiscard]] Status start(Memory memory, const RowSink& sink);
+  /// tell, or none before it is known; Owner: the caller, as long as the decoder is used. channel:
+  /// as of the Decoder. Errors: bad_sink.
+  [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
 
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
   /// Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells of
@@ -69,7 +75,7 @@ class SliceDecoder {
 
  private:
   // Between two bytes.
-  enum class Stage : uint8_t { collect, lose, read, hand_out, finish };
+  enum class Stage : uint8_t { collect, start, lose, read, hand_out, application, finish };
 
   void open(PacketReader::Arrival arrival);
   void lay_out();

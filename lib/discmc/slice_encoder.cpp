@@ -9,13 +9,15 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
                            const ByteOutput& output) {
   const Limits limits{header.width, header.height, header.border};
   if (!limits.is_valid()) return Status::bad_limits;
+  if (header.channel > StreamLabel::max_channel) return Status::bad_label;
   if (output.write == nullptr) return Status::bad_sink;
   if (memory.data == nullptr || memory.bytes < slice_encoder_bytes(limits, key_slices))
     return Status::too_little_memory;
   Arena arena(memory);
   rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every()));
   rows_.clear();
-  packets_.start(header, wire::HeaderFlags::slices, output);
+  packets_.open(output);
+  packets_.start(header, wire::HeaderFlags::slices);
   limits_ = limits;
   threshold_ = header.threshold;
   key_slices_ = key_slices;
@@ -23,6 +25,7 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   row_is_due_ = false;
   row_is_begun_ = false;
   code_is_open_ = false;
+  key_is_due_ = false;
   is_abandoned_ = false;
   told_rows_ = 0;
   skipped_rows_ = 0;
@@ -99,6 +102,25 @@ Status SliceEncoder::flush() {
   return Status::ok;
 }
 
+Status SliceEncoder::tell(const ApplicationRecord& record) {
+  if (state_ == State::finished) return Status::finished;
+  if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
+  const Status status = flush();
+  if (status != Status::ok) return status;
+  ApplicationRecord placed = record;
+  placed.slice = slices();
+  placed.row = rows();
+  packets_.seal_application(wire::PacketKind::slices_application, placed);
+  (void)packets_.drain();  // it is taken, whenever the output takes it
+  return Status::ok;
+}
+
+// Whoever gets the stream again can read on from there.
+void SliceEncoder::set_output(const ByteOutput& output) {
+  packets_.set_output(output);
+  key_is_due_ = true;
+}
+
 Status SliceEncoder::finish() {
   if (state_ == State::scanning) {
     if (!work()) return Status::more;
@@ -147,7 +169,7 @@ bool SliceEncoder::tell_row() {
 
 // Tells what comes before the voxels of a row; one that never came has none.
 bool SliceEncoder::begin_row() {
-  const bool begins_key_slice = rows() == 0 && key_slices_.is_key(slices());
+  const bool begins_key_slice = is_at_key_slice();
   if (begins_key_slice) {
     if (code_is_open_ && !end_code()) return false;
     kind_ = SliceKind::key;
@@ -159,7 +181,12 @@ bool SliceEncoder::begin_row() {
   const auto before = slices::rows_before(rows_, limits_.height, kind_);
   row_.begin(rows_.arriving(), before, note_ == RowNote::none ? limits_.width : 0);
   row_is_begun_ = true;
+  if (begins_key_slice) key_is_due_ = false;
   return true;
+}
+
+bool SliceEncoder::is_at_key_slice() const {
+  return rows() == 0 && (key_is_due_ || key_slices_.is_key(slices()));
 }
 
 void SliceEncoder::tell_note(RowNote note) {
@@ -190,7 +217,7 @@ bool SliceEncoder::make_room() {
 }
 
 void SliceEncoder::begin_code() {
-  const bool is_key = !row_is_begun_ && rows() == 0 && key_slices_.is_key(slices());
+  const bool is_key = !row_is_begun_ && is_at_key_slice();
   packet_bits_ = wire::SliceBits::first;
   uint8_t* code = packets_.payload();
   if (is_key) {

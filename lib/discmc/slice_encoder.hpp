@@ -24,7 +24,7 @@ class SliceEncoder {
  public:
   /// Begins a scan and its stream; the header is the first packet, and its threshold that of the
   /// samples. memory: at least slice_encoder_bytes(); Owner: the caller, for as long as the scan
-  /// lasts. Errors: bad_limits, bad_sink (no write), too_little_memory.
+  /// lasts. Errors: bad_limits, bad_label, bad_sink (no write), too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                              const ByteOutput& output);
 
@@ -52,6 +52,13 @@ class SliceEncoder {
   /// stream. Errors: not_started. After Status::more call it again.
   [[nodiscard]] Status flush();
 
+  /// Sends an application record now, before the next row; its slice and row are filled in. Errors:
+  /// not_started, finished, bad_record. Status::more: not taken yet, call again.
+  [[nodiscard]] Status tell(const ApplicationRecord& record);
+
+  /// Goes on with another output, as Encoder::set_output(). The next slice is a key slice.
+  void set_output(const ByteOutput& output);
+
   /// Ends the scan and the stream. Errors: not_started, slice_in_progress. After Status::more call
   /// it again. Calling it once more is harmless.
   [[nodiscard]] Status finish();
@@ -75,6 +82,7 @@ class SliceEncoder {
   bool work();
   bool tell_row();
   bool begin_row();
+  bool is_at_key_slice() const;
   void tell_note(slices::RowNote note);
   bool make_room();
   void begin_code();
@@ -89,6 +97,7 @@ class SliceEncoder {
   bool row_is_due_ = false;
   bool row_is_begun_ = false;
   bool code_is_open_ = false;
+  bool key_is_due_ = false;  // whatever key_slices_ says
   bool is_abandoned_ = false;
   uint8_t packet_bits_ = 0;  // of the packet: see wire::SliceBits
   slices::SliceKind kind_ = slices::SliceKind::key;

@@ -16,7 +16,7 @@ enum class Status : uint8_t {
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
   too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
-  bad_sink,           ///< it has no function, or takes no fragments where a slab needs them
+  bad_sink,           ///< it has no function, refuses to start, or a slab's takes no fragments
   not_started,        ///< start() has not succeeded yet
   finished,           ///< finish() or abandon() was called: reset() or start() for another scan
   row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
@@ -24,6 +24,8 @@ enum class Status : uint8_t {
   too_deep,       ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
   wrong_version,  ///< the stream's version is not known to this decoder
   bad_checkpoint,  ///< the checkpoint, or the memory that goes with it, is not what was saved
+  bad_label,       ///< see StreamLabel
+  bad_record,      ///< an application record is too long
 };
 
 /// A short English text for a status. Owner: static storage.
@@ -40,7 +42,7 @@ constexpr const char* text(Status status) {
     case Status::too_little_memory:
       return "the memory is too small: see minimum_bytes()";
     case Status::bad_sink:
-      return "the sink has no function, or a slab's takes no fragments";
+      return "the sink has no function, was not started itself, or a slab's takes no fragments";
     case Status::not_started:
       return "start() has not succeeded";
     case Status::slice_in_progress:
@@ -55,6 +57,10 @@ constexpr const char* text(Status status) {
       return "the stream's version is not known";
     case Status::bad_checkpoint:
       return "the checkpoint is torn, damaged or of another build: take the one before";
+    case Status::bad_label:
+      return "channels are 0 to 63";
+    case Status::bad_record:
+      return "an application record holds at most 200 bytes";
   }
   return "unknown status";
 }

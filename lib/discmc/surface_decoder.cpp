@@ -2,17 +2,18 @@
 
 namespace discmc {
 
-Status SurfaceDecoder::start(Memory memory, const Sink& sink) {
+Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
   memory_ = memory;
   is_known_ = false;
   is_of_slices_ = false;
   skipped_ = 0;
-  refusal_ = regions_.start(sink);
-  return slices_.start(memory, {this, [](void* context, const RowEvent& event) {
-                                  return static_cast<SurfaceDecoder*>(context)->take(event);
-                                }});
+  refusal_ = regions_.start(sink, channel);
+  const RowSink rows{this, [](void* context, const RowEvent& event) {
+                       return static_cast<SurfaceDecoder*>(context)->take(event);
+                     }};
+  return slices_.start(memory, rows, channel);
 }
 
 Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {
@@ -48,7 +49,12 @@ Status SurfaceDecoder::begin_sweep() {
   const auto bytes = static_cast<size_t>(of_rows);
   const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};
   constexpr int32_t any = 0;  // bits are not compared
-  return extractor_.start(limits, any, rest, sink_);
+  // The slice decoder tells of the start, and knows more of it.
+  const auto pass_all_else = [](void* context, const Event& event) {
+    return event.kind == Event::Kind::start ? Answer::taken
+                                            : static_cast<SurfaceDecoder*>(context)->pass(event);
+  };
+  return extractor_.start(limits, any, rest, {this, pass_all_else, sink_.sealing});
 }
 
 Status SurfaceDecoder::give_memory(Memory memory) {
@@ -67,7 +73,16 @@ Status SurfaceDecoder::finish() {
 // ---- rows ----
 
 Answer SurfaceDecoder::take(const RowEvent& event) {
+  Event same{};
   switch (event.kind) {
+    case RowEvent::Kind::start:
+      same.kind = Event::Kind::start;
+      same.header = event.header;
+      return pass(same);
+    case RowEvent::Kind::application:
+      same.kind = Event::Kind::application;
+      same.application = event.application;
+      return pass(same);
     case RowEvent::Kind::row:
       return extractor_.push_bits(event.bits).samples > 0 ? Answer::taken : Answer::not_now;
     case RowEvent::Kind::skipped:

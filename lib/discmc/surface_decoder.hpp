@@ -20,9 +20,9 @@ class SurfaceDecoder {
  public:
   /// Begins a stream. memory: none for streams of regions, or before it is known; at least
   /// minimum_surface_bytes() for the size that the header of a stream of bits will tell, and more
-  /// for fewer loose fragments; Owner: the caller, as long as the decoder is used. Errors:
-  /// bad_sink.
-  [[nodiscard]] Status start(Memory memory, const Sink& sink);
+  /// for fewer loose fragments; Owner: the caller, as long as the decoder is used. channel: as of
+  /// the Decoder. Errors: bad_sink.
+  [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
   /// As Decoder::push(). Errors: also too_little_memory, as of SliceDecoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
@@ -42,6 +42,7 @@ class SurfaceDecoder {
   Decoded push_to_both(const uint8_t* byte);
   Status begin_sweep();
   Answer take(const RowEvent& event);
+  Answer pass(const Event& event) { return sink_.take(sink_.context, event); }
   Answer skip(uint64_t rows, Substitute substitute);
   Answer end(bool is_abandoned);
 

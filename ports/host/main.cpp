@@ -144,7 +144,7 @@ int run_extract(const ExtractArguments& arguments) {
   const StreamHeader header = stream_header(info, options);
   const bool tells_slices = format == Format::stream && arguments.wire == Wire::slices;
   StreamOutput no_output(nullptr);
-  require(tee.encoder.start(header, (tells_slices ? no_output : output).byte_output()));
+  require(tee.encoder.start(header.label(), (tells_slices ? no_output : output).byte_output()));
   SliceWriter slices;
   if (tells_slices) {
     slices.start(header, {arguments.key_slices}, output.byte_output());
@@ -217,27 +217,24 @@ int completeness(const std::string& path, const StreamReport& report) {
 class Recoder {
  public:
   explicit Recoder(const ByteOutput& output) : output_(output) {}
-  /// Whose events are taken. Owner: the caller, as long as they are.
-  void set_reader(const StreamReader& reader) { reader_ = &reader; }
-
   Answer take(const Event& event) {
-    if (!is_started_) {
-      if (!reader_->report().has_header) {  // its first header is lost: wait for the next
-        early_.push_back(event);
-        return Answer::taken;
-      }
-      require(encoder_.start(reader_->header(), output_));
-      is_started_ = true;
+    if (event.kind == Event::Kind::start) {
+      require(encoder_.start(event.header->label(), output_));
+      encoder_.take(event);
       for (const Event& early : early_) encoder_.take(early);  // a file takes all
+      is_started_ = true;
+    } else if (is_started_) {
+      encoder_.take(event);
+    } else {
+      early_.push_back(event);  // its first header is lost: wait for the next
     }
-    return encoder_.take(event);
+    return Answer::taken;
   }
   void flush() {
     if (is_started_ && !encoder_.flush()) throw std::runtime_error("the output takes no more");
   }
 
  private:
-  const StreamReader* reader_ = nullptr;
   ByteOutput output_;
   NormalEncoder encoder_;
   std::vector<Event> early_;  // before any header
@@ -281,7 +278,6 @@ int run_decode(const StreamArguments& arguments) {
     Recoder recoder(output.byte_output());
     GrowingJoiner joiner(sink_to(recoder));
     StreamReader reader(sink_to(joiner));
-    recoder.set_reader(reader);
     read_file(arguments.stream, reader);
     joiner.finish();
     recoder.flush();

@@ -30,8 +30,10 @@ Answer SurfaceBuilder::take(const Event& event) {
     case Event::Kind::fragment_end:
       ++incomplete_regions_;
       break;
+    case Event::Kind::start:
     case Event::Kind::lost:
     case Event::Kind::skipped:
+    case Event::Kind::application:
     case Event::Kind::layer:
     case Event::Kind::finish:
       break;

@@ -20,6 +20,7 @@ RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
     extractor_.emplace<Extractor16>();
   else
     extractor_.emplace<Extractor32>();
+  require(encoder_.start(stream_header(plan.volume, plan.options).label(), output));
   const Status started = std::visit(
       [&](auto& extractor) {
         return extractor.start(limits, plan.options.threshold, {memory_.data(), memory_.size()},
@@ -32,7 +33,6 @@ RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
                                 "x" + std::to_string(limits.height) + ": give at least " +
                                 std::to_string(minimum_bytes<std::uint16_t>(limits)) + " bytes");
   require(started);
-  require(encoder_.start(stream_header(plan.volume, plan.options), output));
 }
 
 template <class Sample>

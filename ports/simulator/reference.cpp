@@ -46,7 +46,7 @@ std::vector<std::uint8_t> reference_stream(const Rows& rows, const ReferenceScan
   Bytes stream;
   Encoder encoder;
   Extractor16 extractor;
-  require(encoder.start(scan.header, output_to(stream)));
+  require(encoder.start(scan.header.label(), output_to(stream)));
   const Status started = extractor.start(limits, scan.header.threshold,
                                          {arena.data(), arena.size()}, sink_to(encoder));
   if (started == Status::too_little_memory)

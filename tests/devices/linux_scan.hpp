@@ -37,9 +37,7 @@ inline Bytes expected_stream(const device::ScanPlan& plan, std::uint32_t row_cou
   Line line(0);
   Encoder encoder;
   Extractor16 extractor;
-  reference::require_ok(encoder.start(
-      {dims[0], dims[1], dims[2], {1000000, 1000000, 1000000}, plan.options.threshold},
-      line.output()));
+  reference::require_ok(encoder.start({dims[2], {1000000, 1000000, 1000000}}, line.output()));
   reference::require_ok(extractor.start({dims[0], dims[1]}, plan.options.threshold,
                                         {memory.data(), memory.size()}, sink_to(encoder)));
   for (std::uint32_t i = 0; i < row_count; ++i)

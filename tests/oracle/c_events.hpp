@@ -13,6 +13,13 @@ inline Statistics from_c(const discmc_statistics& s) {
           s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
+inline StreamHeader from_c(const discmc_stream_header& header) {
+  return {header.width,     header.height,
+          header.depth,     {header.spacing_nm[0], header.spacing_nm[1], header.spacing_nm[2]},
+          header.threshold, static_cast<Border>(header.border),
+          header.channel,   header.scan};
+}
+
 inline RecordedEvent from_c(const discmc_event& event) {
   Event same{};
   same.kind = static_cast<Event::Kind>(event.kind);
@@ -27,8 +34,19 @@ inline RecordedEvent from_c(const discmc_event& event) {
   same.row = event.row;
   same.start = {event.start.x, event.start.y, event.start.z};
   Statistics statistics{};
-  if (same.kind == Event::Kind::finish) statistics = from_c(*event.statistics);
-  same.statistics = &statistics;
+  StreamHeader header;
+  ApplicationRecord application;
+  if (same.kind == Event::Kind::finish) {
+    statistics = from_c(*event.of.statistics);
+    same.statistics = &statistics;
+  } else if (same.kind == Event::Kind::start) {
+    header = from_c(*event.of.header);
+    same.header = &header;
+  } else if (same.kind == Event::Kind::application) {
+    const discmc_application_record& told = *event.of.application;
+    application = {told.kind, told.slice, told.row, told.bytes, told.count};
+    same.application = &application;
+  }
   return RecordedEvent(same);
 }
 

@@ -64,6 +64,8 @@ void split(const Ring& ring, std::vector<Ring>& rings) {
 Answer Collector::take(const Event& event) {
   require(place_ != Place::over, "an event after finish");
   switch (event.kind) {
+    case Event::Kind::start:
+      break;
     case Event::Kind::region:
       begin_region(event);
       break;
@@ -91,8 +93,9 @@ Answer Collector::take(const Event& event) {
     case Event::Kind::finish:
       finish(event);
       break;
+    case Event::Kind::application:
     case Event::Kind::lost:
-      require(false, "an extractor loses nothing");
+      require(false, "an extractor loses nothing, and knows of no other data");
   }
   return Answer::taken;
 }

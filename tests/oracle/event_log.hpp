@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <discmc/sink.hpp>
+#include <discmc/stream/crc32.hpp>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -26,6 +27,16 @@ void for_each_number(const Event& event, Add add) {
   const auto add_all = [&](auto... values) { (add(static_cast<uint64_t>(values)), ...); };
   add_all(event.kind);
   switch (event.kind) {
+    case Event::Kind::start:
+      add_all(event.header->width, event.header->height, event.header->depth,
+              event.header->threshold, event.header->border, event.header->scan,
+              event.header->channel);
+      for (const int32_t spacing : event.header->spacing_nm) add_all(spacing);
+      return;
+    case Event::Kind::application:
+      add_all(event.application->kind, event.application->slice, event.application->row,
+              event.application->count, crc32(event.application->bytes, event.application->count));
+      return;
     case Event::Kind::region:
       return add_all(event.incidence);
     case Event::Kind::ring:
@@ -56,6 +67,11 @@ class RecordedEvent {
  public:
   explicit RecordedEvent(const Event& event) : event_(event) {
     if (event.kind == Event::Kind::finish) statistics_ = *event.statistics;
+    if (event.kind == Event::Kind::start) header_ = *event.header;
+    if (event.kind == Event::Kind::application) {
+      application_ = *event.application;
+      bytes_.assign(application_.bytes, application_.bytes + application_.count);
+    }
   }
 
   Event::Kind kind() const { return event_.kind; }
@@ -63,7 +79,12 @@ class RecordedEvent {
   /// Owner: this object must outlive the event.
   Event event() const {
     Event event = event_;
-    event.statistics = &statistics_;
+    if (is(Event::Kind::finish)) event.statistics = &statistics_;
+    if (is(Event::Kind::start)) event.header = &header_;
+    if (is(Event::Kind::application)) {
+      application_.bytes = bytes_.data();
+      event.application = &application_;
+    }
     return event;
   }
 
@@ -81,6 +102,9 @@ class RecordedEvent {
 
   Event event_;
   Statistics statistics_{};
+  StreamHeader header_;
+  mutable ApplicationRecord application_;  // whose bytes follow the vector
+  std::vector<uint8_t> bytes_;
 };
 
 using Events = std::vector<RecordedEvent>;
@@ -90,8 +114,9 @@ inline bool refuses_first(uint64_t offer) {
   return offer % 2 == 0;
 }
 
-/// Refuses an offer where `refuses(number of the offer)` says so, and records the others. Errors:
-/// throws GrammarError when a refused event is not what is offered next, or the events do not end.
+/// Refuses an offer where `refuses(number of the offer)` says so, and records the others; of starts
+/// it takes all, and keeps what they say apart. Errors: throws GrammarError when a refused event is
+/// not what is offered next, or the events do not end.
 class EventLog {
  public:
   using Refuses = std::function<bool(uint64_t offer)>;
@@ -99,6 +124,10 @@ class EventLog {
   explicit EventLog(Refuses refuses = {}) : refuses_(std::move(refuses)) {}
 
   Answer take(const Event& event) {
+    if (event.kind == Event::Kind::start) {
+      starts.push_back(*event.header);
+      return Answer::taken;
+    }
     const RecordedEvent offered(event);
     if (refused_ && *refused_ != offered)
       throw GrammarError("what was refused is not offered again");
@@ -116,6 +145,7 @@ class EventLog {
   uint64_t refusals() const { return refusals_; }
 
   Events events;
+  std::vector<StreamHeader> starts;
 
  private:
   static constexpr size_t most_events = 20000000;

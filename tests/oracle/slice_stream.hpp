@@ -73,6 +73,10 @@ class RowLog {
   explicit RowLog(bool refuses) : refuses_(refuses) {}
   void set_width(uint32_t width) { width_ = width; }
   Answer take(const RowEvent& event) {
+    if (event.kind == RowEvent::Kind::start) {
+      starts.push_back(*event.header);
+      return Answer::taken;
+    }
     was_refused_ = refuses_ && !was_refused_;
     if (was_refused_) return Answer::not_now;
     Bytes bits;
@@ -83,6 +87,7 @@ class RowLog {
   }
 
   std::vector<RecordedRow> rows;
+  std::vector<StreamHeader> starts;
 
  private:
   bool refuses_;

@@ -97,6 +97,17 @@ class Line {
   bool was_busy_ = false;
 };
 
+/// Begins a stream as an extractor does. Returns why it refused, as an extractor does.
+template <class Encoding>
+Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOutput& output) {
+  const Status status = encoder.start(header.label(), output);
+  if (status != Status::ok) return status;
+  Event event{};
+  event.kind = Event::Kind::start;
+  event.header = &header;
+  return encoder.take(event) == Answer::taken ? Status::ok : Status::bad_sink;
+}
+
 template <class Encoding>
 void take_all(Encoding& encoder, const Events& events) {
   for (const RecordedEvent& recorded : events)
@@ -109,7 +120,7 @@ Bytes encode(const Events& events, const StreamHeader& header = any_header(),
              size_t bytes_a_time = 0) {
   Line line(bytes_a_time);
   Encoding encoder;
-  reference::require_ok(encoder.start(header, line.output()));
+  reference::require_ok(begin_stream(encoder, header, line.output()));
   take_all(encoder, events);
   while (!encoder.flush()) continue;
   if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
@@ -229,6 +240,8 @@ struct Packet {
   uint8_t number = 0;
   uint16_t pieces = 0;
   Bytes payload;
+  uint16_t scan = 0;
+  uint8_t channel = 0;
 
   bool is(wire::PacketKind which) const { return kind == static_cast<uint8_t>(which); }
 };
@@ -237,6 +250,8 @@ inline Bytes frame_of(const Packet& packet) {
   Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.pieces),
               static_cast<uint8_t>(packet.pieces >> 8)};
   for (const uint8_t byte : packet.payload) frame.push_back(byte);
+  for (const int byte : {packet.scan & 0xFF, packet.scan >> 8, int{packet.channel}})
+    frame.push_back(static_cast<uint8_t>(byte));
   const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
   for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
   const size_t plain = frame.size() - 1;
@@ -248,12 +263,15 @@ inline Bytes frame_of(const Packet& packet) {
 /// Limit: a whole frame with its zero.
 inline Packet packet_of(Bytes frame) {
   const size_t plain = cobs::unstuff(frame.data(), frame.size() - 1);
-  if (plain < wire::packet_head + wire::packet_crc) throw std::runtime_error("no packet");
+  if (plain < wire::packet_head + wire::packet_tail) throw std::runtime_error("no packet");
   Packet packet;
   packet.kind = frame[1];
   packet.number = frame[2];
   packet.pieces = static_cast<uint16_t>(frame[3] | frame[4] << 8);
-  packet.payload.assign(frame.begin() + 5, frame.begin() + static_cast<std::ptrdiff_t>(plain) - 3);
+  const size_t tag = 1 + plain - wire::packet_tail;
+  packet.payload.assign(frame.begin() + 5, frame.begin() + static_cast<std::ptrdiff_t>(tag));
+  packet.scan = static_cast<uint16_t>(frame[tag] | frame[tag + 1] << 8);
+  packet.channel = frame[tag + 2];
   return packet;
 }
 
@@ -266,6 +284,17 @@ inline std::vector<Bytes> frames_of(const Bytes& stream) {
   }
   frames.pop_back();
   return frames;
+}
+
+/// What a trailer behind these frames says of all packets.
+inline uint32_t digest_of(const std::vector<Bytes>& frames) {
+  uint32_t digest = 0;
+  for (Bytes frame : frames) {
+    const size_t plain = cobs::unstuff(frame.data(), frame.size() - 1);
+    const uint8_t* const crc = frame.data() + 1 + plain - wire::packet_crc;
+    digest = wire::digest_with(digest, static_cast<uint32_t>(wire::ByteReader(crc, 4).get(4)));
+  }
+  return digest;
 }
 
 inline Bytes joined(const std::vector<Bytes>& frames) {

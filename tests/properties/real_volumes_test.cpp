@@ -88,7 +88,7 @@ Collector sweep(const fs::path& file, int32_t threshold, Border border, uint64_t
 class StreamSize {
  public:
   explicit StreamSize(const BitVolume& volume) {
-    require_ok(encoder_.start(test::header_of(volume), {nullptr, take_all}));
+    require_ok(encoder_.start(test::header_of(volume).label(), {nullptr, take_all}));
   }
   Answer take(const Event& event) {
     fragments_ += event.kind == Event::Kind::fragment;

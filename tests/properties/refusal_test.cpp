@@ -112,6 +112,7 @@ struct Gate {
   EventLog* log;
   uint64_t left;
   Answer take(const Event& event) {
+    if (event.kind == Event::Kind::start) return log->take(event);
     if (left == 0) return Answer::not_now;
     --left;
     return log->take(event);

@@ -25,7 +25,7 @@ Events decode_cutting(const Bytes& stream, Check check) {
     const size_t told = log.events.size();
     reference::require_ok(cut.finish());
     const bool is_lost = log.events.size() > told;
-    log.events.resize(told, RecordedEvent(Event{}));
+    log.events.erase(log.events.begin() + static_cast<std::ptrdiff_t>(told), log.events.end());
     check(count, log.events, cut.report(), is_lost);
     const Bytes one(1, stream[count]);
     reference::require_ok(decoder.push(one.data(), 1).status);

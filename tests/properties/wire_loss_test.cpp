@@ -98,7 +98,7 @@ std::vector<Bytes> packets_of_one_region(uint32_t regions) {
     script.region(up).square({1, 2 * static_cast<int32_t>(i % 999), 0}, 1 + i % 50).region_end();
   Line line;
   Encoder encoder;
-  reference::require_ok(encoder.start(any_header(), line.output()));
+  reference::require_ok(begin_stream(encoder, any_header(), line.output()));
   for (const RecordedEvent& recorded : script.finish().events) {
     take_all(encoder, {recorded});
     if (recorded.is(Kind::region_end) && !encoder.flush()) throw std::runtime_error("a busy line");

@@ -148,9 +148,8 @@ size_t write_bytes(void* context, const uint8_t* bytes, size_t count) {
 std::vector<uint8_t> stream_in_c(const std::vector<uint8_t>& samples) {
   std::vector<uint8_t> stream;
   discmc_encoder encoder = {};
-  const discmc_stream_header header = {width,     height,       depth, {1000, -2000, 3000},
-                                       threshold, DISCMC_CLOSED};
-  REQUIRE(discmc_encoder_start(&encoder, &header, {&stream, write_bytes}) == DISCMC_OK);
+  const discmc_stream_label label = {depth, {1000, -2000, 3000}, 700, 5};
+  REQUIRE(discmc_encoder_start(&encoder, &label, {&stream, write_bytes}) == DISCMC_OK);
   scan_in_c(samples, closed, 6000, {&encoder, discmc_encoder_take, 1});
   CHECK(discmc_encoder_bytes(&encoder) == stream.size());
   CHECK(discmc_encoder_flush(&encoder) == 1);
@@ -203,15 +202,15 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   const std::vector<uint8_t> stream = stream_in_c(samples);
   std::vector<uint8_t> expected;
   Encoder encoder;
-  REQUIRE(encoder.start({width, height, depth, {1000, -2000, 3000}, threshold},
-                        {&expected, write_bytes}) == Status::ok);
+  REQUIRE(encoder.start({depth, {1000, -2000, 3000}, 700, 5}, {&expected, write_bytes}) ==
+          Status::ok);
   scan_in_cpp(samples, closed, 6000, sink_to(encoder));
   CHECK(stream == expected);
 
   EventLog in_c(refuses_every(5)), in_cpp;
   discmc_decoder decoder = {};
   const discmc_sink sink = c_sink_to(in_c);
-  REQUIRE(discmc_decoder_start(&decoder, &sink) == DISCMC_OK);
+  REQUIRE(discmc_decoder_start(&decoder, &sink, DISCMC_ANY_CHANNEL) == DISCMC_OK);
   for (size_t done = 0; done < stream.size();) {
     const discmc_decoded decoded =
         discmc_decoder_push(&decoder, stream.data() + done, stream.size() - done);
@@ -243,16 +242,22 @@ TEST_CASE("a stream through C is byte for byte that of C++, and decodes to the s
   CHECK(header.spacing_nm[2] == 3000);
   CHECK(header.threshold == threshold);
   CHECK(header.border == DISCMC_CLOSED);
+  CHECK(header.scan == 700);
+  CHECK(header.channel == 5);
 }
 
 TEST_CASE("a stream goes on from a checkpoint through C") {
   std::vector<uint8_t> whole, stream;
-  const discmc_stream_header header = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
+  const discmc_stream_label label = {};
   discmc_encoder first = {}, second = {};
   discmc_encoder_checkpoint checkpoint;
   CHECK(discmc_encoder_save(&first, &checkpoint) == DISCMC_NOT_STARTED);
-  REQUIRE(discmc_encoder_start(&first, &header, {&whole, write_bytes}) == DISCMC_OK);
+  REQUIRE(discmc_encoder_start(&first, &label, {&whole, write_bytes}) == DISCMC_OK);
+  const discmc_stream_header header = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED, 0, 0};
   discmc_event event = {};
+  event.kind = DISCMC_START;
+  event.of.header = &header;
+  REQUIRE(discmc_encoder_take(&first, &event) == DISCMC_TAKEN);
   event.kind = DISCMC_LAYER;
   REQUIRE(discmc_encoder_take(&first, &event) == DISCMC_TAKEN);
   REQUIRE(discmc_encoder_save(&first, &checkpoint) == DISCMC_OK);
@@ -291,14 +296,19 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
   CHECK(discmc_extractor_abandon(&extractor) == DISCMC_NOT_STARTED);
   CHECK(discmc_extractor_reset(&extractor) == DISCMC_NOT_STARTED);
   CHECK(discmc_decoder_push(&decoder, samples, 9).status == DISCMC_NOT_STARTED);
-  CHECK(discmc_decoder_start(&decoder, &none) == DISCMC_BAD_SINK);
-  const discmc_stream_header header = {0, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
-  CHECK(discmc_encoder_start(&encoder, &header, {nullptr, write_bytes}) == DISCMC_BAD_LIMITS);
+  CHECK(discmc_decoder_start(&decoder, &none, DISCMC_ANY_CHANNEL) == DISCMC_BAD_SINK);
+  const discmc_stream_label bad_label = {0, {0, 0, 0}, 0, DISCMC_MAX_CHANNEL + 1};
+  CHECK(discmc_encoder_start(&encoder, &bad_label, {nullptr, write_bytes}) == DISCMC_BAD_LABEL);
+  const discmc_sink to_encoder = {&encoder, discmc_encoder_take, 1};
+  CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &to_encoder) == DISCMC_BAD_SINK);
   const auto is_busy = [](void*, const uint8_t*, size_t) { return size_t{0}; };
   discmc_encoder waiting = {};
-  const discmc_stream_header small = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED};
-  CHECK(discmc_encoder_start(&waiting, &small, {nullptr, is_busy}) == DISCMC_OK);
+  const discmc_stream_label label = {};
+  const discmc_sink to_waiting = {&waiting, discmc_encoder_take, 1};
+  CHECK(discmc_encoder_start(&waiting, &label, {nullptr, is_busy}) == DISCMC_OK);
+  CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &to_waiting) == DISCMC_OK);
   CHECK(discmc_encoder_flush(&waiting) == 0);
+  extractor = {};
   CHECK(discmc_extractor_start(&extractor, &bad, nullptr, 1, all, &sink) == DISCMC_BAD_LIMITS);
   CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &none) == DISCMC_BAD_SINK);
   CHECK(discmc_extractor_start(&extractor, &good, &too_few, 1, all, &sink) ==
@@ -432,7 +442,7 @@ TEST_CASE("limits and capacities are valid in C when they are in C++") {
 TEST_CASE("every status has the text that it has in C++") {
   for (discmc_status status = 0; status <= DISCMC_BAD_CHECKPOINT; ++status)
     CHECK(std::string_view(discmc_text(status)) == text(static_cast<Status>(status)));
-  CHECK(std::string_view(discmc_text(DISCMC_BAD_CHECKPOINT + 1)) == "unknown status");
+  CHECK(std::string_view(discmc_text(DISCMC_BAD_RECORD + 1)) == "unknown status");
 }
 
 TEST_CASE("chains and polygons are the same through C") {

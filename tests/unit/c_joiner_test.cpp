@@ -25,7 +25,7 @@ discmc_event to_c(const Event& event, const discmc_statistics& statistics) {
   same.normal = {event.normal.u, event.normal.v};
   same.run = event.run.code();
   same.start = {event.start.x, event.start.y, event.start.z};
-  same.statistics = &statistics;
+  same.of.statistics = &statistics;
   return same;
 }
 

@@ -49,8 +49,7 @@ class Device {
       : volume_(volume), limits_(limits_of(volume, border)), block_(bytes) {}
 
   void start() {
-    require_ok(encoder_.start({volume_.width, volume_.height, volume_.depth, {}, 1, limits_.border},
-                              store.output()));
+    require_ok(encoder_.start({volume_.depth}, store.output()));
     require_ok(extractor_.start(limits_, 1, block_.memory(), sink_to(encoder_)));
   }
 
@@ -238,7 +237,7 @@ TEST_CASE("a checkpoint in the middle of a frame goes back to where the frame be
   Store store;
   Encoder first{}, second{};
   Checkpoint<Encoder> stream{};
-  require_ok(first.start({9, 9, 0, {}, 1}, store.output()));
+  require_ok(begin_stream(first, any_header(), store.output()));
   Event layer{};
   layer.kind = Event::Kind::layer;
   REQUIRE(first.take(layer) == Answer::taken);
@@ -369,7 +368,7 @@ TEST_CASE("what cannot be saved or restored is refused") {
   constexpr Limits limits{4, 1};
   alignas(4) uint8_t memory[minimum_bytes<uint16_t>(limits) + 1] = {};
   const Memory whole{memory, sizeof memory - 1};
-  require_ok(encoder.start({4, 1, 0, {}, 1}, store.output()));
+  require_ok(encoder.start({}, store.output()));
   store.most = 0;  // takes nothing: the layer cannot be told
   require_ok(extractor.start(limits, 1, whole, sink));
   const uint8_t row[] = {0, 1, 1, 0};

@@ -33,16 +33,19 @@ TEST_CASE("a stream that cannot be told is refused") {
   Line line;
   Encoder encoder;
   StreamHeader header = any_header();
-  CHECK(encoder.start(header, ByteOutput{}) == Status::bad_sink);
+  CHECK(begin_stream(encoder, header, ByteOutput{}) == Status::bad_sink);
   header.width = 0;
-  CHECK(encoder.start(header, line.output()) == Status::bad_limits);
+  CHECK(begin_stream(encoder, header, line.output()) == Status::bad_sink);
   header.width = Limits::max_extent + 1;
-  CHECK(encoder.start(header, line.output()) == Status::bad_limits);
+  CHECK(begin_stream(encoder, header, line.output()) == Status::bad_sink);
   header = any_header();
   header.height = 0;
-  CHECK(encoder.start(header, line.output()) == Status::bad_limits);
+  CHECK(begin_stream(encoder, header, line.output()) == Status::bad_sink);
+  header = any_header();
+  header.channel = 64;
+  CHECK(begin_stream(encoder, header, line.output()) == Status::bad_label);
   CHECK(line.bytes.empty());
-  CHECK(encoder.start(any_header(), line.output()) == Status::ok);
+  CHECK(begin_stream(encoder, any_header(), line.output()) == Status::ok);
 }
 
 TEST_CASE("every packet is numbered, short enough, and counts the pieces before it") {
@@ -93,10 +96,10 @@ TEST_CASE("a flush hands over what is there, once") {
   const Events events = many_regions(40);
   Line line;
   Encoder encoder;
-  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   CHECK(encoder.flush());
   const size_t header = line.bytes.size();
-  CHECK(header == wire::header_payload + wire::packet_head + wire::packet_crc + 2);
+  CHECK(header == wire::header_payload + wire::packet_head + wire::packet_tail + 2);
   CHECK(encoder.flush());
   CHECK(line.bytes.size() == header);
   uint64_t regions = 0;
@@ -122,7 +125,7 @@ TEST_CASE("a flush into a slow line goes on where it was") {
     for (const size_t bytes_a_time : {0U, 1U, 5U}) {
       Line line(bytes_a_time);
       Encoder encoder;
-      REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
+      REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
       size_t told = 0;
       for (const RecordedEvent& one : sample.events) {
         take_all(encoder, {one});
@@ -141,7 +144,7 @@ TEST_CASE("a flush between the offers of an event leaves it whole") {
     CAPTURE(sample.name);
     Line line(40);
     Encoder encoder;
-    REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
+    REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
     for (const RecordedEvent& one : sample.events)
       while (encoder.take(one.event()) != Answer::taken)
         while (!encoder.flush()) continue;
@@ -165,7 +168,7 @@ TEST_CASE("an output that takes nothing is asked, and nothing is lost") {
                             return taken;
                           }};
   Encoder encoder;
-  REQUIRE(encoder.start(any_header(), output) == Status::ok);
+  REQUIRE(begin_stream(encoder, any_header(), output) == Status::ok);
   const Events events = many_regions(10);
   for (const RecordedEvent& recorded : events) {
     while (encoder.take(recorded.event()) == Answer::not_now) {
@@ -182,7 +185,7 @@ TEST_CASE("the trailer is written once, however often the end is told") {
   for (const size_t bytes_a_time : {0U, 1U}) {
     Line line(bytes_a_time);
     Encoder encoder;
-    REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+    REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
     const Events events = many_regions(3);
     take_all(encoder, events);
     take_all(encoder, {events.back()});
@@ -196,7 +199,7 @@ TEST_CASE("a line that is never busy never makes an event wait") {
     CAPTURE(sample.name);
     Line line;
     Encoder encoder;
-    REQUIRE(encoder.start(sample.header, line.output()) == Status::ok);
+    REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
     for (const RecordedEvent& recorded : sample.events)
       REQUIRE(encoder.take(recorded.event()) == Answer::taken);
   }
@@ -216,9 +219,9 @@ TEST_CASE("an encoder that is started again after the end begins a new stream") 
   const Events events = many_regions(3);
   Line line, again;
   Encoder encoder;
-  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   take_all(encoder, events);
-  REQUIRE(encoder.start(any_header(), again.output()) == Status::ok);
+  REQUIRE(begin_stream(encoder, any_header(), again.output()) == Status::ok);
   take_all(encoder, events);
   CHECK(again.bytes == encode(events));
 }
@@ -228,10 +231,10 @@ TEST_CASE("an encoder that is started again begins a new stream") {
   for (size_t told = 0; told < events.size(); told += 1 + told / 3) {
     Line line(told % 2);
     Encoder encoder;
-    REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+    REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
     take_all(encoder, Events(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(told)));
     Line again;
-    REQUIRE(encoder.start(any_header(), again.output()) == Status::ok);
+    REQUIRE(begin_stream(encoder, any_header(), again.output()) == Status::ok);
     take_all(encoder, events);
     CHECK(again.bytes == encode(events));
     CHECK(encoder.bytes() == again.bytes.size());
@@ -247,13 +250,13 @@ TEST_CASE("an encoder that is started again amid a region in parts tells the nex
                             return taken;
                           }};
   Encoder encoder;
-  REQUIRE(encoder.start(any_header(), narrow) == Status::ok);
+  REQUIRE(begin_stream(encoder, any_header(), narrow) == Status::ok);
   size_t told = 0;
   const Events long_region = many_regions(1, 500);
   while (encoder.take(long_region[told].event()) == Answer::taken) ++told;
   REQUIRE(long_region[told].is(Event::Kind::run));
   Line line;
-  REQUIRE(encoder.start(any_header(), line.output()) == Status::ok);
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   const Events events = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   take_all(encoder, events);
   CHECK(line.bytes == encode(events));

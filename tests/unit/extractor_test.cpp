@@ -267,7 +267,7 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
   // Takes so many events and then no more, until the next scan.
   struct Gate {
     Answer take(const Event& event) {
-      if (is_open) return log.take(event);
+      if (is_open || event.kind == Event::Kind::start) return log.take(event);
       return left-- > 0 ? Answer::taken : Answer::not_now;
     }
     int left;
@@ -295,4 +295,43 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
       CHECK(gate.log.events == expected.events);
     }
   }
+}
+
+TEST_CASE("a scan begins with what the extractor knows of it") {
+  const Limits limits{7, 3, Border::open};
+  Block block(minimum_bytes<uint16_t>(limits));
+  EventLog log;
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, -42, block.memory(), sink_to(log)));
+  require_ok(extractor.reset());
+  REQUIRE(log.starts.size() == 2);
+  for (const StreamHeader& told : log.starts) {
+    CHECK(told.width == 7);
+    CHECK(told.height == 3);
+    CHECK(told.border == Border::open);
+    CHECK(told.threshold == -42);
+    CHECK_FALSE(told.has_spacing());
+  }
+}
+
+TEST_CASE("a scan whose sink does not take its start does not begin, and writes nothing") {
+  struct Closed {
+    Answer take(const Event&) { return is_closed ? Answer::not_now : Answer::taken; }
+    bool is_closed = true;
+  } sink;
+  const Limits limits{7, 3};
+  const std::vector<uint8_t> untouched(minimum_bytes<uint16_t>(limits), 0xA5);
+  std::vector<uint8_t> memory = untouched;
+  const Memory all{memory.data(), memory.size()};
+  const uint8_t row[7] = {};
+  Extractor16 extractor;
+  CHECK(extractor.start(limits, 1, all, sink_to(sink)) == Status::bad_sink);
+  CHECK(memory == untouched);
+  CHECK(extractor.push(row, 7).status == Status::not_started);
+  sink.is_closed = false;
+  require_ok(extractor.start(limits, 1, all, sink_to(sink)));
+  require_ok(extractor.push(row, 7).status);
+  sink.is_closed = true;
+  CHECK(extractor.reset() == Status::bad_sink);
+  CHECK(extractor.rows() == 1);
 }

@@ -20,23 +20,51 @@ constexpr bool is_end(Event::Kind kind) {
 }
 
 template <class Normals>
-Status BasicEncoder<Normals>::start(const StreamHeader& header, const ByteOutput& output) {
-  if (!Limits{header.width, header.height, header.border}.is_valid()) return Status::bad_limits;
+Status BasicEncoder<Normals>::start(const StreamLabel& label, const ByteOutput& output) {
+  if (label.channel > StreamLabel::max_channel) return Status::bad_label;
   if (output.write == nullptr) return Status::bad_sink;
-  packets_.start(header, 0, output);
+  packets_.open(output);
+  StreamHeader& header = packets_.header();
+  header.depth = label.depth;
+  for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
+  header.scan = label.scan;
+  header.channel = label.channel;
+  return Status::ok;
+}
+
+// The header is what the label says and what the extractor knows.
+template <class Normals>
+bool BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
+  if (!packets_.has_output() || !scan.is_valid()) return false;
+  StreamHeader header = packets_.header();
+  if (packets_.is_started()) {
+    if (!drain()) return false;
+    ++header.scan;
+  }
+  header.width = scan.width;
+  header.height = scan.height;
+  header.threshold = scan.threshold;
+  header.border = scan.border;
+  if (scan.has_spacing())
+    for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = scan.spacing_nm[axis];
+  packets_.start(header, 0);
   trailer_is_sealed_ = false;
   is_emptying_ = false;
-  return Status::ok;
+  piece_is_open_ = false;
+  return true;
 }
 
 template <class Normals>
 Answer BasicEncoder<Normals>::take_any(const Event& event) {
+  if (event.kind == Event::Kind::start)
+    return begin_stream(*event.header) ? Answer::taken : Answer::not_now;
   if (!packets_.is_started() || !drain()) return Answer::not_now;
   const bool is_run = event.kind == Event::Kind::run;
   bool done = true;
   switch (event.kind) {
     case Event::Kind::region:
     case Event::Kind::fragment:
+      piece_is_open_ = true;
       record_.begin(event.incidence);
       if (event.kind == Event::Kind::fragment) record_.begin_fragment(event.came, event.start);
       break;
@@ -57,13 +85,29 @@ Answer BasicEncoder<Normals>::take_any(const Event& event) {
     case Event::Kind::skipped:
       done = put(event);
       break;
+    case Event::Kind::application:
+      done = tell(*event.application) != Status::more;
+      break;
     case Event::Kind::finish:
       done = put_trailer(event);
       break;
+    case Event::Kind::start:
+      break;
     case Event::Kind::lost:
+      piece_is_open_ = false;
       break;
   }
   return done ? Answer::taken : Answer::not_now;
+}
+
+template <class Normals>
+Status BasicEncoder<Normals>::tell(const ApplicationRecord& record) {
+  if (!packets_.is_started()) return Status::not_started;
+  if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
+  if (piece_is_open_ || !flush()) return Status::more;
+  packets_.seal_application(wire::PacketKind::application, record);
+  (void)drain();  // it is taken, whenever the output takes it
+  return Status::ok;
 }
 
 template <class Normals>
@@ -139,7 +183,10 @@ bool BasicEncoder<Normals>::put(const Event& event) {
     words = record_.count;
   }
   is_emptying_ = false;
-  if (is_end(event.kind)) packets_.count_piece();
+  if (is_end(event.kind)) {
+    piece_is_open_ = false;
+    packets_.count_piece();
+  }
   return true;
 }
 

@@ -3,7 +3,10 @@
 
 namespace discmc {
 
-void PacketReader::start() {
+void PacketReader::start(uint8_t channel) {
+  channel_ = channel;
+  has_tag_ = false;
+  digest_ = 0;
   header_ = StreamHeader{};
   report_ = StreamReport{};
   is_refused_ = false;
@@ -50,11 +53,16 @@ PacketReader::Arrival PacketReader::open_frame(size_t bytes) {
   using namespace wire;
   const size_t plain = cobs::unstuff(frame_, bytes);
   const uint8_t* const packet = frame_ + 1;
-  if (plain < packet_head + packet_crc || plain > max_packet) return damage();
+  if (plain < packet_head + packet_tail || plain > max_packet) return damage();
   const size_t checked = plain - packet_crc;
-  if (crc32(packet, checked) != ByteReader(packet + checked, packet_crc).get(4)) return damage();
-  payload_bytes_ = checked - packet_head;
+  const uint32_t crc = crc32(packet, checked);
+  if (crc != ByteReader(packet + checked, packet_crc).get(4)) return damage();
+  payload_bytes_ = checked - packet_tag - packet_head;
   const PacketKind kind = static_cast<PacketKind>(packet[0]);
+  if (!is_ours(static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3)))) {
+    ++report_.foreign_packets;
+    return Arrival::nothing;
+  }
   if (report_.has_trailer) {
     ++report_.repeated_packets;
     return Arrival::nothing;
@@ -62,10 +70,35 @@ PacketReader::Arrival PacketReader::open_frame(size_t bytes) {
   if (kind == PacketKind::header && !read_header()) return Arrival::nothing;
   if (!is_expected(packet)) return Arrival::nothing;
   ++report_.packets;
+  const bool is_trailer = kind == PacketKind::trailer || kind == PacketKind::slices_trailer;
+  if (!is_trailer) digest_ = digest_with(digest_, crc);
   if (kind == PacketKind::trailer) return read_trailer();
   if (kind == PacketKind::slices_trailer) return read_slices_trailer();
+  if (kind == PacketKind::application || kind == PacketKind::slices_application)
+    return payload_bytes_ < application_head ? damage() : Arrival::application;
   if (is_of_slices(packet[0])) return Arrival::slices;
   return kind == PacketKind::records ? Arrival::records : Arrival::nothing;
+}
+
+ApplicationRecord PacketReader::application() const {
+  wire::ByteReader reader(payload(), payload_bytes_);
+  ApplicationRecord record;
+  record.kind = static_cast<uint8_t>(reader.get(1));
+  record.slice = static_cast<uint32_t>(reader.get(4));
+  record.row = static_cast<uint32_t>(reader.get(4));
+  record.bytes = payload() + wire::application_head;
+  record.count = payload_bytes_ - wire::application_head;
+  return record;
+}
+
+// The first packet of the channel says which scan it is.
+bool PacketReader::is_ours(uint32_t tag) {
+  if (!has_tag_) {
+    if (channel_ != any_channel && channel_ != tag >> 16) return false;
+    tag_ = tag;
+    has_tag_ = true;
+  }
+  return tag == tag_;
 }
 
 // Whether a packet is the next one or a later one; a gap before it is noted. Half of the counts of
@@ -132,6 +165,8 @@ bool PacketReader::read_header() {
   }
   if (!report_.has_header) {
     header_ = header;
+    header_.scan = static_cast<uint16_t>(tag_);
+    header_.channel = static_cast<uint8_t>(tag_ >> 16);
     report_.holds_slices = (flags & wire::HeaderFlags::slices) != 0;
   }
   report_.has_header = true;
@@ -160,12 +195,18 @@ void PacketReader::note_end(wire::ByteReader& reader) {
   report_.abandoned = reader.get(1) != 0;
 }
 
+// Where packets are missing it says nothing.
+void PacketReader::compare_digest(uint32_t told) {
+  report_.is_mixed = report_.lost_packets == 0 && told != digest_;
+}
+
 PacketReader::Arrival PacketReader::read_trailer() {
   if (payload_bytes_ < wire::trailer_payload) return damage();
   wire::ByteReader reader(payload(), payload_bytes_);
   note_end(reader);
   Statistics& totals = report_.totals;
   for (const auto total : wire::trailer_totals) totals.*total = reader.get(8);
+  compare_digest(static_cast<uint32_t>(reader.get(4)));
   const uint64_t pieces = totals.regions + totals.fragments;
   if (pieces > pieces_passed_) note_gap(0, pieces - pieces_passed_);
   gap_is_untold_ = true;
@@ -178,6 +219,7 @@ PacketReader::Arrival PacketReader::read_slices_trailer() {
   note_end(reader);
   report_.total_rows = reader.get(8);
   report_.totals.skipped_rows = reader.get(8);
+  compare_digest(static_cast<uint32_t>(reader.get(4)));
   return Arrival::trailer;
 }
 

@@ -19,32 +19,34 @@ struct StreamReport {
   uint64_t packets = 0;  ///< whole ones, repeated ones not counted
   uint64_t repeated_packets = 0;
   uint64_t damaged_packets = 0;  ///< frames that are no packet, or fail their checksum
-  bool is_unreadable = false;    ///< a packet was whole, but its records are of no known kind
-  uint64_t lost_packets = 0;     ///< missing by their numbers
-  uint64_t regions = 0;          ///< delivered complete
-  uint64_t fragments = 0;        ///< loose ones delivered complete
-  uint64_t lost_pieces = 0;      ///< regions and fragments missing by the running count of both
-  uint64_t rows = 0;             ///< of bits, delivered
-  uint64_t lost_rows = 0;        ///< of bits, by where the next one is
-  uint32_t slices = 0;           ///< of the trailer
-  Statistics totals{};           ///< of the trailer
-  uint64_t total_rows = 0;       ///< of bits: of the trailer
+  uint64_t foreign_packets = 0;  ///< of another scan or channel; not counted above, and left alone
+  bool is_mixed = false;  ///< by the trailer: packets of another scan, of the same name, were taken
+  bool is_unreadable = false;  ///< a packet was whole, but its records are of no known kind
+  uint64_t lost_packets = 0;   ///< missing by their numbers
+  uint64_t regions = 0;        ///< delivered complete
+  uint64_t fragments = 0;      ///< loose ones delivered complete
+  uint64_t lost_pieces = 0;    ///< regions and fragments missing by the running count of both
+  uint64_t rows = 0;           ///< of bits, delivered
+  uint64_t lost_rows = 0;      ///< of bits, by where the next one is
+  uint32_t slices = 0;         ///< of the trailer
+  Statistics totals{};         ///< of the trailer
+  uint64_t total_rows = 0;     ///< of bits: of the trailer
 
   /// Nothing is missing from header to trailer, and nothing came that the trailer does not count.
   bool is_complete() const {
     return has_header && has_trailer && lost_packets == 0 && lost_pieces == 0 && lost_rows == 0 &&
            regions == totals.regions && fragments == totals.fragments && rows == total_rows &&
-           !is_unreadable;
+           !is_unreadable && !is_mixed;
   }
 };
 
 class PacketReader {
  public:
-  /// Begins a stream.
-  void start();
+  /// Begins a stream: the one of the first whole packet of this channel.
+  void start(uint8_t channel);
 
   /// What a byte has completed.
-  enum class Arrival : uint8_t { nothing, records, slices, trailer };
+  enum class Arrival : uint8_t { nothing, records, slices, application, trailer };
   /// Takes a byte. Limit: not is_refused(), and the decoder is done with the packet before.
   Arrival take(uint8_t byte);
   /// Tells that no byte follows.
@@ -57,6 +59,8 @@ class PacketReader {
 
   /// The SliceBits of the slices that have arrived.
   uint8_t slice_bits() const { return frame_[1] & wire::SliceBits::all; }
+  /// The application record that has arrived, until the next byte.
+  ApplicationRecord application() const;
   /// The payload of what has arrived, until the next byte.
   const uint8_t* payload() const { return frame_ + 1 + wire::packet_head; }
   uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
@@ -74,6 +78,7 @@ class PacketReader {
  private:
   Arrival open_frame(size_t bytes);
   Arrival damage();
+  bool is_ours(uint32_t tag);
   bool is_expected(const uint8_t* packet);
   bool is_expected_by_number(const uint8_t* packet);
   // What the next packet is to be numbered.
@@ -81,14 +86,19 @@ class PacketReader {
   void note_gap(uint64_t packets, uint64_t pieces);
   bool read_header();
   void note_end(wire::ByteReader& reader);
+  void compare_digest(uint32_t told);
   Arrival read_trailer();
   Arrival read_slices_trailer();
 
   StreamHeader header_;
   StreamReport report_;
+  uint8_t channel_ = any_channel;
   bool is_refused_ = false;
+  bool has_tag_ = false;
   bool gap_is_untold_ = false;
   bool gap_is_noted_ = true;    // since the last header; what came before the start is a gap
+  uint32_t tag_ = 0;            // of the packets that are taken: scan and channel
+  uint32_t digest_ = 0;         // of those that have been
   uint64_t pieces_passed_ = 0;  // regions and fragments sent before now, lost ones included
   size_t payload_bytes_ = 0;
   size_t frame_bytes_ = 0;  // what is more than a frame is dropped: it is none

@@ -3,14 +3,21 @@
 
 namespace discmc {
 
-void PacketWriter::start(const StreamHeader& header, uint8_t flags, const ByteOutput& output) {
+void PacketWriter::open(const ByteOutput& output) {
+  output_ = output;
+  is_started_ = false;
+  frame_bytes_ = 0;
+}
+
+void PacketWriter::start(const StreamHeader& header, uint8_t flags) {
   header_ = header;
   const bool is_open = header.border == Border::open;
   flags_ = static_cast<uint8_t>(flags | (is_open ? wire::HeaderFlags::open_border : 0));
-  output_ = output;
+  is_started_ = true;
   bytes_ = 0;
   pieces_ = 0;
   packets_ = 0;
+  digest_ = 0;
   pieces_before_ = 0;
   seal_header();
 }
@@ -21,9 +28,11 @@ void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
   const uint32_t passed =
       wire::is_of_slices(number) ? packets_ << 8 : (packets_ & 0xFF) << 8 | pieces_before_ << 16;
   wire::put(packet, number | passed, wire::packet_head);
-  wire::put(end, crc32(packet, static_cast<size_t>(end - packet)), wire::packet_crc);
-  frame_bytes_ = static_cast<uint16_t>(
-      cobs::stuff(frame_, static_cast<size_t>(end - packet) + wire::packet_crc));
+  end = wire::put(end, header_.scan | uint32_t{header_.channel} << 16, wire::packet_tag);
+  const uint32_t crc = crc32(packet, static_cast<size_t>(end - packet));
+  end = wire::put(end, crc, wire::packet_crc);
+  frame_bytes_ = static_cast<uint16_t>(cobs::stuff(frame_, static_cast<size_t>(end - packet)));
+  digest_ = wire::digest_with(digest_, crc);
   drained_ = 0;
   ++packets_;
   if (kind != wire::PacketKind::trailer && kind != wire::PacketKind::slices_trailer)
@@ -50,7 +59,7 @@ void PacketWriter::seal_trailer(const Event& finish) {
   place = wire::put(place, finish.abandoned ? 1 : 0, 1);
   for (const auto total : wire::trailer_totals)
     place = wire::put_long(place, finish.statistics->*total);
-  seal(wire::PacketKind::trailer, place);
+  seal(wire::PacketKind::trailer, wire::put(place, digest_, 4));
 }
 
 void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
@@ -58,7 +67,16 @@ void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint6
   uint8_t* place = wire::put(payload(), slices, 4);
   place = wire::put(place, is_abandoned ? 1 : 0, 1);
   place = wire::put_long(place, rows);
-  seal(wire::PacketKind::slices_trailer, wire::put_long(place, skipped_rows));
+  place = wire::put_long(place, skipped_rows);
+  seal(wire::PacketKind::slices_trailer, wire::put(place, digest_, 4));
+}
+
+void PacketWriter::seal_application(wire::PacketKind kind, const ApplicationRecord& record) {
+  uint8_t* place = wire::put(payload(), record.kind, 1);
+  place = wire::put(place, record.slice, 4);
+  place = wire::put(place, record.row, 4);
+  for (size_t i = 0; i < record.count; ++i) *place++ = record.bytes[i];
+  seal(kind, place);
 }
 
 bool PacketWriter::drain() {
@@ -73,6 +91,12 @@ bool PacketWriter::drain() {
     if (packets_since_header_ == wire::header_interval) seal_header();
   }
   return true;
+}
+
+void PacketWriter::set_output(const ByteOutput& output) {
+  output_ = output;
+  if (output_.write == nullptr)
+    output_.write = [](void*, const uint8_t*, size_t count) { return count; };
 }
 
 void PacketWriter::rewind() {

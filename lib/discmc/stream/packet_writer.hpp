@@ -17,10 +17,16 @@ struct ByteOutput {
 /// One packet is held: open, while its payload is written, or sealed, while its frame goes out.
 class PacketWriter {
  public:
+  /// Says where packets go, and that there is no stream yet. Limit: the output has a function.
+  void open(const ByteOutput& output);
   /// Begins a stream: the header is sealed. flags: of wire::HeaderFlags, those that the header does
-  /// not tell. Limit: the output has a function.
-  void start(const StreamHeader& header, uint8_t flags, const ByteOutput& output);
-  bool is_started() const { return output_.write != nullptr; }
+  /// not tell. Limit: open(), and nothing is sealed.
+  void start(const StreamHeader& header, uint8_t flags);
+  bool is_started() const { return is_started_; }
+  bool has_output() const { return output_.write != nullptr; }
+  /// Of the stream that goes on, or went before.
+  const StreamHeader& header() const { return header_; }
+  StreamHeader& header() { return header_; }
 
   /// Whether the packet is open.
   bool is_open() const { return frame_bytes_ == 0; }
@@ -33,6 +39,9 @@ class PacketWriter {
   /// The same of a scan whose slices were told.
   void seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
                            uint64_t skipped_rows);
+  /// Seals an application record. kind: of the two for such. Limit: the packet is open, and the
+  /// record not too long.
+  void seal_application(wire::PacketKind kind, const ApplicationRecord& record);
   /// Hands over what is sealed. True when all of it is gone: then the next packet is open.
   bool drain();
 
@@ -43,19 +52,21 @@ class PacketWriter {
 
   /// For a checkpoint: as it was at the beginning of its frame, and without an output.
   void rewind();
-  /// After a checkpoint: where it goes on.
-  void set_output(const ByteOutput& output) { output_ = output; }
+  /// Where it goes on. Without a function: nowhere, but bytes are counted.
+  void set_output(const ByteOutput& output);
 
  private:
   void seal_header();
 
   // Small members stand first, where they are reached by short instructions.
+  bool is_started_ = false;
   uint8_t packets_since_header_ = 0;
   uint8_t flags_ = 0;
   uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
   uint16_t drained_ = 0;
   ByteOutput output_;
   uint32_t packets_ = 0;
+  uint32_t digest_ = 0;
   uint32_t pieces_before_ = 0;  // the open packet, modulo 2^32
   uint64_t pieces_ = 0;         // regions and fragments so far
   uint64_t bytes_ = 0;

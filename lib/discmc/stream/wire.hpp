@@ -2,21 +2,10 @@
 #ifndef DISCMC_STREAM_WIRE_HPP
 #define DISCMC_STREAM_WIRE_HPP
 
-#include <discmc/limits.hpp>
 #include <discmc/sink.hpp>
 #include <discmc/stream/cobs.hpp>
 
 namespace discmc {
-
-/// What a stream says of its scan.
-struct StreamHeader {
-  uint32_t width = 0;
-  uint32_t height = 0;
-  uint32_t depth = 0;                 ///< planned slices; 0 when not known
-  int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown
-  int32_t threshold = 0;              ///< a voxel is on where its sample is >= threshold
-  Border border = Border::closed;
-};
 
 namespace wire {
 
@@ -29,6 +18,8 @@ enum class PacketKind : uint8_t {
   records = 2,
   trailer = 3,
   slices_trailer = 4,
+  application = 5,
+  slices_application = 6,
   slices = 16
 };
 
@@ -42,7 +33,8 @@ struct SliceBits {
 };
 constexpr bool is_of_slices(uint8_t kind) {
   constexpr auto slices = static_cast<uint8_t>(PacketKind::slices);
-  return kind / slices == 1 || kind == static_cast<uint8_t>(PacketKind::slices_trailer);
+  return kind / slices == 1 || kind == static_cast<uint8_t>(PacketKind::slices_trailer) ||
+         kind == static_cast<uint8_t>(PacketKind::slices_application);
 }
 /// A packet with which a key slice begins tells its number first; one that is cut tells last how
 /// many rows there were before, modulo 2^32, and how many voxels of the row are left. Units: bytes.
@@ -50,11 +42,15 @@ constexpr int key_slice_head = 4;
 constexpr int cut_tail = 4 + 2;
 
 // A packet before stuffing: kind, number modulo 256, complete pieces (regions and fragments) before
-// it modulo 65,536, or of slices two more bytes of the number; payload, CRC-32 of all before.
+// it modulo 65,536, or of slices two more bytes of the number; payload; scan and channel; CRC-32 of
+// all before. What names the stream stands behind the payload, so that a header's version is where
+// it has been since version 1.
 constexpr size_t packet_head = 4;
+constexpr size_t packet_tag = 2 + 1;
 constexpr size_t packet_crc = 4;
+constexpr size_t packet_tail = packet_tag + packet_crc;
 constexpr size_t max_packet = cobs::max_plain;
-constexpr size_t max_payload = max_packet - packet_head - packet_crc;
+constexpr size_t max_payload = max_packet - packet_head - packet_tail;
 
 /// A frame is a packet with its stuffing byte and its ending zero.
 constexpr size_t max_frame = max_packet + 2;
@@ -112,6 +108,10 @@ struct HeaderFlags {
   static constexpr uint8_t slices = 2;  ///< the packets hold slices, not regions
 };
 
+/// An application record: kind, slice, row, and its bytes.
+constexpr size_t application_head = 1 + 4 + 4;
+static_assert(application_head + ApplicationRecord::max_bytes <= max_payload, "it fits");
+
 constexpr size_t header_payload = 3 + 1 + 2 + 2 + 4 + 3 * 4 + 4 + 1 + 4 + 8;
 
 /// The totals of the trailer in their order. A reader must know all of them.
@@ -119,9 +119,15 @@ constexpr uint64_t Statistics::*trailer_totals[] = {
     &Statistics::cells,     &Statistics::facets,      &Statistics::classic_triangles,
     &Statistics::regions,   &Statistics::rings,       &Statistics::links,
     &Statistics::fragments, &Statistics::skipped_rows};
-constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics);
+constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics) + 4;
 static_assert(sizeof(Statistics) == 8 * sizeof(uint64_t), "every total is told");
-constexpr size_t slices_trailer_payload = 4 + 1 + 8 + 8;
+constexpr size_t slices_trailer_payload = 4 + 1 + 8 + 8 + 4;
+
+/// The digest of a stream with one more packet, of this checksum. A trailer tells that of all
+/// packets before it: one of another stream among them, even of the same name, changes it.
+constexpr uint32_t digest_with(uint32_t digest, uint32_t crc) {
+  return (digest << 1 | digest >> 31) ^ crc;
+}
 
 }  // namespace wire
 

@@ -31,8 +31,9 @@ Status Extractor<Index, Normals, Sweep>::start(const Limits& limits, const Capac
   threshold_ = threshold;
   sweep_.fragments().set_at_seam(at_seam);
   if (!lay_out(memory)) return Status::too_little_memory;
-  state_ = State::scanning;
-  return reset();
+  if (!tell_start()) return Status::bad_sink;
+  clear();
+  return Status::ok;
 }
 
 // Says what lies where in the memory, and writes nothing there. False when it has no room. The
@@ -55,6 +56,13 @@ bool Extractor<Index, Normals, Sweep>::lay_out(Memory memory) {
 template <class Index, class Normals, class Sweep>
 Status Extractor<Index, Normals, Sweep>::reset() {
   if (state_ == State::idle) return Status::not_started;
+  if (!tell_start()) return Status::bad_sink;
+  clear();
+  return Status::ok;
+}
+
+template <class Index, class Normals, class Sweep>
+void Extractor<Index, Normals, Sweep>::clear() {
   intake_.clear();
   rows_.clear();
   if (sink_.sealing != nullptr) sink_.sealing->clear(sealed_, limits_);
@@ -65,7 +73,6 @@ Status Extractor<Index, Normals, Sweep>::reset() {
   skip_untold_ = false;
   chains_are_ended_ = false;
   swept_rows_ = 0;
-  return Status::ok;
 }
 
 template <class Index, class Normals, class Sweep>
@@ -305,6 +312,20 @@ uint32_t Extractor<Index, Normals, Sweep>::own_slices() const {
   const uint32_t context =
       (limits_.slab.continues_below ? 1U : 0U) + (limits_.slab.continues_above ? 1U : 0U);
   return rows_.slices() > context ? rows_.slices() - context : 0;
+}
+
+template <class Index, class Normals, class Sweep>
+bool Extractor<Index, Normals, Sweep>::tell_start() {
+  StreamHeader header;
+  header.width = limits_.width;
+  header.height = limits_.height;
+  header.threshold = threshold_;
+  header.border = limits_.border;
+  intake_.tell_spacing(header.spacing_nm);
+  Event event{};
+  event.kind = Event::Kind::start;
+  event.header = &header;
+  return sink_.take(sink_.context, event) == Answer::taken;
 }
 
 // Offers an event that tells of rows and slices.

@@ -140,7 +140,7 @@ std::vector<Contender> discmc_contenders(const Volume& volume) {
   };
   const auto stream = [scan] {
     Encoder encoder;
-    require_ok(encoder.start(scan->header(), {nullptr, take_bytes}));
+    require_ok(encoder.start(scan->header().label(), {nullptr, take_bytes}));
     scan->extract(sink_to(encoder));
     return encoder.bytes();
   };

@@ -64,6 +64,7 @@ Answer RegionCheck::take(const Event& event) {
       end_ring();
       sum_.fingerprint += reference::mix(reference::of_incidence(boundary_, incidence_));
       break;
+    case Event::Kind::start:
     case Event::Kind::layer:
     case Event::Kind::finish:
       break;

@@ -9,8 +9,8 @@ constexpr Limits limits{64, 64};
 constexpr Capacities capacities = default_capacities<uint16_t>(limits, 12 * 1024);
 
 extern "C" Status run(Extractor16& extractor, Encoder& encoder, const ByteOutput& output,
-                      const StreamHeader& header, Memory memory, const uint8_t* row) {
-  Status status = encoder.start(header, output);
+                      const StreamLabel& label, Memory memory, const uint8_t* row) {
+  Status status = encoder.start(label, output);
   if (status == Status::ok)
     status = extractor.start(limits, capacities, 128, memory, sink_to(encoder));
   if (status == Status::ok) status = extractor.push(row, limits.width).status;

@@ -11,9 +11,9 @@ constexpr Capacities capacities =
     default_capacities<uint16_t, GradientNormals<uint8_t>>(limits, 28 * 1024);
 
 extern "C" Status run(Scanner& extractor, NormalEncoder& encoder, const ByteOutput& output,
-                      const StreamHeader& header, Memory memory, const uint8_t* row) {
-  Status status = encoder.start(header, output);
-  extractor.set_spacing(header.spacing_nm);
+                      const StreamLabel& label, Memory memory, const uint8_t* row) {
+  Status status = encoder.start(label, output);
+  extractor.set_spacing(label.spacing_nm);
   if (status == Status::ok)
     status = extractor.start(limits, capacities, 128, memory, sink_to(encoder));
   if (status == Status::ok) status = extractor.push(row, limits.width).status;

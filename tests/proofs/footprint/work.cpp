@@ -122,8 +122,7 @@ int main() {
               scan<uint16_t>(wide, wide_slices, outside, no_sink) &&
               scan<uint8_t>(ball, ball.width, outside, no_sink) &&
               scan<uint8_t>(ball, ball.width, inside_ball, no_sink);
-  const StreamHeader header{ball.width, ball.height, ball.width, {}, threshold};
-  good = good && encoder.start(header, {nullptr, take_bytes}) == Status::ok &&
+  good = good && encoder.start({ball.width}, {nullptr, take_bytes}) == Status::ok &&
          scan<uint8_t>(ball, ball.width, inside_ball, sink_to(encoder));
   good =
       good && tell_slices(wide, wide_slices, outside) && tell_slices(ball, ball.width, inside_ball);

@@ -1,0 +1,200 @@
+// The user's own data goes with a scan, in the order of the stream.
+#include <doctest/doctest.h>
+
+#include <discmc/surface_decoder.hpp>
+
+#include "oracle/slice_stream.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+
+using reference::BitVolume;
+using reference::require_ok;
+
+namespace {
+
+const BitVolume volume = reference::random({12, 10, 8}, 60, 5);
+
+ApplicationRecord record_of(const Bytes& bytes, uint8_t kind = 1, uint32_t slice = 0,
+                            uint32_t row = 0) {
+  return {kind, slice, row, bytes.data(), bytes.size()};
+}
+
+// A line that is busy most of the time asks again and again.
+template <class Tell>
+void until_taken(Tell tell) {
+  Status status = Status::more;
+  for (int tries = 0; status == Status::more; ++tries) {
+    if (tries > 100000) throw std::runtime_error("never taken");
+    status = tell();
+  }
+  require_ok(status);
+}
+
+// What a slice's record holds: its number, so many times.
+Bytes bytes_of_slice(uint32_t slice) {
+  return Bytes(slice * 25, static_cast<uint8_t>(slice));
+}
+
+// A scan with a record before every slice, and one with nothing in it at the end.
+Bytes regions_with_records(size_t bytes_a_time) {
+  Line line(bytes_a_time);
+  Encoder encoder;
+  require_ok(encoder.start({volume.depth}, line.output()));
+  Bytes memory(30000);
+  Extractor16 extractor;
+  require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
+                             sink_to(encoder)));
+  const uint32_t slice = volume.width * volume.height;
+  for (uint32_t z = 0; z < volume.depth; ++z) {
+    const Bytes bytes = bytes_of_slice(z);
+    until_taken([&] {
+      const Status status = extractor.resume();
+      return status == Status::ok ? encoder.tell(record_of(bytes, 7, z, extractor.rows())) : status;
+    });
+    reference::push_all(extractor, std::vector<uint8_t>(volume.on.begin() + z * slice,
+                                                        volume.on.begin() + (z + 1) * slice));
+  }
+  until_taken([&] {
+    const Status status = extractor.resume();
+    return status == Status::ok ? encoder.tell({}) : status;
+  });
+  reference::finish_all(extractor);
+  return line.bytes;
+}
+
+Bytes slices_with_records(size_t bytes_a_time) {
+  Line line(bytes_a_time);
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  SliceEncoder encoder;
+  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
+  const uint32_t slice = volume.width * volume.height;
+  for (uint32_t z = 0; z < volume.depth; ++z) {
+    const Bytes bytes = bytes_of_slice(z);
+    until_taken([&] { return encoder.tell(record_of(bytes, 7)); });
+    for (uint32_t told = 0; told < slice;)
+      told += encoder.push(&volume.on[z * slice + told], slice - told).samples;
+  }
+  until_taken([&] { return encoder.tell({}); });
+  until_taken([&] { return encoder.finish(); });
+  return line.bytes;
+}
+
+// Takes apart what a record says from the rest.
+struct Records {
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::application)
+      records.emplace_back(event);
+    else
+      return others.take(event);
+    return Answer::taken;
+  }
+  void check() const {
+    REQUIRE(records.size() == volume.depth + 1);
+    for (uint32_t z = 0; z < volume.depth; ++z) {
+      const Event event = records[z].event();
+      const ApplicationRecord& record = *event.application;
+      CHECK(record.kind == 7);
+      CHECK(record.slice == z);
+      CHECK(record.row == 0);
+      CHECK(Bytes(record.bytes, record.bytes + record.count) == bytes_of_slice(z));
+    }
+    CHECK(records.back().event().application->count == 0);
+  }
+  Events records;
+  EventLog others;
+};
+
+}  // namespace
+
+TEST_CASE("records go with a stream of regions, and change nothing else") {
+  for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{50}}) {
+    const Bytes stream = regions_with_records(bytes_a_time);
+    Records received;
+    Decoder decoder;
+    require_ok(decoder.start(sink_to(received)));
+    require_ok(decoder.push(stream.data(), stream.size()).status);
+    require_ok(decoder.finish());
+    received.check();
+    CHECK(decoder.report().is_complete());
+    CHECK(received.others.events == events_of(volume));
+  }
+}
+
+TEST_CASE("records go with a stream of slices, before the row that follows") {
+  for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{50}}) {
+    const Bytes stream = slices_with_records(bytes_a_time);
+    const ReceivedRows rows = decode_slices(stream, {volume.width, volume.height, 0});
+    CHECK(rows.report.is_complete());
+    uint32_t row = 0, records = 0;
+    for (const RecordedRow& recorded : rows.rows) {
+      if (recorded.is(RowEvent::Kind::row)) ++row;
+      if (!recorded.is(RowEvent::Kind::application)) continue;
+      CHECK(row == records * volume.height);
+      ++records;
+    }
+    CHECK(records == volume.depth + 1);
+    Records received;
+    Bytes memory(minimum_surface_bytes({volume.width, volume.height}) + 100000);
+    SurfaceDecoder decoder;
+    require_ok(decoder.start({memory.data(), memory.size()}, sink_to(received)));
+    require_ok(decoder.push(stream.data(), stream.size()).status);
+    require_ok(decoder.finish());
+    received.check();
+    CHECK(received.others.events == events_of(volume));
+  }
+}
+
+TEST_CASE("a stream that is decoded and encoded again keeps its records") {
+  EventLog log;
+  const Bytes stream = regions_with_records(0);
+  Encoder encoder;
+  Line line;
+  require_ok(encoder.start({volume.depth}, line.output()));
+  Decoder decoder;
+  require_ok(decoder.start(sink_to(encoder)));
+  require_ok(decoder.push(stream.data(), stream.size()).status);
+  CHECK(encoder.flush());
+  CHECK(line.bytes == stream);
+}
+
+TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or in a region") {
+  const Bytes most(ApplicationRecord::max_bytes, 0), too_many(ApplicationRecord::max_bytes + 1, 0);
+  Line line;
+  Encoder encoder;
+  CHECK(encoder.tell(record_of(most)) == Status::not_started);
+  require_ok(begin_stream(encoder, any_header(), line.output()));
+  CHECK(encoder.tell(record_of(too_many)) == Status::bad_record);
+  require_ok(encoder.tell(record_of(most)));
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().events;
+  for (const RecordedEvent& event : square) {
+    if (!event.is(Event::Kind::region)) CHECK(encoder.tell(record_of(most)) == Status::more);
+    REQUIRE(encoder.take(event.event()) == Answer::taken);
+  }
+  require_ok(encoder.tell(record_of(most)));
+  Bytes memory(slice_encoder_bytes({1, 1}, {}));
+  SliceEncoder slices;
+  CHECK(slices.tell(record_of(most)) == Status::not_started);
+  require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, line.output()));
+  CHECK(slices.tell(record_of(too_many)) == Status::bad_record);
+  require_ok(slices.tell(record_of(most)));
+  require_ok(slices.finish());
+  CHECK(slices.tell(record_of(most)) == Status::finished);
+}
+
+TEST_CASE("a record whose packet is too short is none") {
+  Line line;
+  Encoder encoder;
+  require_ok(begin_stream(encoder, any_header(), line.output()));
+  require_ok(encoder.tell({}));
+  CHECK(encoder.flush());
+  const std::vector<Bytes> frames = frames_of(line.bytes);
+  Packet packet = packet_of(frames[1]);
+  CHECK(packet.payload.size() == 9);
+  CHECK(decode(joined({frames[0], frame_of(packet)})).events.size() == 1);
+  packet.payload.pop_back();
+  const Received received = decode(joined({frames[0], frame_of(packet)}));
+  CHECK(received.events.empty());
+  CHECK(received.report.damaged_packets == 1);
+}

@@ -1,0 +1,129 @@
+// A scan can go on though its link is dead, and its stream is there again when the link is.
+#include <doctest/doctest.h>
+
+#include "oracle/slice_stream.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+
+using reference::BitVolume;
+using reference::require_ok;
+
+namespace {
+
+const BitVolume volume = reference::random({24, 20, 16}, 60, 5);
+
+// Takes so many bytes and then nothing, for good.
+struct DyingLine {
+  size_t left;
+  Bytes bytes{};
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* data, size_t count) {
+              auto& line = *static_cast<DyingLine*>(context);
+              const size_t taken = std::min(count, line.left);
+              line.bytes.insert(line.bytes.end(), data, data + taken);
+              line.left -= taken;
+              return taken;
+            }};
+  }
+};
+
+template <class Pushes>
+Status push_rows(Pushes& scanner, uint32_t& row, uint32_t end) {
+  for (; row < end; ++row) {
+    const Status status = scanner.push(&volume.on[row * volume.width], volume.width).status;
+    if (status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+}  // namespace
+
+TEST_CASE("a scan whose link dies goes on without it, or is abandoned, and counts what it drops") {
+  const uint64_t whole = encode(events_of(volume), header_of(volume)).size();
+  for (const size_t dies_after : {size_t{0}, size_t{100}, size_t{1000}})
+    for (const bool is_abandoned : {false, true}) {
+      CAPTURE(dies_after);
+      DyingLine line{dies_after};
+      Encoder encoder;
+      require_ok(encoder.start(header_of(volume).label(), line.output()));
+      Bytes memory(60000);
+      Extractor16 extractor;
+      require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
+                                 sink_to(encoder)));
+      uint32_t row = 0;
+      const uint32_t rows = volume.height * volume.depth;
+      REQUIRE(push_rows(extractor, row, rows) == Status::more);
+      REQUIRE(extractor.resume() == Status::more);
+      REQUIRE(line.bytes.size() == dies_after);
+      encoder.set_output({});
+      if (is_abandoned) {
+        require_ok(extractor.abandon());
+        continue;
+      }
+      ++row;  // the one that caused it has been taken
+      require_ok(extractor.resume());
+      require_ok(push_rows(extractor, row, rows));
+      require_ok(extractor.finish());
+      CHECK(encoder.bytes() == whole);
+      CHECK(line.bytes.size() == dies_after);
+    }
+}
+
+TEST_CASE("a stream of regions whose link comes back lacks what was dropped, and says how much") {
+  DyingLine dead{1500};
+  Line back;
+  Encoder encoder;
+  require_ok(encoder.start(header_of(volume).label(), dead.output()));
+  Bytes memory(60000);
+  Extractor16 extractor;
+  require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
+                             sink_to(encoder)));
+  uint32_t row = 0;
+  const uint32_t rows = volume.height * volume.depth;
+  REQUIRE(push_rows(extractor, row, rows) == Status::more);
+  ++row;
+  encoder.set_output({});
+  require_ok(extractor.resume());
+  require_ok(push_rows(extractor, row, rows / 2));
+  encoder.set_output(back.output());
+  require_ok(push_rows(extractor, row, rows));
+  require_ok(extractor.finish());
+  Bytes bytes = dead.bytes;
+  bytes.insert(bytes.end(), back.bytes.begin(), back.bytes.end());
+  const Received received = decode(bytes);
+  CHECK(received.report.has_trailer);
+  CHECK(received.report.lost_packets > 0);
+  CHECK(received.report.lost_pieces > 0);
+  CHECK(received.report.regions + received.report.fragments + received.report.lost_pieces ==
+        received.report.totals.regions + received.report.totals.fragments);
+  CHECK_FALSE(received.report.is_complete());
+}
+
+TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
+  DyingLine dead{300};
+  Line back;
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  SliceEncoder encoder;
+  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
+  uint32_t row = 0;
+  const uint32_t rows = volume.height * volume.depth;
+  REQUIRE(push_rows(encoder, row, rows) == Status::more);
+  ++row;
+  encoder.set_output({});
+  require_ok(encoder.resume());
+  require_ok(push_rows(encoder, row, rows / 2 + 3));
+  encoder.set_output(back.output());
+  require_ok(push_rows(encoder, row, rows));
+  require_ok(encoder.finish());
+  Bytes bytes = dead.bytes;
+  bytes.insert(bytes.end(), back.bytes.begin(), back.bytes.end());
+  const ReceivedRows received = decode_slices(bytes, {volume.width, volume.height, 0});
+  CHECK(received.report.has_trailer);
+  CHECK(received.report.rows + received.report.lost_rows == rows);
+  uint32_t last = 0;
+  for (const RecordedRow& recorded : received.rows)
+    if (recorded.is(RowEvent::Kind::row) && recorded.event.slice > volume.depth / 2) ++last;
+  CHECK(last == volume.height * (volume.depth / 2 - 1));
+}

@@ -1,0 +1,203 @@
+// Streams that share a link are told apart, and what is not one stream never passes for one.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <discmc/surface_decoder.hpp>
+
+#include "oracle/slice_stream.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+
+using reference::BitVolume;
+using reference::require_ok;
+
+namespace {
+
+StreamHeader named(const BitVolume& volume, uint16_t scan, uint8_t channel) {
+  StreamHeader header = header_of(volume);
+  header.scan = scan;
+  header.channel = channel;
+  return header;
+}
+
+// The frames of two streams, in turns.
+Bytes mixed(const Bytes& first, const Bytes& second) {
+  const std::vector<Bytes> a = frames_of(first), b = frames_of(second);
+  std::vector<Bytes> frames;
+  for (size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    if (i < a.size()) frames.push_back(a[i]);
+    if (i < b.size()) frames.push_back(b[i]);
+  }
+  return joined(frames);
+}
+
+Received decode_channel(const Bytes& bytes, uint8_t channel) {
+  EventLog log;
+  Decoder decoder;
+  require_ok(decoder.start(sink_to(log), channel));
+  const Status status = decoder.push(bytes.data(), bytes.size()).status;
+  require_ok(decoder.finish());
+  return {log.events, decoder.report(), decoder.header(), status};
+}
+
+Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
+  Line line;
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  SliceEncoder encoder;
+  require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(encoder.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status);
+  require_ok(encoder.finish());
+  return line.bytes;
+}
+
+const BitVolume first_volume = reference::random({20, 20, 20}, 40, 1);
+const BitVolume second_volume = reference::random({20, 20, 20}, 40, 2);
+
+}  // namespace
+
+TEST_CASE("of two mixed scans a decoder takes the one that comes first, whole") {
+  const Events first = events_of(first_volume);
+  const Bytes link = mixed(encode(first, named(first_volume, 7, 0)),
+                           encode(events_of(second_volume), named(second_volume, 8, 0)));
+  const Received received = decode(link);
+  CHECK(received.events == first);
+  CHECK(received.header.scan == 7);
+  CHECK(received.report.is_complete());
+  CHECK(received.report.foreign_packets > 10);
+  CHECK(received.report.lost_packets == 0);
+  CHECK(received.report.repeated_packets == 0);
+}
+
+TEST_CASE("two mixed scans of one name never end as one complete surface") {
+  uint32_t mixtures = 0;
+  for (uint32_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    const BitVolume one = reference::random({5, 5, 5}, 60, 2 * seed);
+    const BitVolume other = reference::random({5, 5, 5}, 60, 2 * seed + 1);
+    const std::vector<Bytes> a = frames_of(encode(events_of(one), header_of(one)));
+    const std::vector<Bytes> b = frames_of(encode(events_of(other), header_of(other)));
+    if (a.size() != b.size()) continue;
+    // Of every packet that of the one or of the other, but not all of one.
+    Chance chance(seed);
+    for (int tries = 0; tries < 50; ++tries) {
+      std::vector<Bytes> frames;
+      size_t of_a = 0;
+      for (size_t i = 0; i < a.size(); ++i) {
+        const bool is_a = chance.below(2) == 0;
+        of_a += is_a && i > 0;
+        frames.push_back(is_a ? a[i] : b[i]);
+      }
+      if (of_a == 0 || of_a == frames.size() - 1) continue;
+      CHECK_FALSE(decode(joined(frames)).report.is_complete());
+      ++mixtures;
+    }
+  }
+  CHECK(mixtures > 200);
+}
+
+TEST_CASE("where only the digest tells that a packet is another scan's, it does") {
+  // The same but for one voxel in the middle: all numbers agree.
+  BitVolume other = first_volume;
+  other.on[other.voxels() / 2] ^= 1;
+  std::vector<Bytes> frames = frames_of(slices_of(header_of(first_volume), first_volume));
+  const std::vector<Bytes> others = frames_of(slices_of(header_of(other), other));
+  REQUIRE(frames.size() == others.size());
+  REQUIRE(frames.size() > 4);
+  const ReceivedRows whole = decode_slices(joined(frames), {20, 20, 20});
+  CHECK(whole.report.is_complete());
+  frames[frames.size() - 2] = others[frames.size() - 2];
+  const ReceivedRows received = decode_slices(joined(frames), {20, 20, 20});
+  CHECK(received.report.lost_packets == 0);
+  CHECK(received.report.is_mixed);
+  CHECK_FALSE(received.report.is_complete());
+}
+
+TEST_CASE("three channels of one link are told apart, whatever each of them holds") {
+  const BitVolume volumes[] = {first_volume, second_volume,
+                               reference::ball({20, 20, 20}, {20, 20, 20}, 300)};
+  const Bytes link = mixed(mixed(encode(events_of(volumes[0]), named(volumes[0], 7, 0)),
+                                 encode(events_of(volumes[1]), named(volumes[1], 7, 1))),
+                           slices_of(named(volumes[2], 7, 63), volumes[2]));
+  for (const uint8_t channel : {uint8_t{0}, uint8_t{1}}) {
+    const Received received = decode_channel(link, channel);
+    CHECK(received.events == events_of(volumes[channel]));
+    CHECK(received.header.channel == channel);
+    CHECK(received.report.is_complete());
+  }
+  EventLog log;
+  Bytes memory(minimum_surface_bytes({20, 20}) + 100000);
+  SurfaceDecoder decoder;
+  require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log), 63));
+  require_ok(decoder.push(link.data(), link.size()).status);
+  require_ok(decoder.finish());
+  CHECK(log.events == events_of(volumes[2]));
+  CHECK(decoder.report().is_complete());
+  const Received nothing = decode_channel(link, 2);
+  CHECK(nothing.events.empty());
+  CHECK_FALSE(nothing.report.has_header);
+}
+
+TEST_CASE("an encoder numbers the scans that follow its first") {
+  const BitVolume voxel = reference::from_bits({1, 1, 1}, 1);
+  Line line;
+  Encoder encoder;
+  require_ok(encoder.start({1, {}, 65534, 9}, line.output()));
+  Bytes memory(2000);
+  Extractor16 extractor;
+  require_ok(extractor.start({1, 1}, 1, {memory.data(), memory.size()}, sink_to(encoder)));
+  for (const uint16_t scan : {uint16_t{65534}, uint16_t{65535}, uint16_t{0}}) {
+    reference::push_all(extractor, voxel.on);
+    reference::finish_all(extractor);
+    const Received received = decode(line.bytes);
+    CHECK(received.report.is_complete());
+    CHECK(received.header.scan == scan);
+    CHECK(received.header.channel == 9);
+    line.bytes.clear();
+    require_ok(extractor.reset());
+  }
+}
+
+TEST_CASE("a header says what the extractor was started with, and what the label adds") {
+  Line line;
+  Encoder encoder;
+  require_ok(encoder.start({5, {1000, -2000, 3000}, 77, 3}, line.output()));
+  Bytes memory(20000);
+  Extractor16 extractor;
+  require_ok(extractor.start({40, 30, Border::open}, -9, {memory.data(), memory.size()},
+                             sink_to(encoder)));
+  CHECK(encoder.flush());
+  EventLog log;
+  Decoder decoder;
+  require_ok(decoder.start(sink_to(log)));
+  require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
+  const StreamHeader header = decoder.header();
+  CHECK(header.width == 40);
+  CHECK(header.height == 30);
+  CHECK(header.border == Border::open);
+  CHECK(header.threshold == -9);
+  CHECK(header.depth == 5);
+  CHECK(header.spacing_nm[1] == -2000);
+  CHECK(header.scan == 77);
+  CHECK(header.channel == 3);
+  REQUIRE(log.starts.size() == 1);
+  CHECK(log.starts[0].depth == 5);
+  CHECK(log.starts[0].scan == 77);
+}
+
+TEST_CASE("an extractor that knows the spacing says it once, for the stream as well") {
+  using Normals = GradientNormals<uint8_t>;
+  Line line;
+  NormalEncoder encoder;
+  require_ok(encoder.start({0, {5, 5, 5}}, line.output()));
+  Bytes memory(minimum_bytes<uint16_t, Normals>({8, 8}));
+  Extractor<uint16_t, Normals> extractor;
+  extractor.set_spacing({1000, 2000, -3000});
+  require_ok(extractor.start({8, 8}, 1, {memory.data(), memory.size()}, sink_to(encoder)));
+  CHECK(encoder.flush());
+  const StreamHeader header = decode(line.bytes).header;
+  CHECK(header.spacing_nm[0] == 1000);
+  CHECK(header.spacing_nm[1] == 2000);
+  CHECK(header.spacing_nm[2] == -3000);
+}
