@@ -9,37 +9,35 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "oracle/stream.hpp"
+#include "oracle/event_log.hpp"
+#include "oracle/version1_packets.hpp"
 #include "require.hpp"
 #include "stream_file.hpp"
 #include "version1/decoder.hpp"
 
 using namespace discmc;
-using namespace discmc::test;
+using reference::EventLog;
+using reference::Events;
+using reference::RecordedEvent;
+using test::version1::Bytes;
 using Kind = Event::Kind;
 
 namespace {
 
-Bytes header_frame() {
-  Packet packet = packet_of(frames_of(encode({}))[0]);
-  packet.payload[3] = 1;
-  return frame_of(packet);
-}
-
 // Cuts the bytes into packets, each led by its length, kind, number and count of regions.
 Bytes framed(const uint8_t* data, size_t size) {
-  Bytes stream = header_frame();
+  Bytes stream = test::version1::frame_of(test::version1::any_header());
   for (size_t at = 0; at + 4 <= size;) {
-    Packet packet;
+    test::version1::Packet packet;
     const size_t left = size - at - 4;
     const size_t count = data[at] < left ? data[at] : left;
     // Mostly what an encoder would say of a packet, so that its records are looked at.
     packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 5;
     packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
-    packet.pieces = data[at + 3];
+    packet.regions = data[at + 3];
     packet.payload.assign(data + at + 4, data + at + 4 + count);
-    if (count <= wire::max_payload) {
-      const Bytes frame = frame_of(packet);
+    if (count <= test::version1::max_payload) {
+      const Bytes frame = test::version1::frame_of(packet);
       stream.insert(stream.end(), frame.begin(), frame.end());
     }
     at += 4 + count;

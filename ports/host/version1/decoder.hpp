@@ -84,7 +84,7 @@ class Decoder {
 
   Model model_;
   bool is_at_end_ = false;          // of the packet
-  ToldNormals normals_;             // of the record
+  ToldNormals normals_{};           // of the record
   bool normals_are_ahead_ = false;  // of the next record
 
   Record open_;  // all parts so far of what waits for its next

@@ -53,8 +53,8 @@ struct Ring {
 };
 
 /// Joins neighbouring runs of one direction, and lets the ring begin at the last of its vertices in
-/// the order z, y, x: so version 2 tells rings, and the same ring makes the same triangles. Limit: no
-/// stand-in, at least one run.
+/// the order z, y, x: so version 2 tells rings, and the same ring makes the same triangles. Limit:
+/// no stand-in, at least one run.
 void arrange(Incidence incidence, Ring& ring);
 
 /// The fragments that no ring has taken yet.
