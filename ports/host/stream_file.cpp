@@ -30,7 +30,7 @@ ByteOutput StreamOutput::byte_output() {
           }};
 }
 
-StreamReader::StreamReader(const Sink& sink) {
+StreamReader::StreamReader(const Sink& sink) : sink_(sink) {
   status_ = decoder_.start({}, sink);
 }
 
@@ -38,19 +38,45 @@ void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t
   std::vector<char> buffer(std::size_t{1} << 16);
   while (in && status_ == Status::ok) {
     in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    push(reinterpret_cast<const std::uint8_t*>(buffer.data()),
+    take(reinterpret_cast<const std::uint8_t*>(buffer.data()),
          static_cast<std::size_t>(in.gcount()));
     if (progress) progress(report().bytes);
   }
-  if (status_ == Status::ok) status_ = decoder_.finish();
+  if (status_ == Status::ok) finish();
   if (status_ == Status::wrong_version)
     throw std::runtime_error(
-        "the stream is of a version that this program does not know (it knows " +
+        "the stream is of a version that this program does not know (it knows 1 to " +
         std::to_string(wire::version) + "): use a newer discmc");
   if (status_ != Status::ok) throw std::runtime_error(text(status_));
 }
 
+// Nothing is decoded before the version is known, but nothing is lost.
+void StreamReader::take(const std::uint8_t* bytes, std::size_t count) {
+  if (search_.is_over()) return push(bytes, count);
+  held_.insert(held_.end(), bytes, bytes + count);
+  for (std::size_t i = 0; i < count && !search_.is_over(); ++i) search_.take(bytes[i]);
+  if (search_.is_over()) choose_decoder();
+}
+
+void StreamReader::choose_decoder() {
+  if (search_.is_version1()) version1_.emplace(sink_);
+  push(held_.data(), held_.size());
+  held_ = {};
+}
+
+void StreamReader::finish() {
+  if (!search_.is_over()) choose_decoder();
+  if (version1_)
+    version1_->finish();
+  else if (status_ == Status::ok)
+    status_ = decoder_.finish();
+}
+
 void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
+  if (version1_) {
+    status_ = version1_->push(bytes, count);
+    return;
+  }
   Decoded decoded = decoder_.push(bytes, count);
   if (decoded.status == Status::too_little_memory && memory_ == nullptr) {
     decoded.status = give_memory();

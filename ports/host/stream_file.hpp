@@ -7,10 +7,15 @@
 #include <functional>
 #include <istream>
 #include <memory>
+#include <optional>
 #include <ostream>
+#include <vector>
 
 #include <discmc/encoder.hpp>
 #include <discmc/surface_decoder.hpp>
+
+#include "version1/decoder.hpp"
+#include "version_search.hpp"
 
 namespace discmc::host {
 
@@ -27,7 +32,7 @@ class StreamOutput {
   std::uint64_t bytes_ = 0;
 };
 
-/// A stream of either kind, read to its end.
+/// A stream of either kind and of any version, read to its end.
 class StreamReader {
  public:
   /// sink: it must not say "not now".
@@ -36,15 +41,22 @@ class StreamReader {
   /// Throws std::runtime_error when the stream's version is not known.
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
 
-  const StreamHeader& header() const { return decoder_.header(); }
-  const StreamReport& report() const { return decoder_.report(); }
+  const StreamHeader& header() const { return version1_ ? version1_->header() : decoder_.header(); }
+  const StreamReport& report() const { return version1_ ? version1_->report() : decoder_.report(); }
 
  private:
+  void take(const std::uint8_t* bytes, std::size_t count);
+  void choose_decoder();
   void push(const std::uint8_t* bytes, std::size_t count);
+  void finish();
   Status give_memory();
 
+  Sink sink_;
+  VersionSearch search_;
+  std::vector<std::uint8_t> held_;  // until the version is known
   SurfaceDecoder decoder_{};
-  std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of bits
+  std::optional<version1::Decoder> version1_;  // instead, for a stream of this version
+  std::unique_ptr<std::uint8_t[]> memory_;     // for a stream of bits
   Status status_ = Status::ok;
 };
 
