@@ -13,7 +13,7 @@
 using namespace discmc;
 using namespace discmc::test;
 
-// The arena that payloads.cpp has, too. The streams are the same, byte for byte.
+// The arena that payloads.cpp has, too: the streams of the head are the same.
 alignas(4) static uint8_t memory[88 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
@@ -21,7 +21,7 @@ static SliceEncoder slice_encoder;
 
 // ---- volumes ----
 
-// As random({64, 64, 64}, 128, 1) of the oracle: SplitMix64.
+// The first slices of random({64, 64, 64}, 128, 1) of the oracle: SplitMix64.
 class RowsOfNoise {
  public:
   void read(uint8_t* row) {
@@ -59,7 +59,7 @@ struct Volume {
   StreamHeader header() const { return {limits.width, limits.height, slices, {}, threshold}; }
 };
 constexpr Volume small_ball{ball, ball.width, threshold};
-constexpr Volume noise{{64, 64}, 64, threshold};
+constexpr Volume noise{{64, 64}, 16, threshold};
 constexpr Volume head{{256, 256}, 113, 500};
 
 template <class Sample, class Scanner, class Rows>

@@ -25,13 +25,16 @@ function instructions_of(name, volume, first,    i) {
            sprintf("%.1f", count[first + i - 1] / of["voxels_of_" volume]))
 }
 
-# What a volume takes above an empty one is shared out among the steps that it has more.
-function step(volume, empty, full) {
-  figure("Steps", "a step of slices, " volume, target,
-         sprintf("%.0f", (count[full] - count[empty]) / (of["steps_of_" volume] - of["rows_of_" volume])))
+# What a volume takes above an empty one, which has a step a row, is shared out among the steps that it has more.
+function step(volume, empty, full,    steps) {
+  steps = of["steps_of_" volume] - of["rows_of_" volume]
+  figure("Regions and slices", "a step of slices, " volume, target,
+         sprintf("%.0f", (count[full] - count[empty]) / steps))
 }
 
-function millions(name, which) { figure("Steps", name ", millions", target, sprintf("%.1f", count[which] / 1e6)) }
+function millions(name, which) {
+  figure("Regions and slices", name ", millions", target, sprintf("%.1f", count[which] / 1e6))
+}
 
 FILENAME ~ /figures.txt$/ {
   split($0, part, "\t")
@@ -51,7 +54,6 @@ END {
     exit 1
   }
   if (has_head) bytes_of("CT head, 256x256x113, at 500", "head")
-  bytes_of("noise, 64x64x64, half on", "noise")
   beside("RAM for slices of 256x256",
          taken["RAM", "Extractor16"] + taken["RAM", "Encoder"] + of["arena"],
          taken["RAM", "SliceEncoder"] + arena["256x256", "slice encoder"],

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "oracle/slice_stream.hpp"
@@ -112,18 +113,17 @@ BitVolume read(const std::string& file, int32_t threshold,
   return volume;
 }
 
-void print_real_scans(const std::string& folder, const std::string& samples) {
+// The samples go to a file, too.
+BitVolume read_head(const std::string& folder, const std::string& samples) {
   std::ofstream file(samples, std::ios::binary);
-  const BitVolume head =
-      read<uint16_t>(folder + "/cthead.nrrd", 500, [&](const std::vector<uint16_t>& slice) {
-        file.write(reinterpret_cast<const char*>(slice.data()),
-                   static_cast<std::streamsize>(slice.size() * sizeof slice[0]));
-      });
+  const auto pass_on = [&](const std::vector<uint16_t>& slice) {
+    file.write(reinterpret_cast<const char*>(slice.data()),
+               static_cast<std::streamsize>(slice.size() * sizeof slice[0]));
+  };
+  BitVolume head = read<uint16_t>(folder + "/cthead.nrrd", 500, pass_on);
   file.close();
   if (!file) throw std::runtime_error("cannot write " + samples);
-  print_bytes("CT head, 256x256x113, at 500", head);
-  print_bytes("engine, 256x256x128, at 80", read<uint8_t>(folder + "/engine.nii.gz", 80));
-  print_losses("lost with a packet: % of the CT head", head);
+  return head;
 }
 
 }  // namespace
@@ -134,6 +134,13 @@ int main(int count, char** arguments) {
     return 2;
   }
   print_bytes("ball, 100x100x100", reference::ball({100, 100, 100}, {100, 100, 100}, 1002));
+  std::optional<BitVolume> head;
+  if (count == 3) {
+    const std::string folder = arguments[1];
+    head = read_head(folder, arguments[2]);
+    print_bytes("CT head, 256x256x113, at 500", *head);
+    print_bytes("engine, 256x256x128, at 80", read<uint8_t>(folder + "/engine.nii.gz", 80));
+  }
   print_bytes("noise, 64x64x64, half on", reference::random({64, 64, 64}, 128, 1));
-  if (count == 3) print_real_scans(arguments[1], arguments[2]);
+  if (head) print_losses("lost with a packet: % of the CT head", *head);
 }
