@@ -54,7 +54,7 @@ class RowCode {
     left_ = width;
     word_ = 0;
     bit_ = 2;
-    is_on_ = false;
+    as_before_ = 0;
   }
   bool is_done() const { return left_ == 0; }
   /// The voxels that are not told yet.
@@ -67,20 +67,18 @@ class RowCode {
     const uint32_t neighbours = differing_neighbours();
     const uint32_t level = neighbours == 0 ? level_voxels() : 0;
     if (level < 2) {
-      const bool differs =
-          coder.bit(model[context::voxel + neighbours], ((*row() >> bit_ & 1) != 0) != is_on_);
-      go_to(0, differs);
+      go_on(coder.bit(model[context::voxel + neighbours], differs()));
       return true;
     }
-    const uint32_t bits = bit_width(level - 1);
     uint32_t same = same_voxels(level);
     if (coder.bit(model[run_context(level)], same == level)) {
       pass(level);
       return true;
     }
-    same = coder.number(bits, same);
+    same = coder.number(bit_width(level - 1), same);
     if (same >= level) return false;
-    go_to(same, true);
+    pass(same);
+    go_on(true);
     return true;
   }
 
@@ -93,8 +91,8 @@ class RowCode {
   }
 
  private:
-  uint32_t* row() { return row_ + word_; }
-  uint32_t as_before() const { return is_on_ ? ~uint32_t{0} : 0; }
+  // Whether the next voxel is not as the one before; nothing where it is still to be read.
+  bool differs() const { return ((row_[word_] ^ as_before_) >> bit_ & 1) != 0; }
 
   // A bit each for those that are not as the voxel before.
   uint32_t differing_neighbours() const {
@@ -102,23 +100,20 @@ class RowCode {
     const uint32_t next = before_.next[word_] >> (bit_ - 1) & 7;
     const uint32_t third = before_.third[word_] >> bit_ & 1;
     const uint32_t last = before_.last[word_] >> bit_ & 1;
-    return (near | next << 3 | third << 6 | last << 7) ^ (as_before() & 0xFF);
+    return (near | next << 3 | third << 6 | last << 7) ^ (as_before_ & 0xFF);
   }
 
   // The voxels from here on, as far as all their neighbours are as the voxel before.
   uint32_t level_voxels() const {
     return voxels_before(left_, [this](uint32_t word) {
-      const uint32_t near = before_.near[word] ^ as_before();
-      const uint32_t next = before_.next[word] ^ as_before();
-      const uint32_t beside = near | next;
-      const uint32_t below = before_.third[word] | before_.last[word];
-      const uint32_t both = before_.third[word] & before_.last[word];
-      return beside | beside << 1 | beside >> 1 | (is_on_ ? ~both : below);
+      const uint32_t beside = (before_.near[word] ^ as_before_) | (before_.next[word] ^ as_before_);
+      const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
+      return beside | beside << 1 | beside >> 1 | below;
     });
   }
   // The same as far as they are as the voxel before.
   uint32_t same_voxels(uint32_t most) const {
-    return voxels_before(most, [this](uint32_t word) { return row_[word] ^ as_before(); });
+    return voxels_before(most, [this](uint32_t word) { return row_[word] ^ as_before_; });
   }
   // Those from here on before the first whose bit is set, at most so many.
   template <class Bits>
@@ -147,28 +142,30 @@ class RowCode {
     while (voxels > 0) {
       const uint32_t room = trace::columns_per_word + 1 - bit_;
       const uint32_t here = voxels < room ? voxels : room;
-      if (is_on_) *row() |= ((uint32_t{1} << here) - 1) << bit_;
+      write(here);
       voxels -= here;
-      bit_ += here;
-      if (here == room) {
-        ++word_;
-        bit_ = 1;
-      }
     }
   }
-  // So many are, and the next one is, or is not.
-  void go_to(uint32_t same, bool differs) {
-    pass(same);
-    is_on_ = is_on_ != differs;
-    pass(1);
+  // The next one is, or differs.
+  void go_on(bool differs) {
+    if (differs) as_before_ = ~as_before_;
+    --left_;
+    write(1);
+  }
+  // Limit: so many are left in the word.
+  void write(uint32_t voxels) {
+    const uint32_t next = bit_ + voxels;
+    row_[word_] |= as_before_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
+    bit_ = next <= trace::columns_per_word ? next : 1;
+    if (next > trace::columns_per_word) ++word_;
   }
 
   uint32_t* row_ = nullptr;
   RowsBefore before_{};
   uint32_t left_ = 0;
   uint32_t word_ = 0;
-  uint32_t bit_ = 0;    // of the next voxel
-  bool is_on_ = false;  // the voxel before
+  uint32_t bit_ = 0;        // of the next voxel
+  uint32_t as_before_ = 0;  // a word of voxels that are as the one before
 };
 
 }  // namespace discmc::slices

@@ -6,14 +6,14 @@
 #include <discmc/sample_window.hpp>
 #include <discmc/slice_encoder.hpp>
 
-#include "marks.hpp"
+#include "scans.hpp"
 
 using namespace discmc;
+using namespace discmc::test;
 
 // All of it fits the 16 KiB of a small microcontroller.
 constexpr Limits wide{256, 32};
 constexpr uint32_t wide_slices = 16;
-constexpr Limits ball{48, 48};
 static uint8_t memory[11 * 1024];
 static_assert(sizeof memory >= minimum_bytes<uint16_t>(wide), "or the scan does not start");
 static Extractor16 extractor;
@@ -25,42 +25,14 @@ static Answer take_event(void*, const Event&) {
 }
 constexpr Sink no_sink{nullptr, take_event};
 
-static size_t take_bytes(void*, const uint8_t*, size_t count) {
-  return count;
-}
-
-// ---- volumes ----
-
-constexpr int32_t threshold = 192;
-
-static uint8_t outside(int32_t, int32_t, int32_t) {
-  return 0;
-}
-
-static uint8_t inside_ball(int32_t x, int32_t y, int32_t z) {
-  constexpr int32_t size = ball.width;
-  const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - dot(v, v) / 26);
-}
-
 static void report(const char* name, uint64_t value) {
   board::report(name, static_cast<uint32_t>(value));
 }
 
-// Counts the instructions of all calls of push(); a row a call.
 template <class Sample, class Scanner>
-static bool push_rows(Scanner& scanner, const Limits& limits, uint32_t slices,
-                      uint8_t (*sample)(int32_t, int32_t, int32_t)) {
-  alignas(4) static Sample row[wide.width];
-  for (uint32_t i = 0; i < limits.height * slices; ++i) {
-    for (uint32_t x = 0; x < limits.width; ++x)
-      row[x] = sample(static_cast<int32_t>(x), static_cast<int32_t>(i % limits.height),
-                      static_cast<int32_t>(i / limits.height));
-    count_on();
-    const Status status = scanner.push(row, limits.width).status;
-    count_off();
-    if (status != Status::ok) return false;
-  }
+static bool push_and_tell(Scanner& scanner, const Limits& limits, uint32_t slices,
+                          uint8_t (*sample)(int32_t, int32_t, int32_t)) {
+  if (!push_rows<Sample>(scanner, limits, slices, RowsOf{sample, limits})) return false;
   count_tell();
   return scanner.finish() == Status::ok;
 }
@@ -69,14 +41,14 @@ template <class Sample>
 static bool scan(const Limits& limits, uint32_t slices,
                  uint8_t (*sample)(int32_t, int32_t, int32_t), const Sink& sink) {
   return extractor.start(limits, threshold, memory_of(memory), sink) == Status::ok &&
-         push_rows<Sample>(extractor, limits, slices, sample);
+         push_and_tell<Sample>(extractor, limits, slices, sample);
 }
 
 static bool tell_slices(const Limits& limits, uint32_t slices,
                         uint8_t (*sample)(int32_t, int32_t, int32_t)) {
   const StreamHeader header{limits.width, limits.height, slices, {}, threshold};
   return slice_encoder.start(header, {}, memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
-         push_rows<uint8_t>(slice_encoder, limits, slices, sample);
+         push_and_tell<uint8_t>(slice_encoder, limits, slices, sample);
 }
 
 // ---- normals ----
