@@ -22,7 +22,7 @@ inline RowsBefore rows_before(const trace::BitRows& rows, uint32_t height, Slice
     return is_there ? rows.row(back) : rows.off();
   };
   const uint32_t y = rows.rows();
-  if (kind == SliceKind::key) return {row(y >= 1, 1), row(y >= 2, 2), row(y >= 3, 3), rows.off()};
+  if (kind == SliceKind::key) return {row(y >= 1, 1), row(y >= 2, 2), row(y >= 3, 3), row(y >= 1, 1)};
   return {row(y >= 1, 1), rows.row(height), row(y + 1 < height, height - 1),
           row(y >= 1, height + 1)};
 }

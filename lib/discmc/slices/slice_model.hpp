@@ -6,7 +6,7 @@
 //
 //     slice before   . 7 .        row before     0 1 2       key slice   . 6 .
 //                    3 4 5        this row       = ?                     3 4 5
-//                    . 6 .                                               0 1 2
+//                    . 6 .                                               0 1 2    and 7 is 1
 //                                                                        = ?
 #ifndef DISCMC_SLICES_SLICE_MODEL_HPP
 #define DISCMC_SLICES_SLICE_MODEL_HPP
