@@ -69,6 +69,7 @@ class Listener {
   bool refuses_now() const { return refuses_now_; }
 
   Answer take(const Event& event) try {
+    if (event.kind == Event::Kind::start) return Answer::taken;
     require(log_.has_value(), "an event before any scan");
     const Answer answer = log_->take(event);
     refuses_now_ = answer == Answer::not_now;

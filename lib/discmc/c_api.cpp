@@ -30,7 +30,8 @@ static_assert(sizeof(StreamHeader) == sizeof(discmc_stream_header) && DISCMC_SAM
                   DISCMC_SAME_PLACE(height) && DISCMC_SAME_PLACE(depth) &&
                   DISCMC_SAME_PLACE(spacing_nm) && DISCMC_SAME_PLACE(threshold) &&
                   DISCMC_SAME_PLACE(border) && DISCMC_SAME_PLACE(channel) &&
-                  DISCMC_SAME_PLACE(scan),
+                  DISCMC_SAME_PLACE(scan) && DISCMC_SAME_PLACE(surfaces) &&
+                  DISCMC_SAME_PLACE(further_thresholds),
               "so have headers");
 #undef DISCMC_SAME_PLACE
 #define DISCMC_SAME_PLACE(member) \
@@ -62,6 +63,7 @@ static_assert(DISCMC_BAD_RECORD == static_cast<int>(Status::bad_record) &&
 static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == DISCMC_MAX_SLICES &&
                   wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME &&
                   StreamLabel::max_channel == DISCMC_MAX_CHANNEL &&
+                  StreamHeader::max_surfaces == DISCMC_MAX_SURFACES &&
                   any_channel == DISCMC_ANY_CHANNEL &&
                   ApplicationRecord::max_bytes == DISCMC_MAX_RECORD_BYTES &&
                   ApplicationRecord::first_standard_kind == DISCMC_FIRST_STANDARD_KIND,

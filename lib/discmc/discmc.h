@@ -162,9 +162,12 @@ typedef struct discmc_stream_header {
   int32_t spacing_nm[3]; /* between voxels; negative for a mirrored axis; 0 unknown */
   int32_t threshold;     /* a voxel is on where its sample is >= threshold */
   uint8_t border;        /* DISCMC_CLOSED or DISCMC_OPEN */
-  uint8_t channel;
+  uint8_t channel;       /* of the first surface, where a stream of slices has several */
   uint16_t scan;
+  uint8_t surfaces;      /* in this stream, on a channel each; Limit: 1 to DISCMC_MAX_SURFACES */
+  int32_t further_thresholds[3]; /* of the second surface on */
 } discmc_stream_header;
+enum { DISCMC_MAX_SURFACES = 4 };
 
 /* The user's own data in a stream: a time stamp, a pose, the state of a battery. A record goes out
  * at once, in a packet of its own: so tell rarely, and much at once. */

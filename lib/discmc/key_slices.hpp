@@ -20,17 +20,30 @@ struct KeySlices {
   }
 };
 
-/// The bytes of memory that a SliceEncoder needs: four rows of bits and one more where every slice
-/// is a key slice, else those of a slice and three. Limit: valid limits.
-constexpr uint64_t slice_encoder_bytes(const Limits& limits, KeySlices key_slices) {
-  return trace::bit_row_bytes(limits.width,
-                              slices::rows_kept(limits.height, key_slices.is_every())) +
-         Arena::alignment - 1;
+namespace slices {
+
+/// The bytes of the rows and probabilities of some surfaces.
+constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t surfaces) {
+  uint64_t bytes = 0;
+  for (uint32_t surface = 0; surface < surfaces; ++surface)
+    bytes += trace::bit_row_bytes(limits.width, rows) + SliceModel::bytes_for(surface > 0);
+  return bytes;
+}
+
+}  // namespace slices
+
+/// The bytes of memory that a SliceEncoder needs. For every surface four rows of bits and one more
+/// where every slice is a key slice, else those of a slice and three; and 548 bytes for the first
+/// surface, 1,060 for each further one. Limit: valid limits.
+constexpr uint64_t slice_encoder_bytes(const Limits& limits, KeySlices key_slices,
+                                       uint32_t surfaces = 1) {
+  const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every());
+  return slices::surface_bytes(limits, rows, surfaces) + Arena::alignment - 1;
 }
 
 /// The bytes of memory that a SliceDecoder needs for slices of this size. Limit: valid limits.
-constexpr uint64_t slice_decoder_bytes(const Limits& limits) {
-  return slice_encoder_bytes(limits, KeySlices{}) +
+constexpr uint64_t slice_decoder_bytes(const Limits& limits, uint32_t surfaces = 1) {
+  return slice_encoder_bytes(limits, KeySlices{}, surfaces) +
          Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t));
 }
 

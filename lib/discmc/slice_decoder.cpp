@@ -3,7 +3,6 @@
 namespace discmc {
 
 using slices::RowNote;
-using slices::SliceKind;
 
 namespace {
 
@@ -23,6 +22,7 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   is_laid_out_ = false;
   is_whole_ = false;
   row_is_begun_ = false;
+  surface_ = 0;
   slice_ = 0;
   passed_rows_ = 0;
   return Status::ok;
@@ -70,15 +70,14 @@ void SliceDecoder::open(PacketReader::Arrival arrival) {
 }
 
 void SliceDecoder::lay_out() {
-  const Limits limits{header().width, header().height, header().border};
   Arena arena(memory_);
-  rows_.start(arena, limits, slices::rows_kept(limits.height, false));
-  bits_ = arena.take<uint8_t>((limits.width + 7) / 8);
+  surfaces_.start(arena, header(), slices::rows_kept(header().height, false));
+  bits_ = arena.take<uint8_t>((header().width + 7) / 8);
   if (arena.is_exhausted()) {
     refusal_ = Status::too_little_memory;
     return;
   }
-  rows_.clear();
+  surfaces_.clear();
   is_laid_out_ = true;
   stage_ = Stage::start;
 }
@@ -87,6 +86,7 @@ void SliceDecoder::lay_out() {
 void SliceDecoder::break_off() {
   is_whole_ = false;
   row_is_begun_ = false;
+  surface_ = 0;
 }
 
 void SliceDecoder::give_up() {
@@ -135,16 +135,16 @@ void SliceDecoder::open_slices() {
 
 bool SliceDecoder::begin_key_slice() {
   const auto slice = static_cast<uint32_t>(wire::ByteReader(packets_.payload(), 4).get(4));
-  const bool is_ahead = slice > slice_ || (slice == slice_ && rows_.rows() == 0);
+  const bool is_ahead = slice > slice_ || (slice == slice_ && surfaces_.rows().rows() == 0);
   if (slice >= Limits::max_slices || !is_ahead) return false;
-  lost_rows_ = uint64_t{slice - slice_} * header().height - rows_.rows();
+  lost_rows_ = uint64_t{slice - slice_} * header().height - surfaces_.rows().rows();
   next_slice_ = slice;
   is_whole_ = true;
   is_key_ahead_ = true;
   row_is_begun_ = false;
+  surface_ = 0;
   cut_left_ = 0;
-  kind_ = SliceKind::key;
-  model_.begin(kind_);
+  surfaces_.begin_key_slice();
   return true;
 }
 
@@ -157,7 +157,7 @@ bool SliceDecoder::can_read() const {
 
 bool SliceDecoder::is_at_cut() const {
   return cut_left_ != 0 && row_is_begun_ && row_.left() == cut_left_ &&
-         static_cast<uint32_t>(passed_rows_) == cut_row_;
+         static_cast<uint32_t>(passed_rows_ * surfaces_.count() + surface_) == cut_row_;
 }
 
 // Reads up to the end of a row, or of what is there.
@@ -167,14 +167,17 @@ void SliceDecoder::read() {
       stage_ = Stage::collect;
       return;
     }
-    const bool is_good = row_is_begun_ ? row_.step(coder_, model_) : begin_row();
+    const bool is_good = row_is_begun_ ? row_.step(coder_, surfaces_[surface_].model) : begin_row();
     if (!is_good || coder_.range.is_exhausted()) return give_up();
     if (note_ == RowNote::end) {
       stage_ = Stage::collect;
       return;
     }
     if (row_.is_done()) {
-      if (note_ == RowNote::none) row_.complete(rows_.words());
+      if (note_ == RowNote::none) row_.complete(surfaces_.rows().words());
+      row_is_begun_ = false;
+      if (++surface_ < surfaces_.count()) continue;
+      surface_ = 0;
       stage_ = Stage::hand_out;
       return;
     }
@@ -187,24 +190,26 @@ void SliceDecoder::read() {
 
 // False when no encoder told it.
 bool SliceDecoder::begin_row() {
-  note_ = RowNote::none;
-  if (coder_.bit(model_[slices::context::note], false)) {
-    const uint32_t told = coder_.number(slices::note_bits, 0);
-    if (told >= static_cast<uint32_t>(RowNote::none)) return false;
-    note_ = static_cast<RowNote>(told);
+  if (surface_ == 0) {
+    if (!read_note()) return false;
+    if (note_ == RowNote::end) return code_is_over_;
+    if (surfaces_.rows().rows() == 0 && !is_key_ahead_) surfaces_.begin_following_slice();
+    is_key_ahead_ = false;
   }
-  if (note_ == RowNote::end) return code_is_over_;
-  if (rows_.rows() == 0 && !is_key_ahead_) slices::begin_following_slice(kind_, model_);
-  is_key_ahead_ = false;
+  trace::BitRows& rows = surfaces_[surface_].rows;
+  if (note_ == RowNote::repeated) rows.repeat();
+  if (note_ == RowNote::off) rows.fill_off();
+  surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
   row_is_begun_ = true;
-  uint32_t width = 0;
-  if (note_ == RowNote::repeated)
-    rows_.repeat();
-  else if (note_ == RowNote::off)
-    rows_.fill_off();
-  else
-    width = header().width;
-  row_.begin(rows_.arriving(), slices::rows_before(rows_, header().height, kind_), width);
+  return true;
+}
+
+bool SliceDecoder::read_note() {
+  note_ = RowNote::none;
+  if (!coder_.bit(surfaces_.note(), false)) return true;
+  const uint32_t told = coder_.number(slices::note_bits, 0);
+  if (told >= static_cast<uint32_t>(RowNote::none)) return false;
+  note_ = static_cast<RowNote>(told);
   return true;
 }
 
@@ -249,21 +254,19 @@ bool SliceDecoder::report_loss() {
   packets_.report().lost_rows += lost_rows_;
   passed_rows_ += lost_rows_;
   slice_ = next_slice_;
-  rows_.clear();
+  surfaces_.clear();
   return true;
 }
 
+// The rows of all surfaces, or none: what is lost then is lost for all.
 bool SliceDecoder::hand_out() {
   const bool is_row = note_ == RowNote::none;
-  if (!offer(is_row ? RowEvent::Kind::row : RowEvent::Kind::skipped)) return false;
+  for (; surface_ < surfaces_.count(); ++surface_)
+    if (!offer(is_row ? RowEvent::Kind::row : RowEvent::Kind::skipped)) return false;
+  surface_ = 0;
   ++packets_.report().rows;
   ++passed_rows_;
-  row_is_begun_ = false;
-  rows_.next_row();
-  if (rows_.rows() == header().height) {
-    rows_.next_slice();
-    ++slice_;
-  }
+  if (surfaces_.next_row()) ++slice_;
   return true;
 }
 
@@ -273,7 +276,8 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
   event.repeated = note_ == RowNote::repeated;
   event.abandoned = report().abandoned;
   event.slice = kind == RowEvent::Kind::finish ? report().slices : slice_;
-  event.row = rows_.rows();
+  event.row = surfaces_.rows().rows();
+  event.channel = static_cast<uint8_t>(header().channel + surface_);
   event.count = lost_rows_;
   ApplicationRecord application;
   if (kind == RowEvent::Kind::start) {
@@ -282,7 +286,7 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
     application = packets_.application();
     event.application = &application;
   } else if (kind == RowEvent::Kind::row || kind == RowEvent::Kind::skipped) {
-    rows_.write_bits(bits_);
+    surfaces_[surface_].rows.write_bits(bits_);
     event.bits = bits_;
   }
   return sink_.take(sink_.context, event) == Answer::taken;

@@ -8,23 +8,25 @@
 #include <discmc/decoder.hpp>
 #include <discmc/key_slices.hpp>
 #include <discmc/slices/row_coders.hpp>
+#include <discmc/slices/surfaces.hpp>
 
 namespace discmc {
 
-/// What a SliceDecoder hands out: every row of a scan in its order, and its end. Only the members
-/// that its kind names have a meaning.
+/// What a SliceDecoder hands out: every row of a scan in its order, of each surface in turn, and
+/// its end. Only the members that its kind names have a meaning.
 struct RowEvent {
   enum class Kind : uint8_t {
     start,    ///< the first event: header
-    row,      ///< slice, row, bits
-    skipped,  ///< it never came to the encoder: slice, row, bits, which stand in for it; repeated
-    lost,     ///< so many rows were lost on the way: slice, row (of the first), count
+    row,      ///< slice, row, channel, bits
+    skipped,  ///< it never came to the encoder: as row, with bits that stand in for it; repeated
+    lost,     ///< so many rows of all were lost on the way: slice, row (of the first), count
     application,  ///< the user's own data: application
     finish,       ///< the last event: slice (how many), abandoned
   };
   Kind kind;
   bool repeated;  ///< the row before stands in, not a row that is off
   bool abandoned;
+  uint8_t channel;
   uint32_t slice;
   uint32_t row;
   uint64_t count;
@@ -52,9 +54,10 @@ RowSink row_sink_to(Receiver& receiver) {
 
 class SliceDecoder {
  public:
-  /// Begins a stream. memory: at least slice_decoder_bytes() for the size that the header will
-  /// tell, or none before it is known; Owner: the caller, as long as the decoder is used. channel:
-  /// as of the Decoder. Errors: bad_sink.
+  /// Begins a stream. memory: at least slice_decoder_bytes() for the size and the surfaces that the
+  /// header will tell, or none before it is known; Owner: the caller, as long as the decoder is
+  /// used. channel: as of the Decoder; the rows of all surfaces of its stream are handed out.
+  /// Errors: bad_sink.
   [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
 
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
@@ -87,6 +90,7 @@ class SliceDecoder {
   bool can_read() const;
   bool is_at_cut() const;
   bool begin_row();
+  bool read_note();
   bool deliver();
   bool hand_out();
   bool report_loss();
@@ -104,9 +108,9 @@ class SliceDecoder {
   bool row_is_begun_ = false;
   uint8_t rest_bytes_ = 0;
   uint8_t rest_[wire::packet_head];  // of the code, before the next packet of it
-  slices::SliceKind kind_ = slices::SliceKind::key;
+  uint8_t surface_ = 0;              // whose row is read
   slices::RowNote note_ = slices::RowNote::none;
-  uint32_t cut_row_ = 0;   // where the code is cut: in this row
+  uint32_t cut_row_ = 0;   // where the code is cut: in this row of those of all surfaces
   uint32_t cut_left_ = 0;  // before so many of its voxels; 0 where it is not
   uint32_t slice_ = 0;
   uint32_t next_slice_ = 0;   // after what is lost
@@ -114,8 +118,7 @@ class SliceDecoder {
   uint64_t passed_rows_ = 0;  // handed out or lost
   slices::RowReader coder_;
   slices::RowCode row_;
-  slices::SliceModel model_;
-  trace::BitRows rows_;
+  slices::Surfaces surfaces_;
   uint8_t* bits_ = nullptr;
 };
 

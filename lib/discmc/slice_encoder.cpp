@@ -3,27 +3,26 @@
 namespace discmc {
 
 using slices::RowNote;
-using slices::SliceKind;
 
 Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                            const ByteOutput& output) {
   const Limits limits{header.width, header.height, header.border};
   if (!limits.is_valid()) return Status::bad_limits;
-  if (header.channel > StreamLabel::max_channel) return Status::bad_label;
+  if (!header.is_valid()) return Status::bad_label;
   if (output.write == nullptr) return Status::bad_sink;
-  if (memory.data == nullptr || memory.bytes < slice_encoder_bytes(limits, key_slices))
+  if (memory.data == nullptr ||
+      memory.bytes < slice_encoder_bytes(limits, key_slices, header.surfaces))
     return Status::too_little_memory;
   Arena arena(memory);
-  rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every()));
-  rows_.clear();
+  surfaces_.start(arena, header, slices::rows_kept(limits.height, key_slices.is_every()));
+  surfaces_.clear();
   packets_.open(output);
   packets_.start(header, wire::HeaderFlags::slices);
-  limits_ = limits;
-  threshold_ = header.threshold;
   key_slices_ = key_slices;
   state_ = State::scanning;
   row_is_due_ = false;
   row_is_begun_ = false;
+  surface_ = 0;
   code_is_open_ = false;
   key_is_due_ = false;
   is_abandoned_ = false;
@@ -46,12 +45,14 @@ template <class Sample>
 PushResult SliceEncoder::push(const Sample* samples, uint32_t count, uint32_t stride) {
   PushResult result{ready_for_row(), 0};
   while (result.status == Status::ok && result.samples < count) {
-    const uint32_t room = limits_.width - rows_.column();
+    const uint32_t room = packets_.header().width - column();
     const uint32_t left = count - result.samples;
     const uint32_t taken = left < room ? left : room;
-    rows_.append(samples + size_t{result.samples} * stride, taken, stride, threshold_);
+    const Sample* const next = samples + size_t{result.samples} * stride;
+    for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
+      surfaces_[surface].rows.append(next, taken, stride, packets_.header().threshold_of(surface));
     result.samples += taken;
-    if (!rows_.row_is_complete()) break;
+    if (!surfaces_.rows().row_is_complete()) break;
     note_ = RowNote::none;
     row_is_due_ = true;
     result.status = result.samples == count ? resume() : ready_for_row();
@@ -66,20 +67,25 @@ template PushResult SliceEncoder::push(const int16_t*, uint32_t, uint32_t);
 PushResult SliceEncoder::push_bits(const uint8_t* bits) {
   const Status status = ready_for_row();
   if (status != Status::ok) return {status, 0};
-  if (rows_.column() != 0) return {Status::row_in_progress, 0};
-  rows_.append_bits(bits);
+  if (column() != 0) return {Status::row_in_progress, 0};
+  for (slices::Surface& surface : surfaces_) {
+    surface.rows.append_bits(bits);
+    bits += (packets_.header().width + 7) / 8;
+  }
   return take_row(RowNote::none);
 }
 
 PushResult SliceEncoder::skip_row(Substitute substitute) {
   const Status status = ready_for_row();
   if (status != Status::ok) return {status, 0};
-  if (rows_.column() != 0) return {Status::row_in_progress, 0};
+  if (column() != 0) return {Status::row_in_progress, 0};
   const bool is_repeated = substitute == Substitute::previous_row;
-  if (is_repeated)
-    rows_.repeat();
-  else
-    rows_.fill_off();
+  for (slices::Surface& surface : surfaces_) {
+    if (is_repeated)
+      surface.rows.repeat();
+    else
+      surface.rows.fill_off();
+  }
   ++skipped_rows_;
   return take_row(is_repeated ? RowNote::repeated : RowNote::off);
 }
@@ -87,7 +93,7 @@ PushResult SliceEncoder::skip_row(Substitute substitute) {
 PushResult SliceEncoder::take_row(RowNote note) {
   note_ = note;
   row_is_due_ = true;
-  return {resume(), limits_.width};
+  return {resume(), packets_.header().width};
 }
 
 Status SliceEncoder::resume() {
@@ -124,7 +130,7 @@ void SliceEncoder::set_output(const ByteOutput& output) {
 Status SliceEncoder::finish() {
   if (state_ == State::scanning) {
     if (!work()) return Status::more;
-    if (rows() != 0 || rows_.column() != 0) return Status::slice_in_progress;
+    if (rows() != 0 || column() != 0) return Status::slice_in_progress;
     state_ = State::finishing;
   }
   return resume();
@@ -154,43 +160,49 @@ bool SliceEncoder::work() {
 }
 
 bool SliceEncoder::tell_row() {
-  if (!row_is_begun_ && !begin_row()) return false;
-  while (!row_.is_done()) {
-    if (!make_room()) return false;
-    row_.step(coder_, model_);
+  for (; surface_ < surfaces_.count(); ++surface_) {
+    if (!row_is_begun_ && !begin_row()) return false;
+    while (!row_.is_done()) {
+      if (!make_room()) return false;
+      row_.step(coder_, surfaces_[surface_].model);
+    }
+    row_is_begun_ = false;
   }
-  row_is_begun_ = false;
+  surface_ = 0;
   row_is_due_ = false;
   ++told_rows_;
-  rows_.next_row();
-  if (rows_.rows() == limits_.height) rows_.next_slice();
+  surfaces_.next_row();
+  return true;
+}
+
+bool SliceEncoder::begin_row() {
+  if (surface_ == 0 && !tell_what_precedes()) return false;
+  surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? packets_.header().width : 0);
+  row_is_begun_ = true;
   return true;
 }
 
 // Tells what comes before the voxels of a row; one that never came has none.
-bool SliceEncoder::begin_row() {
+bool SliceEncoder::tell_what_precedes() {
   const bool begins_key_slice = is_at_key_slice();
   if (begins_key_slice) {
     if (code_is_open_ && !end_code()) return false;
-    kind_ = SliceKind::key;
-    model_.begin(kind_);
+    surfaces_.begin_key_slice();
   }
   if (!make_room()) return false;
   tell_note(note_);
-  if (rows() == 0 && !begins_key_slice) slices::begin_following_slice(kind_, model_);
-  const auto before = slices::rows_before(rows_, limits_.height, kind_);
-  row_.begin(rows_.arriving(), before, note_ == RowNote::none ? limits_.width : 0);
-  row_is_begun_ = true;
+  if (rows() == 0 && !begins_key_slice) surfaces_.begin_following_slice();
   if (begins_key_slice) key_is_due_ = false;
   return true;
 }
 
+// Limit: between two rows.
 bool SliceEncoder::is_at_key_slice() const {
   return rows() == 0 && (key_is_due_ || key_slices_.is_key(slices()));
 }
 
 void SliceEncoder::tell_note(RowNote note) {
-  coder_.bit(model_[slices::context::note], note != RowNote::none);
+  coder_.bit(surfaces_.note(), note != RowNote::none);
   if (note != RowNote::none) coder_.number(slices::note_bits, static_cast<uint32_t>(note));
 }
 
@@ -244,7 +256,8 @@ bool SliceEncoder::close_code(uint8_t bits) {
   packet_bits_ = static_cast<uint8_t>(packet_bits_ | wire::SliceBits::last | bits);
   uint8_t* end = code_end(coder_.range.finish());
   if (bits == wire::SliceBits::cut) {
-    end = wire::put(end, static_cast<uint32_t>(told_rows_), 4);
+    const uint64_t rows_of_all = told_rows_ * surfaces_.count() + surface_;
+    end = wire::put(end, static_cast<uint32_t>(rows_of_all), 4);
     end = wire::put(end, row_.left(), 2);
   }
   seal(end);

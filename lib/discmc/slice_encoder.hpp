@@ -16,15 +16,18 @@
 #include <discmc/key_slices.hpp>
 #include <discmc/row_input.hpp>
 #include <discmc/slices/row_coders.hpp>
+#include <discmc/slices/surfaces.hpp>
 #include <discmc/stream/packet_writer.hpp>
 
 namespace discmc {
 
 class SliceEncoder {
  public:
-  /// Begins a scan and its stream; the header is the first packet, and its threshold that of the
-  /// samples. memory: at least slice_encoder_bytes(); Owner: the caller, for as long as the scan
-  /// lasts. Errors: bad_limits, bad_label, bad_sink (no write), too_little_memory.
+  /// Begins a scan and its stream; the header is the first packet, and its thresholds those of the
+  /// samples. Where it has several surfaces each gets all samples; bits of the further ones are
+  /// told by those of the first, so let that be the one that the others are like. memory: at least
+  /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. Errors: bad_limits,
+  /// bad_label, bad_sink (no write), too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                              const ByteOutput& output);
 
@@ -37,9 +40,9 @@ class SliceEncoder {
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1);
 
-  /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0.
-  /// Errors: as push(), row_in_progress. PushResult::samples is the width when the row was taken,
-  /// else 0.
+  /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0; of
+  /// several surfaces one row behind the other, each of which begins with a byte. Errors: as
+  /// push(), row_in_progress. PushResult::samples is the width when the row was taken, else 0.
   PushResult push_bits(const uint8_t* bits);
 
   /// Stands in for a row that never came; the stream says so. Result and errors: as push_bits().
@@ -71,17 +74,19 @@ class SliceEncoder {
   /// The bytes that the output has taken so far.
   uint64_t bytes() const { return packets_.bytes(); }
   /// Complete slices so far, and complete rows of the current one.
-  uint32_t slices() const { return rows_.slices(); }
-  uint32_t rows() const { return rows_.rows(); }
+  uint32_t slices() const { return surfaces_.rows().slices(); }
+  uint32_t rows() const { return surfaces_.rows().rows(); }
 
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
   Status ready_for_row();
+  uint32_t column() const { return surfaces_.rows().column(); }
   PushResult take_row(slices::RowNote note);
   bool work();
   bool tell_row();
   bool begin_row();
+  bool tell_what_precedes();
   bool is_at_key_slice() const;
   void tell_note(slices::RowNote note);
   bool make_room();
@@ -100,16 +105,13 @@ class SliceEncoder {
   bool key_is_due_ = false;  // whatever key_slices_ says
   bool is_abandoned_ = false;
   uint8_t packet_bits_ = 0;  // of the packet: see wire::SliceBits
-  slices::SliceKind kind_ = slices::SliceKind::key;
-  int32_t threshold_ = 0;
+  uint8_t surface_ = 0;      // whose row is told
   KeySlices key_slices_;
-  Limits limits_{};
   uint64_t told_rows_ = 0;
   uint64_t skipped_rows_ = 0;
   slices::RowWriter coder_;
   slices::RowCode row_;
-  slices::SliceModel model_;
-  trace::BitRows rows_;
+  slices::Surfaces surfaces_;
   PacketWriter packets_;
 };
 

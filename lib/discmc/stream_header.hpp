@@ -29,11 +29,20 @@ struct StreamHeader {
   int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown
   int32_t threshold = 0;              ///< a voxel is on where its sample is >= threshold
   Border border = Border::closed;
-  uint8_t channel = 0;
+  uint8_t channel = 0;  ///< of the first surface, where a stream of slices has several
   uint16_t scan = 0;
 
+  static constexpr uint8_t max_surfaces = 4;
+  uint8_t surfaces = 1;  ///< in this stream, on a channel each; more than one in slices alone
+  /// Of the second surface on.
+  int32_t further_thresholds[max_surfaces - 1] = {0, 0, 0};
+
+  constexpr int32_t threshold_of(uint32_t surface) const {
+    return surface == 0 ? threshold : further_thresholds[surface - 1];
+  }
   constexpr bool is_valid() const {
-    return Limits{width, height, border}.is_valid() && channel <= StreamLabel::max_channel;
+    return Limits{width, height, border}.is_valid() && surfaces >= 1 && surfaces <= max_surfaces &&
+           channel + surfaces - 1 <= StreamLabel::max_channel;
   }
   constexpr bool has_spacing() const {
     return spacing_nm[0] != 0 || spacing_nm[1] != 0 || spacing_nm[2] != 0;

@@ -5,6 +5,7 @@ namespace discmc {
 Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
+  channel_ = channel;
   memory_ = memory;
   is_known_ = false;
   is_of_slices_ = false;
@@ -44,7 +45,7 @@ Decoded SurfaceDecoder::push_to_both(const uint8_t* byte) {
 // The memory holds the rows of the slice decoder first, and behind them what the sweep needs.
 Status SurfaceDecoder::begin_sweep() {
   const Limits limits{header().width, header().height, header().border};
-  const uint64_t of_rows = slice_decoder_bytes(limits);
+  const uint64_t of_rows = slice_decoder_bytes(limits, header().surfaces);
   if (memory_.data == nullptr || memory_.bytes < of_rows) return Status::too_little_memory;
   const auto bytes = static_cast<size_t>(of_rows);
   const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};
@@ -73,6 +74,9 @@ Status SurfaceDecoder::finish() {
 // ---- rows ----
 
 Answer SurfaceDecoder::take(const RowEvent& event) {
+  const uint8_t wanted = channel_ == any_channel ? header().channel : channel_;
+  const bool is_row = event.kind == RowEvent::Kind::row || event.kind == RowEvent::Kind::skipped;
+  if (is_row && event.channel != wanted) return Answer::taken;
   Event same{};
   switch (event.kind) {
     case RowEvent::Kind::start:

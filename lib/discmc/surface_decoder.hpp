@@ -11,9 +11,9 @@
 
 namespace discmc {
 
-/// The least memory for streams of bits whose slices have this size. Limit: valid limits.
-constexpr uint64_t minimum_surface_bytes(const Limits& limits) {
-  return slice_decoder_bytes(limits) + minimum_bytes<uint32_t>(limits);
+/// The least memory for streams of bits of this size, with so many surfaces. Limit: valid limits.
+constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces = 1) {
+  return slice_decoder_bytes(limits, surfaces) + minimum_bytes<uint32_t>(limits);
 }
 
 class SurfaceDecoder {
@@ -21,7 +21,7 @@ class SurfaceDecoder {
   /// Begins a stream. memory: none for streams of regions, or before it is known; at least
   /// minimum_surface_bytes() for the size that the header of a stream of bits will tell, and more
   /// for fewer loose fragments; Owner: the caller, as long as the decoder is used. channel: as of
-  /// the Decoder. Errors: bad_sink.
+  /// the Decoder; of several surfaces of one stream that one, or the first. Errors: bad_sink.
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
   /// As Decoder::push(). Errors: also too_little_memory, as of SliceDecoder::push().
@@ -47,6 +47,7 @@ class SurfaceDecoder {
   Answer end(bool is_abandoned);
 
   Sink sink_;
+  uint8_t channel_ = any_channel;
   Memory memory_;
   Decoder regions_;
   SliceDecoder slices_;

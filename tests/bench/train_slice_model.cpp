@@ -17,7 +17,7 @@ namespace {
 using discmc::RowEvent;
 namespace slices = discmc::slices;
 
-using Counts = std::array<std::array<double, 2>, slices::context::note>;
+using Counts = std::array<std::array<double, 2>, slices::context::count>;
 
 // A model that counts: its probabilities stand for their contexts.
 struct CountingCoder {
@@ -38,6 +38,7 @@ class Trainer {
     discmc::Arena arena({memory_.data(), memory_.size()});
     rows_.start(arena, limits, slices::rows_kept(limits.height, false));
     rows_.clear();
+    model_.start(arena, false);
   }
 
   void take(const uint8_t* bits) {
@@ -90,7 +91,8 @@ bool read_stream(const char* path, RowCollector& collector, discmc::Limits& limi
 
 void print(const char* name, const Counts& shares) {
   std::printf("    {  // %s\n", name);
-  for (const auto& share : shares) {
+  for (size_t context = slices::context::run; context < shares.size(); ++context) {
+    const auto& share = shares[context];
     const double one = (share[1] + 1) / (share[0] + share[1] + 2);
     std::printf("%d, ", std::clamp(static_cast<int>(std::floor(256 * one)), 0, 255));
   }

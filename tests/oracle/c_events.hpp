@@ -14,10 +14,17 @@ inline Statistics from_c(const discmc_statistics& s) {
 }
 
 inline StreamHeader from_c(const discmc_stream_header& header) {
-  return {header.width,     header.height,
-          header.depth,     {header.spacing_nm[0], header.spacing_nm[1], header.spacing_nm[2]},
-          header.threshold, static_cast<Border>(header.border),
-          header.channel,   header.scan};
+  return {
+      header.width,
+      header.height,
+      header.depth,
+      {header.spacing_nm[0], header.spacing_nm[1], header.spacing_nm[2]},
+      header.threshold,
+      static_cast<Border>(header.border),
+      header.channel,
+      header.scan,
+      header.surfaces,
+      {header.further_thresholds[0], header.further_thresholds[1], header.further_thresholds[2]}};
 }
 
 inline RecordedEvent from_c(const discmc_event& event) {

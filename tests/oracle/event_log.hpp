@@ -30,7 +30,7 @@ void for_each_number(const Event& event, Add add) {
     case Event::Kind::start:
       add_all(event.header->width, event.header->height, event.header->depth,
               event.header->threshold, event.header->border, event.header->scan,
-              event.header->channel);
+              event.header->channel, event.header->surfaces);
       for (const int32_t spacing : event.header->spacing_nm) add_all(spacing);
       return;
     case Event::Kind::application:
@@ -92,9 +92,9 @@ class RecordedEvent {
   bool operator!=(const RecordedEvent& other) const { return !(*this == other); }
 
  private:
-  // Zeros behind the last. A finish event has the most.
-  std::array<uint64_t, 11> numbers() const {
-    std::array<uint64_t, 11> all{};
+  // Zeros behind the last. A start has the most.
+  std::array<uint64_t, 13> numbers() const {
+    std::array<uint64_t, 13> all{};
     size_t count = 0;
     for_each_number(event(), [&](uint64_t number) { all.at(count++) = number; });
     return all;

@@ -113,8 +113,8 @@ Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
 /// Decodes so many bytes at a time (0: all at once). Limit: the slices are as large as `size` says,
 /// or the status will tell that they are larger.
 inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& size, size_t chunk = 0,
-                                  bool refuses = false) {
-  reference::Block block(slice_decoder_bytes({size.width, size.height}));
+                                  bool refuses = false, uint32_t surfaces = 1) {
+  reference::Block block(slice_decoder_bytes({size.width, size.height}, surfaces));
   RowLog log(refuses);
   log.set_width(size.width);
   SliceDecoder decoder;

@@ -25,7 +25,7 @@ struct Packet {
 inline Bytes frame_of(const Packet& packet) {
   Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.regions),
               static_cast<uint8_t>(packet.regions >> 8)};
-  frame.insert(frame.end(), packet.payload.begin(), packet.payload.end());
+  for (const uint8_t byte : packet.payload) frame.push_back(byte);
   const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
   for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
   const size_t plain = frame.size() - 1;

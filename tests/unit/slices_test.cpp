@@ -1,6 +1,8 @@
 // Streams of bits: every volume comes through, whatever the portions, the line and the receiver.
 #include <doctest/doctest.h>
 
+#include <discmc/surface_decoder.hpp>
+
 #include "oracle/slice_stream.hpp"
 
 using namespace discmc;
@@ -53,6 +55,9 @@ void tell_key_slice(Coder& coder, BitVolume& volume) {
   rows.start(arena, limits, slices::rows_kept(limits.height, false));
   rows.clear();
   slices::SliceModel model;
+  Bytes probabilities(slices::SliceModel::bytes_for(false) + Arena::alignment);
+  Arena of_model({probabilities.data(), probabilities.size()});
+  model.start(of_model, false);
   model.begin(slices::SliceKind::key);
   for (uint32_t y = 0; y < volume.height; ++y) {
     Bytes bits((volume.width + 7) / 8);
@@ -319,9 +324,9 @@ TEST_CASE("what the decoder cannot do it refuses, and says why") {
 }
 
 TEST_CASE("where every slice is a key slice four rows of bits are all that is kept") {
-  CHECK(slice_encoder_bytes({256, 256}, {1}) == 5 * 9 * 4 + 3);
-  CHECK(slice_encoder_bytes({256, 256}, {2}) == 259 * 9 * 4 + 3);
-  CHECK(slice_encoder_bytes({256, 1}, {0}) == 5 * 9 * 4 + 3);
+  CHECK(slice_encoder_bytes({256, 256}, {1}) == 5 * 9 * 4 + 548 + 3);
+  CHECK(slice_encoder_bytes({256, 256}, {2}) == 259 * 9 * 4 + 548 + 3);
+  CHECK(slice_encoder_bytes({256, 1}, {0}) == 5 * 9 * 4 + 548 + 3);
 }
 
 TEST_CASE("streams of bits are as short as the page of the stream says") {
@@ -333,4 +338,160 @@ TEST_CASE("streams of bits are as short as the page of the stream says") {
   CHECK(bytes(round, 16) == 1370);
   CHECK(bytes(BitVolume({256, 256, 100}), 0) < 170);
   CHECK(bytes(reference::random({64, 64, 64}, 128, 1), 0) < 35900);
+}
+
+// ---- several surfaces ----
+
+namespace {
+
+// Samples of a volume with an inside: the further in, the higher.
+Bytes onion(const reference::Size& size) {
+  Bytes samples;
+  test::Chance chance(3);
+  for (uint32_t z = 0; z < size.depth; ++z)
+    for (uint32_t y = 0; y < size.height; ++y)
+      for (uint32_t x = 0; x < size.width; ++x) {
+        const auto from = [](uint32_t at, uint32_t extent) {
+          const auto way = static_cast<int32_t>(2 * at + 1) - static_cast<int32_t>(extent);
+          return way * way;
+        };
+        const int32_t far = from(x, size.width) + from(y, size.height) + from(z, size.depth);
+        samples.push_back(static_cast<uint8_t>(std::max(0, 200 - far / 8) +
+                                               static_cast<int32_t>(chance.below(9))));
+      }
+  return samples;
+}
+
+StreamHeader header_of_surfaces(const reference::Size& size,
+                                const std::vector<int32_t>& thresholds) {
+  StreamHeader header;
+  header.width = size.width;
+  header.height = size.height;
+  header.depth = size.depth;
+  header.channel = 5;
+  header.surfaces = static_cast<uint8_t>(thresholds.size());
+  header.threshold = thresholds[0];
+  std::copy(thresholds.begin() + 1, thresholds.end(), header.further_thresholds);
+  return header;
+}
+
+// Every fifth row is skipped where `skips`.
+Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, KeySlices key_slices,
+                      bool skips = false, size_t bytes_a_time = 0) {
+  Line line(bytes_a_time);
+  const Limits limits{header.width, header.height};
+  reference::Block block(slice_encoder_bytes(limits, key_slices, header.surfaces));
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
+  for (uint32_t row = 0; row < header.height * header.depth; ++row) {
+    const uint8_t* const first = &samples[size_t{row} * header.width];
+    for (uint32_t told = 0; told < header.width;)
+      told += skips && row % 5 == 2 ? encoder.skip_row(Substitute::previous_row).samples
+                                    : encoder.push(first + told, header.width - told).samples;
+  }
+  until_done([&] { return encoder.finish(); });
+  CHECK(block.is_intact());
+  return line.bytes;
+}
+
+}  // namespace
+
+TEST_CASE("several surfaces come through one stream, each as it would alone") {
+  const reference::Size size{41, 17, 6};
+  const Bytes samples = onion(size);
+  for (const std::vector<int32_t>& thresholds :
+       {std::vector<int32_t>{120}, {100, 140}, {140, 100}, {100, 101, 160, 250}, {0, 300, 90}})
+    for (const uint32_t interval : {0U, 1U, 2U})
+      for (const bool skips : {false, true}) {
+        CAPTURE(thresholds.size());
+        CAPTURE(interval);
+        const StreamHeader header = header_of_surfaces(size, thresholds);
+        const Bytes stream =
+            encode_surfaces(header, samples, {interval}, skips, interval == 1 ? 3 : 0);
+        const ReceivedRows received =
+            decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surfaces);
+        REQUIRE(received.report.is_complete());
+        CHECK(received.report.rows == size.height * size.depth);
+        std::vector<Bytes> rows(thresholds.size());
+        for (const RecordedRow& row : received.rows)
+          if (!row.bits.empty()) {
+            Bytes& all = rows.at(row.event.channel - 5U);
+            all.insert(all.end(), row.bits.begin(), row.bits.end());
+          }
+        for (size_t surface = 0; surface < thresholds.size(); ++surface) {
+          const StreamHeader one = header_of_surfaces(size, {thresholds[surface]});
+          const ReceivedRows alone = decode_slices(encode_surfaces(one, samples, {}, skips), size);
+          Bytes expected;
+          for (const RecordedRow& row : alone.rows)
+            expected.insert(expected.end(), row.bits.begin(), row.bits.end());
+          CHECK(rows[surface] == expected);
+        }
+      }
+}
+
+TEST_CASE("rows of bits are those of all surfaces, one behind the other") {
+  const StreamHeader header = header_of_surfaces({10, 1, 1}, {1, 1, 1});
+  Line line;
+  reference::Block block(slice_encoder_bytes({10, 1}, {}, 3));
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  const uint8_t bits[] = {0x81, 1, 0xFF, 3, 0, 2};
+  CHECK(encoder.push_bits(bits).samples == 10);
+  reference::require_ok(encoder.finish());
+  const ReceivedRows received = decode_slices(line.bytes, {10, 1, 1}, 0, false, 3);
+  REQUIRE(received.rows.size() == 4);
+  CHECK(received.rows[0].bits == Bytes{1, 0, 0, 0, 0, 0, 0, 1, 1, 0});
+  CHECK(received.rows[1].bits == Bytes(10, 1));
+  CHECK(received.rows[2].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+}
+
+TEST_CASE("surfaces with thresholds close to each other take less together than alone") {
+  const reference::Size size{64, 64, 20};
+  const Bytes samples = onion(size);
+  const auto bytes = [&](const std::vector<int32_t>& thresholds) {
+    return encode_surfaces(header_of_surfaces(size, thresholds), samples, {}).size();
+  };
+  CHECK(bytes({120, 123}) * 10 < (bytes({120}) + bytes({123})) * 9);
+  CHECK(bytes({60, 160}) * 100 < (bytes({60}) + bytes({160})) * 102);
+}
+
+TEST_CASE("a stream holds one to four surfaces, on channels up to 63") {
+  Line line;
+  Bytes memory(100000);
+  const Memory all{memory.data(), memory.size()};
+  SliceEncoder encoder;
+  StreamHeader header = header_of_surfaces({9, 9, 0}, {1, 2, 3, 4});
+  header.channel = 60;
+  CHECK(encoder.start(header, {}, all, line.output()) == Status::ok);
+  header.channel = 61;
+  CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
+  header.channel = 0;
+  for (const uint8_t surfaces : {uint8_t{0}, uint8_t{5}}) {
+    header.surfaces = surfaces;
+    CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
+  }
+}
+
+TEST_CASE("a surface decoder takes the surface of its channel out of several") {
+  const reference::Size size{30, 20, 10};
+  const Bytes samples = onion(size);
+  const std::vector<int32_t> thresholds{90, 110, 170};
+  const Bytes stream = encode_surfaces(header_of_surfaces(size, thresholds), samples, {4});
+  for (uint8_t surface = 0; surface < 3; ++surface) {
+    reference::BitVolume volume(size);
+    for (size_t i = 0; i < samples.size(); ++i)
+      volume.on[i] = samples[i] >= thresholds[surface] ? 1 : 0;
+    reference::EventLog log;
+    Bytes memory(minimum_surface_bytes({size.width, size.height}, 3) + 100000);
+    SurfaceDecoder decoder;
+    reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log),
+                                        static_cast<uint8_t>(5 + surface)));
+    reference::require_ok(decoder.push(stream.data(), stream.size()).status);
+    reference::require_ok(decoder.finish());
+    CHECK(decoder.report().is_complete());
+    CHECK(log.events == events_of(volume));
+    REQUIRE(log.starts.size() == 1);
+    CHECK(log.starts[0].surfaces == 3);
+    CHECK(log.starts[0].threshold_of(surface) == thresholds[surface]);
+  }
 }

@@ -14,17 +14,20 @@ struct RowsBefore {
   const uint32_t* next;   ///< 3, 4 and 5
   const uint32_t* third;  ///< 6
   const uint32_t* last;   ///< 7
+  const uint32_t* first;  ///< 8: this row of the first surface, or null where that is told
 };
 
-/// Those of the row that arrives.
-inline RowsBefore rows_before(const trace::BitRows& rows, uint32_t height, SliceKind kind) {
+/// Those of the row that arrives. first: as in RowsBefore.
+inline RowsBefore rows_before(const trace::BitRows& rows, uint32_t height, SliceKind kind,
+                              const uint32_t* first = nullptr) {
   const auto row = [&rows](bool is_there, uint32_t back) {
     return is_there ? rows.row(back) : rows.off();
   };
   const uint32_t y = rows.rows();
-  if (kind == SliceKind::key) return {row(y >= 1, 1), row(y >= 2, 2), row(y >= 3, 3), row(y >= 1, 1)};
+  if (kind == SliceKind::key)
+    return {row(y >= 1, 1), row(y >= 2, 2), row(y >= 3, 3), row(y >= 1, 1), first};
   return {row(y >= 1, 1), rows.row(height), row(y + 1 < height, height - 1),
-          row(y >= 1, height + 1)};
+          row(y >= 1, height + 1), first};
 }
 /// The rows that have to be kept for that, the one that arrives among them.
 constexpr uint32_t rows_kept(uint32_t height, bool all_are_key) {
@@ -65,7 +68,7 @@ class RowCode {
   template <class Coder>
   bool step(Coder& coder, SliceModel& model) {
     const uint32_t neighbours = differing_neighbours();
-    const uint32_t level = neighbours == 0 ? level_voxels() : 0;
+    const uint32_t level = neighbours % context::voxels == 0 ? level_voxels() : 0;
     if (level < 2) {
       go_on(coder.bit(model[context::voxel + neighbours], differs()));
       return true;
@@ -100,10 +103,13 @@ class RowCode {
     const uint32_t next = before_.next[word_] >> (bit_ - 1) & 7;
     const uint32_t third = before_.third[word_] >> bit_ & 1;
     const uint32_t last = before_.last[word_] >> bit_ & 1;
-    return (near | next << 3 | third << 6 | last << 7) ^ (as_before_ & 0xFF);
+    const uint32_t differing = (near | next << 3 | third << 6 | last << 7) ^ (as_before_ & 0xFF);
+    if (before_.first == nullptr) return differing;
+    return differing | ((before_.first[word_] ^ as_before_) >> bit_ & 1) << 8;
   }
 
-  // The voxels from here on, as far as all their neighbours are as the voxel before.
+  // The voxels from here on, as far as all their neighbours but the first surface's are as the
+  // voxel before.
   uint32_t level_voxels() const {
     return voxels_before(left_, [this](uint32_t word) {
       const uint32_t beside = (before_.near[word] ^ as_before_) | (before_.next[word] ^ as_before_);

@@ -94,7 +94,9 @@ ApplicationRecord PacketReader::application() const {
 // The first packet of the channel says which scan it is.
 bool PacketReader::is_ours(uint32_t tag) {
   if (!has_tag_) {
-    if (channel_ != any_channel && channel_ != tag >> 16) return false;
+    const uint32_t first = wire::channel_in(tag);
+    const bool holds_channel = channel_ >= first && channel_ < first + wire::surfaces_in(tag);
+    if (channel_ != any_channel && !holds_channel) return false;
     tag_ = tag;
     has_tag_ = true;
   }
@@ -158,15 +160,17 @@ bool PacketReader::read_header() {
   header.border = (flags & wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
   const uint64_t packets_before = reader.get(4);
   const uint64_t pieces_before = reader.get(8);
-  const Limits limits{header.width, header.height, header.border};
-  if (!is_ours || payload_bytes_ < wire::header_payload || !limits.is_valid()) {
+  header.scan = static_cast<uint16_t>(tag_);
+  header.channel = wire::channel_in(tag_);
+  header.surfaces = wire::surfaces_in(tag_);
+  for (int32_t& threshold : header.further_thresholds)
+    threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  if (!is_ours || payload_bytes_ < wire::header_payload || !header.is_valid()) {
     damage();
     return false;
   }
   if (!report_.has_header) {
     header_ = header;
-    header_.scan = static_cast<uint16_t>(tag_);
-    header_.channel = static_cast<uint8_t>(tag_ >> 16);
     report_.holds_slices = (flags & wire::HeaderFlags::slices) != 0;
   }
   report_.has_header = true;

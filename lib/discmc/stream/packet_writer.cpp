@@ -28,7 +28,7 @@ void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
   const uint32_t passed =
       wire::is_of_slices(number) ? packets_ << 8 : (packets_ & 0xFF) << 8 | pieces_before_ << 16;
   wire::put(packet, number | passed, wire::packet_head);
-  end = wire::put(end, header_.scan | uint32_t{header_.channel} << 16, wire::packet_tag);
+  end = wire::put(end, wire::tag_of(header_), wire::packet_tag);
   const uint32_t crc = crc32(packet, static_cast<size_t>(end - packet));
   end = wire::put(end, crc, wire::packet_crc);
   frame_bytes_ = static_cast<uint16_t>(cobs::stuff(frame_, static_cast<size_t>(end - packet)));
@@ -50,7 +50,10 @@ void PacketWriter::seal_header() {
   place = wire::put(place, static_cast<uint32_t>(header_.threshold), 4);
   place = wire::put(place, flags_, 1);
   place = wire::put(place, packets_, 4);
-  seal(wire::PacketKind::header, wire::put_long(place, pieces_));
+  place = wire::put_long(place, pieces_);
+  for (uint32_t surface = 1; surface < header_.surfaces; ++surface)
+    place = wire::put(place, static_cast<uint32_t>(header_.threshold_of(surface)), 4);
+  seal(wire::PacketKind::header, place);
   packets_since_header_ = 0;
 }
 

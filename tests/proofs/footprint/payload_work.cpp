@@ -110,8 +110,9 @@ struct NoCoder {
 // The voxels and runs that are told of a volume.
 template <class Rows>
 static uint32_t steps(const Volume& volume, Rows samples) {
-  static slices::SliceModel model;
+  slices::SliceModel model;
   Arena arena(memory_of(memory));
+  model.start(arena, false);
   trace::BitRows rows;
   rows.start(arena, volume.limits, slices::rows_kept(volume.limits.height, false));
   rows.clear();

@@ -1,0 +1,80 @@
+// The surfaces of one stream of slices: the rows of each, and what is learnt of them.
+#ifndef DISCMC_SLICES_SURFACES_HPP
+#define DISCMC_SLICES_SURFACES_HPP
+
+#include <discmc/slices/row_code.hpp>
+#include <discmc/stream_header.hpp>
+
+namespace discmc::slices {
+
+struct Surface {
+  trace::BitRows rows;
+  SliceModel model;
+};
+
+class Surfaces {
+ public:
+  /// Takes rows and probabilities from the arena; clear() writes to them. Limit: a valid header.
+  void start(Arena& arena, const StreamHeader& header, uint32_t rows) {
+    const Limits limits{header.width, header.height, header.border};
+    count_ = header.surfaces;
+    height_ = header.height;
+    for (Surface& surface : *this) {
+      surface.rows.start(arena, limits, rows);
+      surface.model.start(arena, &surface != begin());
+    }
+  }
+  void clear() {
+    for (Surface& surface : *this) surface.rows.clear();
+  }
+
+  Surface* begin() { return of_; }
+  Surface* end() { return of_ + count_; }
+  uint32_t count() const { return count_; }
+  Surface& operator[](uint32_t surface) { return of_[surface]; }
+
+  /// The rows of all arrive together.
+  const trace::BitRows& rows() const { return of_[0].rows; }
+  LearntProbability& note() { return of_[0].model[context::note]; }
+
+  /// A key slice begins.
+  void begin_key_slice() {
+    kind_ = SliceKind::key;
+    begin_models();
+  }
+  /// A slice that is told by the one before begins, behind its first note. Nothing is learnt for it
+  /// from a key slice.
+  void begin_following_slice() {
+    if (kind_ == SliceKind::follows) return;
+    kind_ = SliceKind::follows;
+    begin_models();
+  }
+
+  /// Begins the row that arrives, of one surface. width: 0 where it never came.
+  void begin_row(RowCode& row, uint32_t surface, uint32_t width) {
+    const uint32_t* const first = surface > 0 ? rows().row(0) : nullptr;
+    trace::BitRows& rows = of_[surface].rows;
+    row.begin(rows.arriving(), rows_before(rows, height_, kind_, first), width);
+  }
+  /// The row that arrives is complete, of all of them. True when the slice is, too.
+  bool next_row() {
+    for (Surface& surface : *this) surface.rows.next_row();
+    if (rows().rows() < height_) return false;
+    for (Surface& surface : *this) surface.rows.next_slice();
+    return true;
+  }
+
+ private:
+  void begin_models() {
+    for (Surface& surface : *this) surface.model.begin(kind_);
+  }
+
+  Surface of_[StreamHeader::max_surfaces];
+  uint32_t count_ = 0;
+  uint32_t height_ = 0;
+  SliceKind kind_ = SliceKind::key;
+};
+
+}  // namespace discmc::slices
+
+#endif
