@@ -30,7 +30,7 @@ static_assert(sizeof(StreamHeader) == sizeof(discmc_stream_header) && DISCMC_SAM
                   DISCMC_SAME_PLACE(height) && DISCMC_SAME_PLACE(depth) &&
                   DISCMC_SAME_PLACE(spacing_nm) && DISCMC_SAME_PLACE(threshold) &&
                   DISCMC_SAME_PLACE(border) && DISCMC_SAME_PLACE(channel) &&
-                  DISCMC_SAME_PLACE(scan) && DISCMC_SAME_PLACE(surfaces) &&
+                  DISCMC_SAME_PLACE(scan) && DISCMC_SAME_PLACE(further_surfaces) &&
                   DISCMC_SAME_PLACE(further_thresholds),
               "so have headers");
 #undef DISCMC_SAME_PLACE

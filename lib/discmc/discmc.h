@@ -164,7 +164,7 @@ typedef struct discmc_stream_header {
   uint8_t border;        /* DISCMC_CLOSED or DISCMC_OPEN */
   uint8_t channel;       /* of the first surface, where a stream of slices has several */
   uint16_t scan;
-  uint8_t surfaces;      /* in this stream, on a channel each; Limit: 1 to DISCMC_MAX_SURFACES */
+  uint8_t further_surfaces; /* in this stream, on the next channels; below DISCMC_MAX_SURFACES */
   int32_t further_thresholds[3]; /* of the second surface on */
 } discmc_stream_header;
 enum { DISCMC_MAX_SURFACES = 4 };

@@ -11,12 +11,14 @@
 //   sink.hpp              the events that come out: regions, rings, runs, loose fragments
 //   chain.hpp, polygon.hpp  Freeman chains and the polygons they are
 //   encoder.hpp           a sink that writes the stream (WIRE.md)
+//   stream_header.hpp, application_record.hpp  what it says of the scan, and the user's own data
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
 //   slice_encoder.hpp     samples in, a stream of their bits out: a tenth of the bytes, and whoever
 //                         receives it extracts the surface; key_slices.hpp
 //   slice_decoder.hpp     rows of bits out of it
 //   surface_decoder.hpp   bytes of either stream in, the same events out
+//   surface_group.hpp, shared_output.hpp  several surfaces of one scan, over one link
 //   joiner.hpp            loose fragments of one stream or several in, regions out
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
@@ -51,6 +53,7 @@
 //
 // Behind the encoder and the decoder of slices works slices/:
 //
+//   surfaces.hpp                           rows of several surfaces
 //   row_code.hpp, row_coders.hpp           a row, voxel by voxel and run by run
 //     slice_model.hpp                        by what is learnt of its neighbours
 //
@@ -69,7 +72,9 @@
 #include <discmc/joiner.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
+#include <discmc/shared_output.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
+#include <discmc/surface_group.hpp>
 
 #endif

@@ -11,7 +11,7 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   if (!header.is_valid()) return Status::bad_label;
   if (output.write == nullptr) return Status::bad_sink;
   if (memory.data == nullptr ||
-      memory.bytes < slice_encoder_bytes(limits, key_slices, header.surfaces))
+      memory.bytes < slice_encoder_bytes(limits, key_slices, header.surfaces()))
     return Status::too_little_memory;
   Arena arena(memory);
   surfaces_.start(arena, header, slices::rows_kept(limits.height, key_slices.is_every()));

@@ -33,16 +33,17 @@ struct StreamHeader {
   uint16_t scan = 0;
 
   static constexpr uint8_t max_surfaces = 4;
-  uint8_t surfaces = 1;  ///< in this stream, on a channel each; more than one in slices alone
+  uint8_t further_surfaces = 0;  ///< in this stream, on the next channels; in slices alone
   /// Of the second surface on.
   int32_t further_thresholds[max_surfaces - 1] = {0, 0, 0};
 
+  constexpr uint32_t surfaces() const { return 1U + further_surfaces; }
   constexpr int32_t threshold_of(uint32_t surface) const {
     return surface == 0 ? threshold : further_thresholds[surface - 1];
   }
   constexpr bool is_valid() const {
-    return Limits{width, height, border}.is_valid() && surfaces >= 1 && surfaces <= max_surfaces &&
-           channel + surfaces - 1 <= StreamLabel::max_channel;
+    return Limits{width, height, border}.is_valid() && surfaces() <= max_surfaces &&
+           channel + further_surfaces <= StreamLabel::max_channel;
   }
   constexpr bool has_spacing() const {
     return spacing_nm[0] != 0 || spacing_nm[1] != 0 || spacing_nm[2] != 0;

@@ -45,7 +45,7 @@ Decoded SurfaceDecoder::push_to_both(const uint8_t* byte) {
 // The memory holds the rows of the slice decoder first, and behind them what the sweep needs.
 Status SurfaceDecoder::begin_sweep() {
   const Limits limits{header().width, header().height, header().border};
-  const uint64_t of_rows = slice_decoder_bytes(limits, header().surfaces);
+  const uint64_t of_rows = slice_decoder_bytes(limits, header().surfaces());
   if (memory_.data == nullptr || memory_.bytes < of_rows) return Status::too_little_memory;
   const auto bytes = static_cast<size_t>(of_rows);
   const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};
@@ -74,29 +74,40 @@ Status SurfaceDecoder::finish() {
 // ---- rows ----
 
 Answer SurfaceDecoder::take(const RowEvent& event) {
-  const uint8_t wanted = channel_ == any_channel ? header().channel : channel_;
-  const bool is_row = event.kind == RowEvent::Kind::row || event.kind == RowEvent::Kind::skipped;
-  if (is_row && event.channel != wanted) return Answer::taken;
-  Event same{};
   switch (event.kind) {
     case RowEvent::Kind::start:
-      same.kind = Event::Kind::start;
-      same.header = event.header;
-      return pass(same);
-    case RowEvent::Kind::application:
-      same.kind = Event::Kind::application;
-      same.application = event.application;
-      return pass(same);
+      return begin(*event.header);
     case RowEvent::Kind::row:
+      if (event.channel != wanted_channel()) return Answer::taken;
       return extractor_.push_bits(event.bits).samples > 0 ? Answer::taken : Answer::not_now;
     case RowEvent::Kind::skipped:
+      if (event.channel != wanted_channel()) return Answer::taken;
       return skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
     case RowEvent::Kind::lost:
       return skip(event.count, Substitute::off);
+    case RowEvent::Kind::application: {
+      Event same{};
+      same.kind = Event::Kind::application;
+      same.application = event.application;
+      return pass(same);
+    }
     case RowEvent::Kind::finish:
       break;
   }
   return end(event.abandoned);
+}
+
+// Of several surfaces in the stream the header of the one that is wanted, as if it were alone.
+Answer SurfaceDecoder::begin(const StreamHeader& all) {
+  StreamHeader header = all;
+  header.channel = wanted_channel();
+  header.threshold = all.threshold_of(header.channel - uint32_t{all.channel});
+  header.further_surfaces = 0;
+  for (int32_t& threshold : header.further_thresholds) threshold = 0;
+  Event event{};
+  event.kind = Event::Kind::start;
+  event.header = &header;
+  return pass(event);
 }
 
 Answer SurfaceDecoder::skip(uint64_t rows, Substitute substitute) {

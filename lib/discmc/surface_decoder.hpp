@@ -41,7 +41,9 @@ class SurfaceDecoder {
  private:
   Decoded push_to_both(const uint8_t* byte);
   Status begin_sweep();
+  uint8_t wanted_channel() const { return channel_ == any_channel ? header().channel : channel_; }
   Answer take(const RowEvent& event);
+  Answer begin(const StreamHeader& all);
   Answer pass(const Event& event) { return sink_.take(sink_.context, event); }
   Answer skip(uint64_t rows, Substitute substitute);
   Answer end(bool is_abandoned);

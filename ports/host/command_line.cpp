@@ -48,11 +48,20 @@ CLI::Validator png_name() {
       "");
 }
 
+CLI::Option* add_channel(CLI::App& app, std::uint8_t& channel) {
+  return app
+      .add_option("--channel", channel,
+                  "the surface, of a stream or link that has several (default: the first)")
+      ->check(CLI::Range(0, int{StreamLabel::max_channel}))
+      ->option_text("N");
+}
+
 CLI::App* add_stream_command(CLI::App& app, const char* name, const char* description,
                              StreamArguments& arguments) {
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("STREAM", arguments.stream, "a .dmc file; - reads standard input")
       ->required();
+  add_channel(*command, arguments.channel);
   return command;
 }
 
@@ -101,9 +110,11 @@ std::vector<CLI::Option*> add_layout(CLI::App& app, LayoutArguments& arguments) 
 // All that says how a volume is read, --iso first.
 std::vector<CLI::Option*> add_volume_options(CLI::App& app, VolumeArguments& arguments) {
   std::vector<CLI::Option*> options;
-  options.push_back(app.add_option("--iso", arguments.iso,
+  options.push_back(app.add_option("--iso", arguments.isos,
                                    "on means value >= ISO, in the units that the file declares")
-                        ->check(finite()));
+                        ->check(finite())
+                        ->expected(1)
+                        ->option_text("ISO"));
   options.push_back(add_border(app, arguments.border));
   CLI::Option* memory =
       add_memory_option(app, arguments.memory,
@@ -191,6 +202,17 @@ void check_kind(const RenderArguments& arguments, const std::vector<CLI::Option*
 
 }  // namespace
 
+void check_isos(const ExtractArguments& arguments) {
+  const std::size_t surfaces = arguments.reading.isos.size();
+  if (surfaces > StreamHeader::max_surfaces)
+    throw CLI::ValidationError("--iso", std::to_string(surfaces) + " surfaces are too many: give " +
+                                            std::to_string(StreamHeader::max_surfaces) +
+                                            " at most");
+  if (surfaces > 1 && format_of(arguments.output) != Format::stream)
+    throw CLI::ValidationError(
+        "--iso", "several surfaces are a stream: give -o FILE.dmc, or one --iso for a mesh");
+}
+
 void check_wire(const ExtractArguments& arguments) {
   const bool is_of_slices = arguments.wire == Wire::slices;
   if (is_of_slices && format_of(arguments.output) != Format::stream)
@@ -208,7 +230,13 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
       ->add_option("VOLUME", arguments.volume,
                    "NRRD, NIfTI-1 or MetaImage file, or headerless samples with --dims and --type")
       ->required();
-  add_volume_options(*extract, arguments.reading)[0]->required();
+  add_volume_options(*extract, arguments.reading)[0]
+      ->required()
+      ->expected(1, -1)
+      ->allow_extra_args(false)
+      ->description(
+          "on means value >= ISO, in the units that the file declares; given again: one "
+          "more surface, on the next channel of the stream");
   add_output(*extract, arguments.output, "the stream on standard output (default)");
   add_normals(*extract, arguments.normals,
               "from the samples of the volume, and what a .dmc stream can hold");
@@ -228,11 +256,17 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
                    "lost some (default: the first alone)")
       ->check(CLI::Range(std::uint32_t{1}, Limits::max_slices))
       ->option_text("N");
+  extract
+      ->add_option(
+          "--scan", arguments.scan,
+          "a number for the scan, by which streams on one link are told apart (default: 0)")
+      ->option_text("N");
   extract->add_flag("--conforming,!--no-conforming", arguments.conforming,
                     "a mesh without T-junctions (default), or corners alone");
   extract->add_flag("-q,--quiet", arguments.quiet, "no table");
   extract->callback([&arguments] {
     check_normals(arguments.normals, arguments.output, true);
+    check_isos(arguments);
     check_wire(arguments);
   });
 }
@@ -297,6 +331,7 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
       ->option_text("flat|smooth");
   render->add_flag("--edges", arguments.outlines,
                    "outline the faces: of a stream or a volume its merged polygons");
+  CLI::Option* channel = add_channel(*render, arguments.channel);
   std::vector<CLI::Option*> of_volumes = add_volume_options(*render, arguments.reading);
   of_volumes.push_back(
       render
@@ -305,9 +340,11 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
               "triangles of classic Marching Cubes, with interpolated vertices, for comparison")
           ->excludes("--memory")
           ->excludes("--capacities"));
-  render->callback([&arguments, of_volumes] {
+  render->callback([&arguments, of_volumes, channel] {
     arguments.kind = kind_of(arguments.input, of_volumes[0]->count() > 0);
     check_kind(arguments, of_volumes);
+    if (arguments.kind != InputKind::stream && channel->count() > 0)
+      throw CLI::ValidationError("--channel", "is for streams: leave it out");
     if (arguments.view == std::vector<double>{0, 0, 0})
       throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
   });

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <discmc/limits.hpp>
+#include <discmc/stream_header.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ struct LayoutArguments {
 
 /// How a volume is read and its surface taken: of every command that takes one.
 struct VolumeArguments {
-  double iso = 0;
+  std::vector<double> isos;  ///< one a surface
   Border border = Border::closed;
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< records and holes, or none
@@ -44,6 +44,7 @@ struct ExtractArguments {
   Normals normals = Normals::none;
   Wire wire = Wire::regions;
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
+  std::uint16_t scan = 0;        ///< the number in a stream
   bool conforming = true;
   bool quiet = false;
 };
@@ -51,6 +52,7 @@ struct ExtractArguments {
 /// Of `decode` and `info`; each uses what it needs.
 struct StreamArguments {
   std::string stream;
+  std::uint8_t channel = any_channel;
   std::string output;
   Normals normals = Normals::none;
   std::string volume;  ///< whose gradient it is
@@ -64,6 +66,7 @@ enum class InputKind { stream, mesh, volume };
 struct RenderArguments {
   std::string input;
   InputKind kind = InputKind::stream;
+  std::uint8_t channel = any_channel;
   VolumeArguments reading;
   bool classic = false;
   std::string output;

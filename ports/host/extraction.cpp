@@ -1,5 +1,7 @@
 #include "extraction.hpp"
 
+#include <discmc/surface_group.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
@@ -103,61 +105,73 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
 }
 
+void require(Status status) {
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
 template <class Sample>
 void tell_slice(SliceEncoder& encoder, const std::vector<Sample>& slice) {
   const auto count = static_cast<std::uint32_t>(slice.size());
-  const PushResult told = encoder.push(slice.data(), count);
-  if (told.status != Status::ok) throw std::runtime_error(text(told.status));
+  require(encoder.push(slice.data(), count).status);
 }
 
 template <class Index, class Sample, class Normals>
-Extraction extract_samples(VolumeReader& volume, const Limits& limits,
-                           const ExtractionOptions& options, const Arena& arena, const Sink& sink) {
+std::vector<Extraction> extract_samples(VolumeReader& volume, const Limits& limits,
+                                        const ExtractionOptions& options, const Arena& arena,
+                                        const std::vector<SurfaceRequest>& surfaces) {
   const VolumeInfo& info = volume.info();
-  // Left as it comes: what is never used costs nothing.
-  const std::unique_ptr<std::uint8_t[]> memory(new std::uint8_t[arena.bytes]);
-  Extractor<Index, Normals> extractor;
-  if constexpr (Normals::holds_samples) {
-    const auto spacing = spacing_nm(info.spacing_mm);
-    extractor.set_spacing({spacing[0], spacing[1], spacing[2]});
+  std::vector<std::unique_ptr<std::uint8_t[]>> memory;
+  std::vector<Extractor<Index, Normals>> extractors(surfaces.size());
+  std::vector<CrossingCounter> crossings;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    // Left as it comes: what is never used costs nothing.
+    memory.emplace_back(new std::uint8_t[arena.bytes]);
+    if constexpr (Normals::holds_samples) {
+      const auto spacing = spacing_nm(info.spacing_mm);
+      extractors[i].set_spacing({spacing[0], spacing[1], spacing[2]});
+    }
+    const Status started = extractors[i].start(limits, arena.capacities, surfaces[i].threshold,
+                                               {memory[i].get(), arena.bytes}, surfaces[i].sink);
+    if (started != Status::ok) throw std::invalid_argument(text(started));
+    crossings.emplace_back(limits, surfaces[i].threshold);
   }
-  const Status started = extractor.start(limits, arena.capacities, options.threshold,
-                                         {memory.get(), arena.bytes}, sink);
-  if (started != Status::ok) throw std::invalid_argument(text(started));
+  SurfaceGroup<Extractor<Index, Normals>> all(
+      extractors.data(), static_cast<std::uint32_t>(extractors.size()), limits.width);
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
-  CrossingCounter crossings(limits, options.threshold);
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    const PushResult pushed =
-        extractor.push(slice.data(), static_cast<std::uint32_t>(slice.size()));
-    if (pushed.status != Status::ok) throw std::runtime_error(text(pushed.status));
+    require(all.push(slice.data(), static_cast<std::uint32_t>(slice.size())).status);
     if (options.slices != nullptr) tell_slice(*options.slices, slice);
-    crossings.add_slice(slice.data());
+    for (CrossingCounter& counter : crossings) counter.add_slice(slice.data());
     if (options.progress) options.progress(z + 1);
   }
-  Status finished = extractor.finish();
-  if (finished == Status::ok && options.slices != nullptr) finished = options.slices->finish();
-  if (finished != Status::ok) throw std::runtime_error(text(finished));
-  return {extractor.statistics(), std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2],
-          crossings.count(),      arena.bytes,
-          extractor.bytes_used(), arena.capacities,
-          extractor.high_water()};
+  require(all.finish());
+  if (options.slices != nullptr) require(options.slices->finish());
+  std::vector<Extraction> result;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    result.push_back({extractors[i].statistics(),
+                      std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2],
+                      crossings[i].count(), arena.bytes, extractors[i].bytes_used(),
+                      arena.capacities, extractors[i].high_water()});
+  return result;
 }
 
 template <class Sample, class Normals>
-Extraction extract_in(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
+std::vector<Extraction> extract_in(VolumeReader& volume, const ExtractionOptions& options,
+                                   const std::vector<SurfaceRequest>& surfaces) {
   const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
   const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
-  return arena.has_narrow_indices
-             ? extract_samples<std::uint16_t, Sample, Normals>(volume, limits, options, arena, sink)
-             : extract_samples<std::uint32_t, Sample, Normals>(volume, limits, options, arena,
-                                                               sink);
+  return arena.has_narrow_indices ? extract_samples<std::uint16_t, Sample, Normals>(
+                                        volume, limits, options, arena, surfaces)
+                                  : extract_samples<std::uint32_t, Sample, Normals>(
+                                        volume, limits, options, arena, surfaces);
 }
 
 template <class Sample>
-Extraction extract_as(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
-  return options.normals ? extract_in<Sample, GradientNormals<Sample>>(volume, options, sink)
-                         : extract_in<Sample, NoNormals>(volume, options, sink);
+std::vector<Extraction> extract_as(VolumeReader& volume, const ExtractionOptions& options,
+                                   const std::vector<SurfaceRequest>& surfaces) {
+  return options.normals ? extract_in<Sample, GradientNormals<Sample>>(volume, options, surfaces)
+                         : extract_in<Sample, NoNormals>(volume, options, surfaces);
 }
 
 // Three numbers, for people.
@@ -204,15 +218,20 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
 }
 
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
+  return extract(volume, options, std::vector<SurfaceRequest>{{options.threshold, sink}})[0];
+}
+
+std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
+                                const std::vector<SurfaceRequest>& surfaces) {
   switch (volume.info().type) {
     case SampleType::u8:
-      return extract_as<std::uint8_t>(volume, options, sink);
+      return extract_as<std::uint8_t>(volume, options, surfaces);
     case SampleType::u16:
-      return extract_as<std::uint16_t>(volume, options, sink);
+      return extract_as<std::uint16_t>(volume, options, surfaces);
     case SampleType::i16:
       break;
   }
-  return extract_as<std::int16_t>(volume, options, sink);
+  return extract_as<std::int16_t>(volume, options, surfaces);
 }
 
 }  // namespace discmc::host

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
@@ -39,6 +40,13 @@ struct Extraction {
   HighWater high_water{};              ///< of them, the most in use at once
 };
 
+/// A surface of a volume: where it lies, on stored samples, and who gets its events. The sink must
+/// not say "not now".
+struct SurfaceRequest {
+  std::int32_t threshold;
+  Sink sink;
+};
+
 /// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
 /// half a MiB. A scan on the host then is one on a device.
 template <class Normals = NoNormals>
@@ -58,6 +66,11 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header);
 /// Throws VolumeError as the reader does, std::invalid_argument when the memory is too small (the
 /// text names the minimum) or the capacities are not valid.
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink);
+
+/// The same for several surfaces in one pass, whatever the threshold of the options; each has an
+/// arena as the options say.
+std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
+                                const std::vector<SurfaceRequest>& surfaces);
 
 }  // namespace discmc::host
 

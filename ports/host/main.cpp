@@ -1,6 +1,7 @@
 // The discmc command.
 #include <unistd.h>
 
+#include <discmc/shared_output.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <exception>
 #include <filesystem>
@@ -52,7 +53,8 @@ struct Tee {
 class SliceWriter {
  public:
   void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
-    memory_.resize(slice_encoder_bytes({header.width, header.height}, key_slices));
+    memory_.resize(
+        slice_encoder_bytes({header.width, header.height}, key_slices, header.surfaces()));
     const Status status =
         encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output);
     if (status != Status::ok) throw std::runtime_error(text(status));
@@ -112,7 +114,7 @@ std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
 ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArguments& arguments,
                                      Progress& progress) {
   ExtractionOptions options;
-  options.threshold = stored_threshold(info, arguments.iso);
+  options.threshold = stored_threshold(info, arguments.isos[0]);
   options.border = arguments.border;
   options.memory = arguments.memory;
   if (!arguments.capacities.empty())
@@ -129,6 +131,47 @@ void add_normals(const ExtractArguments& arguments, const Surface& surface, Mesh
   add_gradient_normals(*again, mesh);
 }
 
+// The surfaces of a volume on their way to streams, and joined for the table or a mesh.
+class Surfaces {
+ public:
+  Surfaces(const VolumeInfo& info, const ExtractArguments& arguments) {
+    for (const double iso : arguments.reading.isos) {
+      thresholds_.push_back(stored_threshold(info, iso));
+      tees_.push_back(std::make_unique<Tee>());
+    }
+  }
+
+  /// Begins a stream of regions for each.
+  void start(StreamLabel label, const ByteOutput& output) {
+    link_.start(output);
+    for (std::size_t i = 0; i < tees_.size(); ++i) {
+      label.channel = static_cast<std::uint8_t>(i);
+      require(tees_[i]->encoder.start(label, link_.output()));
+    }
+  }
+  /// The header of a stream of slices that holds all of them.
+  StreamHeader header_of_all(StreamHeader header) const {
+    header.further_surfaces = static_cast<std::uint8_t>(thresholds_.size() - 1);
+    header.threshold = thresholds_[0];
+    std::copy(thresholds_.begin() + 1, thresholds_.end(), header.further_thresholds);
+    return header;
+  }
+  std::vector<SurfaceRequest> requests() {
+    std::vector<SurfaceRequest> requests;
+    for (std::size_t i = 0; i < tees_.size(); ++i)
+      requests.push_back({thresholds_[i], sink_to(*tees_[i])});
+    return requests;
+  }
+
+  std::size_t count() const { return tees_.size(); }
+  Tee& operator[](std::size_t surface) { return *tees_[surface]; }
+
+ private:
+  std::vector<std::int32_t> thresholds_;
+  std::vector<std::unique_ptr<Tee>> tees_;
+  SharedOutput link_;
+};
+
 int run_extract(const ExtractArguments& arguments) {
   const Format format = format_of(arguments.output);
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
@@ -137,31 +180,49 @@ int run_extract(const ExtractArguments& arguments) {
   const VolumeInfo& info = volume->info();
   OutputFile file(arguments.output);
   StreamOutput output(format == Format::stream ? &file.stream() : nullptr);
-  Tee tee;
   Progress progress("slice", info.dims[2]);
   ExtractionOptions options = extraction_options(info, arguments.reading, progress);
   options.normals = format == Format::stream && arguments.normals == Normals::gradient;
-  const StreamHeader header = stream_header(info, options);
+  StreamHeader header = stream_header(info, options);
+  header.scan = arguments.scan;
+  Surfaces surfaces(info, arguments);
   const bool tells_slices = format == Format::stream && arguments.wire == Wire::slices;
   StreamOutput no_output(nullptr);
-  require(tee.encoder.start(header.label(), (tells_slices ? no_output : output).byte_output()));
+  surfaces.start(header.label(), (tells_slices ? no_output : output).byte_output());
   SliceWriter slices;
   if (tells_slices) {
-    slices.start(header, {arguments.key_slices}, output.byte_output());
+    slices.start(surfaces.header_of_all(header), {arguments.key_slices}, output.byte_output());
     options.slices = &slices.encoder();
   }
-  const Extraction extraction = extract(*volume, options, sink_to(tee));
-  tee.builder.surface().spacing_mm = info.spacing_mm;
-  if (format != Format::stream)
+  const std::vector<Extraction> extractions = extract(*volume, options, surfaces.requests());
+  if (format != Format::stream) {
+    Surface& surface = surfaces[0].builder.surface();
+    surface.spacing_mm = info.spacing_mm;
     write_surface(
-        tee.builder.surface(), format, arguments.conforming,
-        [&](Mesh& mesh) { add_normals(arguments, tee.builder.surface(), mesh); }, file);
+        surface, format, arguments.conforming,
+        [&](Mesh& mesh) { add_normals(arguments, surface, mesh); }, file);
+  }
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
-  write_table(extraction, count(tee.builder.surface()), output.bytes(), out);
+  for (std::size_t i = 0; i < surfaces.count(); ++i) {
+    if (surfaces.count() > 1)
+      out << "channel " << i << ", at " << arguments.reading.isos[i] << '\n';
+    write_table(extractions[i], count(surfaces[i].builder.surface()),
+                tells_slices ? output.bytes() : surfaces[i].encoder.bytes(), out);
+  }
   require_written(out);
   return exit_ok;
+}
+
+// The channels of a link, and the thresholds of their surfaces.
+std::string list_of_channels(const StreamReader& reader) {
+  std::string text;
+  for (const StreamHeader& header : reader.headers())
+    for (std::uint32_t surface = 0; surface < header.surfaces(); ++surface)
+      text += (text.empty() ? "" : ", ") + std::to_string(header.channel + surface) +
+              " (threshold " + std::to_string(header.threshold_of(surface)) + ")";
+  return text;
 }
 
 // Reads the named stream; "-" is standard input.
@@ -179,28 +240,43 @@ void read_file(const std::string& path, StreamReader& reader) {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
-  if (!reader.report().has_header)
-    throw std::runtime_error(path + ": no header of a discmc stream in " +
-                             std::to_string(reader.report().bytes) +
-                             " bytes: is this a .dmc file?");
+  if (reader.report().has_header) return;
+  if (!reader.headers().empty())
+    throw std::runtime_error(path + ": nothing on channel " + std::to_string(reader.channel()) +
+                             ": it has " + list_of_channels(reader));
+  throw std::runtime_error(path + ": no header of a discmc stream in " +
+                           std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
+}
+
+// Where there are several surfaces and none was asked for, the others are worth a word.
+void note_others(const std::string& path, std::uint8_t asked, const StreamReader& reader) {
+  std::size_t surfaces = 0;
+  for (const StreamHeader& header : reader.headers()) surfaces += header.surfaces();
+  if (surfaces < 2 || asked != any_channel) return;
+  std::cerr << "discmc: " << path << ": this is channel " << int{reader.channel()} << " of "
+            << list_of_channels(reader) << ": take another with --channel N\n";
 }
 
 struct DecodedStream {
   StreamHeader header;
+  std::uint8_t channel;
+  std::vector<StreamHeader> streams;  // all of the link
   StreamReport report;
   Surface surface;
 };
 
-DecodedStream decode_surface(const std::string& path) {
+DecodedStream decode_surface(const std::string& path, std::uint8_t channel) {
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
-  StreamReader reader(sink_to(joiner));
+  StreamReader reader(sink_to(joiner), channel);
   read_file(path, reader);
+  note_others(path, channel, reader);
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   StreamReport report = reader.report();
   report.lost_pieces += builder.incomplete_regions();
-  return {reader.header(), report, std::move(builder.surface())};
+  return {reader.header(), reader.channel(), reader.headers(), report,
+          std::move(builder.surface())};
 }
 
 // What is missing is said, and told by the exit code, but what is there is used.
@@ -277,13 +353,14 @@ int run_decode(const StreamArguments& arguments) {
     StreamOutput output(&file.stream());
     Recoder recoder(output.byte_output());
     GrowingJoiner joiner(sink_to(recoder));
-    StreamReader reader(sink_to(joiner));
+    StreamReader reader(sink_to(joiner), arguments.channel);
     read_file(arguments.stream, reader);
+    note_others(arguments.stream, arguments.channel, reader);
     joiner.finish();
     recoder.flush();
     report = reader.report();
   } else {
-    const DecodedStream decoded = decode_surface(arguments.stream);
+    const DecodedStream decoded = decode_surface(arguments.stream, arguments.channel);
     write_surface(
         decoded.surface, format, arguments.conforming,
         [&](Mesh& mesh) { add_normals(arguments, decoded, mesh); }, file);
@@ -294,8 +371,9 @@ int run_decode(const StreamArguments& arguments) {
 }
 
 int run_info(const StreamArguments& arguments) {
-  const DecodedStream decoded = decode_surface(arguments.stream);
-  write_info(decoded.header, decoded.report, count(decoded.surface), std::cout);
+  const DecodedStream decoded = decode_surface(arguments.stream, arguments.channel);
+  write_info(decoded.header, decoded.channel, decoded.streams, decoded.report,
+             count(decoded.surface), std::cout);
   require_written(std::cout);
   return completeness(arguments.stream, decoded.report);
 }
@@ -343,7 +421,7 @@ int run_render(const RenderArguments& arguments) {
   } else if (arguments.kind == InputKind::volume) {
     mesh = volume_to_draw(arguments);
   } else {
-    const DecodedStream decoded = decode_surface(arguments.input);
+    const DecodedStream decoded = decode_surface(arguments.input, arguments.channel);
     mesh = mesh_to_draw(decoded.surface, arguments.smooth);
     code = completeness(arguments.input, decoded.report);
   }

@@ -30,8 +30,9 @@ ByteOutput StreamOutput::byte_output() {
           }};
 }
 
-StreamReader::StreamReader(const Sink& sink) : sink_(sink) {
-  status_ = decoder_.start({}, sink);
+StreamReader::StreamReader(const Sink& sink, std::uint8_t channel)
+    : sink_(sink), channel_(channel) {
+  status_ = decoder_.start({}, sink, channel);
 }
 
 void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t)>& progress) {
@@ -52,6 +53,7 @@ void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t
 
 // Nothing is decoded before the version is known, but nothing is lost.
 void StreamReader::take(const std::uint8_t* bytes, std::size_t count) {
+  census_.take(bytes, count);
   if (search_.is_over()) return push(bytes, count);
   held_.insert(held_.end(), bytes, bytes + count);
   for (std::size_t i = 0; i < count && !search_.is_over(); ++i) search_.take(bytes[i]);
@@ -91,7 +93,7 @@ void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
 Status StreamReader::give_memory() {
   const Limits limits{header().width, header().height, header().border};
   constexpr std::uint64_t for_chains = std::uint64_t{64} << 20;
-  const std::uint64_t bytes = minimum_surface_bytes(limits) + for_chains;
+  const std::uint64_t bytes = minimum_surface_bytes(limits, header().surfaces()) + for_chains;
   memory_.reset(new std::uint8_t[bytes]);
   return decoder_.give_memory({memory_.get(), bytes});
 }

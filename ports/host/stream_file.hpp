@@ -14,6 +14,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 
+#include "stream_census.hpp"
 #include "version1/decoder.hpp"
 #include "version_search.hpp"
 
@@ -35,14 +36,18 @@ class StreamOutput {
 /// A stream of either kind and of any version, read to its end.
 class StreamReader {
  public:
-  /// sink: it must not say "not now".
-  explicit StreamReader(const Sink& sink);
+  /// sink: it must not say "not now". channel: as of the SurfaceDecoder; version 1 has none.
+  explicit StreamReader(const Sink& sink, std::uint8_t channel = any_channel);
   /// progress: called now and then with the bytes read so far.
   /// Throws std::runtime_error when the stream's version is not known.
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
 
   const StreamHeader& header() const { return version1_ ? version1_->header() : decoder_.header(); }
   const StreamReport& report() const { return version1_ ? version1_->report() : decoder_.report(); }
+  /// The channel that was read.
+  std::uint8_t channel() const { return channel_ == any_channel ? header().channel : channel_; }
+  /// The headers of all streams of the link, of version 2.
+  const std::vector<StreamHeader>& headers() const { return census_.headers(); }
 
  private:
   void take(const std::uint8_t* bytes, std::size_t count);
@@ -52,6 +57,8 @@ class StreamReader {
   Status give_memory();
 
   Sink sink_;
+  std::uint8_t channel_;
+  StreamCensus census_;
   VersionSearch search_;
   std::vector<std::uint8_t> held_;  // until the version is known
   SurfaceDecoder decoder_{};

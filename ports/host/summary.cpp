@@ -62,8 +62,9 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
   row(out, "loose fragments", grouped(statistics.fragments), shortage(extraction));
 }
 
-void write_info(const StreamHeader& header, const StreamReport& report, const Counts& counts,
-                std::ostream& out) {
+void write_info(const StreamHeader& header, std::uint8_t channel,
+                const std::vector<StreamHeader>& streams, const StreamReport& report,
+                const Counts& counts, std::ostream& out) {
   const auto spacing = spacing_mm(header);
   const auto digits = out.precision(10);  // a nanometre of the largest spacing
   out << "dimensions " << header.width << ' ' << header.height << ' '
@@ -71,7 +72,10 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << "spacing " << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2] << '\n'
       << "position dropped\n"
       << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
-      << "threshold " << header.threshold << '\n'
+      << "scan " << header.scan << '\n'
+      << "channel " << int{channel} << '\n'
+      << "threshold " << header.threshold_of(static_cast<std::uint32_t>(channel - header.channel))
+      << '\n'
       << "border " << (header.border == Border::closed ? "closed" : "open") << '\n'
       << "regions " << counts.regions << '\n'
       << "rings " << counts.rings << '\n'
@@ -88,9 +92,15 @@ void write_info(const StreamHeader& header, const StreamReport& report, const Co
       << "damaged_packets " << report.damaged_packets << '\n'
       << "lost_pieces " << report.lost_pieces << '\n'
       << "lost_rows " << report.lost_rows << '\n'
+      << "foreign_packets " << report.foreign_packets << '\n'
+      << "mixed " << (report.is_mixed ? "yes" : "no") << '\n'
       << "bytes " << report.bytes << '\n'
       << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
       << "complete " << (report.is_complete() ? "yes" : "no") << '\n';
+  for (const StreamHeader& stream : streams)
+    for (std::uint32_t surface = 0; surface < stream.surfaces(); ++surface)
+      out << "surface scan " << stream.scan << " channel " << stream.channel + surface
+          << " threshold " << stream.threshold_of(surface) << '\n';
   out.precision(digits);
 }
 

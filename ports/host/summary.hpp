@@ -3,6 +3,7 @@
 #define DISCMC_HOST_SUMMARY_HPP
 
 #include <ostream>
+#include <vector>
 
 #include <discmc/decoder.hpp>
 
@@ -15,9 +16,11 @@ namespace discmc::host {
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
                  std::ostream& out);
 
-/// One `key value` a line, for people and programs.
-void write_info(const StreamHeader& header, const StreamReport& report, const Counts& counts,
-                std::ostream& out);
+/// One `key value` a line, for people and programs. channel: of the surface that was counted.
+/// streams: all that share the link with it.
+void write_info(const StreamHeader& header, std::uint8_t channel,
+                const std::vector<StreamHeader>& streams, const StreamReport& report,
+                const Counts& counts, std::ostream& out);
 
 }  // namespace discmc::host
 

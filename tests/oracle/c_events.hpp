@@ -23,7 +23,7 @@ inline StreamHeader from_c(const discmc_stream_header& header) {
       static_cast<Border>(header.border),
       header.channel,
       header.scan,
-      header.surfaces,
+      header.further_surfaces,
       {header.further_thresholds[0], header.further_thresholds[1], header.further_thresholds[2]}};
 }
 

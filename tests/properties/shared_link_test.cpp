@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <discmc/shared_output.hpp>
 #include <discmc/surface_decoder.hpp>
+#include <discmc/surface_group.hpp>
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
@@ -200,4 +202,79 @@ TEST_CASE("an extractor that knows the spacing says it once, for the stream as w
   CHECK(header.spacing_nm[0] == 1000);
   CHECK(header.spacing_nm[1] == 2000);
   CHECK(header.spacing_nm[2] == -3000);
+}
+
+TEST_CASE("several surfaces of one scan go over one link, frame by frame, whoever is busy") {
+  constexpr int32_t thresholds[] = {60, 90, 200};
+  const reference::Size size{20, 16, 12};
+  Bytes samples;
+  Chance chance(9);
+  for (uint32_t i = 0; i < size.width * size.height * size.depth; ++i)
+    samples.push_back(chance.byte());
+  for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{7}, size_t{300}}) {
+    CAPTURE(bytes_a_time);
+    Line line(bytes_a_time);
+    SharedOutput link;
+    Encoder encoders[3];
+    Extractor16 extractors[3];
+    Bytes memory[3];
+    link.start(line.output());
+    for (uint8_t i = 0; i < 3; ++i) {
+      memory[i].resize(20000 + 30000U * i);
+      require_ok(encoders[i].start({size.depth, {}, 4, i}, link.output()));
+      require_ok(extractors[i].start({size.width, size.height}, thresholds[i],
+                                     {memory[i].data(), memory[i].size()}, sink_to(encoders[i])));
+    }
+    SurfaceGroup<Extractor16> surfaces(extractors, 3, size.width);
+    const auto all = static_cast<uint32_t>(samples.size());
+    for (uint32_t told = 0; told < all;) {
+      const uint32_t some = std::min(all - told, 1 + chance.below(50));
+      const PushResult result = surfaces.push(&samples[told], some);
+      REQUIRE((result.status == Status::ok || result.status == Status::more));
+      told += result.samples;
+    }
+    Status status = Status::more;
+    while (status == Status::more) status = surfaces.finish();
+    require_ok(status);
+    while (!link.flush()) continue;
+    for (uint8_t i = 0; i < 3; ++i) {
+      BitVolume volume(size);
+      for (uint32_t at = 0; at < all; ++at) volume.on[at] = samples[at] >= thresholds[i] ? 1 : 0;
+      const Received received = decode_channel(line.bytes, i);
+      CHECK(received.report.is_complete());
+      CHECK(received.header.threshold == thresholds[i]);
+      EventLog alone;
+      reference::scan_into<uint16_t>(alone, volume, {}, uint64_t{memory[i].size()});
+      CHECK(received.events == alone.events);
+    }
+  }
+}
+
+TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
+  const Limits limits{9, 2};
+  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
+  EventLog logs[2], alone[2];
+  Extractor16 extractors[2];
+  for (int i = 0; i < 2; ++i)
+    require_ok(
+        extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+  SurfaceGroup<Extractor16> surfaces(extractors, 2, limits.width);
+  const uint8_t bits[] = {0xF0, 1, 0x18, 0};
+  CHECK(surfaces.push_bits(bits).samples == 9);
+  CHECK(surfaces.skip_row(Substitute::previous_row).samples == 9);
+  CHECK(surfaces.push(bits, 3).samples == 3);
+  CHECK(surfaces.push_bits(bits).status == Status::row_in_progress);
+  CHECK(surfaces.finish() == Status::slice_in_progress);
+  require_ok(surfaces.abandon());
+  CHECK(surfaces.push(bits, 3).status == Status::finished);
+  for (int i = 0; i < 2; ++i) {
+    Bytes other(5000);
+    Extractor16 extractor;
+    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, sink_to(alone[i])));
+    require_ok(extractor.push_bits(bits + 2 * i).status);
+    require_ok(extractor.skip_row(Substitute::previous_row).status);
+    require_ok(extractor.push(bits, 3).status);
+    require_ok(extractor.abandon());
+    CHECK(logs[i].events == alone[i].events);
+  }
 }

@@ -253,7 +253,7 @@ TEST_CASE("a stream goes on from a checkpoint through C") {
   discmc_encoder_checkpoint checkpoint;
   CHECK(discmc_encoder_save(&first, &checkpoint) == DISCMC_NOT_STARTED);
   REQUIRE(discmc_encoder_start(&first, &label, {&whole, write_bytes}) == DISCMC_OK);
-  const discmc_stream_header header = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED, 0, 0, 1, {}};
+  const discmc_stream_header header = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED, 0, 0, 0, {}};
   discmc_event event = {};
   event.kind = DISCMC_START;
   event.of.header = &header;

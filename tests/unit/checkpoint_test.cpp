@@ -188,7 +188,7 @@ TEST_CASE("a scan that fails again and again, from checkpoint to checkpoint, com
     auto first = device_for<uint16_t>(scan);
     first.start();
     Image image = first.save();
-    Bytes stream;
+    Bytes stream = first.store.bytes;
     for (uint32_t row = 3; row < first.rows(); row += 3) {
       auto device = device_for<uint16_t>(scan);
       REQUIRE(device.restore(image) == Status::ok);

@@ -369,7 +369,7 @@ StreamHeader header_of_surfaces(const reference::Size& size,
   header.height = size.height;
   header.depth = size.depth;
   header.channel = 5;
-  header.surfaces = static_cast<uint8_t>(thresholds.size());
+  header.further_surfaces = static_cast<uint8_t>(thresholds.size() - 1);
   header.threshold = thresholds[0];
   std::copy(thresholds.begin() + 1, thresholds.end(), header.further_thresholds);
   return header;
@@ -380,7 +380,7 @@ Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, KeySlice
                       bool skips = false, size_t bytes_a_time = 0) {
   Line line(bytes_a_time);
   const Limits limits{header.width, header.height};
-  reference::Block block(slice_encoder_bytes(limits, key_slices, header.surfaces));
+  reference::Block block(slice_encoder_bytes(limits, key_slices, header.surfaces()));
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
@@ -409,7 +409,7 @@ TEST_CASE("several surfaces come through one stream, each as it would alone") {
         const Bytes stream =
             encode_surfaces(header, samples, {interval}, skips, interval == 1 ? 3 : 0);
         const ReceivedRows received =
-            decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surfaces);
+            decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surfaces());
         REQUIRE(received.report.is_complete());
         CHECK(received.report.rows == size.height * size.depth);
         std::vector<Bytes> rows(thresholds.size());
@@ -466,10 +466,8 @@ TEST_CASE("a stream holds one to four surfaces, on channels up to 63") {
   header.channel = 61;
   CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
   header.channel = 0;
-  for (const uint8_t surfaces : {uint8_t{0}, uint8_t{5}}) {
-    header.surfaces = surfaces;
-    CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
-  }
+  header.further_surfaces = 4;
+  CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
 }
 
 TEST_CASE("a surface decoder takes the surface of its channel out of several") {
@@ -491,7 +489,8 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
     CHECK(decoder.report().is_complete());
     CHECK(log.events == events_of(volume));
     REQUIRE(log.starts.size() == 1);
-    CHECK(log.starts[0].surfaces == 3);
-    CHECK(log.starts[0].threshold_of(surface) == thresholds[surface]);
+    CHECK(log.starts[0].further_surfaces == 0);
+    CHECK(log.starts[0].channel == 5 + surface);
+    CHECK(log.starts[0].threshold == thresholds[surface]);
   }
 }

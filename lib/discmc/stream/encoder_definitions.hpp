@@ -29,7 +29,7 @@ Status BasicEncoder<Normals>::start(const StreamLabel& label, const ByteOutput& 
   for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
   header.scan = label.scan;
   header.channel = label.channel;
-  header.surfaces = 1;
+  header.further_surfaces = 0;
   return Status::ok;
 }
 
@@ -52,6 +52,7 @@ bool BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
   trailer_is_sealed_ = false;
   is_emptying_ = false;
   piece_is_open_ = false;
+  (void)drain();  // whoever listens knows at once; or later
   return true;
 }
 

@@ -95,7 +95,8 @@ ApplicationRecord PacketReader::application() const {
 bool PacketReader::is_ours(uint32_t tag) {
   if (!has_tag_) {
     const uint32_t first = wire::channel_in(tag);
-    const bool holds_channel = channel_ >= first && channel_ < first + wire::surfaces_in(tag);
+    const bool holds_channel =
+        channel_ >= first && channel_ <= first + wire::further_surfaces_in(tag);
     if (channel_ != any_channel && !holds_channel) return false;
     tag_ = tag;
     has_tag_ = true;
@@ -162,7 +163,7 @@ bool PacketReader::read_header() {
   const uint64_t pieces_before = reader.get(8);
   header.scan = static_cast<uint16_t>(tag_);
   header.channel = wire::channel_in(tag_);
-  header.surfaces = wire::surfaces_in(tag_);
+  header.further_surfaces = wire::further_surfaces_in(tag_);
   for (int32_t& threshold : header.further_thresholds)
     threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
   if (!is_ours || payload_bytes_ < wire::header_payload || !header.is_valid()) {

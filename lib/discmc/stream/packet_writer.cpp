@@ -51,7 +51,7 @@ void PacketWriter::seal_header() {
   place = wire::put(place, flags_, 1);
   place = wire::put(place, packets_, 4);
   place = wire::put_long(place, pieces_);
-  for (uint32_t surface = 1; surface < header_.surfaces; ++surface)
+  for (uint32_t surface = 1; surface < header_.surfaces(); ++surface)
     place = wire::put(place, static_cast<uint32_t>(header_.threshold_of(surface)), 4);
   seal(wire::PacketKind::header, place);
   packets_since_header_ = 0;

@@ -1,0 +1,62 @@
+// One link for several encoders: their frames go out in turns, each of them whole.
+//
+//   static SharedOutput link;
+//   link.start({nullptr, uart_write});
+//   encoders[i].start(label, link.output());     // each with a channel of its own
+//   ...
+//   while (!link.flush()) sleep();               // after all have finished
+#ifndef DISCMC_SHARED_OUTPUT_HPP
+#define DISCMC_SHARED_OUTPUT_HPP
+
+#include <discmc/stream/packet_writer.hpp>
+
+namespace discmc {
+
+/// It holds a frame: what one encoder has begun to send is no matter of the others, who would wait
+/// for ever if that one had nothing more to say.
+class SharedOutput {
+ public:
+  /// Limit: the output has a function.
+  void start(const ByteOutput& output) {
+    output_ = output;
+    held_ = 0;
+    sent_ = 0;
+  }
+
+  /// The output of every encoder.
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* bytes, size_t count) {
+              return static_cast<SharedOutput*>(context)->take(bytes, count);
+            }};
+  }
+
+  /// Hands over what is held. False when the output does not take all of it now: call again.
+  [[nodiscard]] bool flush() {
+    while (sent_ < held_) {
+      const size_t taken = output_.write(output_.context, frame_ + sent_, held_ - sent_);
+      if (taken == 0) return false;
+      sent_ += taken;
+    }
+    return true;
+  }
+
+ private:
+  // All or nothing. An encoder offers a frame at a time.
+  size_t take(const uint8_t* bytes, size_t count) {
+    if (!flush()) return 0;
+    for (size_t i = 0; i < count; ++i) frame_[i] = bytes[i];
+    held_ = count;
+    sent_ = 0;
+    (void)flush();  // the rest when it is asked again
+    return count;
+  }
+
+  ByteOutput output_;
+  size_t held_ = 0;
+  size_t sent_ = 0;
+  uint8_t frame_[wire::max_frame] = {};
+};
+
+}  // namespace discmc
+
+#endif

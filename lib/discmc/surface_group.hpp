@@ -1,0 +1,98 @@
+// Several surfaces of one scan: what is pushed goes to all of them.
+//
+//   static Extractor16 extractors[2];                  // each with its threshold, memory and sink
+//   SurfaceGroup<Extractor16> surfaces(extractors, 2, limits.width);
+//   surfaces.push(row, limits.width);                  // as often as samples arrive
+//
+// Streams of slices need no group: a SliceEncoder tells several surfaces itself.
+#ifndef DISCMC_SURFACE_GROUP_HPP
+#define DISCMC_SURFACE_GROUP_HPP
+
+#include <discmc/row_input.hpp>
+
+namespace discmc {
+
+/// Scanner is an Extractor of any kind. Each of the group has a sink of its own, and any of them
+/// may say "not now": the group waits for all.
+template <class Scanner>
+class SurfaceGroup {
+ public:
+  /// scanners: started for slices of one size, with nothing pushed yet; Owner: the caller, for as
+  /// long as the scan lasts. Units: width in voxels
+  SurfaceGroup(Scanner* scanners, uint32_t count, uint32_t width)
+      : first_(scanners), end_(scanners + count), width_(width) {}
+
+  /// As Extractor::push(), for all. Status::more: some sink said "not now"; what the result counts
+  /// has gone to all.
+  template <class Sample>
+  PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
+    PushResult result{resume(), 0};
+    while (result.status == Status::ok && result.samples < count) {
+      const uint32_t room = width_ - column_;
+      const uint32_t left = count - result.samples;
+      const uint32_t taken = left < room ? left : room;
+      const Sample* const next = samples + size_t{result.samples} * stride;
+      result.status =
+          for_each([&](Scanner& scanner) { return scanner.push(next, taken, stride).status; });
+      if (is_error(result.status)) break;
+      result.samples += taken;
+      column_ = taken == room ? 0 : column_ + taken;
+    }
+    return result;
+  }
+
+  /// As Extractor::push_bits(), with a row of bits for each: one behind the other, each of which
+  /// begins with a byte.
+  PushResult push_bits(const uint8_t* bits) {
+    return take_row([&, row = uint32_t{0}](Scanner& scanner) mutable {
+      return scanner.push_bits(bits + row++ * ((width_ + 7) / 8)).status;
+    });
+  }
+
+  /// As Extractor::skip_row().
+  PushResult skip_row(Substitute substitute) {
+    return take_row([&](Scanner& scanner) { return scanner.skip_row(substitute).status; });
+  }
+
+  /// Each as the function of the Extractor, for all.
+  [[nodiscard]] Status resume() {
+    return for_each([](Scanner& scanner) { return scanner.resume(); });
+  }
+  [[nodiscard]] Status finish() {
+    return for_each([](Scanner& scanner) { return scanner.finish(); });
+  }
+  [[nodiscard]] Status abandon() {
+    return for_each([](Scanner& scanner) { return scanner.abandon(); });
+  }
+
+ private:
+  static bool is_error(Status status) { return status != Status::ok && status != Status::more; }
+
+  // All are where the first one is, so an error is the first one's, before any has changed.
+  template <class Call>
+  Status for_each(Call call) {
+    Status all = Status::ok;
+    for (Scanner* scanner = first_; scanner != end_; ++scanner) {
+      const Status status = call(*scanner);
+      if (is_error(status)) return status;
+      if (status == Status::more) all = Status::more;
+    }
+    return all;
+  }
+  template <class Call>
+  PushResult take_row(Call call) {
+    Status status = resume();
+    if (status != Status::ok) return {status, 0};
+    status = for_each(call);
+    return {status, is_error(status) ? 0 : width_};
+  }
+
+  Scanner* first_;
+  Scanner* end_;
+  uint32_t width_;
+  uint32_t column_ = 0;
+};
+
+}  // namespace discmc
+
+#endif

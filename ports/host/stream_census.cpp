@@ -1,0 +1,32 @@
+#include "stream_census.hpp"
+
+#include <algorithm>
+
+#include <discmc/stream/packet_reader.hpp>
+
+namespace discmc::host {
+
+void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (frame_.size() < wire::max_frame) frame_.push_back(bytes[i]);
+    if (bytes[i] != 0) continue;
+    frame_.back() = 0;
+    end_frame();
+    frame_.clear();
+  }
+}
+
+void StreamCensus::end_frame() {
+  PacketReader reader;
+  reader.start(any_channel);
+  for (const std::uint8_t byte : frame_) static_cast<void>(reader.take(byte));
+  if (!reader.report().has_header) return;
+  const StreamHeader& header = reader.header();
+  const bool is_known =
+      std::any_of(headers_.begin(), headers_.end(), [&](const StreamHeader& known) {
+        return known.scan == header.scan && known.channel == header.channel;
+      });
+  if (!is_known) headers_.push_back(header);
+}
+
+}  // namespace discmc::host

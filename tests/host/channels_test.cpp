@@ -1,0 +1,88 @@
+// Several surfaces in one stream or on one link, through the command.
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+
+// A cone of samples: the nearer to the middle, the higher.
+std::string cone(int size) {
+  std::string samples;
+  for (int z = 0; z < size; ++z)
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const auto far = [size](int at) { return std::abs(2 * at + 1 - size); };
+        samples.push_back(static_cast<char>(std::max(0, 120 - 4 * (far(x) + far(y) + far(z)))));
+      }
+  return samples;
+}
+
+const std::string volume = "v.raw --dims 16,16,16 --type u8 ";
+
+}  // namespace
+
+TEST_CASE("several thresholds make several surfaces, each on a channel, in either kind of stream") {
+  const Workshop workshop;
+  workshop.write("v.raw", cone(16));
+  for (const std::string wire : {"regions", "slices"}) {
+    CAPTURE(wire);
+    workshop.done("extract " + volume + "--iso 20 --iso 40 --iso 60 --scan 77 --wire " + wire +
+                  " -o all.dmc");
+    const char* const isos[] = {"20", "40", "60"};
+    for (int channel = 0; channel < 3; ++channel) {
+      const std::string chosen = "all.dmc --channel " + std::to_string(channel);
+      auto info = workshop.info(chosen);
+      CHECK(info["channel"] == std::to_string(channel));
+      CHECK(info["threshold"] == isos[channel]);
+      CHECK(info["scan"] == "77");
+      CHECK(info["complete"] == "yes");
+      workshop.done("decode " + chosen + " -o of_all.stl");
+      workshop.done("extract " + volume + "--iso " + isos[channel] + " -o alone.stl");
+      CHECK(workshop.read("of_all.stl") == workshop.read("alone.stl"));
+      workshop.done("decode " + chosen + " -o again.dmc");
+      CHECK(workshop.info("again.dmc")["threshold"] == isos[channel]);
+      CHECK(workshop.info("again.dmc")["channel"] == std::to_string(channel));
+    }
+    workshop.done("render all.dmc --channel 1 -o p.png");
+  }
+}
+
+TEST_CASE("who asks for no channel gets the first, and is told of the others") {
+  const Workshop workshop;
+  workshop.write("v.raw", cone(16));
+  workshop.done("extract " + volume + "--iso 20 --iso 40 -o all.dmc");
+  const auto first = workshop.run("decode all.dmc -o first.stl");
+  CHECK(first.code == 0);
+  CHECK(contains(first.error, "channel 0 of 0 (threshold 20), 1 (threshold 40)"));
+  CHECK(workshop.run("decode all.dmc --channel 0 -o first.stl").error.empty());
+  const auto none = workshop.run("decode all.dmc --channel 2 -o none.stl");
+  CHECK(none.code == 1);
+  CHECK(contains(none.error, "nothing on channel 2: it has 0 (threshold 20), 1 (threshold 40)"));
+}
+
+TEST_CASE("streams of two scans on one link are told apart") {
+  const Workshop workshop;
+  workshop.write("v.raw", cone(16));
+  workshop.done("extract " + volume + "--iso 20 --scan 1 -o one.dmc");
+  workshop.done("extract " + volume + "--iso 40 --scan 2 -o two.dmc");
+  workshop.write("link.dmc", workshop.read("one.dmc") + workshop.read("two.dmc"));
+  auto info = workshop.info("link.dmc");
+  CHECK(info["scan"] == "1");
+  CHECK(info["complete"] == "yes");
+  CHECK(std::stoi(info["foreign_packets"]) > 2);
+}
+
+TEST_CASE("several surfaces are a stream, and no more than four") {
+  const Workshop workshop;
+  workshop.write("v.raw", cone(16));
+  const auto mesh = workshop.run("extract " + volume + "--iso 20 --iso 40 -o a.stl");
+  CHECK(mesh.code == 2);
+  CHECK(contains(mesh.error, "give -o FILE.dmc"));
+  const auto five =
+      workshop.run("extract " + volume + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o a.dmc");
+  CHECK(five.code == 2);
+  CHECK(contains(five.error, "4 at most"));
+  const auto drawn = workshop.run("render " + volume + "--iso 20 --channel 1 -o p.png");
+  CHECK(drawn.code == 2);
+  CHECK(workshop.run("render " + volume + "--iso 20 --iso 30 -o p.png").code == 2);
+}
