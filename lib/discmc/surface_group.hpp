@@ -44,8 +44,11 @@ class SurfaceGroup {
   /// As Extractor::push_bits(), with a row of bits for each: one behind the other, each of which
   /// begins with a byte.
   PushResult push_bits(const uint8_t* bits) {
-    return take_row([&, row = uint32_t{0}](Scanner& scanner) mutable {
-      return scanner.push_bits(bits + row++ * ((width_ + 7) / 8)).status;
+    const uint8_t* row = bits;
+    return take_row([&](Scanner& scanner) {
+      const uint8_t* const of_this = row;
+      row += (width_ + 7) / 8;
+      return scanner.push_bits(of_this).status;
     });
   }
 

@@ -40,9 +40,8 @@ Bytes stream_of(const std::vector<scan::Sample>& samples) {
   Encoder encoder;
   Extractor16 extractor;
   const bool good =
-      encoder.start(
-          {scan::depth, {scan::spacing_nm[0], scan::spacing_nm[1], scan::spacing_nm[2]}},
-          {&stream, append}) == Status::ok &&
+      encoder.start({scan::depth, {scan::spacing_nm[0], scan::spacing_nm[1], scan::spacing_nm[2]}},
+                    {&stream, append}) == Status::ok &&
       extractor.start(scan::limits, scan::threshold, memory_of(arena), sink_to(encoder)) ==
           Status::ok &&
       extractor.push(samples.data(), static_cast<std::uint32_t>(samples.size())).status ==
