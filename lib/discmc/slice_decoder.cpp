@@ -18,9 +18,12 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   memory_ = memory;
   packets_.start(channel);
   stage_ = Stage::collect;
+  is_started_ = true;
   refusal_ = Status::ok;
   is_laid_out_ = false;
   is_whole_ = false;
+  rest_bytes_ = 0;
+  coder_ = {};  // no encoder begins in the middle of a code, but any bytes are safe
   row_is_begun_ = false;
   surface_ = 0;
   slice_ = 0;
@@ -29,6 +32,7 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
 }
 
 Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
+  if (!is_started_) return {Status::not_started, 0};
   for (size_t taken = 0;; ++taken) {
     if (refusal_ != Status::ok) return {refusal_, taken};
     if (!deliver()) return {Status::more, taken};
@@ -38,6 +42,7 @@ Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
 }
 
 Status SliceDecoder::give_memory(Memory memory) {
+  if (!is_started_) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;
   refusal_ = Status::ok;
@@ -46,6 +51,7 @@ Status SliceDecoder::give_memory(Memory memory) {
 }
 
 Status SliceDecoder::finish() {
+  if (!is_started_) return Status::not_started;
   if (refusal_ != Status::ok) return refusal_;
   if (!deliver()) return Status::more;
   packets_.finish();
