@@ -90,6 +90,8 @@ Answer SurfaceDecoder::take(const RowEvent& event) {
     case RowEvent::Kind::lost:
       return skip(event.count, Substitute::off);
     case RowEvent::Kind::application: {
+      // What the rows before it have made comes first, and all of a region together.
+      if (extractor_.resume() == Status::more) return Answer::not_now;
       Event same{};
       same.kind = Event::Kind::application;
       same.application = event.application;
