@@ -461,14 +461,30 @@ TEST_CASE("decoders of zeros are not started, and start with a sink alone") {
   CHECK(surface.push(&byte, 1).status == Status::not_started);
 }
 
-TEST_CASE("a decoder of zeros reads a key slice in the middle of a code as any other does") {
+TEST_CASE("a key slice in the middle of a code is read alike, whatever was in the decoder before") {
   // No encoder sends one.
-  std::vector<Bytes> frames = frames_of(some_stream());
+  std::vector<Bytes> frames = frames_of(some_stream(4, 0));
+  const Bytes begun = joined({frames[0], frames[1]});
   Packet key = packet_of(frames[1]);
   REQUIRE((key.kind & wire::SliceBits::key) != 0);
+  REQUIRE((key.kind & wire::SliceBits::last) == 0);
   key.kind = static_cast<uint8_t>(key.kind & ~wire::SliceBits::first);
   frames[1] = frame_of(key);
-  check_rows(joined(frames), 1);
+  const Bytes stream = joined(frames);
+  check_rows(stream, 4);
+
+  Block block(slice_decoder_bytes(limits, 4));
+  SliceDecoder fresh, used;
+  RowListener of_fresh, of_used;
+  reference::require_ok(used.start(block.memory(), row_sink_to(of_used)));
+  reference::require_ok(used.push(begun.data(), begun.size()).status);
+  REQUIRE(used.report().rows > 0);
+  of_used = {};
+  reference::require_ok(used.start(block.memory(), row_sink_to(of_used)));
+  reference::require_ok(push_stream(used, stream, 0));
+  reference::require_ok(fresh.start(block.memory(), row_sink_to(of_fresh)));
+  reference::require_ok(push_stream(fresh, stream, 0));
+  CHECK(of_used.events == of_fresh.events);
 }
 
 TEST_CASE("a row sink is copied, and a start in vain leaves it") {
