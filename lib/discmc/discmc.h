@@ -486,8 +486,8 @@ uint64_t discmc_slice_encoder_bytes_for(const discmc_limits* limits, uint32_t ke
 /* Begins a scan and its stream; the header, of which all is told here, is the first packet. Where
  * it has several surfaces each gets all samples; bits of the further ones are told by those of the
  * first. memory: at least discmc_slice_encoder_bytes_for(); Owner: the caller, for as long as the
- * scan lasts. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_LABEL (also for surfaces), DISCMC_BAD_SINK (no
- * write), DISCMC_TOO_LITTLE_MEMORY. */
+ * scan lasts. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_LABEL (too many surfaces, too), DISCMC_BAD_SINK
+ * (no write), DISCMC_TOO_LITTLE_MEMORY. */
 DISCMC_NODISCARD discmc_status discmc_slice_encoder_start(discmc_slice_encoder* encoder,
                                                           const discmc_stream_header* header,
                                                           uint32_t key_slice_interval,

@@ -22,8 +22,6 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   refusal_ = Status::ok;
   is_laid_out_ = false;
   is_whole_ = false;
-  rest_bytes_ = 0;
-  coder_ = {};  // no encoder begins in the middle of a code, but any bytes are safe
   row_is_begun_ = false;
   surface_ = 0;
   slice_ = 0;
@@ -109,7 +107,9 @@ void SliceDecoder::open_slices() {
   stage_ = Stage::lose;
   lost_rows_ = 0;
   if ((bits & SliceBits::key) != 0) {
-    if (bytes < wire::key_slice_head || !begin_key_slice()) return give_up();
+    // It begins a code: with any other there is nothing to go on from.
+    const bool begins_code = (bits & SliceBits::first) != 0;
+    if (!begins_code || bytes < wire::key_slice_head || !begin_key_slice()) return give_up();
     code += wire::key_slice_head;
     bytes -= wire::key_slice_head;
   }
