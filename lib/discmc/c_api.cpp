@@ -8,6 +8,7 @@
 #include <discmc/discmc.h>
 
 #include <discmc/c_sink.hpp>
+#include <discmc/c_values.hpp>
 #include <discmc/discmc.hpp>
 
 using namespace discmc;
@@ -79,12 +80,6 @@ static_assert(DISCMC_RECORD_BYTES_ == sizing::record_bytes<uint16_t, NoNormals> 
                       default_capacities<uint16_t>(some_limits, 5000).records,
               "the constants of sizes.h are what the functions give; the tests have many more");
 
-Limits cpp(const discmc_limits& from) {
-  return {from.width,
-          from.height,
-          static_cast<Border>(from.border),
-          {from.slab.first, from.slab.continues_below != 0, from.slab.continues_above != 0}};
-}
 discmc_limits c(const Limits& from) {
   return {from.width,
           from.height,
@@ -97,27 +92,11 @@ Capacities cpp(const discmc_capacities& from) {
 discmc_capacities c(const Capacities& from) {
   return {from.records, from.holes};
 }
-discmc_statistics c(const Statistics& from) {
-  return {from.cells, from.facets, from.classic_triangles, from.regions,
-          from.rings, from.links,  from.fragments,         from.skipped_rows};
-}
-discmc_status c(Status status) {
-  return static_cast<discmc_status>(status);
-}
-discmc_push_result c(PushResult from) {
-  return {c(from.status), from.samples};
-}
-discmc_stream_header c(const StreamHeader& from) {
-  return *reinterpret_cast<const discmc_stream_header*>(&from);
-}
 StreamLabel cpp(const discmc_stream_label& from) {
   return {from.depth,
           {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
           from.scan,
           from.channel};
-}
-const ApplicationRecord& cpp(const discmc_application_record& from) {
-  return reinterpret_cast<const ApplicationRecord&>(from);
 }
 
 using ExtractorAdapter = SinkAdapter<Extractor16>;
@@ -185,7 +164,7 @@ discmc_status discmc_extractor_start(discmc_extractor* extractor, const discmc_l
                                      const discmc_capacities* capacities, int32_t threshold,
                                      discmc_memory memory, const discmc_sink* sink) {
   return adapter(extractor).start_to(*sink, [&](const Sink& to) {
-    const Memory bytes{memory.data, memory.bytes};
+    const Memory bytes = cpp(memory);
     return capacities == nullptr
                ? cpp(extractor).start(cpp(*limits), threshold, bytes, to)
                : cpp(extractor).start(cpp(*limits), cpp(*capacities), threshold, bytes, to);
@@ -230,7 +209,7 @@ discmc_status discmc_extractor_restore(discmc_extractor* extractor,
                                        discmc_memory memory, const discmc_sink* sink) {
   return adapter(extractor).start_to(*sink, [&](const Sink& to) {
     return cpp(extractor).restore(*reinterpret_cast<const Checkpoint<Extractor16>*>(checkpoint),
-                                  {memory.data, memory.bytes}, to);
+                                  cpp(memory), to);
   });
 }
 discmc_statistics discmc_extractor_statistics(const discmc_extractor* extractor) {
@@ -258,14 +237,14 @@ uint32_t discmc_extractor_rows(const discmc_extractor* extractor) {
 
 discmc_status discmc_encoder_start(discmc_encoder* encoder, const discmc_stream_label* label,
                                    discmc_byte_output output) {
-  return c(cpp(encoder).start(cpp(*label), {output.context, output.write}));
+  return c(cpp(encoder).start(cpp(*label), cpp(output)));
 }
 discmc_status discmc_encoder_tell(discmc_encoder* encoder,
                                   const discmc_application_record* record) {
   return c(cpp(encoder).tell(cpp(*record)));
 }
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output) {
-  cpp(encoder).set_output({output.context, output.write});
+  cpp(encoder).set_output(cpp(output));
 }
 discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event) {
   return static_cast<discmc_answer>(
@@ -281,8 +260,8 @@ discmc_status discmc_encoder_save(const discmc_encoder* encoder,
 discmc_status discmc_encoder_restore(discmc_encoder* encoder,
                                      const discmc_encoder_checkpoint* checkpoint,
                                      discmc_byte_output output) {
-  return c(cpp(encoder).restore(*reinterpret_cast<const Checkpoint<Encoder>*>(checkpoint),
-                                {output.context, output.write}));
+  return c(
+      cpp(encoder).restore(*reinterpret_cast<const Checkpoint<Encoder>*>(checkpoint), cpp(output)));
 }
 uint64_t discmc_encoder_bytes(const discmc_encoder* encoder) {
   return cpp(encoder).bytes();
@@ -294,8 +273,7 @@ discmc_status discmc_decoder_start(discmc_decoder* decoder, const discmc_sink* s
                                    [&](const Sink& to) { return cpp(decoder).start(to, channel); });
 }
 discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes, size_t count) {
-  const Decoded decoded = cpp(decoder).push(bytes, count);
-  return {c(decoded.status), decoded.bytes};
+  return c(cpp(decoder).push(bytes, count));
 }
 discmc_status discmc_decoder_finish(discmc_decoder* decoder) {
   return c(cpp(decoder).finish());
@@ -304,10 +282,5 @@ discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder) {
   return c(cpp(decoder).header());
 }
 discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder) {
-  const StreamReport& from = cpp(decoder).report();
-  return {from.has_header,       from.has_trailer,     from.abandoned,       from.is_unreadable,
-          from.is_mixed,         from.is_complete(),   from.bytes,           from.packets,
-          from.repeated_packets, from.damaged_packets, from.foreign_packets, from.lost_packets,
-          from.regions,          from.fragments,       from.lost_pieces,     from.slices,
-          c(from.totals)};
+  return c(cpp(decoder).report());
 }

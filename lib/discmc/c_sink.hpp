@@ -4,27 +4,27 @@
 
 #include <discmc/discmc.h>
 #include <discmc/sink.hpp>
+#include <discmc/slice_decoder.hpp>
 #include <discmc/status.hpp>
 
 namespace discmc {
 
 /// An object that offers its events to a C sink, of which it keeps a copy. The object calls a
 /// function of a C++ type, which calls the C function.
-template <class Object>
+template <class Object, class EventOfC = discmc_event>
 struct SinkAdapter {
   Object object;
   void* context;
-  discmc_answer (*take)(void* context, const discmc_event* event);
+  discmc_answer (*take)(void* context, const EventOfC* event);
 
   /// start(sink): starts the object. When it fails, the sink of the last start stays.
-  template <class Start>
-  discmc_status start_to(const discmc_sink& sink, Start start) {
+  template <class SinkOfC, class Start>
+  discmc_status start_to(const SinkOfC& sink, Start start) {
     const auto last_context = context;
     const auto last_take = take;
     context = sink.context;
     take = sink.take;
-    const Status status = start(Sink{this, sink.take == nullptr ? nullptr : offer,
-                                     sink.takes_fragments != 0 ? nullptr : &trace::sealing});
+    const Status status = start(passing_to(sink));
     if (status != Status::ok) {
       context = last_context;
       take = last_take;
@@ -32,9 +32,18 @@ struct SinkAdapter {
     return static_cast<discmc_status>(status);
   }
 
-  static Answer offer(void* adapter, const Event& event) {
+  Sink passing_to(const discmc_sink& sink) {
+    return {this, sink.take == nullptr ? nullptr : offer<Event>,
+            sink.takes_fragments != 0 ? nullptr : &trace::sealing};
+  }
+  RowSink passing_to(const discmc_row_sink& sink) {
+    return {this, sink.take == nullptr ? nullptr : offer<RowEvent>};
+  }
+
+  template <class EventOfCpp>
+  static Answer offer(void* adapter, const EventOfCpp& event) {
     const SinkAdapter& to = *static_cast<const SinkAdapter*>(adapter);
-    return static_cast<Answer>(to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
+    return static_cast<Answer>(to.take(to.context, reinterpret_cast<const EventOfC*>(&event)));
   }
 };
 

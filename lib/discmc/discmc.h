@@ -6,6 +6,9 @@
  *   discmc_extractor_resume   after DISCMC_MORE, when the output takes bytes again
  *   discmc_extractor_finish   after the last slice; the stream is then complete, without a flush
  *
+ * Where the receiver is to extract the surface, a slice encoder stands in for the first two, and
+ * sends the bits of the samples in a tenth of the bytes.
+ *
  * Names and meanings are those of the C++ headers, which say more where a section names one.
  * Objects are opaque and lie in your memory. They must be zero before their first use: static ones
  * are, others are with `= {{0}}`. Do not move them once started. Drop them at any time: nothing has
@@ -415,7 +418,9 @@ uint64_t discmc_encoder_bytes(const discmc_encoder* encoder);
 /* How a stream arrived. Lost counts grow when the next whole packet reveals the gap. Flags are 0 or
  * 1. */
 typedef struct discmc_stream_report {
-  uint8_t has_header, has_trailer;
+  uint8_t has_header;
+  uint8_t holds_slices; /* as its header says: a slice decoder or a surface decoder takes it */
+  uint8_t has_trailer;
   uint8_t abandoned;     /* the scan was ended before its time; the surface is closed */
   uint8_t is_unreadable; /* a packet was whole, but its records are of no known kind */
   uint8_t is_mixed;      /* packets of another scan, of the same name, were taken */
@@ -429,6 +434,9 @@ typedef struct discmc_stream_report {
   uint64_t regions;         /* delivered complete */
   uint64_t fragments;       /* loose ones delivered complete */
   uint64_t lost_pieces;     /* regions and fragments missing by the running count of both */
+  uint64_t rows;            /* of bits, delivered */
+  uint64_t lost_rows;       /* of bits, by where the next one is */
+  uint64_t total_rows;      /* of bits: of the trailer */
   uint32_t slices;          /* of the trailer */
   discmc_statistics totals; /* of the trailer */
 } discmc_stream_report;
@@ -461,6 +469,189 @@ DISCMC_NODISCARD discmc_status discmc_decoder_finish(discmc_decoder* decoder);
 
 discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder);
 discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder);
+
+/* ---- the slice encoder (slice_encoder.hpp) ---- */
+
+typedef struct discmc_slice_encoder {
+  uint64_t opaque[(sizeof(void*) == 8 ? 720 : 632) / 8];
+} discmc_slice_encoder;
+
+/* The bytes that a slice encoder takes. key_slice_interval: the slices from one key slice, which is
+ * told without the ones before, to the next; 0 where only the first is one. 1 makes the stream half
+ * as long again, and takes least memory. Limit: the limits are valid, and surfaces 1 to
+ * DISCMC_MAX_SURFACES. sizes.h has the same as a constant: DISCMC_SLICE_ENCODER_BYTES_FOR(). */
+uint64_t discmc_slice_encoder_bytes_for(const discmc_limits* limits, uint32_t key_slice_interval,
+                                        uint32_t surfaces);
+
+/* Begins a scan and its stream; the header, of which all is told here, is the first packet. Where
+ * it has several surfaces each gets all samples; bits of the further ones are told by those of the
+ * first. memory: at least discmc_slice_encoder_bytes_for(); Owner: the caller, for as long as the
+ * scan lasts. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_LABEL (too many surfaces, too), DISCMC_BAD_SINK
+ * (no write), DISCMC_TOO_LITTLE_MEMORY. */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_start(discmc_slice_encoder* encoder,
+                                                          const discmc_stream_header* header,
+                                                          uint32_t key_slice_interval,
+                                                          discmc_memory memory,
+                                                          discmc_byte_output output);
+
+/* Takes samples as discmc_extractor_push_u8() and its neighbours. */
+DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_push_u8(discmc_slice_encoder* encoder,
+                                                                 const uint8_t* samples,
+                                                                 uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_push_u16(discmc_slice_encoder* encoder,
+                                                                  const uint16_t* samples,
+                                                                  uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_push_i16(discmc_slice_encoder* encoder,
+                                                                  const int16_t* samples,
+                                                                  uint32_t count, uint32_t stride);
+
+/* Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0; of
+ * several surfaces one row behind the other, each of which begins with a byte. Counts as `width`
+ * samples, or 0 when it was not taken. Errors: as a push, and DISCMC_ROW_IN_PROGRESS. */
+DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_push_bits(discmc_slice_encoder* encoder,
+                                                                   const uint8_t* bits);
+
+/* Stands in for a row that never came; the stream says so. substitute: DISCMC_OFF or
+ * DISCMC_PREVIOUS_ROW. Result and errors: as push_bits. */
+DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_skip_row(discmc_slice_encoder* encoder,
+                                                                  uint8_t substitute);
+
+/* Goes on after DISCMC_MORE. Also harmless at any other time. Errors: DISCMC_NOT_STARTED. */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_resume(discmc_slice_encoder* encoder);
+
+/* Hands over what is there so far instead of waiting for a full packet; costs some bytes of stream.
+ * After DISCMC_MORE call it again. Errors: DISCMC_NOT_STARTED. */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder);
+
+/* Sends an application record now, before the next row; its slice and row are filled in.
+ * DISCMC_MORE: not taken yet, call again. Errors: DISCMC_NOT_STARTED, DISCMC_FINISHED,
+ * DISCMC_BAD_RECORD. */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_tell(discmc_slice_encoder* encoder,
+                                                         const discmc_application_record* record);
+
+/* Goes on with another output, as discmc_encoder_set_output(). The next slice is a key slice. */
+void discmc_slice_encoder_set_output(discmc_slice_encoder* encoder, discmc_byte_output output);
+
+/* Ends the scan and the stream. After DISCMC_MORE call it again. Errors: DISCMC_NOT_STARTED,
+ * DISCMC_SLICE_IN_PROGRESS. */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_finish(discmc_slice_encoder* encoder);
+
+/* Ends the scan wherever it is: the stream says so, and the receiver takes the rest of the slice as
+ * off. DISCMC_MORE as finish. Errors: DISCMC_NOT_STARTED. */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_abandon(discmc_slice_encoder* encoder);
+
+/* The bytes that the output has taken so far. */
+uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder* encoder);
+/* Complete slices so far, and complete rows of the current one. */
+uint32_t discmc_slice_encoder_slices(const discmc_slice_encoder* encoder);
+uint32_t discmc_slice_encoder_rows(const discmc_slice_encoder* encoder);
+
+/* ---- the slice decoder (slice_decoder.hpp) ---- */
+
+/* The kinds of row events: every row of a scan in its order, of each surface in turn, and its end.
+ */
+enum {
+  DISCMC_ROWS_START,       /* the first event: header */
+  DISCMC_ROW,              /* slice, row, channel, bits */
+  DISCMC_ROW_SKIPPED,      /* it never came to the encoder: as a row, with bits that stand in for
+                            * it; repeated */
+  DISCMC_ROWS_LOST,        /* so many rows of all were lost on the way: slice, row (of the first),
+                            * count */
+  DISCMC_ROWS_APPLICATION, /* the user's own data: application */
+  DISCMC_ROWS_FINISH       /* the last event: slice (how many), abandoned */
+};
+
+/* One thing that a row sink is offered. Only the members that its kind names have a meaning. Flags
+ * are 0 or 1. */
+typedef struct discmc_row_event {
+  uint8_t kind;
+  uint8_t repeated; /* the row before stands in, not a row that is off */
+  uint8_t abandoned;
+  uint8_t channel;
+  uint32_t slice;
+  uint32_t row;
+  uint64_t count;
+  /* Owner: the decoder; valid during the call. */
+  union {
+    const uint8_t* bits; /* eight voxels a byte, the first in bit 0 */
+    const discmc_stream_header* header;
+    const discmc_application_record* application;
+  } of;
+} discmc_row_event;
+
+/* Where rows go. Owner: the context is the caller's and must outlive the decoder; the sink is
+ * copied. */
+typedef struct discmc_row_sink {
+  void* context;
+  discmc_answer (*take)(void* context, const discmc_row_event* event);
+} discmc_row_sink;
+
+typedef struct discmc_slice_decoder {
+  uint64_t opaque[(sizeof(void*) == 8 ? 960 : 840) / 8];
+} discmc_slice_decoder;
+
+/* The bytes that a slice decoder takes for slices of this size. Limit: as of the slice encoder.
+ * sizes.h has the same as a constant: DISCMC_SLICE_DECODER_BYTES_FOR(). */
+uint64_t discmc_slice_decoder_bytes_for(const discmc_limits* limits, uint32_t surfaces);
+
+/* Begins a stream. memory: at least discmc_slice_decoder_bytes_for() of what the header will tell,
+ * or none before it is known; Owner: the caller, as long as the decoder is used. channel: as of the
+ * decoder; the rows of all surfaces of its stream are handed out. Errors: DISCMC_BAD_SINK. */
+DISCMC_NODISCARD discmc_status discmc_slice_decoder_start(discmc_slice_decoder* decoder,
+                                                          discmc_memory memory,
+                                                          const discmc_row_sink* sink,
+                                                          uint8_t channel);
+
+/* Takes bytes as discmc_decoder_push(). DISCMC_TOO_LITTLE_MEMORY: the header tells of larger slices
+ * than the memory serves: give_memory, and push the rest. Any bytes are safe. */
+DISCMC_NODISCARD discmc_decoded discmc_slice_decoder_push(discmc_slice_decoder* decoder,
+                                                          const uint8_t* bytes, size_t count);
+
+/* Goes on with other memory, of discmc_slice_decoder_bytes_for(), after DISCMC_TOO_LITTLE_MEMORY.
+ * Errors: DISCMC_NOT_STARTED, DISCMC_TOO_LITTLE_MEMORY. */
+DISCMC_NODISCARD discmc_status discmc_slice_decoder_give_memory(discmc_slice_decoder* decoder,
+                                                                discmc_memory memory);
+
+/* Tells that no byte follows. DISCMC_MORE as a push. Errors: DISCMC_NOT_STARTED. */
+DISCMC_NODISCARD discmc_status discmc_slice_decoder_finish(discmc_slice_decoder* decoder);
+
+discmc_stream_header discmc_slice_decoder_header(const discmc_slice_decoder* decoder);
+discmc_stream_report discmc_slice_decoder_report(const discmc_slice_decoder* decoder);
+
+/* ---- the surface decoder (surface_decoder.hpp) ---- */
+
+/* Makes events of a stream of either kind: of bits those of an extractor that is given the same
+ * rows. Rows that were lost on the way are skipped rows. */
+typedef struct discmc_surface_decoder {
+  uint64_t opaque[(sizeof(void*) == 8 ? 2864 : 2584) / 8];
+} discmc_surface_decoder;
+
+/* The least memory for streams of bits of this size. Limit: as of the slice encoder. sizes.h has
+ * the same as a constant: DISCMC_MINIMUM_SURFACE_BYTES(). */
+uint64_t discmc_minimum_surface_bytes(const discmc_limits* limits, uint32_t surfaces);
+
+/* Begins a stream. memory: none for streams of regions, or before it is known; at least
+ * discmc_minimum_surface_bytes() of what the header of a stream of bits will tell, and more for
+ * fewer loose fragments; Owner: the caller, as long as the decoder is used. channel: as of the
+ * decoder; of several surfaces of one stream that one, or the first. Errors: DISCMC_BAD_SINK. */
+DISCMC_NODISCARD discmc_status discmc_surface_decoder_start(discmc_surface_decoder* decoder,
+                                                            discmc_memory memory,
+                                                            const discmc_sink* sink,
+                                                            uint8_t channel);
+
+/* Takes bytes as discmc_slice_decoder_push(). */
+DISCMC_NODISCARD discmc_decoded discmc_surface_decoder_push(discmc_surface_decoder* decoder,
+                                                            const uint8_t* bytes, size_t count);
+
+/* As discmc_slice_decoder_give_memory(), with discmc_minimum_surface_bytes() or more. */
+DISCMC_NODISCARD discmc_status discmc_surface_decoder_give_memory(discmc_surface_decoder* decoder,
+                                                                  discmc_memory memory);
+
+/* As discmc_decoder_finish(). Of a stream of bits that has no end the surface has none either. */
+DISCMC_NODISCARD discmc_status discmc_surface_decoder_finish(discmc_surface_decoder* decoder);
+
+discmc_stream_header discmc_surface_decoder_header(const discmc_surface_decoder* decoder);
+discmc_stream_report discmc_surface_decoder_report(const discmc_surface_decoder* decoder);
 
 /* ---- the joiner (joiner.hpp) ---- */
 

@@ -1,6 +1,6 @@
 /* Bytes and capacities of a scan as constant expressions of C, to size static memory with. They are
- * what the functions of capacities.hpp give with 16-bit indices: c_api.cpp and the tests check
- * that.
+ * what the functions of capacities.hpp give with 16-bit indices, and those of key_slices.hpp:
+ * c_api.cpp, c_slices.cpp and the tests check that.
  *
  *   static uint8_t memory[DISCMC_MINIMUM_BYTES(256, 256) + 32 * 1024];
  *   static const discmc_capacities capacities =
@@ -40,16 +40,41 @@
         DISCMC_JOIN_UNITS_(bytes) == 0 ? 1 : 8 * DISCMC_JOIN_UNITS_(bytes) \
   }
 
+/* The bytes that a slice encoder takes, by its interval of key slices, and those of a slice
+ * decoder. Limit: surfaces 1 to DISCMC_MAX_SURFACES. */
+#define DISCMC_SLICE_ENCODER_BYTES_FOR(width, height, key_slice_interval, surfaces)           \
+  (DISCMC_BIT_ROW_BYTES_(width, DISCMC_ROWS_KEPT_(height, key_slice_interval)) * (surfaces) + \
+   DISCMC_MODEL_BYTES_ + ((surfaces)-1) * DISCMC_FURTHER_MODEL_BYTES_ + 3)
+#define DISCMC_SLICE_DECODER_BYTES_FOR(width, height, surfaces) \
+  (DISCMC_SLICE_ENCODER_BYTES_FOR(width, height, 0, surfaces) + UINT64_C(4) * (((width) + 31) / 32))
+
+/* The least memory of a surface decoder for streams of bits. */
+#define DISCMC_MINIMUM_SURFACE_BYTES(width, height, surfaces) \
+  (DISCMC_SLICE_DECODER_BYTES_FOR(width, height, surfaces) +  \
+   DISCMC_FIXED_BYTES_OF_INDEX_(width, height, UINT64_C(4)) + \
+   DISCMC_MINIMUM_RECORDS_ * DISCMC_LARGE_RECORD_BYTES_)
+
 /* ---- how they come about ---- */
 
 #define DISCMC_RECORD_BYTES_ UINT64_C(8)
+#define DISCMC_LARGE_RECORD_BYTES_ UINT64_C(16) /* with 32-bit indices */
 #define DISCMC_MINIMUM_RECORDS_ 4
 #define DISCMC_MOST_RECORDS_ 32759
 
+/* So many rows of bits, and one that is off. */
+#define DISCMC_BIT_ROW_BYTES_(width, rows) (UINT64_C(4) * ((width) / 30 + 1) * ((rows) + 1))
+
 /* Rows of bits, rows of cells that are sealed, queues, lists of holes, and alignment. */
-#define DISCMC_FIXED_BYTES_(width, height)                           \
-  (UINT64_C(4) * ((width) / 30 + 1) * (UINT64_C(2) * (height) + 4) + \
-   UINT64_C(8) * ((height) / 32 + 1) + UINT64_C(4) * 144 + UINT64_C(2) * 16 + 3)
+#define DISCMC_FIXED_BYTES_(width, height) DISCMC_FIXED_BYTES_OF_INDEX_(width, height, UINT64_C(2))
+#define DISCMC_FIXED_BYTES_OF_INDEX_(width, height, index_bytes)                                  \
+  (DISCMC_BIT_ROW_BYTES_(width, UINT64_C(2) * (height) + 3) + UINT64_C(8) * ((height) / 32 + 1) + \
+   (index_bytes)*2 * 144 + (index_bytes)*16 + 3)
+
+/* The rows that those of a stream of slices are told by, and what is learnt of them. */
+#define DISCMC_ROWS_KEPT_(height, key_slice_interval) \
+  ((key_slice_interval) == 1 || (height) < 2 ? UINT64_C(4) : UINT64_C(2) + (height))
+#define DISCMC_MODEL_BYTES_ UINT64_C(548)
+#define DISCMC_FURTHER_MODEL_BYTES_ UINT64_C(1060)
 
 #define DISCMC_AFFORDABLE_RECORDS_(width, height, bytes) \
   ((bytes) < DISCMC_MINIMUM_BYTES(width, height) + 4     \

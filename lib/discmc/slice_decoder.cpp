@@ -18,6 +18,7 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   memory_ = memory;
   packets_.start(channel);
   stage_ = Stage::collect;
+  is_started_ = true;
   refusal_ = Status::ok;
   is_laid_out_ = false;
   is_whole_ = false;
@@ -29,6 +30,7 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
 }
 
 Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
+  if (!is_started_) return {Status::not_started, 0};
   for (size_t taken = 0;; ++taken) {
     if (refusal_ != Status::ok) return {refusal_, taken};
     if (!deliver()) return {Status::more, taken};
@@ -38,6 +40,7 @@ Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
 }
 
 Status SliceDecoder::give_memory(Memory memory) {
+  if (!is_started_) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;
   refusal_ = Status::ok;
@@ -46,6 +49,7 @@ Status SliceDecoder::give_memory(Memory memory) {
 }
 
 Status SliceDecoder::finish() {
+  if (!is_started_) return Status::not_started;
   if (refusal_ != Status::ok) return refusal_;
   if (!deliver()) return Status::more;
   packets_.finish();
@@ -103,7 +107,9 @@ void SliceDecoder::open_slices() {
   stage_ = Stage::lose;
   lost_rows_ = 0;
   if ((bits & SliceBits::key) != 0) {
-    if (bytes < wire::key_slice_head || !begin_key_slice()) return give_up();
+    // It begins a code: with any other there is nothing to go on from.
+    const bool begins_code = (bits & SliceBits::first) != 0;
+    if (!begins_code || bytes < wire::key_slice_head || !begin_key_slice()) return give_up();
     code += wire::key_slice_head;
     bytes -= wire::key_slice_head;
   }

@@ -54,8 +54,9 @@ class SurfaceDecoder {
   Decoder regions_;
   SliceDecoder slices_;
   Extractor32 extractor_;
-  Status refusal_ = Status::not_started;
-  bool is_known_ = false;  // what the stream holds
+  bool is_started_ = false;
+  Status refusal_ = Status::ok;  // of a stream of bits
+  bool is_known_ = false;        // what the stream holds
   bool is_of_slices_ = false;
   uint64_t skipped_ = 0;  // of the rows that were lost together
 };

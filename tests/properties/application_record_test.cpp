@@ -146,6 +146,19 @@ TEST_CASE("records go with a stream of slices, before the row that follows") {
   }
 }
 
+TEST_CASE("a record does not overtake what a busy sink has refused, in a stream of either kind") {
+  for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
+    EventLog idle, busy(reference::refuses_first);
+    for (EventLog* log : {&idle, &busy}) {
+      Bytes memory(minimum_surface_bytes({volume.width, volume.height}) + 100000);
+      SurfaceDecoder decoder;
+      require_ok(decoder.start({memory.data(), memory.size()}, sink_to(*log)));
+      require_ok(push_stream(decoder, stream, 0));
+    }
+    CHECK(busy.events == idle.events);
+  }
+}
+
 TEST_CASE("a stream that is decoded and encoded again keeps its records") {
   EventLog log;
   const Bytes stream = regions_with_records(0);

@@ -13,6 +13,10 @@ uint8_t join_least[DISCMC_JOINER_MINIMUM_BYTES];
 static const discmc_join_capacities join_fragments = {101, 151};
 static const discmc_join_capacities join_split = DISCMC_JOINER_DEFAULT_CAPACITIES(20000);
 
+uint8_t slice_encoder[DISCMC_SLICE_ENCODER_BYTES_FOR(64, 48, 16, 2)];
+uint8_t slice_decoder[DISCMC_SLICE_DECODER_BYTES_FOR(64, 48, 2)];
+uint8_t surface_decoder[DISCMC_MINIMUM_SURFACE_BYTES(64, 48, 2)];
+
 static int are_equal(discmc_capacities a, discmc_capacities b) {
   return a.records == b.records && a.holes == b.holes;
 }
@@ -27,5 +31,8 @@ int main(void) {
   if (sizeof join_least != discmc_joiner_minimum_bytes()) return 6;
   if (join_split.fragments != discmc_joiner_default_capacities(20000).fragments) return 7;
   if (join_split.runs != discmc_joiner_default_capacities(20000).runs) return 8;
+  if (sizeof slice_encoder != discmc_slice_encoder_bytes_for(&limits, 16, 2)) return 9;
+  if (sizeof slice_decoder != discmc_slice_decoder_bytes_for(&limits, 2)) return 10;
+  if (sizeof surface_decoder != discmc_minimum_surface_bytes(&limits, 2)) return 11;
   return 0;
 }
