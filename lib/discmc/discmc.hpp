@@ -18,6 +18,7 @@
 //   slice_decoder.hpp     rows of bits out of it
 //   surface_decoder.hpp   bytes of either stream in, the same events out
 //   joiner.hpp            loose fragments of one stream or several in, regions out
+//   application_record.hpp, placement.hpp  the user's own data in a stream; where the volume lies
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
@@ -67,6 +68,7 @@
 #include <discmc/extractor.hpp>
 #include <discmc/facet_table.hpp>
 #include <discmc/joiner.hpp>
+#include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
 #include <discmc/slice_encoder.hpp>
