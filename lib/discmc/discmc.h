@@ -413,6 +413,29 @@ DISCMC_NODISCARD discmc_status discmc_encoder_restore(discmc_encoder* encoder,
 /* The bytes that the output has taken so far. */
 uint64_t discmc_encoder_bytes(const discmc_encoder* encoder);
 
+/* What the axes of space are: the scanner's own; towards left, back and head, as in DICOM; towards
+ * right, front and head, as in NIfTI. */
+enum { DISCMC_FRAME_NONE, DISCMC_FRAME_LPS, DISCMC_FRAME_RAS };
+
+/* Where a volume lies in space (placement.hpp): voxel (i, j, k) has its centre at origin +
+ * i axes[0] + j axes[1] + k axes[2]. Units: nanometres. */
+typedef struct discmc_placement {
+  int32_t axes_nm[3][3]; /* of one voxel to the next along x, y, z: their x, y, z in space */
+  int64_t origin_nm[3];  /* the centre of voxel (0, 0, 0) */
+  uint8_t frame;         /* DISCMC_FRAME_NONE, DISCMC_FRAME_LPS or DISCMC_FRAME_RAS */
+} discmc_placement;
+enum { DISCMC_PLACEMENT_KIND = DISCMC_FIRST_STANDARD_KIND, DISCMC_PLACEMENT_BYTES = 61 };
+
+/* The record of a placement, to be told best before the first row. bytes: room for
+ * DISCMC_PLACEMENT_BYTES, which are written; Owner: the caller, until the record has been told. */
+discmc_application_record discmc_placement_record(const discmc_placement* placement,
+                                                  uint8_t* bytes);
+
+/* Reads the placement in a record. 0, and nothing is written, where it holds none: the kind is
+ * another, or the number of bytes, or the frame is not known. */
+DISCMC_NODISCARD uint8_t discmc_read_placement(const discmc_application_record* record,
+                                               discmc_placement* placement);
+
 /* ---- the decoder (decoder.hpp) ---- */
 
 /* How a stream arrived. Lost counts grow when the next whole packet reveals the gap. Flags are 0 or

@@ -20,6 +20,7 @@
 //   surface_decoder.hpp   bytes of either stream in, the same events out
 //   surface_group.hpp, shared_output.hpp  several surfaces of one scan, over one link
 //   joiner.hpp            loose fragments of one stream or several in, regions out
+//   application_record.hpp, placement.hpp  the user's own data in a stream; where the volume lies
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
@@ -70,6 +71,7 @@
 #include <discmc/extractor.hpp>
 #include <discmc/facet_table.hpp>
 #include <discmc/joiner.hpp>
+#include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
 #include <discmc/shared_output.hpp>

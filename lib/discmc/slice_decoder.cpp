@@ -216,7 +216,7 @@ bool SliceDecoder::read_note() {
   const uint32_t told = coder_.number(slices::note_bits, 0);
   if (told >= static_cast<uint32_t>(RowNote::none)) return false;
   note_ = static_cast<RowNote>(told);
-  return true;
+  return note_ != RowNote::repeated || !is_key_ahead_;
 }
 
 // ---- delivery ----

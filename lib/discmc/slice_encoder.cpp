@@ -188,6 +188,10 @@ bool SliceEncoder::tell_what_precedes() {
   if (begins_key_slice) {
     if (code_is_open_ && !end_code()) return false;
     surfaces_.begin_key_slice();
+    if (note_ == RowNote::repeated) {
+      note_ = RowNote::off;  // a key slice is told by nothing before it
+      surfaces_.clear_row();
+    }
   }
   if (!make_room()) return false;
   tell_note(note_);

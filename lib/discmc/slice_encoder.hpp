@@ -45,7 +45,8 @@ class SliceEncoder {
   /// push(), row_in_progress. PushResult::samples is the width when the row was taken, else 0.
   PushResult push_bits(const uint8_t* bits);
 
-  /// Stands in for a row that never came; the stream says so. Result and errors: as push_bits().
+  /// Stands in for a row that never came; the stream says so. The first row of a key slice has none
+  /// before it, and is taken as off. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
 
   /// Goes on after Status::more. Also harmless at any other time. Errors: not_started.

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "application_text.hpp"
 #include "classic.hpp"
 #include "command_line.hpp"
 #include "counts.hpp"
@@ -263,25 +264,44 @@ struct DecodedStream {
   std::vector<StreamHeader> streams;  // all of the link
   StreamReport report;
   Surface surface;
+  std::vector<std::string> records;  // the user's own, in words
+};
+
+// Notes the application records of a stream, and passes on what it is given.
+struct RecordNotes {
+  GrowingJoiner& to;
+  std::vector<std::string> records{};
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::application) records.push_back(text(*event.application));
+    return to.take(event);
+  }
 };
 
 DecodedStream decode_surface(const std::string& path, std::uint8_t channel) {
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
-  StreamReader reader(sink_to(joiner), channel);
+  RecordNotes notes{joiner};
+  StreamReader reader(sink_to(notes), channel);
   read_file(path, reader);
   note_others(path, channel, reader);
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   StreamReport report = reader.report();
   report.lost_pieces += builder.incomplete_regions();
-  return {reader.header(), reader.channel(), reader.headers(), report,
-          std::move(builder.surface())};
+  return {reader.header(),
+          reader.channel(),
+          reader.headers(),
+          report,
+          std::move(builder.surface()),
+          std::move(notes.records)};
 }
 
 // What is missing is said, and told by the exit code, but what is there is used.
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
+  if (report.is_mixed)
+    std::cerr << "discmc: " << path
+              << ": two scans of one number are mixed in it: give every scan a number of its own\n";
   std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
             << " packets and " << (report.holds_slices ? report.lost_rows : report.lost_pieces)
             << (report.holds_slices ? " rows" : " regions or fragments") << " are missing"
@@ -301,7 +321,7 @@ class Recoder {
       is_started_ = true;
     } else if (is_started_) {
       encoder_.take(event);
-    } else {
+    } else if (event.kind != Event::Kind::application) {  // what that points to will be gone
       early_.push_back(event);  // its first header is lost: wait for the next
     }
     return Answer::taken;
@@ -374,6 +394,7 @@ int run_info(const StreamArguments& arguments) {
   const DecodedStream decoded = decode_surface(arguments.stream, arguments.channel);
   write_info(decoded.header, decoded.channel, decoded.streams, decoded.report,
              count(decoded.surface), std::cout);
+  for (const std::string& record : decoded.records) std::cout << "record " << record << '\n';
   require_written(std::cout);
   return completeness(arguments.stream, decoded.report);
 }

@@ -1,4 +1,6 @@
 // The commands that take a stream, decode, info and render: whole, broken and hostile ones.
+#include <discmc/placement.hpp>
+
 #include "command.hpp"
 #include "oracle/stream.hpp"
 
@@ -282,4 +284,40 @@ TEST_CASE("what cannot be said is a failure") {
   write_stream(workshop, "v.dmc");
   if (workshop.shell("test -c /dev/full").code != 0) return;
   CHECK(workshop.shell("\"$discmc\" info v.dmc >/dev/full").code == 1);
+}
+
+TEST_CASE("info lists application records and a placement, in words") {
+  discmc::test::Line line;
+  discmc::Encoder encoder;
+  const auto volume = discmc::reference::from_bits({1, 1, 1}, 1);
+  discmc::reference::require_ok(
+      discmc::test::begin_stream(encoder, discmc::test::header_of(volume), line.output()));
+  const std::uint8_t bytes[] = {0xCA, 0xFE};
+  discmc::reference::require_ok(encoder.tell({9, 3, 5, bytes, 2}));
+  discmc::Placement placement{};
+  placement.frame = discmc::Frame::ras;
+  std::uint8_t buffer[discmc::Placement::record_bytes];
+  discmc::reference::require_ok(encoder.tell(discmc::record_of(placement, buffer)));
+  discmc::test::take_all(encoder, discmc::test::events_of(volume));
+  const Workshop workshop;
+  workshop.write("r.dmc", text_of(line.bytes));
+  const std::string info = workshop.done("info r.dmc");
+  CHECK(contains(info, "record kind 9"));
+  CHECK(contains(info, "RAS"));
+}
+
+TEST_CASE("two scans of one number that are mixed are told, with a remedy") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
+  workshop.done("extract v.nrrd --iso 100 --wire slices -o a.dmc");
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 80));
+  workshop.done("extract v.nrrd --iso 100 --wire slices -o b.dmc");
+  auto a = discmc::test::frames_of(bytes_of(workshop.read("a.dmc")));
+  const auto b = discmc::test::frames_of(bytes_of(workshop.read("b.dmc")));
+  REQUIRE(a.size() == b.size());
+  a.back() = b.back();
+  workshop.write("m.dmc", text_of(discmc::test::joined(a)));
+  const Result result = workshop.run("info m.dmc");
+  CHECK(result.code == 3);
+  CHECK(contains(result.error, "give every scan a number of its own"));
 }

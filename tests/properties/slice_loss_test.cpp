@@ -190,3 +190,28 @@ TEST_CASE("packets that are whole but hold anything do no harm") {
     CHECK(received.report.rows <= all_rows + 100000);
   }
 }
+
+TEST_CASE("a key slice is told by nothing that was lost, its first row among it") {
+  const BitVolume volume = reference::random({40, 1, 12}, 128, 3);
+  Bytes memory(slice_encoder_bytes({40, 1}, {2}));
+  Line line;
+  SliceEncoder encoder;
+  reference::require_ok(
+      encoder.start(header_of(volume), {2}, {memory.data(), memory.size()}, line.output()));
+  for (uint32_t row = 0; row < 12; ++row) {
+    const PushResult result = row % 4 == 2 ? encoder.skip_row(Substitute::previous_row)
+                                           : encoder.push(&volume.on[row * 40], 40);
+    reference::require_ok(result.status);
+  }
+  reference::require_ok(encoder.finish());
+  const ReceivedRows whole = decode_slices(line.bytes, {40, 1, 12});
+  REQUIRE(whole.report.is_complete());
+  std::vector<Bytes> frames = frames_of(line.bytes);
+  frames.erase(frames.begin() + 1);
+  const ReceivedRows received = arrive(frames);
+  REQUIRE(received.rows.size() == 12);
+  CHECK(received.rows[0].is(Kind::lost));
+  CHECK(received.rows[0].event.count == 2);
+  for (size_t row = 2; row < 12; ++row) CHECK(received.rows[row - 1].bits == whole.rows[row].bits);
+  CHECK(whole.rows[2].bits == Bytes(40));
+}

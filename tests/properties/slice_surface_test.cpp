@@ -28,14 +28,16 @@ Surface decode_surface(const Bytes& stream, const Limits& limits, size_t chunk =
   return {log.events, decoder.report(), status};
 }
 
-// A scan with rows that never came, for an extractor and for a slice encoder alike.
+// A scan with rows that never came, for an extractor and for a slice encoder alike. The first row
+// of a key slice has none before it.
 template <class Scanner>
 void scan(Scanner& scanner, const BitVolume& volume, bool skips) {
   for (uint32_t row = 0; row < volume.height * volume.depth; ++row) {
     const bool is_skipped = skips && row % 7 == 3;
     const uint8_t* const samples = &volume.on[size_t{row} * volume.width];
+    const bool is_off = row % 2 == 0 || row % volume.height == 0;
     const PushResult result =
-        is_skipped ? scanner.skip_row(row % 2 == 0 ? Substitute::off : Substitute::previous_row)
+        is_skipped ? scanner.skip_row(is_off ? Substitute::off : Substitute::previous_row)
                    : scanner.push(samples, volume.width);
     reference::require_ok(result.status);
   }

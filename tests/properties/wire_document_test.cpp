@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "oracle/stream.hpp"
+#include "oracle/slice_stream.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -55,6 +55,47 @@ struct TracingCoder {
   }
 };
 
+Bytes bytes_of_block(const std::string& name) {
+  Bytes bytes;
+  for (const std::string& word : words_of_block(name))
+    bytes.push_back(static_cast<uint8_t>(std::stoul(word, nullptr, 16)));
+  return bytes;
+}
+
+// The volume of section 14.
+reference::BitVolume two_slices() {
+  reference::BitVolume volume({4, 3, 2});
+  for (const auto& [y, z] : {std::pair{1U, 0U}, {2U, 0U}, {1U, 1U}})
+    for (const uint32_t x : {1U, 2U}) volume.on[volume.index(x, y, z)] = 1;
+  return volume;
+}
+
+// Notes every decision of a row, as the document writes it.
+struct TracingRowReader {
+  slices::RowReader reader;
+  const LearntProbability* first;
+  std::vector<std::string>* trace;
+
+  bool bit(LearntProbability& probability, bool) {
+    const uint32_t one = probability.of_one();
+    const bool bit = reader.bit(probability, false);
+    note(std::to_string(&probability - first), one, bit);
+    return bit;
+  }
+  uint32_t number(uint32_t bits, uint32_t) {
+    const uint32_t value = reader.number(bits, 0);
+    while (bits > 0) note("E", 128, (value >> --bits & 1) != 0);
+    return value;
+  }
+
+ private:
+  void note(const std::string& context, uint32_t one, bool bit) {
+    trace->push_back(context);
+    trace->push_back(std::to_string(one));
+    trace->push_back(bit ? "1" : "0");
+  }
+};
+
 std::string text_of(const Vertex& vertex) {
   return std::to_string(vertex.x) + " " + std::to_string(vertex.y) + " " + std::to_string(vertex.z);
 }
@@ -69,10 +110,7 @@ std::string row_of(Incidence incidence) {
 }  // namespace
 
 TEST_CASE("the dump in WIRE.md is the stream of a single voxel") {
-  Bytes dump;
-  for (const std::string& word : words_of_block("hex"))
-    dump.push_back(static_cast<uint8_t>(std::stoul(word, nullptr, 16)));
-  CHECK(dump == single_voxel());
+  CHECK(bytes_of_block("hex") == single_voxel());
 }
 
 TEST_CASE("the decisions in WIRE.md are those of the first record and the first region") {
@@ -93,6 +131,49 @@ TEST_CASE("the decisions in WIRE.md are those of the first record and the first 
   CHECK(model.direction(0) == 2);
   CHECK(model.direction(0) == 4);
   CHECK(trace == words_of_block("decisions"));
+}
+
+TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, behind the header") {
+  const std::vector<Bytes> frames = frames_of(encode_slices(two_slices()));
+  REQUIRE(frames.size() == 3);
+  CHECK(bytes_of_block("slices") == joined({frames[1], frames[2]}));
+  Packet header = packet_of(frames_of(bytes_of_block("hex"))[0]);
+  header.payload[4] = 4;   // width
+  header.payload[6] = 3;   // height
+  header.payload[8] = 2;   // depth
+  header.payload[28] = 2;  // flags
+  CHECK(frame_of(header) == frames[0]);
+}
+
+TEST_CASE("the decisions of slices in WIRE.md are those of its volume, and give its voxels") {
+  const reference::BitVolume volume = two_slices();
+  const Packet packet = packet_of(frames_of(encode_slices(volume))[1]);
+  Bytes memory(slice_decoder_bytes({4, 3}));
+  Arena arena({memory.data(), memory.size()});
+  slices::Surfaces surfaces;
+  surfaces.start(arena, header_of(volume), slices::rows_kept(3, false));
+  surfaces.clear();
+  surfaces.begin_key_slice();
+  std::vector<std::string> trace;
+  const RangeDecoder code(packet.payload.data() + wire::key_slice_head,
+                          packet.payload.size() - wire::key_slice_head);
+  TracingRowReader reader{{code}, &surfaces.note(), &trace};
+  Bytes on;
+  for (uint32_t row = 0; row < 6; ++row) {
+    CHECK_FALSE(reader.bit(surfaces.note(), false));
+    if (row == 3) surfaces.begin_following_slice();
+    slices::RowCode voxels;
+    surfaces.begin_row(voxels, 0, 4);
+    while (!voxels.is_done()) REQUIRE(voxels.step(reader, surfaces[0].model));
+    uint8_t bits = 0;
+    surfaces.rows().write_bits(&bits);
+    for (uint32_t x = 0; x < 4; ++x) on.push_back(bits >> x & 1);
+    surfaces.next_row();
+  }
+  CHECK(reader.bit(surfaces.note(), false));
+  CHECK(reader.number(slices::note_bits, 0) == 0);
+  CHECK(on == volume.on);
+  CHECK(trace == words_of_block("slice-decisions"));
 }
 
 TEST_CASE("the directions in WIRE.md are those of the code") {

@@ -2,10 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
+#include "oracle/golden.hpp"
 #include "oracle/stream_samples.hpp"
 #include "oracle/surface.hpp"
 
@@ -15,23 +13,6 @@ using reference::BitVolume;
 using Kind = Event::Kind;
 
 namespace {
-
-std::string golden_path(const char* name) {
-  return std::string(DISCMC_SOURCE_DIR) + "/tests/golden/" + name;
-}
-
-Bytes golden(const char* name) {
-  std::ifstream file(golden_path(name), std::ios::binary);
-  REQUIRE_MESSAGE(file, golden_path(name));
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  return {bytes.begin(), bytes.end()};
-}
-
-std::string hex(const Bytes& bytes) {
-  std::ostringstream text;
-  for (const uint8_t byte : bytes) text << std::hex << (byte < 16 ? " 0" : " ") << int{byte};
-  return text.str();
-}
 
 uint64_t count_of(const Events& events, Kind kind) {
   return static_cast<uint64_t>(std::count_if(events.begin(), events.end(),

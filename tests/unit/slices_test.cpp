@@ -420,7 +420,8 @@ TEST_CASE("several surfaces come through one stream, each as it would alone") {
           }
         for (size_t surface = 0; surface < thresholds.size(); ++surface) {
           const StreamHeader one = header_of_surfaces(size, {thresholds[surface]});
-          const ReceivedRows alone = decode_slices(encode_surfaces(one, samples, {}, skips), size);
+          const ReceivedRows alone =
+              decode_slices(encode_surfaces(one, samples, {interval}, skips), size);
           Bytes expected;
           for (const RecordedRow& row : alone.rows)
             expected.insert(expected.end(), row.bits.begin(), row.bits.end());

@@ -56,6 +56,13 @@ class Surfaces {
     trace::BitRows& rows = of_[surface].rows;
     row.begin(rows.arriving(), rows_before(rows, height_, kind_, first), width);
   }
+  /// The row that arrives is off, whatever it was, of all of them.
+  void clear_row() {
+    for (Surface& surface : *this) {
+      uint32_t* const row = surface.rows.arriving();
+      for (uint32_t word = 0; word < surface.rows.words(); ++word) row[word] = 0;
+    }
+  }
   /// The row that arrives is complete, of all of them. True when the slice is, too.
   bool next_row() {
     for (Surface& surface : *this) surface.rows.next_row();

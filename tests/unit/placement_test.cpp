@@ -1,0 +1,142 @@
+// Where a volume lies in space, as an application record.
+#include <doctest/doctest.h>
+
+#include <discmc/discmc.h>
+
+#include <algorithm>
+#include <discmc/placement.hpp>
+#include <iterator>
+#include <vector>
+
+#include "oracle/stream.hpp"
+
+using namespace discmc;
+
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+// Every number of it another one, the outermost among them.
+Placement any_placement(Frame frame) {
+  Placement placement;
+  int32_t next = 0x01020304;
+  for (auto& axis : placement.axes_nm)
+    for (int32_t& along : axis) along = next++;
+  placement.axes_nm[0][1] = INT32_MIN;
+  placement.axes_nm[2][2] = INT32_MAX;
+  placement.origin_nm[0] = -2;
+  placement.origin_nm[1] = INT64_MIN;
+  placement.origin_nm[2] = 0x0102030405060708;
+  placement.frame = frame;
+  return placement;
+}
+
+bool equal(const Placement& a, const Placement& b) {
+  return std::equal(&a.axes_nm[0][0], &a.axes_nm[0][0] + 9, &b.axes_nm[0][0]) &&
+         std::equal(a.origin_nm, a.origin_nm + 3, b.origin_nm) && a.frame == b.frame;
+}
+
+struct Told {
+  explicit Told(const Placement& placement) : record(record_of(placement, bytes)) {}
+  uint8_t bytes[Placement::record_bytes];
+  ApplicationRecord record;
+};
+
+struct PlacementReceiver {
+  Placement placement;
+  uint32_t records = 0;
+
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
+      ++records;
+    return Answer::taken;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a placement comes back from its record") {
+  for (const Frame frame : {Frame::none, Frame::lps, Frame::ras}) {
+    const Told told(any_placement(frame));
+    Placement read;
+    CHECK(read_placement(told.record, read));
+    CHECK(equal(read, any_placement(frame)));
+  }
+}
+
+TEST_CASE("the bytes of a placement are those of the page of the stream") {
+  Placement placement;
+  placement.axes_nm[0][0] = -1;
+  placement.axes_nm[0][1] = 0x01020304;
+  placement.axes_nm[1][0] = 5;
+  placement.origin_nm[2] = -256;
+  placement.frame = Frame::ras;
+  const Told told(placement);
+  Bytes expected(61);
+  std::fill_n(expected.begin(), 4, uint8_t{0xFF});
+  expected[4] = 4;
+  expected[5] = 3;
+  expected[6] = 2;
+  expected[7] = 1;
+  expected[12] = 5;
+  std::fill_n(expected.begin() + 53, 7, uint8_t{0xFF});
+  expected[60] = 2;
+  CHECK(told.record.kind == 240);
+  CHECK(Bytes(told.record.bytes, told.record.bytes + told.record.count) == expected);
+}
+
+TEST_CASE("a record of another kind, size or frame is no placement, and nothing is written") {
+  const Told told(any_placement(Frame::lps));
+  const Placement before = any_placement(Frame::ras);
+  Placement read = before;
+  const auto refuses = [&](const ApplicationRecord& record) {
+    return !read_placement(record, read) && equal(read, before);
+  };
+  ApplicationRecord record = told.record;
+  record.kind = 241;
+  CHECK(refuses(record));
+  Bytes longer(told.bytes, told.bytes + Placement::record_bytes);
+  longer.push_back(0);
+  for (const size_t count : {size_t{0}, Placement::record_bytes - 1, Placement::record_bytes + 1})
+    CHECK(refuses({Placement::record_kind, 0, 0, longer.data(), count}));
+  for (const uint8_t frame : {uint8_t{3}, uint8_t{255}}) {
+    longer[60] = frame;
+    CHECK(refuses({Placement::record_kind, 0, 0, longer.data(), Placement::record_bytes}));
+  }
+}
+
+TEST_CASE("a placement comes through a stream") {
+  test::Line line;
+  Encoder encoder;
+  reference::require_ok(test::begin_stream(encoder, test::any_header(), line.output()));
+  const Told told(any_placement(Frame::lps));
+  reference::require_ok(encoder.tell(told.record));
+  PlacementReceiver receiver;
+  Decoder decoder;
+  reference::require_ok(decoder.start(sink_to(receiver)));
+  reference::require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
+  CHECK(receiver.records == 1);
+  CHECK(equal(receiver.placement, any_placement(Frame::lps)));
+}
+
+TEST_CASE("in C a placement has the same bytes, and is refused as in C++") {
+  const Placement placement = any_placement(Frame::ras);
+  discmc_placement same{};
+  std::copy_n(&placement.axes_nm[0][0], 9, &same.axes_nm[0][0]);
+  std::copy_n(placement.origin_nm, 3, same.origin_nm);
+  same.frame = DISCMC_FRAME_RAS;
+  uint8_t bytes[DISCMC_PLACEMENT_BYTES];
+  discmc_application_record record = discmc_placement_record(&same, bytes);
+  const Told told(placement);
+  CHECK(record.kind == DISCMC_PLACEMENT_KIND);
+  CHECK(record.bytes == bytes);
+  REQUIRE(record.count == told.record.count);
+  CHECK(std::equal(std::begin(bytes), std::end(bytes), told.bytes));
+  discmc_placement read{};
+  CHECK(discmc_read_placement(&record, &read) == 1);
+  CHECK(read.axes_nm[2][2] == INT32_MAX);
+  CHECK(read.origin_nm[1] == INT64_MIN);
+  CHECK(read.frame == DISCMC_FRAME_RAS);
+  --record.count;
+  CHECK(discmc_read_placement(&record, &read) == 0);
+}
