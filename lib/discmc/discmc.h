@@ -555,7 +555,7 @@ DISCMC_NODISCARD discmc_status discmc_slice_encoder_tell(discmc_slice_encoder* e
 /* Goes on with another output, as discmc_encoder_set_output(). The next slice is a key slice. */
 void discmc_slice_encoder_set_output(discmc_slice_encoder* encoder, discmc_byte_output output);
 
-/* Ends the scan and the stream. After DISCMC_MORE call it again. Errors: DISCMC_NOT_STARTED,
+/* Ends the scan and the stream. After DISCMC_MORE go on with resume. Errors: DISCMC_NOT_STARTED,
  * DISCMC_SLICE_IN_PROGRESS. */
 DISCMC_NODISCARD discmc_status discmc_slice_encoder_finish(discmc_slice_encoder* encoder);
 

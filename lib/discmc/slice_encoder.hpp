@@ -63,8 +63,8 @@ class SliceEncoder {
   /// Goes on with another output, as Encoder::set_output(). The next slice is a key slice.
   void set_output(const ByteOutput& output);
 
-  /// Ends the scan and the stream. Errors: not_started, slice_in_progress. After Status::more call
-  /// it again. Calling it once more is harmless.
+  /// Ends the scan and the stream. Errors: not_started, slice_in_progress. After Status::more go
+  /// on with resume(). Calling it again is harmless.
   [[nodiscard]] Status finish();
 
   /// Ends the scan wherever it is: the stream says so, and the receiver takes the rest of the slice

@@ -495,3 +495,18 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
     CHECK(log.starts[0].threshold == thresholds[surface]);
   }
 }
+
+TEST_CASE("a scan that ends on a busy line is over once it has been resumed") {
+  Line line(1);
+  reference::Block block(slice_encoder_bytes({9, 2}, {}));
+  SliceEncoder encoder;
+  const StreamHeader header = header_of_surfaces({9, 2, 1}, {1});
+  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  const uint8_t row[9] = {1, 0, 1};
+  while (encoder.rows() == 0) (void)encoder.push(row, 9);
+  CHECK(encoder.finish() == Status::slice_in_progress);
+  (void)encoder.push(row, 9);
+  (void)encoder.finish();
+  until_done([&] { return encoder.resume(); });
+  CHECK(decode_slices(line.bytes, {9, 2, 1}).report.is_complete());
+}
