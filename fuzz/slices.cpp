@@ -22,7 +22,9 @@ SlicePlan read_plan(Input& input) {
   plan.key_slices.interval = input.below(5);
   plan.portion = 1 + input.byte();
   plan.bytes_a_time = input.below(20);
-  plan.flush_every = input.below(9);
+  const uint32_t flushing = input.below(36);
+  plan.flush_every = flushing % 9;
+  plan.further_surfaces = static_cast<uint8_t>(flushing / 9);
   return plan;
 }
 
@@ -55,10 +57,18 @@ Bytes mangled(const Bytes& stream, Input& input, bool& is_made_up) {
 bool check_rows(const BitVolume& volume, const ReceivedRows& received, bool is_made_up) {
   size_t next = 0;
   uint64_t told = 0;
+  Bytes first_bits;  // of the first surface
   for (const RecordedRow& row : received.rows) {
     if (row.is(Kind::finish)) break;
+    if (row.is(Kind::application)) continue;
     const size_t at = size_t{row.event.slice} * volume.height + row.event.row;
+    if (!row.is(Kind::lost) && row.event.channel > 0) {
+      require(at + 1 == next && (is_made_up || row.bits == first_bits),
+              "a row of another surface that is wrong");
+      continue;
+    }
     require(at == next, "a row out of its order");
+    first_bits = row.bits;
     next += row.is(Kind::lost) ? static_cast<size_t>(row.event.count) : 1;
     if (row.is(Kind::lost) || is_made_up) continue;
     const uint8_t* const first = &volume.on[at * volume.width];
@@ -75,17 +85,18 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const SlicePlan plan = read_plan(input);
   const size_t portion = 1 + input.below(30);
   const BitVolume volume = read_small_volume(input, {70, 9, 12});
+  const uint32_t surfaces = 1U + plan.further_surfaces;
   const reference::Size slice{volume.width, volume.height, volume.depth};
   const Bytes stream = encode_slices(volume, plan);
-  const ReceivedRows whole = decode_slices(stream, slice, portion, true);
+  const ReceivedRows whole = decode_slices(stream, slice, portion, true, surfaces);
   require(whole.report.is_complete(), "a whole stream that is not complete");
   require(check_rows(volume, whole, false), "a row that is missing");
 
   bool is_made_up = false;
   const Bytes sent = mangled(stream, input, is_made_up);
-  const ReceivedRows arrived = decode_slices(sent, slice);
+  const ReceivedRows arrived = decode_slices(sent, slice, 0, false, surfaces);
   check_rows(volume, arrived, is_made_up);
-  const ReceivedRows again = decode_slices(sent, slice, portion, true);
+  const ReceivedRows again = decode_slices(sent, slice, portion, true, surfaces);
   require(again.rows.size() == arrived.rows.size(), "portions or refusals show");
   require(again.report.lost_rows == arrived.report.lost_rows, "the report depends on them");
   return 0;

@@ -22,7 +22,7 @@ Bytes framed(const uint8_t* data, size_t size) {
     const size_t left = size - at - 4;
     const size_t count = data[at] < left ? data[at] : left;
     // Mostly what an encoder would say of a packet, so that its records are looked at.
-    packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 5;
+    packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 7;
     packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
     packet.pieces = data[at + 3];
     packet.payload.assign(data + at + 4, data + at + 4 + count);

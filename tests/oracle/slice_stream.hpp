@@ -12,9 +12,10 @@ namespace discmc::test {
 /// What happens while a volume is told.
 struct SlicePlan {
   KeySlices key_slices{};
-  uint32_t portion = 1000000;  ///< samples a push
-  size_t bytes_a_time = 0;     ///< that the line takes: see Line
-  uint32_t flush_every = 0;    ///< so many rows; 0 never
+  uint32_t portion = 1000000;    ///< samples a push
+  size_t bytes_a_time = 0;       ///< that the line takes: see Line
+  uint32_t flush_every = 0;      ///< so many rows; 0 never
+  uint8_t further_surfaces = 0;  ///< the same as the first
 };
 
 inline void push_rows(SliceEncoder& encoder, const uint8_t* samples, uint32_t count,
@@ -35,9 +36,11 @@ void until_done(Call call) {
 }
 
 inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& plan = {}) {
-  const StreamHeader header = header_of(volume);
+  StreamHeader header = header_of(volume);
+  header.further_surfaces = plan.further_surfaces;
+  for (int32_t& threshold : header.further_thresholds) threshold = header.threshold;
   const Limits limits{volume.width, volume.height};
-  reference::Block block(slice_encoder_bytes(limits, plan.key_slices));
+  reference::Block block(slice_encoder_bytes(limits, plan.key_slices, header.surfaces()));
   Line line(plan.bytes_a_time);
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, plan.key_slices, block.memory(), line.output()));
