@@ -7,8 +7,8 @@
 
 namespace discmc {
 
-/// A record goes out at once, in a packet of its own: 20 bytes beside its own, and up to as many
-/// for what is sent before its time. So tell rarely, and much at once.
+/// A record goes out at once, in a packet of its own, which takes 22 bytes more than its data, and
+/// ends the packet before it early. So tell rarely, and much at once.
 struct ApplicationRecord {
   static constexpr size_t max_bytes = 200;
   /// Kinds from here on have a meaning of their own: placement.hpp.

@@ -1,4 +1,4 @@
-// What a stream says of its scan.
+// What a stream says of its scan, and what an encoder has to be told of it.
 #ifndef DISCMC_STREAM_HEADER_HPP
 #define DISCMC_STREAM_HEADER_HPP
 
@@ -22,6 +22,7 @@ struct StreamLabel {
                         ///< max_channel
 };
 
+/// What a stream says of its scan.
 struct StreamHeader {
   uint32_t width = 0;
   uint32_t height = 0;
