@@ -2,6 +2,7 @@
 // which only scans does not carry it.
 #include <discmc/discmc.h>
 
+#include <discmc/c_values.hpp>
 #include <discmc/placement.hpp>
 
 using namespace discmc;
@@ -31,7 +32,5 @@ discmc_application_record discmc_placement_record(const discmc_placement* placem
 }
 uint8_t discmc_read_placement(const discmc_application_record* record,
                               discmc_placement* placement) {
-  const ApplicationRecord read{record->kind, record->slice, record->row, record->bytes,
-                               record->count};
-  return read_placement(read, *reinterpret_cast<Placement*>(placement)) ? 1 : 0;
+  return read_placement(cpp(*record), *reinterpret_cast<Placement*>(placement)) ? 1 : 0;
 }

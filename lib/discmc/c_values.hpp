@@ -4,6 +4,7 @@
 #define DISCMC_C_VALUES_HPP
 
 #include <discmc/discmc.h>
+#include <discmc/arena.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/row_input.hpp>
 #include <discmc/stream/packet_writer.hpp>

@@ -39,6 +39,10 @@ constexpr int exit_failure = 1;
 constexpr int exit_usage = 2;
 constexpr int exit_incomplete = 3;
 
+void require(Status status) {
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
 // Gives every event to the encoder and, joined, to the surface.
 struct Tee {
   NormalEncoder encoder;
@@ -56,9 +60,7 @@ class SliceWriter {
   void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
     memory_.resize(
         slice_encoder_bytes({header.width, header.height}, key_slices, header.surfaces()));
-    const Status status =
-        encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output);
-    if (status != Status::ok) throw std::runtime_error(text(status));
+    require(encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output));
   }
   SliceEncoder& encoder() { return encoder_; }
 
@@ -76,10 +78,6 @@ std::optional<RawLayout> raw_layout(const LayoutArguments& arguments) {
   if (!arguments.spacing.empty())
     std::copy_n(arguments.spacing.begin(), 3, layout.spacing_mm.begin());
   return layout;
-}
-
-void require(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
 }
 
 void require_written(std::ostream& out) {
@@ -150,10 +148,9 @@ class Surfaces {
       require(tees_[i]->encoder.start(label, link_.output()));
     }
   }
-  /// The header of a stream of slices that holds all of them.
+  /// The header of a stream of slices that holds all of them. header: that of the first.
   StreamHeader header_of_all(StreamHeader header) const {
     header.further_surfaces = static_cast<std::uint8_t>(thresholds_.size() - 1);
-    header.threshold = thresholds_[0];
     std::copy(thresholds_.begin() + 1, thresholds_.end(), header.further_thresholds);
     return header;
   }

@@ -17,6 +17,9 @@ void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
 }
 
 void StreamCensus::end_frame() {
+  // Stuffing leaves the kind of a packet as it is.
+  constexpr auto header_kind = static_cast<std::uint8_t>(wire::PacketKind::header);
+  if (frame_.size() < 2 || frame_[1] != header_kind) return;
   PacketReader reader;
   reader.start(any_channel);
   for (const std::uint8_t byte : frame_) static_cast<void>(reader.take(byte));

@@ -3,16 +3,15 @@
 namespace discmc::host {
 
 VersionSearch::VersionSearch() {
-  const auto ignore = [](void*, const Event&) { return Answer::taken; };
-  static_cast<void>(newest_.start({nullptr, ignore}));
+  newest_.start(any_channel);
 }
 
 void VersionSearch::take(std::uint8_t byte) {
   is_version1_ = version1_.take(byte);
-  const Status status = newest_.push(&byte, 1).status;
+  static_cast<void>(newest_.take(byte));
   // A version that neither knows is the newest's to refuse.
   is_over_ =
-      is_version1_ || newest_.report().has_header || status != Status::ok || ++bytes_ == most_bytes;
+      is_version1_ || newest_.report().has_header || newest_.is_refused() || ++bytes_ == most_bytes;
 }
 
 }  // namespace discmc::host

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <discmc/decoder.hpp>
+#include <discmc/stream/packet_reader.hpp>
 
 #include "version1/packets.hpp"
 
@@ -25,7 +25,7 @@ class VersionSearch {
 
  private:
   version1::HeaderSearch version1_;
-  Decoder newest_;  // for its headers alone
+  PacketReader newest_;  // for its headers alone
   std::size_t bytes_ = 0;
   bool is_over_ = false;
   bool is_version1_ = false;

@@ -6,7 +6,10 @@
 #include <discmc/stream/cobs.hpp>
 #include <discmc/stream/crc32.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
+
+#include "stream.hpp"
 
 namespace discmc::test::version1 {
 
@@ -26,12 +29,7 @@ inline Bytes frame_of(const Packet& packet) {
   Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.regions),
               static_cast<uint8_t>(packet.regions >> 8)};
   for (const uint8_t byte : packet.payload) frame.push_back(byte);
-  const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
-  for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
-  const size_t plain = frame.size() - 1;
-  frame.push_back(0);
-  cobs::stuff(frame.data(), plain);
-  return frame;
+  return test::sealed_frame(std::move(frame));
 }
 
 /// Limit: a whole frame with its zero.

@@ -38,6 +38,30 @@ Status push_rows(Pushes& scanner, uint32_t& row, uint32_t end) {
   return Status::ok;
 }
 
+constexpr uint32_t all_rows = 20 * 16;
+
+// A scan of the volume for regions, on its way to a line that dies; pushed until it does.
+struct RegionScan {
+  explicit RegionScan(DyingLine& line) {
+    require_ok(encoder.start(header_of(volume).label(), line.output()));
+    require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
+                               sink_to(encoder)));
+    REQUIRE(push_rows(extractor, row, all_rows) == Status::more);
+    ++row;  // the one that caused it has been taken
+  }
+  Encoder encoder;
+  Extractor16 extractor;
+  Bytes memory = Bytes(60000);
+  uint32_t row = 0;
+};
+
+// What came before the line died, and when the link was back.
+Bytes arrived(const DyingLine& dead, const Line& back) {
+  Bytes bytes = dead.bytes;
+  bytes.insert(bytes.end(), back.bytes.begin(), back.bytes.end());
+  return bytes;
+}
+
 }  // namespace
 
 TEST_CASE("a scan whose link dies goes on without it, or is abandoned, and counts what it drops") {
@@ -46,27 +70,18 @@ TEST_CASE("a scan whose link dies goes on without it, or is abandoned, and count
     for (const bool is_abandoned : {false, true}) {
       CAPTURE(dies_after);
       DyingLine line{dies_after};
-      Encoder encoder;
-      require_ok(encoder.start(header_of(volume).label(), line.output()));
-      Bytes memory(60000);
-      Extractor16 extractor;
-      require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
-                                 sink_to(encoder)));
-      uint32_t row = 0;
-      const uint32_t rows = volume.height * volume.depth;
-      REQUIRE(push_rows(extractor, row, rows) == Status::more);
-      REQUIRE(extractor.resume() == Status::more);
+      RegionScan scan(line);
+      REQUIRE(scan.extractor.resume() == Status::more);
       REQUIRE(line.bytes.size() == dies_after);
-      encoder.set_output({});
+      scan.encoder.set_output({});
       if (is_abandoned) {
-        require_ok(extractor.abandon());
+        require_ok(scan.extractor.abandon());
         continue;
       }
-      ++row;  // the one that caused it has been taken
-      require_ok(extractor.resume());
-      require_ok(push_rows(extractor, row, rows));
-      require_ok(extractor.finish());
-      CHECK(encoder.bytes() == whole);
+      require_ok(scan.extractor.resume());
+      require_ok(push_rows(scan.extractor, scan.row, all_rows));
+      require_ok(scan.extractor.finish());
+      CHECK(scan.encoder.bytes() == whole);
       CHECK(line.bytes.size() == dies_after);
     }
 }
@@ -74,25 +89,14 @@ TEST_CASE("a scan whose link dies goes on without it, or is abandoned, and count
 TEST_CASE("a stream of regions whose link comes back lacks what was dropped, and says how much") {
   DyingLine dead{1500};
   Line back;
-  Encoder encoder;
-  require_ok(encoder.start(header_of(volume).label(), dead.output()));
-  Bytes memory(60000);
-  Extractor16 extractor;
-  require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
-                             sink_to(encoder)));
-  uint32_t row = 0;
-  const uint32_t rows = volume.height * volume.depth;
-  REQUIRE(push_rows(extractor, row, rows) == Status::more);
-  ++row;
-  encoder.set_output({});
-  require_ok(extractor.resume());
-  require_ok(push_rows(extractor, row, rows / 2));
-  encoder.set_output(back.output());
-  require_ok(push_rows(extractor, row, rows));
-  require_ok(extractor.finish());
-  Bytes bytes = dead.bytes;
-  bytes.insert(bytes.end(), back.bytes.begin(), back.bytes.end());
-  const Received received = decode(bytes);
+  RegionScan scan(dead);
+  scan.encoder.set_output({});
+  require_ok(scan.extractor.resume());
+  require_ok(push_rows(scan.extractor, scan.row, all_rows / 2));
+  scan.encoder.set_output(back.output());
+  require_ok(push_rows(scan.extractor, scan.row, all_rows));
+  require_ok(scan.extractor.finish());
+  const Received received = decode(arrived(dead, back));
   CHECK(received.report.has_trailer);
   CHECK(received.report.lost_packets > 0);
   CHECK(received.report.lost_pieces > 0);
@@ -108,20 +112,18 @@ TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
   uint32_t row = 0;
-  const uint32_t rows = volume.height * volume.depth;
-  REQUIRE(push_rows(encoder, row, rows) == Status::more);
+  REQUIRE(push_rows(encoder, row, all_rows) == Status::more);
   ++row;
   encoder.set_output({});
   require_ok(encoder.resume());
-  require_ok(push_rows(encoder, row, rows / 2 + 3));
+  require_ok(push_rows(encoder, row, all_rows / 2 + 3));
   encoder.set_output(back.output());
-  require_ok(push_rows(encoder, row, rows));
+  require_ok(push_rows(encoder, row, all_rows));
   require_ok(encoder.finish());
-  Bytes bytes = dead.bytes;
-  bytes.insert(bytes.end(), back.bytes.begin(), back.bytes.end());
-  const ReceivedRows received = decode_slices(bytes, {volume.width, volume.height, 0});
+  const ReceivedRows received =
+      decode_slices(arrived(dead, back), {volume.width, volume.height, 0});
   CHECK(received.report.has_trailer);
-  CHECK(received.report.rows + received.report.lost_rows == rows);
+  CHECK(received.report.rows + received.report.lost_rows == all_rows);
   uint32_t last = 0;
   for (const RecordedRow& recorded : received.rows)
     if (recorded.is(RowEvent::Kind::row) && recorded.event.slice > volume.depth / 2) ++last;

@@ -147,32 +147,27 @@ class EventHash {
   uint32_t events_ = 0;
 };
 
-// Where an extractor's events go: to a hash, and through an encoder and a decoder to another. The
-// bytes in between are hashed as well, and every third time the line is busy.
-class Wire {
+// A line to a decoder that is busy every third time. What goes over it is hashed, and so are the
+// events that it makes.
+template <class Decoding>
+class BusyLine {
  public:
-  bool start(const StreamHeader& header) {
-    sent_ = EventHash();
+  void start() {
     received_ = EventHash();
     good_ = true;
-    return encoder_.start(header.label(), {this, write}) == Status::ok &&
-           decoder_.start(sink_to(received_)) == Status::ok;
   }
-  Answer take(const Event& event) {
-    const Answer answer = encoder_.take(event);
-    if (answer == Answer::taken) (void)sent_.take(event);
-    return answer;
-  }
-  /// Whether all that was sent has arrived.
-  bool finish() {
+  ByteOutput output() { return {this, write}; }
+  Decoding& decoder() { return decoder_; }
+  Sink sink() { return sink_to(received_); }
+  /// Whether all that was sent has arrived, and has made these events.
+  bool finish(uint64_t expected) {
     return decoder_.finish() == Status::ok && good_ && decoder_.report().is_complete() &&
-           received_.value() == sent_.value();
+           received_.value() == expected;
   }
-  const EventHash& sent() const { return sent_; }
 
  private:
   static size_t write(void* context, const uint8_t* bytes, size_t count) {
-    return static_cast<Wire*>(context)->write(bytes, count);
+    return static_cast<BusyLine*>(context)->write(bytes, count);
   }
   size_t write(const uint8_t* bytes, size_t count) {
     if (++calls_ % 3 == 0) return 0;
@@ -182,11 +177,33 @@ class Wire {
     return count;
   }
 
-  NormalEncoder encoder_;  // as Encoder where there are no normals
-  Decoder decoder_;
-  EventHash sent_, received_;
+  Decoding decoder_;
+  EventHash received_;
   uint32_t calls_ = 0;
   bool good_ = false;
+};
+
+// Where an extractor's events go: to a hash, and through an encoder and a decoder to another.
+class Wire {
+ public:
+  bool start(const StreamHeader& header) {
+    sent_ = EventHash();
+    line_.start();
+    return encoder_.start(header.label(), line_.output()) == Status::ok &&
+           line_.decoder().start(line_.sink()) == Status::ok;
+  }
+  Answer take(const Event& event) {
+    const Answer answer = encoder_.take(event);
+    if (answer == Answer::taken) (void)sent_.take(event);
+    return answer;
+  }
+  bool finish() { return line_.finish(sent_.value()); }
+  const EventHash& sent() const { return sent_; }
+
+ private:
+  NormalEncoder encoder_;  // as Encoder where there are no normals
+  BusyLine<Decoder> line_;
+  EventHash sent_;
 };
 
 // ---- scans ----
@@ -312,40 +329,21 @@ struct InPlace : Object {
   static void* operator new(size_t, void* place) { return place; }
 };
 
-// A slice encoder whose bytes, on a busy line, are hashed and make the surface again.
+// A slice encoder whose bytes make the surface again.
 class SlicesBetween {
  public:
   bool start(const Limits& limits, Memory arena) {
-    received_ = EventHash();
-    good_ = true;
+    line_.start();
     const StreamHeader header{limits.width, limits.height, depth, {}, threshold, limits.border};
-    return decoder_.start(arena, sink_to(received_)) == Status::ok &&
-           encoder_.start(header, {2}, memory_of(rows_), {this, write}) == Status::ok;
+    return line_.decoder().start(arena, line_.sink()) == Status::ok &&
+           encoder_.start(header, {2}, memory_of(rows_), line_.output()) == Status::ok;
   }
   SliceEncoder& encoder() { return encoder_; }
-  /// Whether all that was sent has arrived, and has made these events.
-  bool finish(uint64_t expected) {
-    return decoder_.finish() == Status::ok && good_ && decoder_.report().is_complete() &&
-           received_.value() == expected;
-  }
+  bool finish(uint64_t expected) { return line_.finish(expected); }
 
  private:
-  static size_t write(void* context, const uint8_t* bytes, size_t count) {
-    return static_cast<SlicesBetween*>(context)->write(bytes, count);
-  }
-  size_t write(const uint8_t* bytes, size_t count) {
-    if (++calls_ % 3 == 0) return 0;
-    if (count > 13) count = 13;
-    for (size_t i = 0; i < count; ++i) golden.add(bytes[i]);
-    good_ = good_ && decoder_.push(bytes, count).status == Status::ok;
-    return count;
-  }
-
   SliceEncoder encoder_;
-  SurfaceDecoder decoder_;
-  EventHash received_;
-  uint32_t calls_ = 0;
-  bool good_ = false;
+  BusyLine<SurfaceDecoder> line_;
   uint8_t rows_[slice_encoder_bytes(sizes[0], {2})];
 };
 
