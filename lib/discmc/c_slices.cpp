@@ -22,6 +22,7 @@ static_assert(sizeof(RowEvent) == sizeof(discmc_row_event) && DISCMC_SAME_PLACE(
 static_assert(DISCMC_ROWS_LOST == static_cast<int>(RowEvent::Kind::lost) &&
                   DISCMC_ROWS_FINISH == static_cast<int>(RowEvent::Kind::finish),
               "enumerations are in the same order");
+static_assert(DISCMC_MOST_SKIPPED_ROWS == SurfaceDecoder::most_skipped_rows, "one limit");
 
 using SliceDecoderAdapter = SinkAdapter<SliceDecoder, discmc_row_event>;
 using SurfaceDecoderAdapter = SinkAdapter<SurfaceDecoder>;

@@ -496,7 +496,7 @@ discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder);
 /* ---- the slice encoder (slice_encoder.hpp) ---- */
 
 typedef struct discmc_slice_encoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 720 : 632) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 728 : 632) / 8];
 } discmc_slice_encoder;
 
 /* The bytes that a slice encoder takes. key_slice_interval: the slices from one key slice, which is
@@ -610,7 +610,7 @@ typedef struct discmc_row_sink {
 } discmc_row_sink;
 
 typedef struct discmc_slice_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 960 : 840) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 968 : 840) / 8];
 } discmc_slice_decoder;
 
 /* The bytes that a slice decoder takes for slices of this size. Limit: as of the slice encoder.
@@ -645,8 +645,10 @@ discmc_stream_report discmc_slice_decoder_report(const discmc_slice_decoder* dec
 
 /* Makes events of a stream of either kind: of bits those of an extractor that is given the same
  * rows. Rows that were lost on the way are skipped rows. */
+enum { DISCMC_MOST_SKIPPED_ROWS = 65536 };
+
 typedef struct discmc_surface_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 2864 : 2584) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 2872 : 2584) / 8];
 } discmc_surface_decoder;
 
 /* The least memory for streams of bits of this size. Limit: as of the slice encoder. sizes.h has
@@ -662,7 +664,8 @@ DISCMC_NODISCARD discmc_status discmc_surface_decoder_start(discmc_surface_decod
                                                             const discmc_sink* sink,
                                                             uint8_t channel);
 
-/* Takes bytes as discmc_slice_decoder_push(). */
+/* Takes bytes as discmc_slice_decoder_push(). DISCMC_MORE: also that there are more lost rows to
+ * skip; a call skips at most DISCMC_MOST_SKIPPED_ROWS. */
 DISCMC_NODISCARD discmc_decoded discmc_surface_decoder_push(discmc_surface_decoder* decoder,
                                                             const uint8_t* bytes, size_t count);
 

@@ -10,7 +10,7 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   is_started_ = true;
   is_known_ = false;
   is_of_slices_ = false;
-  skipped_ = 0;
+  skipped_rows_ = 0;
   refusal_ = regions_.start(sink, channel);
   const RowSink rows{this, [](void* context, const RowEvent& event) {
                        return static_cast<SurfaceDecoder*>(context)->take(event);
@@ -117,9 +117,10 @@ Answer SurfaceDecoder::begin(const StreamHeader& all) {
 }
 
 Answer SurfaceDecoder::skip(uint64_t rows, Substitute substitute) {
-  for (; skipped_ < rows; ++skipped_)
-    if (extractor_.skip_row(substitute).samples == 0) return Answer::not_now;
-  skipped_ = 0;
+  for (uint32_t now = 0; skipped_rows_ < rows; ++skipped_rows_, ++now)
+    if (now == most_skipped_rows || extractor_.skip_row(substitute).samples == 0)
+      return Answer::not_now;
+  skipped_rows_ = 0;
   return Answer::taken;
 }
 

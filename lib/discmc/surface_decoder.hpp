@@ -18,13 +18,17 @@ constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces
 
 class SurfaceDecoder {
  public:
+  /// A call skips at most so many lost rows, as a hostile stream can claim any number of them.
+  static constexpr uint32_t most_skipped_rows = uint32_t{1} << 16;
+
   /// Begins a stream. memory: none for streams of regions, or before it is known; at least
   /// minimum_surface_bytes() for the size that the header of a stream of bits will tell, and more
   /// for fewer loose fragments; Owner: the caller, as long as the decoder is used. channel: as of
   /// the Decoder; of several surfaces of one stream that one, or the first. Errors: bad_sink.
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
-  /// As Decoder::push(). Errors: also too_little_memory, as of SliceDecoder::push().
+  /// As Decoder::push(). Status::more: also that there are more lost rows to skip. Errors: also
+  /// too_little_memory, as of SliceDecoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// As SliceDecoder::give_memory(), with minimum_surface_bytes() or more.
@@ -58,7 +62,7 @@ class SurfaceDecoder {
   Status refusal_ = Status::ok;  // of a stream of bits
   bool is_known_ = false;        // what the stream holds
   bool is_of_slices_ = false;
-  uint64_t skipped_ = 0;  // of the rows that were lost together
+  uint64_t skipped_rows_ = 0;  // of those that were lost together
 };
 
 }  // namespace discmc

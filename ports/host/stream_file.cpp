@@ -79,13 +79,32 @@ void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
     status_ = version1_->push(bytes, count);
     return;
   }
-  Decoded decoded = decoder_.push(bytes, count);
-  if (decoded.status == Status::too_little_memory && memory_ == nullptr) {
-    decoded.status = give_memory();
-    if (decoded.status == Status::ok)
-      decoded = decoder_.push(bytes + decoded.bytes, count - decoded.bytes);
-  }
+  Decoded decoded;
+  do {
+    decoded = decoder_.push(bytes, count);
+    bytes += decoded.bytes;
+    count -= decoded.bytes;
+    if (decoded.status == Status::too_little_memory && memory_ == nullptr)
+      decoded.status = give_memory();
+    else if (decoded.status == Status::more)
+      decoded.status = go_on_skipping();
+  } while (decoded.status == Status::ok && count > 0);
   status_ = decoded.status;
+}
+
+// The sink takes everything: there are lost rows to be skipped.
+Status StreamReader::go_on_skipping() {
+  constexpr std::uint32_t most_pauses = 1000;
+  Status status = Status::more;
+  for (; status == Status::more; ++pauses_) {
+    if (pauses_ == most_pauses)
+      throw std::runtime_error(
+          "the stream says that " +
+          std::to_string(std::uint64_t{most_pauses} * SurfaceDecoder::most_skipped_rows) +
+          " rows or more were lost, which no scan has: its bytes are not from an encoder");
+    status = decoder_.push(nullptr, 0).status;
+  }
+  return status;
 }
 
 // Enough for surfaces of any size: what is never used costs nothing, and what has no room is

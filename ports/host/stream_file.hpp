@@ -39,7 +39,8 @@ class StreamReader {
   /// sink: it must not say "not now". channel: as of the SurfaceDecoder; version 1 has none.
   explicit StreamReader(const Sink& sink, std::uint8_t channel = any_channel);
   /// progress: called now and then with the bytes read so far.
-  /// Throws std::runtime_error when the stream's version is not known.
+  /// Throws std::runtime_error when the stream's version is not known, or it claims that more was
+  /// lost than anybody can wait for.
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
 
   const StreamHeader& header() const { return version1_ ? version1_->header() : decoder_.header(); }
@@ -55,6 +56,7 @@ class StreamReader {
   void push(const std::uint8_t* bytes, std::size_t count);
   void finish();
   Status give_memory();
+  Status go_on_skipping();
 
   Sink sink_;
   std::uint8_t channel_;
@@ -65,6 +67,7 @@ class StreamReader {
   std::optional<version1::Decoder> version1_;  // instead, for a stream of this version
   std::unique_ptr<std::uint8_t[]> memory_;     // for a stream of bits
   Status status_ = Status::ok;
+  std::uint32_t pauses_ = 0;  // of the decoder, which has more lost rows to skip
 };
 
 /// The spacing as headers hold it. Throws std::invalid_argument beyond their range.

@@ -47,6 +47,21 @@ TEST_CASE("several thresholds make several surfaces, each on a channel, in eithe
   }
 }
 
+TEST_CASE("each of several surfaces has normals of its own") {
+  const Workshop workshop;
+  workshop.write("v.raw", cone(16));
+  const std::string normals = " --normals gradient -o ";
+  workshop.done("extract " + volume + "--iso 60 --iso 80" + normals + "all.dmc");
+  for (const int channel : {0, 1}) {
+    const std::string iso = std::to_string(60 + 20 * channel);
+    workshop.done("extract " + volume + "--iso " + iso + normals + "alone.dmc");
+    workshop.done("decode alone.dmc" + normals + "alone.ply");
+    workshop.done("decode all.dmc --channel " + std::to_string(channel) + normals + "of_all.ply");
+    CHECK(contains(workshop.read("of_all.ply"), "property float nx"));
+    CHECK(workshop.read("of_all.ply") == workshop.read("alone.ply"));
+  }
+}
+
 TEST_CASE("who asks for no channel gets the first, and is told of the others") {
   const Workshop workshop;
   workshop.write("v.raw", cone(16));

@@ -2,6 +2,7 @@
 #include <discmc/placement.hpp>
 
 #include "command.hpp"
+#include "oracle/slice_stream.hpp"
 #include "oracle/stream.hpp"
 
 namespace {
@@ -131,6 +132,16 @@ TEST_CASE("of a stream of slices that has lost a packet the other slices are use
   CHECK(result.out.find("lost_rows 100\n") != std::string::npos);
   CHECK(result.out.find("skipped_rows 0\n") != std::string::npos);
   CHECK(result.out.find("slices") != std::string::npos);
+}
+
+TEST_CASE("a stream that says that more rows were lost than a scan has is refused") {
+  const Workshop workshop;
+  workshop.write("v.dmc", text_of(discmc::test::lost_slices({1, 1, 2000})));
+  CHECK(workshop.run("info v.dmc").code == 3);
+  workshop.write("v.dmc", text_of(discmc::test::lost_slices({1, 32766, 0x3FFFFFFF})));
+  const auto refused = workshop.run("info v.dmc");
+  CHECK(refused.code == 1);
+  CHECK(contains(refused.error, "65536000 rows or more were lost"));
 }
 
 TEST_CASE("render draws a picture of the size asked for") {

@@ -57,6 +57,19 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
   return line.bytes;
 }
 
+/// A stream that says that all its rows were lost.
+inline Bytes lost_slices(const reference::Size& size) {
+  Line line;
+  PacketWriter packets;
+  packets.open(line.output());
+  packets.start({size.width, size.height, size.depth, {}, 1, Border::closed},
+                wire::HeaderFlags::slices);
+  if (!packets.drain()) throw std::runtime_error("the line takes everything");
+  packets.seal_slices_trailer(size.depth, false, uint64_t{size.height} * size.depth, 0);
+  if (!packets.drain()) throw std::runtime_error("the line takes everything");
+  return line.bytes;
+}
+
 struct RecordedRow {
   RowEvent event;
   Bytes bits;

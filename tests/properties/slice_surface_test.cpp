@@ -1,5 +1,6 @@
 // From either payload comes the same surface.
 #include <doctest/doctest.h>
+#include <algorithm>
 #include <discmc/surface_decoder.hpp>
 
 #include "oracle/slice_stream.hpp"
@@ -159,4 +160,30 @@ TEST_CASE("memory that is too small for a stream of bits is refused") {
   CHECK(decoder.start({}, {}) == Status::bad_sink);
   CHECK(decoder.push(stream.data(), 5).status == Status::not_started);
   CHECK(decoder.finish() == Status::not_started);
+}
+
+TEST_CASE("a call skips no more lost rows than it promises, whatever a stream claims") {
+  constexpr uint32_t most = SurfaceDecoder::most_skipped_rows;
+  constexpr uint32_t rows = 2 * most + 100;
+  const Bytes stream = lost_slices({3, 2, rows / 2});
+  EventLog log;
+  const auto skipped = [&log] {
+    return std::count_if(log.events.begin(), log.events.end(), [](const RecordedEvent& recorded) {
+      return recorded.is(Event::Kind::skipped);
+    });
+  };
+  Bytes memory(minimum_surface_bytes({3, 2}));
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  const Decoded decoded = decoder.push(stream.data(), stream.size());
+  CHECK(decoded.status == Status::more);
+  CHECK(skipped() <= most);
+  const uint8_t* const rest = stream.data() + decoded.bytes;
+  const size_t left = stream.size() - decoded.bytes;
+  CHECK(decoder.push(rest, left).status == Status::more);
+  CHECK(skipped() <= 2 * most);
+  CHECK(decoder.push(rest, left).status == Status::ok);
+  CHECK(skipped() == rows);
+  CHECK(decoder.report().lost_rows == rows);
+  reference::require_ok(decoder.finish());
 }

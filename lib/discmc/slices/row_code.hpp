@@ -58,6 +58,7 @@ class RowCode {
     word_ = 0;
     bit_ = 2;
     as_before_ = 0;
+    level_end_ = width;
   }
   bool is_done() const { return left_ == 0; }
   /// The voxels that are not told yet.
@@ -109,8 +110,13 @@ class RowCode {
   }
 
   // The voxels from here on, as far as all their neighbours but the first surface's are as the
-  // voxel before.
-  uint32_t level_voxels() const {
+  // voxel before. Limit: those of the next one are.
+  uint32_t level_voxels() {
+    // Where a run has ended early its level goes on, and is not looked at again.
+    if (left_ <= level_end_) level_end_ = left_ - level_voxels_ahead();
+    return left_ - level_end_;
+  }
+  uint32_t level_voxels_ahead() const {
     return voxels_before(left_, [this](uint32_t word) {
       const uint32_t beside = (before_.near[word] ^ as_before_) | (before_.next[word] ^ as_before_);
       const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
@@ -172,6 +178,7 @@ class RowCode {
   uint32_t word_ = 0;
   uint32_t bit_ = 0;        // of the next voxel
   uint32_t as_before_ = 0;  // a word of voxels that are as the one before
+  uint32_t level_end_ = 0;  // voxels left behind the level that was seen last
 };
 
 }  // namespace discmc::slices

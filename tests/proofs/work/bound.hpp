@@ -40,6 +40,17 @@ inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64
          asked.delivered * (Cost::delivered + holes * Cost::hole_look) + hole_runs * Cost::hole_run;
 }
 
+/// The same of a row whose voxels are told. Of a packet: its checksum, and moving into the next.
+struct SliceCost {
+  static constexpr uint64_t row =
+      2000;  ///< the first of a key slice, which forgets what was learnt
+  static constexpr uint64_t voxel = 60;
+};
+
+inline uint64_t slice_row_bound(uint32_t width, uint32_t surfaces) {
+  return surfaces * (SliceCost::row + width * SliceCost::voxel);
+}
+
 }  // namespace discmc::work
 
 #endif

@@ -1,0 +1,48 @@
+// A scan whose slices are told, and whose work is counted, row by row.
+#ifndef DISCMC_TESTS_WORK_COUNTED_SLICES_HPP
+#define DISCMC_TESTS_WORK_COUNTED_SLICES_HPP
+
+#include <algorithm>
+#include <discmc/slice_encoder.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "oracle/volume.hpp"
+#include "proofs/work/bound.hpp"
+#include "proofs/work/counted_scan.hpp"
+
+namespace discmc::work {
+
+struct SliceWork {
+  uint64_t most = 0;         ///< blocks of a push
+  double most_of_bound = 0;  ///< the greatest share of its bound that one took
+};
+
+/// Encodes a volume row by row, as so many surfaces that are all alike. Errors: throws what the
+/// encoder reports.
+inline SliceWork encode_slices(const reference::BitVolume& volume, KeySlices key_slices,
+                               uint8_t surfaces) {
+  StreamHeader header{volume.width, volume.height, volume.depth, {}, 1, Border::closed};
+  header.further_surfaces = static_cast<uint8_t>(surfaces - 1);
+  std::fill_n(header.further_thresholds, surfaces - 1, 1);
+  std::vector<uint8_t> memory(
+      slice_encoder_bytes({volume.width, volume.height}, key_slices, surfaces));
+  SliceEncoder encoder;
+  const ByteOutput nowhere{nullptr, [](void*, const uint8_t*, size_t count) { return count; }};
+  if (encoder.start(header, key_slices, {memory.data(), memory.size()}, nowhere) != Status::ok)
+    throw std::runtime_error("slices do not start");
+  const uint64_t most = slice_row_bound(volume.width, surfaces);
+  SliceWork work;
+  for (size_t voxel = 0; voxel < volume.voxels(); voxel += volume.width) {
+    const uint64_t before = blocks;
+    const Status status = encoder.push(volume.on.data() + voxel, volume.width).status;
+    work.most = std::max(work.most, blocks - before);
+    if (status != Status::ok) throw std::runtime_error(text(status));
+  }
+  work.most_of_bound = static_cast<double>(work.most) / static_cast<double>(most);
+  return work;
+}
+
+}  // namespace discmc::work
+
+#endif
