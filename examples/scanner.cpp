@@ -75,7 +75,14 @@ bool succeeds(Status status) {
   return status == Status::ok;
 }
 
+// Ends the frame that a reset has cut off, so that the header behind it is read.
+void end_frame() {
+  constexpr uint8_t frame_end = 0;
+  while (board::uart_write(nullptr, &frame_end, 1) == 0) board::wait();
+}
+
 bool start() {
+  end_frame();
   const int32_t(&spacing)[3] = scan::spacing_nm;
   const StreamLabel label{scan::depth, {spacing[0], spacing[1], spacing[2]}};
   return succeeds(encoder.start(label, {nullptr, board::uart_write})) &&

@@ -6,16 +6,13 @@
 //   fuzz_c_api -max_len=800 corpus/c_api      with libFuzzer
 //   fuzz_c_api corpus/c_api                   with replay_main.cpp
 
-#include <discmc/discmc.h>
-
 #include <discmc/discmc.hpp>
 #include <memory>
 
+#include "both_sides.hpp"
 #include "input.hpp"
-#include "oracle/c_events.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/sink.hpp"
-#include "require.hpp"
 
 using namespace discmc;
 using reference::Block;
@@ -24,38 +21,6 @@ using reference::Events;
 using reference::from_c;
 
 namespace {
-
-/// Refuses at random, but on both sides alike.
-class Refusals {
- public:
-  void set(uint32_t of_256, uint32_t seed) {
-    of_256_ = of_256;
-    seed_ = seed;
-  }
-  bool refuses() {
-    seed_ = seed_ * 1664525 + 1013904223;
-    return seed_ >> 24 < of_256_;
-  }
-
- private:
-  uint32_t of_256_ = 0;
-  uint32_t seed_ = 0;
-};
-
-/// Who takes the bytes of an encoder: some at a time.
-struct Line {
-  std::vector<uint8_t> bytes;
-  Refusals refusals;
-  size_t most = SIZE_MAX;
-
-  static size_t write(void* context, const uint8_t* data, size_t count) {
-    Line& line = *static_cast<Line*>(context);
-    if (line.refusals.refuses()) return 0;
-    const size_t taken = count < line.most ? count : line.most;
-    line.bytes.insert(line.bytes.end(), data, data + taken);
-    return taken;
-  }
-};
 
 // ---- geometry, in arrays of exactly their size ----
 
@@ -155,13 +120,6 @@ struct SinkInCpp {
   }
 };
 
-void require_same(discmc_status in_c, Status in_cpp) {
-  require(in_c == static_cast<discmc_status>(in_cpp), "another status than in C++");
-}
-void require_same(discmc_push_result in_c, PushResult in_cpp) {
-  require_same(in_c.status, in_cpp.status);
-  require(in_c.samples == in_cpp.samples, "another number of samples taken than in C++");
-}
 template <class InC, class InCpp>
 void require_same_records(const InC& in_c, const InCpp& in_cpp) {
   require(in_c.records == in_cpp.records && in_c.holes == in_cpp.holes,
@@ -329,7 +287,7 @@ class Both {
     cpp_label.channel = label.channel;
     cpp_label.depth = label.depth;
     for (int i = 0; i < 3; ++i) cpp_label.spacing_nm[i] = label.spacing_nm[i];
-    const auto write = has_output ? Line::write : nullptr;
+    const auto write = has_output ? RefusingLine::write : nullptr;
     const discmc_status in_c = discmc_encoder_start(encoder_.get(), &label, {&line_c_, write});
     require_same(in_c, encoder_cpp_.start(cpp_label, {&line_cpp_, write}));
   }
@@ -370,8 +328,7 @@ class Both {
   size_t push_bytes(const std::vector<uint8_t>& bytes) {
     const discmc_decoded in_c = discmc_decoder_push(decoder_.get(), bytes.data(), bytes.size());
     const Decoded in_cpp = decoder_cpp_.push(bytes.data(), bytes.size());
-    require_same(in_c.status, in_cpp.status);
-    require(in_c.bytes == in_cpp.bytes, "another number of bytes taken than in C++");
+    require_same(in_c, in_cpp);
     require(in_c.bytes <= bytes.size(), "more bytes taken than given");
     return in_c.bytes;
   }
@@ -412,29 +369,8 @@ class Both {
     require(discmc_extractor_slices(extractor) == in_cpp_.slices() &&
                 discmc_extractor_rows(extractor) == in_cpp_.rows(),
             "other rows counted than in C++");
-    look_at_decoder();
-  }
-
-  void look_at_decoder() const {
-    const discmc_stream_report in_c = discmc_decoder_report(decoder_.get());
-    const StreamReport& in_cpp = decoder_cpp_.report();
-    require(in_c.is_complete == in_cpp.is_complete() && in_c.has_header == in_cpp.has_header &&
-                in_c.has_trailer == in_cpp.has_trailer && in_c.abandoned == in_cpp.abandoned &&
-                in_c.is_unreadable == in_cpp.is_unreadable && in_c.slices == in_cpp.slices,
-            "another report than in C++");
-    require(in_c.bytes == in_cpp.bytes && in_c.packets == in_cpp.packets &&
-                in_c.repeated_packets == in_cpp.repeated_packets &&
-                in_c.damaged_packets == in_cpp.damaged_packets &&
-                in_c.lost_packets == in_cpp.lost_packets && in_c.regions == in_cpp.regions &&
-                in_c.fragments == in_cpp.fragments && in_c.lost_pieces == in_cpp.lost_pieces,
-            "other counts reported than in C++");
-    require(counts(from_c(in_c.totals)) == counts(in_cpp.totals),
-            "other totals reported than in C++");
-    const discmc_stream_header header = discmc_decoder_header(decoder_.get());
-    require(header.width == decoder_cpp_.header().width &&
-                header.spacing_nm[2] == decoder_cpp_.header().spacing_nm[2] &&
-                header.border == static_cast<uint8_t>(decoder_cpp_.header().border),
-            "another header than in C++");
+    require_same(discmc_decoder_report(decoder_.get()), decoder_cpp_.report());
+    require_same(discmc_decoder_header(decoder_.get()), decoder_cpp_.header());
   }
 
   // A block of so many bytes, whatever the input has left.
@@ -447,7 +383,7 @@ class Both {
   Input& input_;
   uint32_t width_ = 1;
   Rings rings_;
-  Line line_c_, line_cpp_;
+  RefusingLine line_c_, line_cpp_;
   SinkInC scanned_c_{{}, {}, nullptr, &rings_};  // of the extractor
   SinkInCpp scanned_cpp_;
   SinkInC decoded_c_;  // of the decoder

@@ -370,7 +370,8 @@ typedef struct discmc_encoder {
 } discmc_encoder;
 
 /* Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of its
- * header, the first packet. A further scan is a further stream; its number is one more. Errors:
+ * header, the first packet. A further scan is a further stream; its number is one more. Where a
+ * reset may have cut off a frame, send a zero byte first: it ends the frame, and is none. Errors:
  * DISCMC_BAD_LABEL, DISCMC_BAD_SINK (no write). */
 DISCMC_NODISCARD discmc_status discmc_encoder_start(discmc_encoder* encoder,
                                                     const discmc_stream_label* label,
@@ -643,10 +644,11 @@ discmc_stream_report discmc_slice_decoder_report(const discmc_slice_decoder* dec
 
 /* ---- the surface decoder (surface_decoder.hpp) ---- */
 
-/* Makes events of a stream of either kind: of bits those of an extractor that is given the same
- * rows. Rows that were lost on the way are skipped rows. */
+/* The lost rows that a call skips at most, as a hostile stream can claim any number of them. */
 enum { DISCMC_MOST_SKIPPED_ROWS = 65536 };
 
+/* Makes events of a stream of either kind: of bits those of an extractor that is given the same
+ * rows. Rows that were lost on the way are skipped rows. */
 typedef struct discmc_surface_decoder {
   uint64_t opaque[(sizeof(void*) == 8 ? 2872 : 2584) / 8];
 } discmc_surface_decoder;
@@ -665,7 +667,7 @@ DISCMC_NODISCARD discmc_status discmc_surface_decoder_start(discmc_surface_decod
                                                             uint8_t channel);
 
 /* Takes bytes as discmc_slice_decoder_push(). DISCMC_MORE: also that there are more lost rows to
- * skip; a call skips at most DISCMC_MOST_SKIPPED_ROWS. */
+ * skip. */
 DISCMC_NODISCARD discmc_decoded discmc_surface_decoder_push(discmc_surface_decoder* decoder,
                                                             const uint8_t* bytes, size_t count);
 

@@ -35,6 +35,7 @@ class BasicEncoder : private Normals {
  public:
   /// Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of
   /// its header, the first packet. A further scan is a further stream; its number is one more.
+  /// Where a reset may have cut off a frame, send a zero byte first: it ends the frame, and is none.
   /// Errors: bad_label, bad_sink (no write).
   [[nodiscard]] Status start(const StreamLabel& label, const ByteOutput& output);
 

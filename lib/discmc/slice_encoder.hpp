@@ -26,8 +26,9 @@ class SliceEncoder {
   /// Begins a scan and its stream; the header is the first packet, and its thresholds those of the
   /// samples. Where it has several surfaces each gets all samples; bits of the further ones are
   /// told by those of the first, so let that be the one that the others are like. memory: at least
-  /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. Errors: bad_limits,
-  /// bad_label, bad_sink (no write), too_little_memory.
+  /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. After a reset send a
+  /// zero byte first, as with Encoder::start(). Errors: bad_limits, bad_label, bad_sink (no write),
+  /// too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                              const ByteOutput& output);
 

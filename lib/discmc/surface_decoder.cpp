@@ -72,6 +72,7 @@ Status SurfaceDecoder::give_memory(Memory memory) {
 Status SurfaceDecoder::finish() {
   if (!is_started_) return Status::not_started;
   if (refusal_ != Status::ok) return refusal_;
+  if (!is_known_) (void)slices_.finish();  // it has nothing to tell yet
   return is_of_slices_ ? slices_.finish() : regions_.finish();
 }
 

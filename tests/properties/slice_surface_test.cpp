@@ -187,3 +187,18 @@ TEST_CASE("a call skips no more lost rows than it promises, whatever a stream cl
   CHECK(decoder.report().lost_rows == rows);
   reference::require_ok(decoder.finish());
 }
+
+TEST_CASE("a stream that ends within its first packet has not begun, whatever follows") {
+  const Bytes stream = told(volumes()[0], Border::closed, false, 0);
+  EventLog log;
+  Bytes memory(minimum_surface_bytes({20, 20}));
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  reference::require_ok(decoder.push(stream.data(), 10).status);
+  reference::require_ok(decoder.finish());
+  const size_t header = frames_of(stream)[0].size();
+  reference::require_ok(decoder.push(stream.data() + 10, header - 10).status);
+  CHECK_FALSE(decoder.report().has_header);
+  CHECK(decoder.report().damaged_packets == 2);
+  CHECK(log.starts.empty());
+}
