@@ -510,3 +510,67 @@ TEST_CASE("a scan that ends on a busy line is over once it has been resumed") {
   until_done([&] { return encoder.resume(); });
   CHECK(decode_slices(line.bytes, {9, 2, 1}).report.is_complete());
 }
+
+namespace {
+
+// Takes so many bytes and no more, until there is room again.
+struct BrokenLine {
+  size_t room = 0;
+  Bytes bytes{};
+
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* data, size_t count) {
+              return static_cast<BrokenLine*>(context)->write(data, count);
+            }};
+  }
+  size_t write(const uint8_t* data, size_t count) {
+    const size_t taken = std::min(count, room);
+    bytes.insert(bytes.end(), data, data + taken);
+    room -= taken;
+    return taken;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a scan that has ended takes no record, though the line still waits for its end") {
+  BrokenLine line;
+  reference::Block block(slice_encoder_bytes({9, 1}, {}));
+  SliceEncoder encoder;
+  const StreamHeader header = header_of_surfaces({9, 1, 1}, {1});
+  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  REQUIRE(encoder.finish() == Status::more);
+  line.room = 1000;
+  CHECK(encoder.tell({}) == Status::finished);
+  reference::require_ok(encoder.resume());
+  const ReceivedRows received = decode_slices(line.bytes, {9, 1, 0});
+  CHECK(received.report.is_complete());
+  CHECK(received.rows.size() == 1);
+}
+
+TEST_CASE("a scan that begins anew has nothing of the one before, wherever that was") {
+  const reference::Size size{41, 17, 3};
+  const Bytes samples = onion(size);
+  const StreamHeader header = header_of_surfaces(size, {100, 101, 160});
+  const KeySlices key_slices{2};
+  const Bytes expected = encode_surfaces(header, samples, key_slices);
+  for (size_t room = 0; room < 1000; room += 7) {
+    CAPTURE(room);
+    reference::Block block(slice_encoder_bytes({41, 17}, key_slices, 3));
+    BrokenLine broken{room};
+    SliceEncoder encoder;
+    reference::require_ok(encoder.start(header, key_slices, block.memory(), broken.output()));
+    Status status = Status::ok;
+    for (uint32_t row = 0; row < 17 * 3 && status == Status::ok; ++row)
+      status = row == 7 ? encoder.skip_row(Substitute::off).status
+                        : encoder.push(&samples[row * 41], 41).status;
+    if (room % 2 == 0) (void)encoder.abandon();
+    Line line;
+    reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
+    CHECK(encoder.bytes() == 0);
+    reference::require_ok(encoder.push(samples.data(), 41 * 17 * 3).status);
+    reference::require_ok(encoder.finish());
+    CHECK(line.bytes == expected);
+    CHECK(encoder.bytes() == expected.size());
+  }
+}
