@@ -196,7 +196,7 @@ TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or
   CHECK(slices.tell(record_of(most)) == Status::finished);
 }
 
-TEST_CASE("a record whose packet is too short is none") {
+TEST_CASE("a record of which nothing is said is all zeros; one whose packet is too short is none") {
   Line line;
   Encoder encoder;
   require_ok(begin_stream(encoder, any_header(), line.output()));
@@ -205,7 +205,12 @@ TEST_CASE("a record whose packet is too short is none") {
   const std::vector<Bytes> frames = frames_of(line.bytes);
   Packet packet = packet_of(frames[1]);
   CHECK(packet.payload.size() == 9);
-  CHECK(decode(joined({frames[0], frame_of(packet)})).events.size() == 1);
+  const Events events = decode(joined({frames[0], frame_of(packet)})).events;
+  REQUIRE(events.size() == 1);
+  const Event event = events[0].event();
+  CHECK(event.application->kind == 0);
+  CHECK(event.application->slice == 0);
+  CHECK(event.application->row == 0);
   packet.payload.pop_back();
   const Received received = decode(joined({frames[0], frame_of(packet)}));
   CHECK(received.events.empty());

@@ -283,6 +283,22 @@ TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
   }
 }
 
+TEST_CASE("a group takes samples at a stride, over many rows at once") {
+  const BitVolume volume = reference::random({7, 5, 3}, 110, 5);
+  Bytes apart(2 * volume.on.size());
+  for (size_t i = 0; i < volume.on.size(); ++i) apart[2 * i] = volume.on[i];
+  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
+  EventLog logs[2];
+  Extractor16 extractors[2];
+  for (int i = 0; i < 2; ++i)
+    require_ok(
+        extractors[i].start({7, 5}, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+  SurfaceGroup<Extractor16> surfaces(extractors, 2, 7);
+  CHECK(surfaces.push(apart.data(), 105, 2).samples == 105);
+  require_ok(surfaces.finish());
+  for (const EventLog& log : logs) CHECK(log.events == events_of(volume));
+}
+
 TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all") {
   const Limits limits{9, 4};
   const BitVolume noise = reference::random({9, 4, 6}, 110, 4);
@@ -327,4 +343,24 @@ TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all
     require_ok(extractor.finish());
     for (const EventLog& log : logs) CHECK(log.events == alone.events);
   }
+}
+
+TEST_CASE("a shared link that is started anew sends nothing of before") {
+  Line line;
+  SharedOutput link;
+  const ByteOutput dead{nullptr, [](void*, const uint8_t*, size_t) { return size_t{0}; }};
+  link.start(dead);
+  const ByteOutput output = link.output();
+  const uint8_t frame[] = {3, 1, 2, 0};
+  CHECK(output.write(output.context, frame, 4) == 4);
+  CHECK_FALSE(link.flush());
+  CHECK(output.write(output.context, frame, 4) == 0);
+  link.start(line.output());
+  CHECK(link.flush());
+  CHECK(line.bytes.empty());
+  CHECK(output.write(output.context, frame, 4) == 4);
+  CHECK(line.bytes == Bytes(frame, frame + 4));
+  const Bytes longest(wire::max_frame, 7);
+  CHECK(output.write(output.context, longest.data(), longest.size()) == longest.size());
+  CHECK(line.bytes.size() == 4 + longest.size());
 }

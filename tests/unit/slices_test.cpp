@@ -225,6 +225,18 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   }
 }
 
+TEST_CASE("a stride goes on from row to row") {
+  const BitVolume volume = reference::random({33, 5, 2}, 128, 11);
+  std::vector<uint8_t> apart(3 * volume.on.size());
+  for (size_t i = 0; i < volume.on.size(); ++i) apart[3 * i] = volume.on[i];
+  Device device({33, 5}), other({33, 5});
+  CHECK(device.encoder.push(apart.data(), 330, 3).samples == 330);
+  CHECK(other.encoder.push(volume.on.data(), 330).samples == 330);
+  reference::require_ok(device.encoder.finish());
+  reference::require_ok(other.encoder.finish());
+  CHECK(device.line.bytes == other.line.bytes);
+}
+
 TEST_CASE("a row that never came says so, and what stands in for it") {
   const BitVolume volume = reference::random({33, 5, 4}, 128, 7);
   for (const size_t bytes_a_time : {0U, 1U}) {
@@ -296,6 +308,8 @@ TEST_CASE("what the encoder cannot do it refuses, and says why") {
         Status::bad_limits);
   CHECK(encoder.start(header, {}, {memory.data(), memory.size()}, {}) == Status::bad_sink);
   CHECK(encoder.start(header, {}, {}, line.output()) == Status::too_little_memory);
+  CHECK(encoder.start(header, {}, {nullptr, memory.size()}, line.output()) ==
+        Status::too_little_memory);
   CHECK(encoder.start(header, {}, {memory.data(), memory.size() - 1}, line.output()) ==
         Status::too_little_memory);
   CHECK(line.bytes.empty());
@@ -327,6 +341,8 @@ TEST_CASE("where every slice is a key slice four rows of bits are all that is ke
   CHECK(slice_encoder_bytes({256, 256}, {1}) == 5 * 9 * 4 + 548 + 3);
   CHECK(slice_encoder_bytes({256, 256}, {2}) == 259 * 9 * 4 + 548 + 3);
   CHECK(slice_encoder_bytes({256, 1}, {0}) == 5 * 9 * 4 + 548 + 3);
+  // A decoder does not know, and hands out a row of bits.
+  CHECK(slice_decoder_bytes({256, 256}) == 259 * 9 * 4 + 548 + 3 + 32);
 }
 
 TEST_CASE("streams of bits are as short as the page of the stream says") {
@@ -549,26 +565,31 @@ TEST_CASE("a scan that has ended takes no record, though the line still waits fo
 }
 
 TEST_CASE("a scan that begins anew has nothing of the one before, wherever that was") {
-  const reference::Size size{41, 17, 3};
-  const Bytes samples = onion(size);
-  const StreamHeader header = header_of_surfaces(size, {100, 101, 160});
+  const reference::Size size{41, 17, 6};
+  Bytes samples;
+  Chance chance(8);
+  for (uint32_t i = 0; i < 41 * 17 * 6; ++i) samples.push_back(chance.byte());
+  const StreamHeader header = header_of_surfaces(size, {100, 140, 160});
   const KeySlices key_slices{2};
   const Bytes expected = encode_surfaces(header, samples, key_slices);
-  for (size_t room = 0; room < 1000; room += 7) {
+  REQUIRE(expected.size() > 1500);
+  // The line breaks off in one packet after another, most of which end within a row.
+  for (size_t room = 0; room < 1500; room += 125) {
     CAPTURE(room);
     reference::Block block(slice_encoder_bytes({41, 17}, key_slices, 3));
     BrokenLine broken{room};
     SliceEncoder encoder;
     reference::require_ok(encoder.start(header, key_slices, block.memory(), broken.output()));
     Status status = Status::ok;
-    for (uint32_t row = 0; row < 17 * 3 && status == Status::ok; ++row)
+    for (uint32_t row = 0; row < 17 * 6 && status == Status::ok; ++row)
       status = row == 7 ? encoder.skip_row(Substitute::off).status
                         : encoder.push(&samples[row * 41], 41).status;
+    CHECK(status == Status::more);
     if (room % 2 == 0) (void)encoder.abandon();
     Line line;
     reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
     CHECK(encoder.bytes() == 0);
-    reference::require_ok(encoder.push(samples.data(), 41 * 17 * 3).status);
+    reference::require_ok(encoder.push(samples.data(), 41 * 17 * 6).status);
     reference::require_ok(encoder.finish());
     CHECK(line.bytes == expected);
     CHECK(encoder.bytes() == expected.size());
