@@ -137,7 +137,7 @@ TEST_CASE("the stream does not depend on portions or on how busy the line is") {
   for (const uint32_t interval : {0U, 1U, 4U}) {
     const Bytes stream = encode_slices(volume, {{interval}});
     for (const uint32_t portion : {1U, 7U, 36U, 38U, 400U})
-      for (const size_t bytes : {1U, 3U, 250U})
+      for (const size_t bytes : {1U, 3U, 250U, 1000U})
         CHECK(encode_slices(volume, {{interval}, portion, bytes}) == stream);
   }
 }
@@ -289,13 +289,66 @@ TEST_CASE("a scan that is abandoned ends where it is") {
   CHECK(received.rows.back().event.slice == 3);
 }
 
+TEST_CASE("one row of a slice makes it one that was seen, no row does not") {
+  const BitVolume volume = ball(12);
+  for (const uint32_t rows : {0U, 1U, 12U, 13U}) {
+    CAPTURE(rows);
+    Device device({12, 12});
+    push_rows(device.encoder, volume.on.data(), 12 * rows, 100);
+    reference::require_ok(device.encoder.abandon());
+    const ReceivedRows received = decode_slices(device.line.bytes, {12, 12, 2});
+    CHECK(received.report.is_complete());
+    CHECK(received.rows.back().event.slice == (rows + 11) / 12);
+  }
+}
+
+TEST_CASE("rows that never came fill packets like any other") {
+  constexpr uint32_t rows = 4000;
+  for (const size_t bytes_a_time : {0U, 100U, 1000U}) {
+    CAPTURE(bytes_a_time);
+    Device device({5, rows}, {}, bytes_a_time);
+    for (uint32_t row = 0; row < rows; ++row) {
+      PushResult result{Status::more, 0};
+      while (result.samples == 0) result = device.encoder.skip_row(Substitute::off);
+    }
+    until_done([&] { return device.encoder.finish(); });
+    CHECK(frames_of(device.line.bytes).size() > 6);
+    const ReceivedRows received = decode_slices(device.line.bytes, {5, rows, 1});
+    CHECK(received.report.is_complete());
+    CHECK(received.report.totals.skipped_rows == rows);
+  }
+}
+
+TEST_CASE("to another output the next slice goes as a key slice, and those after it do not") {
+  const BitVolume volume = ball(12);
+  Device device({12, 12});
+  push_rows(device.encoder, volume.on.data(), 144 * 3 + 30, 1000);
+  Line other;
+  device.encoder.set_output(other.output());
+  push_rows(device.encoder, &volume.on[144 * 3 + 30], 144 * 9 - 30, 1000);
+  reference::require_ok(device.encoder.finish());
+  Bytes keys;  // the first of them stood in a packet that was not sent yet
+  for (const Bytes& frame : frames_of(other.bytes)) {
+    const Packet packet = packet_of(frame);
+    if (packet.kind >= 16 && (packet.kind & wire::SliceBits::key) != 0)
+      keys.push_back(packet.payload[0]);
+  }
+  CHECK(keys == Bytes{0, 4});
+}
+
 TEST_CASE("what the encoder cannot do it refuses, and says why") {
   Line line;
   SliceEncoder encoder;
   uint8_t samples[8] = {};
   CHECK(encoder.push(samples, 8).status == Status::not_started);
-  CHECK(encoder.push_bits(samples).status == Status::not_started);
-  CHECK(encoder.skip_row(Substitute::off).status == Status::not_started);
+  const auto refuses_rows = [&](Status status) {
+    for (const PushResult result :
+         {encoder.push_bits(samples), encoder.skip_row(Substitute::off)}) {
+      CHECK(result.status == status);
+      CHECK(result.samples == 0);
+    }
+  };
+  refuses_rows(Status::not_started);
   CHECK(encoder.resume() == Status::not_started);
   CHECK(encoder.flush() == Status::not_started);
   CHECK(encoder.finish() == Status::not_started);
@@ -315,8 +368,7 @@ TEST_CASE("what the encoder cannot do it refuses, and says why") {
   CHECK(line.bytes.empty());
   reference::require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
   CHECK(encoder.push(samples, 3).status == Status::ok);
-  CHECK(encoder.push_bits(samples).status == Status::row_in_progress);
-  CHECK(encoder.skip_row(Substitute::off).status == Status::row_in_progress);
+  refuses_rows(Status::row_in_progress);
   CHECK(encoder.finish() == Status::slice_in_progress);
 }
 
@@ -422,8 +474,8 @@ TEST_CASE("several surfaces come through one stream, each as it would alone") {
         CAPTURE(thresholds.size());
         CAPTURE(interval);
         const StreamHeader header = header_of_surfaces(size, thresholds);
-        const Bytes stream =
-            encode_surfaces(header, samples, {interval}, skips, interval == 1 ? 3 : 0);
+        const Bytes stream = encode_surfaces(header, samples, {interval}, skips,
+                                             interval == 1 ? 3 : 1000 * interval);
         const ReceivedRows received =
             decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surfaces());
         REQUIRE(received.report.is_complete());
@@ -462,6 +514,21 @@ TEST_CASE("rows of bits are those of all surfaces, one behind the other") {
   CHECK(received.rows[2].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
 }
 
+TEST_CASE("rows of bits that fill their bytes stand behind each other without a gap") {
+  const StreamHeader header = header_of_surfaces({16, 1, 1}, {1, 1});
+  Line line;
+  reference::Block block(slice_encoder_bytes({16, 1}, {}, 2));
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  const uint8_t bits[] = {0xFF, 0, 0, 0xFF, 0x55};
+  CHECK(encoder.push_bits(bits).samples == 16);
+  reference::require_ok(encoder.finish());
+  const ReceivedRows received = decode_slices(line.bytes, {16, 1, 1}, 0, false, 2);
+  REQUIRE(received.rows.size() == 3);
+  CHECK(received.rows[0].bits == Bytes{1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(received.rows[1].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1});
+}
+
 TEST_CASE("surfaces with thresholds close to each other take less together than alone") {
   const reference::Size size{64, 64, 20};
   const Bytes samples = onion(size);
@@ -485,6 +552,94 @@ TEST_CASE("a stream holds one to four surfaces, on channels up to 63") {
   header.channel = 0;
   header.further_surfaces = 4;
   CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
+}
+
+namespace {
+
+// Tells rows of bits, those of all surfaces one behind the other, or reads them.
+template <class Coder>
+void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
+  const Limits limits{header.width, header.height};
+  reference::Block block(slice_encoder_bytes(limits, {}, header.surfaces()));
+  Arena arena(block.memory());
+  slices::Surfaces surfaces;
+  surfaces.start(arena, header, slices::rows_kept(limits.height, false));
+  surfaces.clear();
+  surfaces.begin_key_slice();
+  for (Bytes& bits : rows) {
+    coder.bit(surfaces.note(), false);
+    uint8_t* place = bits.data();
+    for (uint32_t surface = 0; surface < surfaces.count(); ++surface) {
+      surfaces[surface].rows.append_bits(place);
+      slices::RowCode row;
+      surfaces.begin_row(row, surface, header.width);
+      while (!row.is_done() && row.step(coder, surfaces[surface].model)) continue;
+      row.complete(surfaces.rows().words());
+      surfaces[surface].rows.write_bits(place);
+      place += (header.width + 7) / 8;
+    }
+    surfaces.next_row();
+  }
+}
+
+// Noise, and then rows of whose number the encoder knows all the time only that it lies just below
+// one that ends in zeros, or at it.
+std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
+  Chance chance(seed);
+  const size_t row_bytes = (header.width + 7) / 8 * header.surfaces();
+  std::vector<Bytes> rows(header.height, Bytes(row_bytes));
+  for (Bytes& row : rows)
+    for (uint8_t& byte : row) byte = chance.byte();
+  Bytes number(8000);
+  slices::RowWriter written{RangeEncoder(number.data(), number.size())};
+  tell_rows(written, header, rows);
+  REQUIRE(written.range.final_bytes() > 600);
+  std::fill(number.begin() + 230, number.end(), uint8_t{0});
+  for (Bytes& row : rows) std::fill(row.begin(), row.end(), uint8_t{0});
+  slices::RowReader read{RangeDecoder(number.data(), number.size())};
+  tell_rows(read, header, rows);
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("codes are cut wherever a carry may come, between rows or within one of any surface") {
+  uint32_t within = 0, between = 0;
+  for (const reference::Size& size : {reference::Size{2, 5000, 1}, {1, 7000, 1}, {40, 200, 1}})
+    for (const std::vector<int32_t>& thresholds : {std::vector<int32_t>{1}, {1, 1, 1}})
+      for (uint32_t seed = 1; seed < 5; ++seed) {
+        CAPTURE(size.width);
+        CAPTURE(seed);
+        const StreamHeader header = header_of_surfaces(size, thresholds);
+        const std::vector<Bytes> rows = rows_on_the_edge(header, seed);
+        Line line;
+        reference::Block block(
+            slice_encoder_bytes({size.width, size.height}, {}, header.surfaces()));
+        SliceEncoder encoder;
+        reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+        for (const Bytes& row : rows) reference::require_ok(encoder.push_bits(row.data()).status);
+        reference::require_ok(encoder.finish());
+        const std::vector<Bytes> frames = frames_of(line.bytes);
+        for (size_t i = 1; i + 2 < frames.size(); ++i) {
+          const uint8_t kind = packet_of(frames[i]).kind;
+          if (kind < 16 || (kind & wire::SliceBits::last) == 0) continue;
+          ++((kind & wire::SliceBits::cut) != 0 ? within : between);
+        }
+        const ReceivedRows received = decode_slices(line.bytes, size, 0, false, header.surfaces());
+        REQUIRE(received.report.is_complete());
+        REQUIRE(received.rows.size() == rows.size() * header.surfaces() + 1);
+        uint32_t wrong = 0;
+        const size_t row_bytes = (size.width + 7) / 8;
+        for (size_t i = 0; i + 1 < received.rows.size(); ++i)
+          for (uint32_t x = 0; x < size.width; ++x) {
+            const uint8_t byte =
+                rows[i / header.surfaces()][i % header.surfaces() * row_bytes + x / 8];
+            if (received.rows[i].bits[x] != (byte >> x % 8 & 1)) ++wrong;
+          }
+        CHECK(wrong == 0);
+      }
+  CHECK(within > 5);
+  CHECK(between > 0);
 }
 
 TEST_CASE("a surface decoder takes the surface of its channel out of several") {
@@ -562,6 +717,34 @@ TEST_CASE("a scan that has ended takes no record, though the line still waits fo
   const ReceivedRows received = decode_slices(line.bytes, {9, 1, 0});
   CHECK(received.report.is_complete());
   CHECK(received.rows.size() == 1);
+}
+
+TEST_CASE("a scan may end while its last row waits for the line, and not while another does") {
+  const uint8_t row[9] = {1, 0, 1};
+  for (const uint32_t height : {1U, 2U}) {
+    CAPTURE(height);
+    // With every key slice a packet ends, which this line does not take.
+    BrokenLine line;
+    reference::Block block(slice_encoder_bytes({9, height}, {1}));
+    SliceEncoder encoder;
+    const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
+    reference::require_ok(encoder.start(header, {1}, block.memory(), line.output()));
+    line.room = 100;
+    reference::require_ok(encoder.resume());
+    line.room = 0;
+    for (uint32_t i = 0; i < height; ++i) reference::require_ok(encoder.push(row, 9).status);
+    const PushResult waiting = encoder.push(row, 9);
+    CHECK(waiting.status == Status::more);
+    CHECK(waiting.samples == 9);
+    CHECK(encoder.finish() == (height == 1 ? Status::more : Status::slice_in_progress));
+    line.room = 1000;
+    reference::require_ok(encoder.resume());
+    if (height == 2) reference::require_ok(encoder.push(row, 9).status);
+    reference::require_ok(encoder.finish());
+    const ReceivedRows received = decode_slices(line.bytes, {9, height, 2});
+    CHECK(received.report.is_complete());
+    CHECK(received.report.rows == 2 * height);
+  }
 }
 
 TEST_CASE("a scan that begins anew has nothing of the one before, wherever that was") {
