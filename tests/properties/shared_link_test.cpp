@@ -294,9 +294,25 @@ TEST_CASE("a group takes samples at a stride, over many rows at once") {
     require_ok(
         extractors[i].start({7, 5}, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
   SurfaceGroup<Extractor16> surfaces(extractors, 2, 7);
-  CHECK(surfaces.push(apart.data(), 105, 2).samples == 105);
+  CHECK(surfaces.push(apart.data(), 100, 2).samples == 100);
+  CHECK(surfaces.push(apart.data() + 200, 5, 2).samples == 5);
   require_ok(surfaces.finish());
   for (const EventLog& log : logs) CHECK(log.events == events_of(volume));
+}
+
+TEST_CASE("rows of bits that fill their bytes stand behind each other in a group, too") {
+  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
+  EventLog logs[2];
+  Extractor16 extractors[2];
+  for (int i = 0; i < 2; ++i)
+    require_ok(
+        extractors[i].start({8, 1}, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+  SurfaceGroup<Extractor16> surfaces(extractors, 2, 8);
+  const uint8_t bits[] = {0x01, 0xF8, 0};
+  require_ok(surfaces.push_bits(bits).status);
+  require_ok(surfaces.finish());
+  CHECK(logs[0].events == events_of(reference::from_bits({8, 1, 1}, 0x01)));
+  CHECK(logs[1].events == events_of(reference::from_bits({8, 1, 1}, 0xF8)));
 }
 
 TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all") {

@@ -283,6 +283,7 @@ TEST_CASE("a scan that is abandoned ends where it is") {
   const ReceivedRows received = decode_slices(device.line.bytes, {12, 12, 3});
   CHECK(received.report.is_complete());
   CHECK(received.report.abandoned);
+  CHECK(packet_of(frames_of(device.line.bytes).back()).payload[4] == 1);
   REQUIRE(received.rows.size() == 31);
   CHECK(received.rows.back().is(Kind::finish));
   CHECK(received.rows.back().event.abandoned);
@@ -317,6 +318,51 @@ TEST_CASE("rows that never came fill packets like any other") {
     CHECK(received.report.is_complete());
     CHECK(received.report.totals.skipped_rows == rows);
   }
+}
+
+TEST_CASE("a header comes again after 64 packets, but none behind the trailer") {
+  for (uint32_t packets = 62; packets < 67; ++packets) {
+    CAPTURE(packets);
+    const BitVolume volume({3, packets, 1});
+    SlicePlan plan;
+    plan.flush_every = 1;
+    const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
+    size_t headers = 0;
+    for (const Bytes& frame : frames)
+      if (packet_of(frame).is(wire::PacketKind::header)) ++headers;
+    CHECK(headers == (packets < 64 ? 1 : 2));
+    CHECK(frames.size() == headers + packets + 1);
+    CHECK(packet_of(frames.back()).is(wire::PacketKind::slices_trailer));
+  }
+}
+
+TEST_CASE("a run that would be longer than its row is none") {
+  for (const uint32_t width : {3U, 5U})
+    for (uint32_t length = width; length < (width == 3 ? 4 : 8); ++length) {
+      CAPTURE(width);
+      CAPTURE(length);
+      const BitVolume volume({width, 1, 1});
+      std::vector<Bytes> frames = frames_of(encode_slices(volume));
+      Packet packet = packet_of(frames[1]);
+      reference::Block block(slices::SliceModel::bytes_for(false) + Arena::alignment);
+      Arena arena(block.memory());
+      slices::SliceModel model;
+      model.start(arena, false);
+      model.begin(slices::SliceKind::key);
+      packet.payload.resize(wire::max_payload);
+      slices::RowWriter code{RangeEncoder(&packet.payload[4], 200)};
+      code.bit(model[slices::context::note], false);
+      const uint32_t bits_of_width = width == 3 ? 2 : 3;
+      code.bit(model[slices::context::run + 2 * (bits_of_width - 1) + 1], false);
+      code.number(bits_of_width, length);
+      code.number(32, 0x5A5A5A5A);
+      packet.payload.resize(4 + code.range.finish());
+      frames[1] = frame_of(packet);
+      const ReceivedRows received = decode_slices(joined(frames), {width, 1, 1});
+      CHECK(received.report.is_unreadable);
+      CHECK(received.report.rows == 0);
+      CHECK(received.report.lost_rows == 1);
+    }
 }
 
 TEST_CASE("to another output the next slice goes as a key slice, and those after it do not") {
@@ -721,30 +767,32 @@ TEST_CASE("a scan that has ended takes no record, though the line still waits fo
 
 TEST_CASE("a scan may end while its last row waits for the line, and not while another does") {
   const uint8_t row[9] = {1, 0, 1};
-  for (const uint32_t height : {1U, 2U}) {
-    CAPTURE(height);
-    // With every key slice a packet ends, which this line does not take.
-    BrokenLine line;
-    reference::Block block(slice_encoder_bytes({9, height}, {1}));
-    SliceEncoder encoder;
-    const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
-    reference::require_ok(encoder.start(header, {1}, block.memory(), line.output()));
-    line.room = 100;
-    reference::require_ok(encoder.resume());
-    line.room = 0;
-    for (uint32_t i = 0; i < height; ++i) reference::require_ok(encoder.push(row, 9).status);
-    const PushResult waiting = encoder.push(row, 9);
-    CHECK(waiting.status == Status::more);
-    CHECK(waiting.samples == 9);
-    CHECK(encoder.finish() == (height == 1 ? Status::more : Status::slice_in_progress));
-    line.room = 1000;
-    reference::require_ok(encoder.resume());
-    if (height == 2) reference::require_ok(encoder.push(row, 9).status);
-    reference::require_ok(encoder.finish());
-    const ReceivedRows received = decode_slices(line.bytes, {9, height, 2});
-    CHECK(received.report.is_complete());
-    CHECK(received.report.rows == 2 * height);
-  }
+  for (const uint32_t height : {1U, 2U})
+    for (const bool skips : {false, true}) {
+      CAPTURE(height);
+      CAPTURE(skips);
+      // With every key slice a packet ends, which this line does not take.
+      BrokenLine line;
+      reference::Block block(slice_encoder_bytes({9, height}, {1}));
+      SliceEncoder encoder;
+      const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
+      reference::require_ok(encoder.start(header, {1}, block.memory(), line.output()));
+      line.room = 100;
+      reference::require_ok(encoder.resume());
+      line.room = 0;
+      for (uint32_t i = 0; i < height; ++i) reference::require_ok(encoder.push(row, 9).status);
+      const PushResult waiting = skips ? encoder.skip_row(Substitute::off) : encoder.push(row, 9);
+      CHECK(waiting.status == Status::more);
+      CHECK(waiting.samples == 9);
+      CHECK(encoder.finish() == (height == 1 ? Status::more : Status::slice_in_progress));
+      line.room = 1000;
+      reference::require_ok(encoder.resume());
+      if (height == 2) reference::require_ok(encoder.push(row, 9).status);
+      reference::require_ok(encoder.finish());
+      const ReceivedRows received = decode_slices(line.bytes, {9, height, 2});
+      CHECK(received.report.is_complete());
+      CHECK(received.report.rows == 2 * height);
+    }
 }
 
 TEST_CASE("a scan that begins anew has nothing of the one before, wherever that was") {
