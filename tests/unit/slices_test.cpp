@@ -395,6 +395,7 @@ TEST_CASE("what the encoder cannot do it refuses, and says why") {
     }
   };
   refuses_rows(Status::not_started);
+  CHECK(encoder.bytes() == 0);
   CHECK(encoder.resume() == Status::not_started);
   CHECK(encoder.flush() == Status::not_started);
   CHECK(encoder.finish() == Status::not_started);
