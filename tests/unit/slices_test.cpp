@@ -304,19 +304,45 @@ TEST_CASE("one row of a slice makes it one that was seen, no row does not") {
 }
 
 TEST_CASE("rows that never came fill packets like any other") {
-  constexpr uint32_t rows = 4000;
+  const BitVolume volume = reference::random({3, 4000, 1}, 128, 12);
   for (const size_t bytes_a_time : {0U, 100U, 1000U}) {
     CAPTURE(bytes_a_time);
-    Device device({5, rows}, {}, bytes_a_time);
-    for (uint32_t row = 0; row < rows; ++row) {
+    Device device({3, 4000}, {}, bytes_a_time);
+    for (uint32_t row = 0; row < 4000; ++row) {
       PushResult result{Status::more, 0};
-      while (result.samples == 0) result = device.encoder.skip_row(Substitute::off);
+      while (result.samples == 0)
+        result = row % 2 == 0 ? device.encoder.push(&volume.on[row * 3], 3)
+                              : device.encoder.skip_row(Substitute::off);
     }
     until_done([&] { return device.encoder.finish(); });
-    CHECK(frames_of(device.line.bytes).size() > 6);
-    const ReceivedRows received = decode_slices(device.line.bytes, {5, rows, 1});
+    CHECK(frames_of(device.line.bytes).size() > 10);
+    const ReceivedRows received = decode_slices(device.line.bytes, {3, 4000, 1});
     CHECK(received.report.is_complete());
-    CHECK(received.report.totals.skipped_rows == rows);
+    CHECK(received.report.rows == 4000);
+    CHECK(received.report.totals.skipped_rows == 2000);
+  }
+}
+
+TEST_CASE("a push that need not wait has told its row, though the line was busy") {
+  // Rows that take several packets, and rows before each of which one ends.
+  for (const reference::Size& size : {reference::Size{6000, 2, 3}, {30, 1, 50}}) {
+    CAPTURE(size.width);
+    const BitVolume volume = reference::random(size, 128, 13);
+    Device device({size.width, size.height}, {1}, 1000);
+    for (uint32_t row = 0; row < size.height * size.depth; ++row) {
+      Bytes bits((size.width + 7) / 8);
+      for (uint32_t x = 0; x < size.width; ++x)
+        bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | volume.on[row * size.width + x] << x % 8);
+      PushResult result = device.encoder.push_bits(bits.data());
+      while (result.samples == 0) {
+        REQUIRE(result.status == Status::more);
+        result = device.encoder.push_bits(bits.data());
+      }
+      if (result.status == Status::ok)
+        CHECK(device.encoder.slices() * size.height + device.encoder.rows() == row + 1);
+    }
+    until_done([&] { return device.encoder.finish(); });
+    check_rows(volume, decode_slices(device.line.bytes, size));
   }
 }
 
