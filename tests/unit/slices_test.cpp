@@ -853,3 +853,35 @@ TEST_CASE("a scan that begins anew has nothing of the one before, wherever that 
     CHECK(encoder.bytes() == expected.size());
   }
 }
+
+TEST_CASE("a row that never came waits for the line before anything is told of it") {
+  constexpr uint32_t height = 8000;
+  const BitVolume volume = reference::random({1, height, 1}, 128, 14);
+  const StreamHeader header = header_of(volume);
+  const Limits limits{1, height};
+  // The rows with which a packet is full.
+  std::vector<uint32_t> full;
+  Device device(limits);
+  for (uint32_t row = 0; row < height; ++row) {
+    const size_t before = device.line.bytes.size();
+    reference::require_ok(device.encoder.push(&volume.on[row], 1).status);
+    if (row > 0 && device.line.bytes.size() > before) full.push_back(row);
+  }
+  REQUIRE(full.size() > 1);
+  for (const uint32_t skipped : full) {
+    CAPTURE(skipped);
+    BrokenLine line{100000};
+    reference::Block block(slice_encoder_bytes(limits, {}));
+    SliceEncoder encoder;
+    reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+    reference::require_ok(encoder.push(volume.on.data(), skipped).status);
+    line.room = 0;
+    CHECK(encoder.skip_row(Substitute::off).status == Status::more);
+    line.room = 100000;
+    reference::require_ok(encoder.push(&volume.on[skipped + 1], height - skipped - 1).status);
+    reference::require_ok(encoder.finish());
+    const ReceivedRows received = decode_slices(line.bytes, {1, height, 1});
+    CHECK(received.report.is_complete());
+    CHECK(received.report.totals.skipped_rows == 1);
+  }
+}
