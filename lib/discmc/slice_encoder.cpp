@@ -109,7 +109,7 @@ Status SliceEncoder::flush() {
 }
 
 Status SliceEncoder::tell(const ApplicationRecord& record) {
-  if (state_ == State::finished) return Status::finished;
+  if (state_ == State::finishing || state_ == State::finished) return Status::finished;
   if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
   const Status status = flush();
   if (status != Status::ok) return status;
@@ -130,7 +130,7 @@ void SliceEncoder::set_output(const ByteOutput& output) {
 Status SliceEncoder::finish() {
   if (state_ == State::scanning) {
     const bool is_last_due = row_is_due_ && rows() + 1 == packets_.header().height;
-    const bool is_between = !row_is_due_ && rows() == 0 && column() == 0;
+    const bool is_between = rows() == 0 && column() == 0;
     if (!is_last_due && !is_between) return Status::slice_in_progress;
     state_ = State::finishing;
   }

@@ -146,6 +146,26 @@ TEST_CASE("records go with a stream of slices, before the row that follows") {
   }
 }
 
+TEST_CASE("a record in a stream of slices goes out at once, and says where the scan was") {
+  Line line;
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  SliceEncoder encoder;
+  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(encoder.push(volume.on.data(), volume.width * (2 * volume.height + 3)).status);
+  const Bytes bytes{1, 2, 3};
+  require_ok(encoder.tell(record_of(bytes, 7, 99, 99)));
+  EventLog log;
+  Bytes memory_of_surface(minimum_surface_bytes({volume.width, volume.height}) + 100000);
+  SurfaceDecoder decoder;
+  require_ok(decoder.start({memory_of_surface.data(), memory_of_surface.size()}, sink_to(log)));
+  require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
+  REQUIRE_FALSE(log.events.empty());
+  const Event event = log.events.back().event();
+  REQUIRE(event.kind == Event::Kind::application);
+  CHECK(event.application->slice == 2);
+  CHECK(event.application->row == 3);
+}
+
 TEST_CASE("a record does not overtake what a busy sink has refused, in a stream of either kind") {
   for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
     EventLog idle, busy(reference::refuses_first);
@@ -196,7 +216,7 @@ TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or
   CHECK(slices.tell(record_of(most)) == Status::finished);
 }
 
-TEST_CASE("a record whose packet is too short is none") {
+TEST_CASE("a record of which nothing is said is all zeros; one whose packet is too short is none") {
   Line line;
   Encoder encoder;
   require_ok(begin_stream(encoder, any_header(), line.output()));
@@ -205,7 +225,12 @@ TEST_CASE("a record whose packet is too short is none") {
   const std::vector<Bytes> frames = frames_of(line.bytes);
   Packet packet = packet_of(frames[1]);
   CHECK(packet.payload.size() == 9);
-  CHECK(decode(joined({frames[0], frame_of(packet)})).events.size() == 1);
+  const Events events = decode(joined({frames[0], frame_of(packet)})).events;
+  REQUIRE(events.size() == 1);
+  const Event event = events[0].event();
+  CHECK(event.application->kind == 0);
+  CHECK(event.application->slice == 0);
+  CHECK(event.application->row == 0);
   packet.payload.pop_back();
   const Received received = decode(joined({frames[0], frame_of(packet)}));
   CHECK(received.events.empty());

@@ -263,10 +263,14 @@ TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
   CHECK(surfaces.push_bits(bits).samples == 9);
   CHECK(surfaces.skip_row(Substitute::previous_row).samples == 9);
   CHECK(surfaces.push(bits, 3).samples == 3);
-  CHECK(surfaces.push_bits(bits).status == Status::row_in_progress);
+  const PushResult early = surfaces.push_bits(bits);
+  CHECK(early.status == Status::row_in_progress);
+  CHECK(early.samples == 0);
   CHECK(surfaces.finish() == Status::slice_in_progress);
   require_ok(surfaces.abandon());
-  CHECK(surfaces.push(bits, 3).status == Status::finished);
+  const PushResult late = surfaces.push(bits, 3);
+  CHECK(late.status == Status::finished);
+  CHECK(late.samples == 0);
   for (int i = 0; i < 2; ++i) {
     Bytes other(5000);
     Extractor16 extractor;
@@ -277,4 +281,102 @@ TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
     require_ok(extractor.abandon());
     CHECK(logs[i].events == alone[i].events);
   }
+}
+
+TEST_CASE("a group takes samples at a stride, over many rows at once") {
+  const BitVolume volume = reference::random({7, 5, 3}, 110, 5);
+  Bytes apart(2 * volume.on.size());
+  for (size_t i = 0; i < volume.on.size(); ++i) apart[2 * i] = volume.on[i];
+  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
+  EventLog logs[2];
+  Extractor16 extractors[2];
+  for (int i = 0; i < 2; ++i)
+    require_ok(
+        extractors[i].start({7, 5}, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+  SurfaceGroup<Extractor16> surfaces(extractors, 2, 7);
+  CHECK(surfaces.push(apart.data(), 100, 2).samples == 100);
+  CHECK(surfaces.push(apart.data() + 200, 5, 2).samples == 5);
+  require_ok(surfaces.finish());
+  for (const EventLog& log : logs) CHECK(log.events == events_of(volume));
+}
+
+TEST_CASE("rows of bits that fill their bytes stand behind each other in a group, too") {
+  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
+  EventLog logs[2];
+  Extractor16 extractors[2];
+  for (int i = 0; i < 2; ++i)
+    require_ok(
+        extractors[i].start({8, 1}, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+  SurfaceGroup<Extractor16> surfaces(extractors, 2, 8);
+  const uint8_t bits[] = {0x01, 0xF8, 0};
+  require_ok(surfaces.push_bits(bits).status);
+  require_ok(surfaces.finish());
+  CHECK(logs[0].events == events_of(reference::from_bits({8, 1, 1}, 0x01)));
+  CHECK(logs[1].events == events_of(reference::from_bits({8, 1, 1}, 0xF8)));
+}
+
+TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all") {
+  const Limits limits{9, 4};
+  const BitVolume noise = reference::random({9, 4, 6}, 110, 4);
+  for (const size_t busy : {size_t{0}, size_t{1}, size_t{2}}) {
+    CAPTURE(busy);
+    Bytes memory[3] = {Bytes(5000), Bytes(5000), Bytes(5000)};
+    EventLog logs[3];
+    logs[busy] = EventLog(reference::refuses_first);
+    Extractor16 extractors[3];
+    for (int i = 0; i < 3; ++i)
+      require_ok(
+          extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+    SurfaceGroup<Extractor16> surfaces(extractors, 3, limits.width);
+    const uint8_t bits[6] = {0xAA, 0, 0xAA, 0, 0xAA, 0};
+    uint32_t waits = 0;
+    for (uint32_t row = 0; row < 24; ++row) {
+      uint32_t told = 0;
+      while (told < 9) {
+        const PushResult result = row % 5 == 2 ? surfaces.push_bits(bits)
+                                  : row % 5 == 4
+                                      ? surfaces.skip_row(Substitute::previous_row)
+                                      : surfaces.push(&noise.on[row * 9 + told], 9 - told);
+        REQUIRE((result.status == Status::ok || result.status == Status::more));
+        if (result.samples == 0) ++waits;
+        told += result.samples;
+      }
+      REQUIRE(told == 9);
+    }
+    CHECK(waits > 20);
+    Status status = Status::more;
+    while (status == Status::more) status = surfaces.finish();
+    require_ok(status);
+    EventLog alone;
+    Bytes other(5000);
+    Extractor16 extractor;
+    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, sink_to(alone)));
+    for (uint32_t row = 0; row < 24; ++row)
+      require_ok((row % 5 == 2   ? extractor.push_bits(bits)
+                  : row % 5 == 4 ? extractor.skip_row(Substitute::previous_row)
+                                 : extractor.push(&noise.on[row * 9], 9))
+                     .status);
+    require_ok(extractor.finish());
+    for (const EventLog& log : logs) CHECK(log.events == alone.events);
+  }
+}
+
+TEST_CASE("a shared link that is started anew sends nothing of before") {
+  Line line;
+  SharedOutput link;
+  const ByteOutput dead{nullptr, [](void*, const uint8_t*, size_t) { return size_t{0}; }};
+  link.start(dead);
+  const ByteOutput output = link.output();
+  const uint8_t frame[] = {3, 1, 2, 0};
+  CHECK(output.write(output.context, frame, 4) == 4);
+  CHECK_FALSE(link.flush());
+  CHECK(output.write(output.context, frame, 4) == 0);
+  link.start(line.output());
+  CHECK(link.flush());
+  CHECK(line.bytes.empty());
+  CHECK(output.write(output.context, frame, 4) == 4);
+  CHECK(line.bytes == Bytes(frame, frame + 4));
+  const Bytes longest(wire::max_frame, 7);
+  CHECK(output.write(output.context, longest.data(), longest.size()) == longest.size());
+  CHECK(line.bytes.size() == 4 + longest.size());
 }

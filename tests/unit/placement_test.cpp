@@ -71,8 +71,9 @@ TEST_CASE("the bytes of a placement are those of the page of the stream") {
   placement.axes_nm[1][0] = 5;
   placement.origin_nm[2] = -256;
   placement.frame = Frame::ras;
-  const Told told(placement);
-  Bytes expected(61);
+  Bytes bytes(62, 0xA5);
+  const ApplicationRecord record = record_of(placement, bytes.data());
+  Bytes expected(62);
   std::fill_n(expected.begin(), 4, uint8_t{0xFF});
   expected[4] = 4;
   expected[5] = 3;
@@ -81,8 +82,13 @@ TEST_CASE("the bytes of a placement are those of the page of the stream") {
   expected[12] = 5;
   std::fill_n(expected.begin() + 53, 7, uint8_t{0xFF});
   expected[60] = 2;
-  CHECK(told.record.kind == 240);
-  CHECK(Bytes(told.record.bytes, told.record.bytes + told.record.count) == expected);
+  expected[61] = 0xA5;  // none is written behind them
+  CHECK(record.kind == 240);
+  CHECK(record.slice == 0);
+  CHECK(record.row == 0);
+  CHECK(record.bytes == bytes.data());
+  CHECK(record.count == 61);
+  CHECK(bytes == expected);
 }
 
 TEST_CASE("a record of another kind, size or frame is no placement, and nothing is written") {

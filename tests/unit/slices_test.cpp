@@ -137,7 +137,7 @@ TEST_CASE("the stream does not depend on portions or on how busy the line is") {
   for (const uint32_t interval : {0U, 1U, 4U}) {
     const Bytes stream = encode_slices(volume, {{interval}});
     for (const uint32_t portion : {1U, 7U, 36U, 38U, 400U})
-      for (const size_t bytes : {1U, 3U, 250U})
+      for (const size_t bytes : {1U, 3U, 250U, 1000U})
         CHECK(encode_slices(volume, {{interval}, portion, bytes}) == stream);
   }
 }
@@ -225,6 +225,18 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   }
 }
 
+TEST_CASE("a stride goes on from row to row") {
+  const BitVolume volume = reference::random({33, 5, 2}, 128, 11);
+  std::vector<uint8_t> apart(3 * volume.on.size());
+  for (size_t i = 0; i < volume.on.size(); ++i) apart[3 * i] = volume.on[i];
+  Device device({33, 5}), other({33, 5});
+  CHECK(device.encoder.push(apart.data(), 330, 3).samples == 330);
+  CHECK(other.encoder.push(volume.on.data(), 330).samples == 330);
+  reference::require_ok(device.encoder.finish());
+  reference::require_ok(other.encoder.finish());
+  CHECK(device.line.bytes == other.line.bytes);
+}
+
 TEST_CASE("a row that never came says so, and what stands in for it") {
   const BitVolume volume = reference::random({33, 5, 4}, 128, 7);
   for (const size_t bytes_a_time : {0U, 1U}) {
@@ -271,10 +283,129 @@ TEST_CASE("a scan that is abandoned ends where it is") {
   const ReceivedRows received = decode_slices(device.line.bytes, {12, 12, 3});
   CHECK(received.report.is_complete());
   CHECK(received.report.abandoned);
+  CHECK(packet_of(frames_of(device.line.bytes).back()).payload[4] == 1);
   REQUIRE(received.rows.size() == 31);
   CHECK(received.rows.back().is(Kind::finish));
   CHECK(received.rows.back().event.abandoned);
   CHECK(received.rows.back().event.slice == 3);
+}
+
+TEST_CASE("one row of a slice makes it one that was seen, no row does not") {
+  const BitVolume volume = ball(12);
+  for (const uint32_t rows : {0U, 1U, 12U, 13U}) {
+    CAPTURE(rows);
+    Device device({12, 12});
+    push_rows(device.encoder, volume.on.data(), 12 * rows, 100);
+    reference::require_ok(device.encoder.abandon());
+    const ReceivedRows received = decode_slices(device.line.bytes, {12, 12, 2});
+    CHECK(received.report.is_complete());
+    CHECK(received.rows.back().event.slice == (rows + 11) / 12);
+  }
+}
+
+TEST_CASE("rows that never came fill packets like any other") {
+  const BitVolume volume = reference::random({3, 4000, 1}, 128, 12);
+  for (const size_t bytes_a_time : {0U, 100U, 1000U}) {
+    CAPTURE(bytes_a_time);
+    Device device({3, 4000}, {}, bytes_a_time);
+    for (uint32_t row = 0; row < 4000; ++row) {
+      PushResult result{Status::more, 0};
+      while (result.samples == 0)
+        result = row % 2 == 0 ? device.encoder.push(&volume.on[row * 3], 3)
+                              : device.encoder.skip_row(Substitute::off);
+    }
+    until_done([&] { return device.encoder.finish(); });
+    CHECK(frames_of(device.line.bytes).size() > 10);
+    const ReceivedRows received = decode_slices(device.line.bytes, {3, 4000, 1});
+    CHECK(received.report.is_complete());
+    CHECK(received.report.rows == 4000);
+    CHECK(received.report.totals.skipped_rows == 2000);
+  }
+}
+
+TEST_CASE("a push that need not wait has told its row, though the line was busy") {
+  // Rows that take several packets, and rows before each of which one ends.
+  for (const reference::Size& size : {reference::Size{6000, 2, 3}, {30, 1, 50}}) {
+    CAPTURE(size.width);
+    const BitVolume volume = reference::random(size, 128, 13);
+    Device device({size.width, size.height}, {1}, 1000);
+    for (uint32_t row = 0; row < size.height * size.depth; ++row) {
+      Bytes bits((size.width + 7) / 8);
+      for (uint32_t x = 0; x < size.width; ++x)
+        bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | volume.on[row * size.width + x] << x % 8);
+      PushResult result = device.encoder.push_bits(bits.data());
+      while (result.samples == 0) {
+        REQUIRE(result.status == Status::more);
+        result = device.encoder.push_bits(bits.data());
+      }
+      if (result.status == Status::ok)
+        CHECK(device.encoder.slices() * size.height + device.encoder.rows() == row + 1);
+    }
+    until_done([&] { return device.encoder.finish(); });
+    check_rows(volume, decode_slices(device.line.bytes, size));
+  }
+}
+
+TEST_CASE("a header comes again after 64 packets, but none behind the trailer") {
+  for (uint32_t packets = 62; packets < 67; ++packets) {
+    CAPTURE(packets);
+    const BitVolume volume({3, packets, 1});
+    SlicePlan plan;
+    plan.flush_every = 1;
+    const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
+    size_t headers = 0;
+    for (const Bytes& frame : frames)
+      if (packet_of(frame).is(wire::PacketKind::header)) ++headers;
+    CHECK(headers == (packets < 64 ? 1 : 2));
+    CHECK(frames.size() == headers + packets + 1);
+    CHECK(packet_of(frames.back()).is(wire::PacketKind::slices_trailer));
+  }
+}
+
+TEST_CASE("a run that would be longer than its row is none") {
+  for (const uint32_t width : {3U, 5U})
+    for (uint32_t length = width; length < (width == 3 ? 4 : 8); ++length) {
+      CAPTURE(width);
+      CAPTURE(length);
+      const BitVolume volume({width, 1, 1});
+      std::vector<Bytes> frames = frames_of(encode_slices(volume));
+      Packet packet = packet_of(frames[1]);
+      reference::Block block(slices::SliceModel::bytes_for(false) + Arena::alignment);
+      Arena arena(block.memory());
+      slices::SliceModel model;
+      model.start(arena, false);
+      model.begin(slices::SliceKind::key);
+      packet.payload.resize(wire::max_payload);
+      slices::RowWriter code{RangeEncoder(&packet.payload[4], 200)};
+      code.bit(model[slices::context::note], false);
+      const uint32_t bits_of_width = width == 3 ? 2 : 3;
+      code.bit(model[slices::context::run + 2 * (bits_of_width - 1) + 1], false);
+      code.number(bits_of_width, length);
+      code.number(32, 0x5A5A5A5A);
+      packet.payload.resize(4 + code.range.finish());
+      frames[1] = frame_of(packet);
+      const ReceivedRows received = decode_slices(joined(frames), {width, 1, 1});
+      CHECK(received.report.is_unreadable);
+      CHECK(received.report.rows == 0);
+      CHECK(received.report.lost_rows == 1);
+    }
+}
+
+TEST_CASE("to another output the next slice goes as a key slice, and those after it do not") {
+  const BitVolume volume = ball(12);
+  Device device({12, 12});
+  push_rows(device.encoder, volume.on.data(), 144 * 3 + 30, 1000);
+  Line other;
+  device.encoder.set_output(other.output());
+  push_rows(device.encoder, &volume.on[144 * 3 + 30], 144 * 9 - 30, 1000);
+  reference::require_ok(device.encoder.finish());
+  Bytes keys;  // the first of them stood in a packet that was not sent yet
+  for (const Bytes& frame : frames_of(other.bytes)) {
+    const Packet packet = packet_of(frame);
+    if (packet.kind >= 16 && (packet.kind & wire::SliceBits::key) != 0)
+      keys.push_back(packet.payload[0]);
+  }
+  CHECK(keys == Bytes{0, 4});
 }
 
 TEST_CASE("what the encoder cannot do it refuses, and says why") {
@@ -282,8 +413,15 @@ TEST_CASE("what the encoder cannot do it refuses, and says why") {
   SliceEncoder encoder;
   uint8_t samples[8] = {};
   CHECK(encoder.push(samples, 8).status == Status::not_started);
-  CHECK(encoder.push_bits(samples).status == Status::not_started);
-  CHECK(encoder.skip_row(Substitute::off).status == Status::not_started);
+  const auto refuses_rows = [&](Status status) {
+    for (const PushResult result :
+         {encoder.push_bits(samples), encoder.skip_row(Substitute::off)}) {
+      CHECK(result.status == status);
+      CHECK(result.samples == 0);
+    }
+  };
+  refuses_rows(Status::not_started);
+  CHECK(encoder.bytes() == 0);
   CHECK(encoder.resume() == Status::not_started);
   CHECK(encoder.flush() == Status::not_started);
   CHECK(encoder.finish() == Status::not_started);
@@ -296,13 +434,14 @@ TEST_CASE("what the encoder cannot do it refuses, and says why") {
         Status::bad_limits);
   CHECK(encoder.start(header, {}, {memory.data(), memory.size()}, {}) == Status::bad_sink);
   CHECK(encoder.start(header, {}, {}, line.output()) == Status::too_little_memory);
+  CHECK(encoder.start(header, {}, {nullptr, memory.size()}, line.output()) ==
+        Status::too_little_memory);
   CHECK(encoder.start(header, {}, {memory.data(), memory.size() - 1}, line.output()) ==
         Status::too_little_memory);
   CHECK(line.bytes.empty());
   reference::require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
   CHECK(encoder.push(samples, 3).status == Status::ok);
-  CHECK(encoder.push_bits(samples).status == Status::row_in_progress);
-  CHECK(encoder.skip_row(Substitute::off).status == Status::row_in_progress);
+  refuses_rows(Status::row_in_progress);
   CHECK(encoder.finish() == Status::slice_in_progress);
 }
 
@@ -327,6 +466,8 @@ TEST_CASE("where every slice is a key slice four rows of bits are all that is ke
   CHECK(slice_encoder_bytes({256, 256}, {1}) == 5 * 9 * 4 + 548 + 3);
   CHECK(slice_encoder_bytes({256, 256}, {2}) == 259 * 9 * 4 + 548 + 3);
   CHECK(slice_encoder_bytes({256, 1}, {0}) == 5 * 9 * 4 + 548 + 3);
+  // A decoder does not know, and hands out a row of bits.
+  CHECK(slice_decoder_bytes({256, 256}) == 259 * 9 * 4 + 548 + 3 + 32);
 }
 
 TEST_CASE("streams of bits are as short as the page of the stream says") {
@@ -406,8 +547,8 @@ TEST_CASE("several surfaces come through one stream, each as it would alone") {
         CAPTURE(thresholds.size());
         CAPTURE(interval);
         const StreamHeader header = header_of_surfaces(size, thresholds);
-        const Bytes stream =
-            encode_surfaces(header, samples, {interval}, skips, interval == 1 ? 3 : 0);
+        const Bytes stream = encode_surfaces(header, samples, {interval}, skips,
+                                             interval == 1 ? 3 : 1000 * interval);
         const ReceivedRows received =
             decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surfaces());
         REQUIRE(received.report.is_complete());
@@ -446,6 +587,21 @@ TEST_CASE("rows of bits are those of all surfaces, one behind the other") {
   CHECK(received.rows[2].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
 }
 
+TEST_CASE("rows of bits that fill their bytes stand behind each other without a gap") {
+  const StreamHeader header = header_of_surfaces({16, 1, 1}, {1, 1});
+  Line line;
+  reference::Block block(slice_encoder_bytes({16, 1}, {}, 2));
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  const uint8_t bits[] = {0xFF, 0, 0, 0xFF, 0x55};
+  CHECK(encoder.push_bits(bits).samples == 16);
+  reference::require_ok(encoder.finish());
+  const ReceivedRows received = decode_slices(line.bytes, {16, 1, 1}, 0, false, 2);
+  REQUIRE(received.rows.size() == 3);
+  CHECK(received.rows[0].bits == Bytes{1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(received.rows[1].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1});
+}
+
 TEST_CASE("surfaces with thresholds close to each other take less together than alone") {
   const reference::Size size{64, 64, 20};
   const Bytes samples = onion(size);
@@ -469,6 +625,94 @@ TEST_CASE("a stream holds one to four surfaces, on channels up to 63") {
   header.channel = 0;
   header.further_surfaces = 4;
   CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
+}
+
+namespace {
+
+// Tells rows of bits, those of all surfaces one behind the other, or reads them.
+template <class Coder>
+void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
+  const Limits limits{header.width, header.height};
+  reference::Block block(slice_encoder_bytes(limits, {}, header.surfaces()));
+  Arena arena(block.memory());
+  slices::Surfaces surfaces;
+  surfaces.start(arena, header, slices::rows_kept(limits.height, false));
+  surfaces.clear();
+  surfaces.begin_key_slice();
+  for (Bytes& bits : rows) {
+    coder.bit(surfaces.note(), false);
+    uint8_t* place = bits.data();
+    for (uint32_t surface = 0; surface < surfaces.count(); ++surface) {
+      surfaces[surface].rows.append_bits(place);
+      slices::RowCode row;
+      surfaces.begin_row(row, surface, header.width);
+      while (!row.is_done() && row.step(coder, surfaces[surface].model)) continue;
+      row.complete(surfaces.rows().words());
+      surfaces[surface].rows.write_bits(place);
+      place += (header.width + 7) / 8;
+    }
+    surfaces.next_row();
+  }
+}
+
+// Noise, and then rows of whose number the encoder knows all the time only that it lies just below
+// one that ends in zeros, or at it.
+std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
+  Chance chance(seed);
+  const size_t row_bytes = (header.width + 7) / 8 * header.surfaces();
+  std::vector<Bytes> rows(header.height, Bytes(row_bytes));
+  for (Bytes& row : rows)
+    for (uint8_t& byte : row) byte = chance.byte();
+  Bytes number(8000);
+  slices::RowWriter written{RangeEncoder(number.data(), number.size())};
+  tell_rows(written, header, rows);
+  REQUIRE(written.range.final_bytes() > 600);
+  std::fill(number.begin() + 230, number.end(), uint8_t{0});
+  for (Bytes& row : rows) std::fill(row.begin(), row.end(), uint8_t{0});
+  slices::RowReader read{RangeDecoder(number.data(), number.size())};
+  tell_rows(read, header, rows);
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("codes are cut wherever a carry may come, between rows or within one of any surface") {
+  uint32_t within = 0, between = 0;
+  for (const reference::Size& size : {reference::Size{2, 5000, 1}, {1, 7000, 1}, {40, 200, 1}})
+    for (const std::vector<int32_t>& thresholds : {std::vector<int32_t>{1}, {1, 1, 1}})
+      for (uint32_t seed = 1; seed < 5; ++seed) {
+        CAPTURE(size.width);
+        CAPTURE(seed);
+        const StreamHeader header = header_of_surfaces(size, thresholds);
+        const std::vector<Bytes> rows = rows_on_the_edge(header, seed);
+        Line line;
+        reference::Block block(
+            slice_encoder_bytes({size.width, size.height}, {}, header.surfaces()));
+        SliceEncoder encoder;
+        reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+        for (const Bytes& row : rows) reference::require_ok(encoder.push_bits(row.data()).status);
+        reference::require_ok(encoder.finish());
+        const std::vector<Bytes> frames = frames_of(line.bytes);
+        for (size_t i = 1; i + 2 < frames.size(); ++i) {
+          const uint8_t kind = packet_of(frames[i]).kind;
+          if (kind < 16 || (kind & wire::SliceBits::last) == 0) continue;
+          ++((kind & wire::SliceBits::cut) != 0 ? within : between);
+        }
+        const ReceivedRows received = decode_slices(line.bytes, size, 0, false, header.surfaces());
+        REQUIRE(received.report.is_complete());
+        REQUIRE(received.rows.size() == rows.size() * header.surfaces() + 1);
+        uint32_t wrong = 0;
+        const size_t row_bytes = (size.width + 7) / 8;
+        for (size_t i = 0; i + 1 < received.rows.size(); ++i)
+          for (uint32_t x = 0; x < size.width; ++x) {
+            const uint8_t byte =
+                rows[i / header.surfaces()][i % header.surfaces() * row_bytes + x / 8];
+            if (received.rows[i].bits[x] != (byte >> x % 8 & 1)) ++wrong;
+          }
+        CHECK(wrong == 0);
+      }
+  CHECK(within > 5);
+  CHECK(between > 0);
 }
 
 TEST_CASE("a surface decoder takes the surface of its channel out of several") {
@@ -509,4 +753,135 @@ TEST_CASE("a scan that ends on a busy line is over once it has been resumed") {
   (void)encoder.finish();
   until_done([&] { return encoder.resume(); });
   CHECK(decode_slices(line.bytes, {9, 2, 1}).report.is_complete());
+}
+
+namespace {
+
+// Takes so many bytes and no more, until there is room again.
+struct BrokenLine {
+  size_t room = 0;
+  Bytes bytes{};
+
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* data, size_t count) {
+              return static_cast<BrokenLine*>(context)->write(data, count);
+            }};
+  }
+  size_t write(const uint8_t* data, size_t count) {
+    const size_t taken = std::min(count, room);
+    bytes.insert(bytes.end(), data, data + taken);
+    room -= taken;
+    return taken;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a scan that has ended takes no record, though the line still waits for its end") {
+  BrokenLine line;
+  reference::Block block(slice_encoder_bytes({9, 1}, {}));
+  SliceEncoder encoder;
+  const StreamHeader header = header_of_surfaces({9, 1, 1}, {1});
+  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  REQUIRE(encoder.finish() == Status::more);
+  line.room = 1000;
+  CHECK(encoder.tell({}) == Status::finished);
+  reference::require_ok(encoder.resume());
+  const ReceivedRows received = decode_slices(line.bytes, {9, 1, 0});
+  CHECK(received.report.is_complete());
+  CHECK(received.rows.size() == 1);
+}
+
+TEST_CASE("a scan may end while its last row waits for the line, and not while another does") {
+  const uint8_t row[9] = {1, 0, 1};
+  for (const uint32_t height : {1U, 2U})
+    for (const bool skips : {false, true}) {
+      CAPTURE(height);
+      CAPTURE(skips);
+      // With every key slice a packet ends, which this line does not take.
+      BrokenLine line;
+      reference::Block block(slice_encoder_bytes({9, height}, {1}));
+      SliceEncoder encoder;
+      const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
+      reference::require_ok(encoder.start(header, {1}, block.memory(), line.output()));
+      line.room = 100;
+      reference::require_ok(encoder.resume());
+      line.room = 0;
+      for (uint32_t i = 0; i < height; ++i) reference::require_ok(encoder.push(row, 9).status);
+      const PushResult waiting = skips ? encoder.skip_row(Substitute::off) : encoder.push(row, 9);
+      CHECK(waiting.status == Status::more);
+      CHECK(waiting.samples == 9);
+      CHECK(encoder.finish() == (height == 1 ? Status::more : Status::slice_in_progress));
+      line.room = 1000;
+      reference::require_ok(encoder.resume());
+      if (height == 2) reference::require_ok(encoder.push(row, 9).status);
+      reference::require_ok(encoder.finish());
+      const ReceivedRows received = decode_slices(line.bytes, {9, height, 2});
+      CHECK(received.report.is_complete());
+      CHECK(received.report.rows == 2 * height);
+    }
+}
+
+TEST_CASE("a scan that begins anew has nothing of the one before, wherever that was") {
+  const reference::Size size{41, 17, 6};
+  Bytes samples;
+  Chance chance(8);
+  for (uint32_t i = 0; i < 41 * 17 * 6; ++i) samples.push_back(chance.byte());
+  const StreamHeader header = header_of_surfaces(size, {100, 140, 160});
+  const KeySlices key_slices{2};
+  const Bytes expected = encode_surfaces(header, samples, key_slices);
+  REQUIRE(expected.size() > 1500);
+  // The line breaks off in one packet after another, most of which end within a row.
+  for (size_t room = 0; room < 1500; room += 125) {
+    CAPTURE(room);
+    reference::Block block(slice_encoder_bytes({41, 17}, key_slices, 3));
+    BrokenLine broken{room};
+    SliceEncoder encoder;
+    reference::require_ok(encoder.start(header, key_slices, block.memory(), broken.output()));
+    Status status = Status::ok;
+    for (uint32_t row = 0; row < 17 * 6 && status == Status::ok; ++row)
+      status = row == 7 ? encoder.skip_row(Substitute::off).status
+                        : encoder.push(&samples[row * 41], 41).status;
+    CHECK(status == Status::more);
+    if (room % 2 == 0) (void)encoder.abandon();
+    Line line;
+    reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
+    CHECK(encoder.bytes() == 0);
+    reference::require_ok(encoder.push(samples.data(), 41 * 17 * 6).status);
+    reference::require_ok(encoder.finish());
+    CHECK(line.bytes == expected);
+    CHECK(encoder.bytes() == expected.size());
+  }
+}
+
+TEST_CASE("a row that never came waits for the line before anything is told of it") {
+  constexpr uint32_t height = 8000;
+  const BitVolume volume = reference::random({1, height, 1}, 128, 14);
+  const StreamHeader header = header_of(volume);
+  const Limits limits{1, height};
+  // The rows with which a packet is full.
+  std::vector<uint32_t> full;
+  Device device(limits);
+  for (uint32_t row = 0; row < height; ++row) {
+    const size_t before = device.line.bytes.size();
+    reference::require_ok(device.encoder.push(&volume.on[row], 1).status);
+    if (row > 0 && device.line.bytes.size() > before) full.push_back(row);
+  }
+  REQUIRE(full.size() > 1);
+  for (const uint32_t skipped : full) {
+    CAPTURE(skipped);
+    BrokenLine line{100000};
+    reference::Block block(slice_encoder_bytes(limits, {}));
+    SliceEncoder encoder;
+    reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+    reference::require_ok(encoder.push(volume.on.data(), skipped).status);
+    line.room = 0;
+    CHECK(encoder.skip_row(Substitute::off).status == Status::more);
+    line.room = 100000;
+    reference::require_ok(encoder.push(&volume.on[skipped + 1], height - skipped - 1).status);
+    reference::require_ok(encoder.finish());
+    const ReceivedRows received = decode_slices(line.bytes, {1, height, 1});
+    CHECK(received.report.is_complete());
+    CHECK(received.report.totals.skipped_rows == 1);
+  }
 }

@@ -120,7 +120,8 @@ class RowCode {
     return voxels_before(left_, [this](uint32_t word) {
       const uint32_t beside = (before_.near[word] ^ as_before_) | (before_.next[word] ^ as_before_);
       const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
-      return beside | beside << 1 | beside >> 1 | below;
+      // Of those beside it a voxel shares all but the last with the one before.
+      return beside >> 1 | below;
     });
   }
   // The same as far as they are as the voxel before.
