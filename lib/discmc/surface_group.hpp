@@ -8,6 +8,8 @@
 #ifndef DISCMC_SURFACE_GROUP_HPP
 #define DISCMC_SURFACE_GROUP_HPP
 
+#include <stddef.h>
+
 #include <discmc/row_input.hpp>
 
 namespace discmc {
