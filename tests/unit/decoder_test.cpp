@@ -243,6 +243,34 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
   }
 }
 
+TEST_CASE("a decoder tells of the start of every stream, before all else, as soon as it is taken") {
+  const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
+  struct Late {
+    Answer take(const Event& event) {
+      if (event.kind == Event::Kind::start && refusals-- > 0) return Answer::not_now;
+      return log.take(event);
+    }
+    int refusals = 0;
+    EventLog log{};
+  } late;
+  Decoder decoder;
+  for (size_t streams = 1; streams < 4; ++streams) {
+    late.refusals = 2;
+    REQUIRE(decoder.start(sink_to(late)) == Status::ok);
+    const Decoded first = decoder.push(stream.data(), stream.size());
+    CHECK(first.status == Status::more);
+    CHECK(first.bytes < stream.size());
+    const Decoded second = decoder.push(stream.data() + first.bytes, stream.size() - first.bytes);
+    CHECK(second.status == Status::more);
+    CHECK(second.bytes == 0);
+    CHECK(late.log.events.size() == streams - 1);
+    const Decoded third = decoder.push(stream.data() + first.bytes, stream.size() - first.bytes);
+    CHECK(third.status == Status::ok);
+    CHECK(late.log.starts.size() == streams);
+    CHECK(late.log.events.size() == streams);
+  }
+}
+
 TEST_CASE("a decoder that is started again after half a frame begins with a new one") {
   const Bytes stream = encode(Script().layer(1).finish().events);
   EventLog log;
