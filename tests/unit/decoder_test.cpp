@@ -1207,4 +1207,7 @@ TEST_CASE("a stream is complete when it has both ends and nothing is missing or 
   CHECK_FALSE(is_complete_but([](StreamReport& report) { report.regions = 8; }));
   CHECK_FALSE(is_complete_but([](StreamReport& report) { report.fragments = 2; }));
   CHECK_FALSE(is_complete_but([](StreamReport& report) { report.is_unreadable = true; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.is_mixed = true; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.rows = 1; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.lost_rows = 1; }));
 }

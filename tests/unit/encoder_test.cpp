@@ -241,6 +241,46 @@ TEST_CASE("an encoder that is started again begins a new stream") {
   }
 }
 
+TEST_CASE("a further scan begins when the line has taken all of the one before") {
+  const Events events = Script().layer(0).finish().events;
+  Line line(1);
+  Encoder encoder;
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  Event start{};
+  start.kind = Event::Kind::start;
+  StreamHeader header = any_header();
+  start.header = &header;
+  uint32_t refusals = 0;
+  while (encoder.take(start) != Answer::taken) ++refusals;
+  CHECK(refusals > 10);
+  CHECK(line.bytes == encode({}));
+  take_all(encoder, events);
+  header.scan = 1;
+  CHECK(joined({encode({}), encode(events, header)}) == line.bytes);
+}
+
+TEST_CASE("the label's spacing is told where the scan itself knows of none, along any axis") {
+  const auto told = [](const StreamHeader& scan) {
+    Line line;
+    Encoder encoder;
+    REQUIRE(encoder.start({0, {7, 8, 9}}, line.output()) == Status::ok);
+    Event start{};
+    start.kind = Event::Kind::start;
+    start.header = &scan;
+    REQUIRE(encoder.take(start) == Answer::taken);
+    const StreamHeader header = decode(line.bytes).header;
+    return std::vector<int32_t>(header.spacing_nm, header.spacing_nm + 3);
+  };
+  StreamHeader scan = any_header();
+  for (int axis = -1; axis < 3; ++axis) {
+    CAPTURE(axis);
+    for (int32_t& spacing : scan.spacing_nm) spacing = 0;
+    if (axis >= 0) scan.spacing_nm[axis] = 5;
+    const std::vector<int32_t> own(scan.spacing_nm, scan.spacing_nm + 3);
+    CHECK(told(scan) == (axis < 0 ? std::vector<int32_t>{7, 8, 9} : own));
+  }
+}
+
 TEST_CASE("an encoder that is started again amid a region in parts tells the next one whole") {
   size_t room = frames_of(encode({})).front().size();  // for the header
   const ByteOutput narrow{&room, [](void* context, const uint8_t*, size_t count) {

@@ -94,7 +94,6 @@ Answer BasicEncoder<Normals>::take_any(const Event& event) {
       done = put_trailer(event);
       break;
     case Event::Kind::start:
-      break;
     case Event::Kind::lost:
       piece_is_open_ = false;
       break;
