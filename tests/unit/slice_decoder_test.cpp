@@ -18,16 +18,20 @@ constexpr Limits limits{size.width, size.height};
 constexpr uint8_t whole_code = SliceBits::first | SliceBits::last;
 constexpr uint8_t of_key = SliceBits::key | whole_code;
 
-StreamHeader header_of_slices() {
-  return header_of(BitVolume(size));
+SlicePlan plan_of(uint8_t surfaces) {
+  SlicePlan plan;
+  plan.further_surfaces = static_cast<uint8_t>(surfaces - 1);
+  return plan;
 }
 
 // Codes told by hand, from the first row of a key slice on.
 class Code {
  public:
-  Code() : memory_(slice_encoder_bytes(limits, {})) {
+  explicit Code(uint8_t surfaces = 1) : memory_(slice_encoder_bytes(limits, {}, surfaces)) {
     Arena arena({memory_.data(), memory_.size()});
-    surfaces_.start(arena, header_of_slices(), slices::rows_kept(limits.height, false));
+    StreamHeader header = header_of(BitVolume(size));
+    header.further_surfaces = static_cast<uint8_t>(surfaces - 1);
+    surfaces_.start(arena, header, slices::rows_kept(limits.height, false));
     surfaces_.clear();
     surfaces_.begin_key_slice();
     begin_code();
@@ -41,6 +45,7 @@ class Code {
     return *this;
   }
   Code& note(RowNote told) { return note(static_cast<uint32_t>(told)); }
+  // Rows of the surfaces in turn.
   Code& row(const Bytes& bits) { return begin_row(bits).rest_of_row(); }
   Code& rows_off(uint32_t count) {
     for (; count > 0; --count) row(Bytes(bytes_of_row));
@@ -49,16 +54,20 @@ class Code {
   // A row up to the first voxel that is not as the one before, and with it. What is left of it
   // follows.
   Code& begin_row(const Bytes& bits) {
-    writer_.bit(surfaces_.note(), false);
-    if (surfaces_.rows().rows() == 0 && rows_told_ > 0) surfaces_.begin_following_slice();
-    ++rows_told_;
-    surfaces_[0].rows.append_bits(bits.data());
-    surfaces_.begin_row(row_, 0, size.width);
-    row_.step(writer_, surfaces_[0].model);
+    if (surface_ == 0) {
+      writer_.bit(surfaces_.note(), false);
+      if (surfaces_.rows().rows() == 0 && rows_told_ > 0) surfaces_.begin_following_slice();
+      ++rows_told_;
+    }
+    surfaces_[surface_].rows.append_bits(bits.data());
+    surfaces_.begin_row(row_, surface_, size.width);
+    row_.step(writer_, surfaces_[surface_].model);
     return *this;
   }
   Code& rest_of_row() {
-    while (!row_.is_done()) row_.step(writer_, surfaces_[0].model);
+    while (!row_.is_done()) row_.step(writer_, surfaces_[surface_].model);
+    if (++surface_ < surfaces_.count()) return *this;
+    surface_ = 0;
     surfaces_.next_row();
     return *this;
   }
@@ -93,6 +102,7 @@ class Code {
   slices::RowCode row_;
   slices::Surfaces surfaces_;
   uint32_t rows_told_ = 0;
+  uint32_t surface_ = 0;
 };
 
 Bytes little_endian(uint64_t value, int count) {
@@ -115,13 +125,16 @@ Bytes cut(uint32_t row, uint32_t left) {
 // A stream of one header and packets by hand.
 class Stream {
  public:
-  Stream() : bytes_(frames_of(encode_slices(BitVolume(size))).front()) {}
+  explicit Stream(uint8_t surfaces = 1)
+      : surfaces_(surfaces),
+        bytes_(frames_of(encode_slices(BitVolume(size), plan_of(surfaces))).front()) {}
 
   Stream& add(wire::PacketKind kind, uint8_t bits, const Bytes& payload) {
     ++number_;
     const Bytes frame =
         frame_of({static_cast<uint8_t>(static_cast<uint8_t>(kind) + bits),
-                  static_cast<uint8_t>(number_), static_cast<uint16_t>(number_ >> 8), payload});
+                  static_cast<uint8_t>(number_), static_cast<uint16_t>(number_ >> 8), payload, 0,
+                  static_cast<uint8_t>((surfaces_ - 1) << 6)});
     bytes_.insert(bytes_.end(), frame.begin(), frame.end());
     return *this;
   }
@@ -139,10 +152,11 @@ class Stream {
     return *this;
   }
 
-  ReceivedRows received() const { return decode_slices(bytes_, size); }
+  ReceivedRows received() const { return decode_slices(bytes_, size, 0, false, surfaces_); }
   const Bytes& bytes() const { return bytes_; }
 
  private:
+  uint8_t surfaces_;
   Bytes bytes_;
   uint32_t number_ = 0;
 };
@@ -236,6 +250,31 @@ TEST_CASE("a code goes on where the one before was cut, and nowhere else") {
                                 .report;
   CHECK(torn.rows == 0);
   CHECK(torn.damaged_packets == 1);
+}
+
+TEST_CASE("a code may be cut in the row of any surface") {
+  for (const uint32_t surface : {0U, 1U, 2U}) {
+    CAPTURE(surface);
+    Code told(3);
+    told.rows_off(3 + surface);
+    const Bytes begun = told.begin_row({0, 4, 0, 0, 0}).finish();
+    const Bytes rest = told.rest_of_row().rows_off(3 - surface - 1).rows_off(3).end();
+    const ReceivedRows received =
+        Stream(3)
+            .slices(of_key | SliceBits::cut, {key(0), begun, cut(3 + surface, 29)})
+            .slices(whole_code, {rest})
+            .received();
+    CHECK(received.report.damaged_packets == 0);
+    CHECK(received.report.rows == 3);
+    REQUIRE(received.rows.size() == 9);
+    for (uint32_t i = 0; i < 9; ++i) {
+      Bytes voxels(size.width);
+      voxels[10] = i == 3 + surface ? 1 : 0;
+      CHECK(received.rows[i].bits == voxels);
+      CHECK(received.rows[i].event.channel == i % 3);
+      CHECK(received.rows[i].event.row == i / 3);
+    }
+  }
 }
 
 TEST_CASE("what is lost behind a cut costs the rows up to the next key slice") {
