@@ -271,6 +271,25 @@ TEST_CASE("a decoder tells of the start of every stream, before all else, as soo
   }
 }
 
+TEST_CASE("a start that is heard in the middle of a region is told behind it") {
+  struct Listener {
+    Answer take(const Event& event) {
+      if (event.kind == Event::Kind::start) events_before_start = log.events.size();
+      return log.take(event);
+    }
+    size_t events_before_start = 0;
+    EventLog log{};
+  } listener;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(listener)) == Status::ok);
+  const Bytes heard =
+      joined({frame_at(1, first_payload()), header_after(2, 0), frame_at(3, last_payload())});
+  REQUIRE(decoder.push(heard.data(), heard.size()).status == Status::ok);
+  CHECK(listener.log.events == first_part().run(2, 2).region_end().events);
+  CHECK(listener.log.starts.size() == 1);
+  CHECK(listener.events_before_start == listener.log.events.size());
+}
+
 TEST_CASE("a decoder that is started again after half a frame begins with a new one") {
   const Bytes stream = encode(Script().layer(1).finish().events);
   EventLog log;
