@@ -407,3 +407,37 @@ TEST_CASE("of a stream of regions a slice decoder hands out nothing, and needs n
   CHECK(decoder.report().has_trailer);
   CHECK_FALSE(decoder.report().holds_slices);
 }
+
+TEST_CASE("half of the numbers that packets of slices have lie behind, and they begin anew") {
+  constexpr uint32_t half = 1U << 23;
+  const Bytes code = Code().rows_off(1).end();
+  for (const uint32_t lost : {0U, 1U, 255U, 256U, 65535U, 65536U, half - 1, half, 2 * half - 2}) {
+    CAPTURE(lost);
+    const StreamReport report =
+        Stream().lose_packets(lost).slices(of_key, {key(0), code}).received().report;
+    CHECK(report.lost_packets == (lost < half ? lost : 0));
+    CHECK(report.repeated_packets == (lost < half ? 0 : 1));
+    CHECK(report.rows == (lost < half ? 1 : 0));
+  }
+  Stream stream;
+  for (uint32_t slice = 0; slice < 5; ++slice)
+    stream.lose_packets(half - 1).slices(of_key, {key(slice), code});
+  CHECK(stream.received().report.rows == 5);
+  CHECK(stream.received().report.lost_packets == 5 * (half - 1));
+}
+
+TEST_CASE("a trailer of slices that is too short is none") {
+  const ReceivedRows received =
+      Stream().add(wire::PacketKind::slices_trailer, 0, Bytes(24)).received();
+  CHECK_FALSE(received.report.has_trailer);
+  CHECK(received.report.damaged_packets == 1);
+  CHECK(received.rows.empty());
+}
+
+TEST_CASE("where packets are missing the digest of a trailer says nothing") {
+  for (const uint32_t lost : {0U, 1U}) {
+    const StreamReport report = Stream().lose_packets(lost).trailer(0).received().report;
+    CHECK(report.has_trailer);
+    CHECK(report.is_mixed == (lost == 0));
+  }
+}
