@@ -51,7 +51,6 @@ Status SliceDecoder::finish() {
   if (refusal_ != Status::ok) return refusal_;
   if (!deliver()) return Status::more;
   packets_.finish();
-  open(PacketReader::Arrival::nothing);
   return Status::ok;
 }
 
@@ -196,8 +195,7 @@ bool SliceDecoder::begin_row() {
     is_key_ahead_ = false;
   }
   trace::BitRows& rows = surfaces_[surface_].rows;
-  if (note_ == RowNote::repeated) rows.repeat();
-  if (note_ == RowNote::off) rows.fill_off();
+  if (note_ == RowNote::repeated) rows.repeat();  // else it is off
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
   row_is_begun_ = true;
   return true;

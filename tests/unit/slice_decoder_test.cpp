@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 #include <discmc/slice_decoder.hpp>
 
+#include <array>
+
 #include "oracle/slice_stream.hpp"
 
 using namespace discmc;
@@ -71,6 +73,13 @@ class Code {
     surfaces_.next_row();
     return *this;
   }
+  // One that never came, in a slice that has begun.
+  Code& repeated_row() {
+    note(RowNote::repeated);
+    for (slices::Surface& surface : surfaces_) surface.rows.repeat();
+    surfaces_.next_row();
+    return *this;
+  }
   // A run that ends early is told to be as long as one that does not.
   Code& row_with_a_run_too_long() {
     writer_.bit(surfaces_.note(), false);
@@ -125,15 +134,17 @@ Bytes cut(uint32_t row, uint32_t left) {
 // A stream of one header and packets by hand.
 class Stream {
  public:
-  explicit Stream(uint8_t surfaces = 1)
-      : surfaces_(surfaces),
-        bytes_(frames_of(encode_slices(BitVolume(size), plan_of(surfaces))).front()) {}
+  explicit Stream(uint8_t surfaces = 1) : surfaces_(surfaces) {
+    Packet header = packet_of(frames_of(encode_slices(BitVolume(size), plan_of(surfaces))).front());
+    header.scan = scan;
+    bytes_ = frame_of(header);
+  }
 
   Stream& add(wire::PacketKind kind, uint8_t bits, const Bytes& payload) {
     ++number_;
     const Bytes frame =
         frame_of({static_cast<uint8_t>(static_cast<uint8_t>(kind) + bits),
-                  static_cast<uint8_t>(number_), static_cast<uint16_t>(number_ >> 8), payload, 0,
+                  static_cast<uint8_t>(number_), static_cast<uint16_t>(number_ >> 8), payload, scan,
                   static_cast<uint8_t>((surfaces_ - 1) << 6)});
     bytes_.insert(bytes_.end(), frame.begin(), frame.end());
     return *this;
@@ -152,10 +163,15 @@ class Stream {
     return *this;
   }
 
-  ReceivedRows received() const { return decode_slices(bytes_, size, 0, false, surfaces_); }
+  ReceivedRows received(bool refuses = false) const {
+    return decode_slices(bytes_, size, 0, refuses, surfaces_);
+  }
   const Bytes& bytes() const { return bytes_; }
 
  private:
+  // What follows a payload would be bits of a row, were it read.
+  static constexpr uint16_t scan = 0x8000;
+
   uint8_t surfaces_;
   Bytes bytes_;
   uint32_t number_ = 0;
@@ -188,12 +204,13 @@ TEST_CASE("a stream of slices told by hand is one") {
 }
 
 TEST_CASE("slices that no encoder tells are refused") {
-  const Bytes code = Code().rows_off(3).end();
+  const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
+  REQUIRE(code.size() > 6);
   check_unreadable(SliceBits::key | SliceBits::last, {key(0), code});  // not the first of its code
   check_unreadable(of_key, {Bytes{0, 0, 0}});                          // no whole number
   check_unreadable(of_key, {key(Limits::max_slices), code});           // deeper than any scan
-  check_unreadable(of_key | SliceBits::cut, {key(0), Bytes{0, 0, 0, 0, 1}});  // no whole cut
-  check_unreadable(SliceBits::key | SliceBits::first | SliceBits::cut,        // cut, but not over
+  check_unreadable(of_key | SliceBits::cut, {key(0), Bytes{0x80, 0, 0, 0, 1}});  // no whole cut
+  check_unreadable(SliceBits::key | SliceBits::first | SliceBits::cut,  // cut, but not over
                    {key(0), code, cut(0, 1)});
   check_unreadable(SliceBits::key | SliceBits::first, {key(0), Bytes{1, 2, 3}});  // ends too soon
   check_unreadable(of_key, {key(0), Code().note(RowNote::repeated).end()});  // of what is before
@@ -213,6 +230,14 @@ TEST_CASE("a code that does not say where it ends is refused there, and so is on
       Stream().slices(SliceBits::key | SliceBits::first, {key(0), more}).received().report;
   CHECK(longer.rows == 2);
   CHECK(longer.damaged_packets == 1);
+}
+
+TEST_CASE("a row whose code has ended is not handed out") {
+  Bytes dotted = Code().row(Bytes(5, 0x55)).end();
+  dotted.resize(3);
+  const StreamReport report = Stream().slices(of_key, {key(0), dotted}).received().report;
+  CHECK(report.rows == 0);
+  CHECK(report.damaged_packets == 1);
 }
 
 TEST_CASE("a code goes on where the one before was cut, and nowhere else") {
@@ -291,6 +316,12 @@ TEST_CASE("what is lost behind a cut costs the rows up to the next key slice") {
 }
 
 TEST_CASE("a key slice that lies behind, or where rows of it have come, is refused") {
+  const ReceivedRows again = Stream()
+                                 .slices(of_key, {key(0), Code().rows_off(3).end()})
+                                 .slices(of_key, {key(0), Code().rows_off(3).end()})
+                                 .received();
+  CHECK(again.report.rows == 3);
+  CHECK(again.report.is_unreadable);
   for (const uint32_t slice : {0U, 1U, 2U}) {
     CAPTURE(slice);
     const StreamReport report = Stream()
@@ -373,6 +404,99 @@ TEST_CASE("a slice decoder that is started again has neither a refusal nor a sli
     reference::require_ok(decoder.push(bytes.data(), bytes.size()).status);
     CHECK(decoder.report().rows == rows);
     CHECK(decoder.report().damaged_packets == 0);
+  }
+}
+
+TEST_CASE("a packet may end after four bytes of a code, and the next one goes on") {
+  const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
+  const auto fifth = code.begin() + 4;
+  const StreamReport report =
+      Stream()
+          .slices(SliceBits::key | SliceBits::first, {key(0), Bytes(code.begin(), fifth)})
+          .slices(SliceBits::last, {Bytes(fifth, code.end())})
+          .received()
+          .report;
+  CHECK(report.rows == 3);
+  CHECK(report.damaged_packets == 0);
+}
+
+TEST_CASE("what comes between a loss and the next key slice is left alone") {
+  const StreamReport report = Stream()
+                                  .slices(of_key, {key(0), Code().rows_off(3).end()})
+                                  .lose_packets(1)
+                                  .slices(whole_code, {Code().rows_off(3).end()})
+                                  .slices(of_key, {key(3), Code().rows_off(3).end()})
+                                  .received()
+                                  .report;
+  CHECK(report.rows == 6);
+  CHECK(report.lost_rows == 6);
+  CHECK(report.damaged_packets == 0);
+}
+
+TEST_CASE("after the trailer nothing is taken") {
+  const ReceivedRows received = Stream()
+                                    .slices(of_key, {key(0), Code().rows_off(3).end()})
+                                    .trailer(3)
+                                    .slices(of_key, {key(1), Code().rows_off(3).end()})
+                                    .trailer(3)
+                                    .received();
+  CHECK(received.report.rows == 3);
+  CHECK(received.report.repeated_packets == 2);
+  CHECK(received.rows.back().is(Kind::finish));
+}
+
+TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them again") {
+  const Bytes stream =
+      Stream(2)
+          .slices(of_key, {key(1), Code(2).rows_off(2).repeated_row().rows_off(2).end()})
+          .add(wire::PacketKind::slices_application, 0, Bytes(12, 7))
+          .lose_packets(1)
+          .slices(of_key, {key(4), Code(2).rows_off(6).end()})
+          .trailer(15)
+          .bytes();
+  using Told = std::array<uint64_t, 5>;
+  struct Sullen {
+    Answer take(const RowEvent& event) {
+      refused = refuses && !refused;
+      if (refused) return Answer::not_now;
+      const bool is_lost = event.kind == Kind::lost;
+      told.push_back({static_cast<uint64_t>(event.kind), event.slice, event.row,
+                      is_lost ? event.count : 0, is_lost ? 0U : event.channel});
+      return Answer::taken;
+    }
+    bool refuses;
+    bool refused = false;
+    std::vector<Told> told{};
+  } willing{false}, sullen{true};
+  Bytes memory(slice_decoder_bytes(limits, 2));
+  for (Sullen* sink : {&willing, &sullen}) {
+    SliceDecoder decoder;
+    reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(*sink)));
+    reference::require_ok(push_stream(decoder, stream, 0));
+    CHECK(decoder.report().rows == 6);
+    CHECK(decoder.report().lost_rows == 9);
+  }
+  CHECK(willing.told.size() == 1 + 1 + 6 + 1 + 1 + 6 + 1);
+  CHECK(willing.told == sullen.told);
+}
+
+TEST_CASE("a frame that is cut off at the end of a stream of slices is damaged") {
+  Bytes stream = Stream().trailer(0).bytes();
+  stream.push_back(1);
+  CHECK(decode_slices(stream, size).report.damaged_packets == 1);
+}
+
+TEST_CASE("a slice decoder needs as much memory as is said, whatever the width") {
+  for (const uint32_t width : {1U, 8U, 9U, 64U, 65U, 1000U, 32766U}) {
+    CAPTURE(width);
+    const Bytes stream = encode_slices(reference::random({width, 2, 2}, 60, 3));
+    CHECK(decode_slices(stream, {width, 2, 2}).report.is_complete());
+    Bytes memory(slice_decoder_bytes({width, 2}) - 1);
+    SliceDecoder decoder;
+    RowLog log(false);
+    CHECK(decoder.push(stream.data(), 1).bytes == 0);
+    reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(log)));
+    CHECK(decoder.push(stream.data(), stream.size()).status == Status::too_little_memory);
   }
 }
 
