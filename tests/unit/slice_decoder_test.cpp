@@ -543,6 +543,8 @@ TEST_CASE("half of the numbers that packets of slices have lie behind, and they 
     CHECK(report.repeated_packets == (lost < half ? 0 : 1));
     CHECK(report.rows == (lost < half ? 1 : 0));
   }
+  const auto record = wire::PacketKind::slices_application;
+  CHECK(Stream().lose_packets(300).add(record, 0, Bytes(9)).received().report.lost_packets == 300);
   Stream stream;
   for (uint32_t slice = 0; slice < 5; ++slice)
     stream.lose_packets(half - 1).slices(of_key, {key(slice), code});
@@ -559,9 +561,10 @@ TEST_CASE("a trailer of slices that is too short is none") {
 }
 
 TEST_CASE("where packets are missing the digest of a trailer says nothing") {
-  for (const uint32_t lost : {0U, 1U}) {
+  for (const uint32_t lost : {0U, 1U, 300U}) {
     const StreamReport report = Stream().lose_packets(lost).trailer(0).received().report;
     CHECK(report.has_trailer);
+    CHECK(report.lost_packets == lost);
     CHECK(report.is_mixed == (lost == 0));
   }
 }

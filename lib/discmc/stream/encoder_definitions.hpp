@@ -29,7 +29,6 @@ Status BasicEncoder<Normals>::start(const StreamLabel& label, const ByteOutput& 
   for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
   header.scan = label.scan;
   header.channel = label.channel;
-  header.further_surfaces = 0;
   return Status::ok;
 }
 
