@@ -177,11 +177,14 @@ class Stream {
   uint32_t number_ = 0;
 };
 
-// That a packet, whole though it is, brings nothing and is told to be unreadable, and that the next
-// key slice is read all the same.
+// That a packet, whole though it is, brings nothing and is told to be unreadable, that slices which
+// follow are left alone, and the next key slice is read all the same.
 void check_unreadable(uint8_t bits, const std::vector<Bytes>& parts) {
-  const ReceivedRows received =
-      Stream().slices(bits, parts).slices(of_key, {key(4), Code().rows_off(3).end()}).received();
+  const ReceivedRows received = Stream()
+                                    .slices(bits, parts)
+                                    .slices(whole_code, {Code().rows_off(3).end()})
+                                    .slices(of_key, {key(4), Code().rows_off(3).end()})
+                                    .received();
   CHECK(received.report.damaged_packets == 1);
   CHECK(received.report.is_unreadable);
   CHECK(received.report.rows == 3);
@@ -210,6 +213,8 @@ TEST_CASE("slices that no encoder tells are refused") {
   check_unreadable(of_key, {Bytes{0, 0, 0}});                          // no whole number
   check_unreadable(of_key, {key(Limits::max_slices), code});           // deeper than any scan
   check_unreadable(of_key | SliceBits::cut, {key(0), Bytes{0x80, 0, 0, 0, 1}});  // no whole cut
+  check_unreadable(of_key | SliceBits::cut, {key(0)});
+  check_unreadable(of_key | SliceBits::cut, {key(0), Bytes{0x80}});
   check_unreadable(SliceBits::key | SliceBits::first | SliceBits::cut,  // cut, but not over
                    {key(0), code, cut(0, 1)});
   check_unreadable(SliceBits::key | SliceBits::first, {key(0), Bytes{1, 2, 3}});  // ends too soon
@@ -232,12 +237,14 @@ TEST_CASE("a code that does not say where it ends is refused there, and so is on
   CHECK(longer.damaged_packets == 1);
 }
 
-TEST_CASE("a row whose code has ended is not handed out") {
-  Bytes dotted = Code().row(Bytes(5, 0x55)).end();
-  dotted.resize(3);
-  const StreamReport report = Stream().slices(of_key, {key(0), dotted}).received().report;
-  CHECK(report.rows == 0);
-  CHECK(report.damaged_packets == 1);
+TEST_CASE("that a code breaks off is noticed soon") {
+  const Bytes dotted = Code().row(Bytes(5, 0x55)).end();
+  for (size_t bytes = 0; bytes + 1 < dotted.size(); ++bytes) {
+    const Bytes part(dotted.begin(), dotted.begin() + static_cast<std::ptrdiff_t>(bytes));
+    const StreamReport report = Stream().slices(of_key, {key(0), part}).received().report;
+    CHECK(report.rows < 50);
+    CHECK(report.damaged_packets == 1);
+  }
 }
 
 TEST_CASE("a code goes on where the one before was cut, and nowhere else") {
@@ -476,6 +483,12 @@ TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them ag
     CHECK(decoder.report().rows == 6);
     CHECK(decoder.report().lost_rows == 9);
   }
+  Sullen wall{true};
+  SliceDecoder waiting;
+  reference::require_ok(waiting.start({memory.data(), memory.size()}, row_sink_to(wall)));
+  const Decoded refused = waiting.push(stream.data(), stream.size());
+  CHECK(refused.status == Status::more);
+  CHECK(refused.bytes == frames_of(stream).front().size());
   CHECK(willing.told.size() == 1 + 1 + 6 + 1 + 1 + 6 + 1);
   CHECK(willing.told == sullen.told);
 }

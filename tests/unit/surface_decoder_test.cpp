@@ -78,6 +78,37 @@ TEST_CASE("a surface decoder that was refused memory is started again without it
   CHECK(decoded(decoder, {}, regions()) == decode(regions()).events);
 }
 
+TEST_CASE("memory for the rows alone is too little, at the end as well") {
+  const Bytes slices = encode_slices(volume());
+  Bytes memory(slice_decoder_bytes(limits));
+  SurfaceDecoder decoder;
+  EventLog log;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  CHECK(decoder.push(slices.data(), slices.size()).status == Status::too_little_memory);
+  CHECK(decoder.finish() == Status::too_little_memory);
+}
+
+TEST_CASE("a surface decoder that is started again amid rows that are lost has lost none") {
+  struct Stubborn {
+    Answer take(const Event& event) {
+      const bool is_skipped = event.kind == Event::Kind::skipped;
+      if (is_skipped && left == 0) return Answer::not_now;
+      if (is_skipped) --left;
+      return Answer::taken;
+    }
+    uint32_t left = 3;
+  } stubborn;
+  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  const Memory all{memory.data(), memory.size()};
+  const Bytes stream = slices_with_a_loss();
+  SurfaceDecoder decoder;
+  const Events expected = decoded(decoder, all, stream);
+  reference::require_ok(decoder.start(all, sink_to(stubborn)));
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::more);
+  CHECK(stubborn.left == 0);
+  CHECK(decoded(decoder, all, stream) == expected);
+}
+
 TEST_CASE("memory is given to a surface decoder that has too little, and to no other") {
   const Bytes stream = encode_slices(volume());
   Bytes memory(minimum_surface_bytes(limits));
