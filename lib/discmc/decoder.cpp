@@ -318,9 +318,8 @@ bool Decoder::deliver() {
 // Tells of the header once it is there, and between two pieces. A stream of slices is not for this
 // decoder.
 bool Decoder::tell_start() {
-  const bool is_between = stage_ == Stage::collect || stage_ == Stage::packet_mark;
   const bool is_there = report().has_header && !report().holds_slices;
-  if (start_is_told_ || !is_there || is_open_ || !is_between) return true;
+  if (start_is_told_ || !is_there || is_open_) return true;
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header();

@@ -22,8 +22,6 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   refusal_ = Status::ok;
   is_laid_out_ = false;
   is_whole_ = false;
-  row_is_begun_ = false;
-  surface_ = 0;
   slice_ = 0;
   passed_rows_ = 0;
   return Status::ok;
@@ -53,7 +51,6 @@ Status SliceDecoder::finish() {
   if (refusal_ != Status::ok) return refusal_;
   if (!deliver()) return Status::more;
   packets_.finish();
-  open(PacketReader::Arrival::nothing);
   return Status::ok;
 }
 
@@ -61,9 +58,9 @@ Status SliceDecoder::finish() {
 
 void SliceDecoder::open(PacketReader::Arrival arrival) {
   if (packets_.is_refused()) refusal_ = Status::wrong_version;
-  if (packets_.take_gap()) break_off();
-  if (report().has_header && !is_laid_out_) lay_out();
-  if (!is_laid_out_ || refusal_ != Status::ok) return;
+  if (packets_.take_gap()) is_whole_ = false;
+  if (report().holds_slices && !is_laid_out_) lay_out();
+  if (!is_laid_out_) return;
   if (arrival == PacketReader::Arrival::slices) open_slices();
   if (arrival == PacketReader::Arrival::application) stage_ = Stage::application;
   if (arrival == PacketReader::Arrival::trailer) {
@@ -87,15 +84,9 @@ void SliceDecoder::lay_out() {
 }
 
 // What follows cannot be read before the next key slice.
-void SliceDecoder::break_off() {
-  is_whole_ = false;
-  row_is_begun_ = false;
-  surface_ = 0;
-}
-
 void SliceDecoder::give_up() {
   packets_.note_unreadable();
-  break_off();
+  is_whole_ = false;
   stage_ = Stage::collect;
 }
 
@@ -161,8 +152,9 @@ bool SliceDecoder::can_read() const {
   return code_is_over_ || coder_.range.left() >= most_of_a_step;
 }
 
+// Never where the code is not cut: of a row that is begun voxels are left.
 bool SliceDecoder::is_at_cut() const {
-  return cut_left_ != 0 && row_is_begun_ && row_.left() == cut_left_ &&
+  return row_is_begun_ && row_.left() == cut_left_ &&
          static_cast<uint32_t>(passed_rows_ * surfaces_.count() + surface_) == cut_row_;
 }
 
@@ -189,7 +181,7 @@ void SliceDecoder::read() {
     }
   }
   const size_t left = coder_.range.left();
-  for (rest_bytes_ = 0; rest_bytes_ < left && rest_bytes_ < most_of_a_step; ++rest_bytes_)
+  for (rest_bytes_ = 0; rest_bytes_ < left; ++rest_bytes_)
     rest_[rest_bytes_] = coder_.range.rest()[rest_bytes_];
   stage_ = Stage::collect;
 }
@@ -203,8 +195,7 @@ bool SliceDecoder::begin_row() {
     is_key_ahead_ = false;
   }
   trace::BitRows& rows = surfaces_[surface_].rows;
-  if (note_ == RowNote::repeated) rows.repeat();
-  if (note_ == RowNote::off) rows.fill_off();
+  if (note_ == RowNote::repeated) rows.repeat();  // else it is off
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
   row_is_begun_ = true;
   return true;

@@ -63,7 +63,8 @@ class SliceDecoder {
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
   /// Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells of
   /// larger slices than the memory serves: give_memory(), and push the rest. Errors: also
-  /// not_started. Packets that arrive before any header are lost. Cost: as the encoder's.
+  /// not_started. Packets that arrive before any header are lost. Of a stream of regions nothing is
+  /// handed out: report().holds_slices says what it is. Cost: as the encoder's.
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// Goes on with other memory, of slice_decoder_bytes(), after Status::too_little_memory. Errors:
@@ -84,7 +85,6 @@ class SliceDecoder {
   void lay_out();
   void open_slices();
   bool begin_key_slice();
-  void break_off();
   void give_up();
   void read();
   bool can_read() const;

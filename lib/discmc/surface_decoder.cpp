@@ -7,7 +7,6 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   sink_ = sink;
   channel_ = channel;
   memory_ = memory;
-  is_started_ = true;
   is_known_ = false;
   is_of_slices_ = false;
   skipped_rows_ = 0;
@@ -19,7 +18,6 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
 }
 
 Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {
-  if (!is_started_) return {Status::not_started, 0};
   size_t taken = 0;
   // What the stream holds is known from its header on. Until then both decoders listen.
   while (!is_known_ && taken < count) {
@@ -61,7 +59,7 @@ Status SurfaceDecoder::begin_sweep() {
 }
 
 Status SurfaceDecoder::give_memory(Memory memory) {
-  if (!is_started_) return Status::not_started;
+  if (sink_.take == nullptr) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;
   refusal_ = begin_sweep();
@@ -70,7 +68,6 @@ Status SurfaceDecoder::give_memory(Memory memory) {
 }
 
 Status SurfaceDecoder::finish() {
-  if (!is_started_) return Status::not_started;
   if (refusal_ != Status::ok) return refusal_;
   if (!is_known_) (void)slices_.finish();  // it has nothing to tell yet
   return is_of_slices_ ? slices_.finish() : regions_.finish();

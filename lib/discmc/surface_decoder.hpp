@@ -58,7 +58,6 @@ class SurfaceDecoder {
   Decoder regions_;
   SliceDecoder slices_;
   Extractor32 extractor_;
-  bool is_started_ = false;
   Status refusal_ = Status::ok;  // of a stream of bits
   bool is_known_ = false;        // what the stream holds
   bool is_of_slices_ = false;

@@ -276,6 +276,38 @@ TEST_CASE("a stream goes on from a checkpoint through C") {
         DISCMC_BAD_CHECKPOINT);
 }
 
+TEST_CASE("records and another line go into a stream through C as in C++") {
+  std::vector<uint8_t> stream, other;
+  const discmc_stream_label label = {};
+  const uint8_t told[201] = {7, 0, 9};
+  const discmc_application_record record = {11, 2, 3, told, 3}, too_long = {11, 2, 3, told, 201};
+  discmc_encoder encoder = {};
+  CHECK(discmc_encoder_tell(&encoder, &record) == DISCMC_NOT_STARTED);
+  REQUIRE(discmc_encoder_start(&encoder, &label, {&stream, write_bytes}) == DISCMC_OK);
+  const discmc_stream_header header = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED, 0, 0, 0, {}};
+  discmc_event event = {};
+  event.kind = DISCMC_START;
+  event.of.header = &header;
+  REQUIRE(discmc_encoder_take(&encoder, &event) == DISCMC_TAKEN);
+  CHECK(discmc_encoder_tell(&encoder, &too_long) == DISCMC_BAD_RECORD);
+  const size_t before = stream.size();
+  discmc_encoder_set_output(&encoder, {&other, write_bytes});
+  CHECK(discmc_encoder_tell(&encoder, &record) == DISCMC_OK);
+  CHECK(stream.size() == before);
+  stream.insert(stream.end(), other.begin(), other.end());
+
+  std::vector<uint8_t> expected;
+  Encoder encoder_cpp;
+  REQUIRE(encoder_cpp.start({}, {&expected, write_bytes}) == Status::ok);
+  const StreamHeader same = from_c(header);
+  Event start{};
+  start.kind = Event::Kind::start;
+  start.header = &same;
+  REQUIRE(encoder_cpp.take(start) == Answer::taken);
+  REQUIRE(encoder_cpp.tell({11, 2, 3, told, 3}) == Status::ok);
+  CHECK(stream == expected);
+}
+
 TEST_CASE("what a start refuses it refuses through C, and an object of zeros is not started") {
   discmc_extractor extractor = {};
   discmc_decoder decoder = {};
@@ -440,7 +472,7 @@ TEST_CASE("limits and capacities are valid in C when they are in C++") {
 }
 
 TEST_CASE("every status has the text that it has in C++") {
-  for (discmc_status status = 0; status <= DISCMC_BAD_CHECKPOINT; ++status)
+  for (discmc_status status = 0; status <= DISCMC_BAD_RECORD; ++status)
     CHECK(std::string_view(discmc_text(status)) == text(static_cast<Status>(status)));
   CHECK(std::string_view(discmc_text(DISCMC_BAD_RECORD + 1)) == "unknown status");
 }

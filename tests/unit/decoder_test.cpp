@@ -243,6 +243,151 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
   }
 }
 
+TEST_CASE("a decoder tells of the start of every stream, before all else, as soon as it is taken") {
+  const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
+  struct Late {
+    Answer take(const Event& event) {
+      if (event.kind == Event::Kind::start && refusals-- > 0) return Answer::not_now;
+      return log.take(event);
+    }
+    int refusals = 0;
+    EventLog log{};
+  } late;
+  Decoder decoder;
+  for (size_t streams = 1; streams < 4; ++streams) {
+    late.refusals = 2;
+    REQUIRE(decoder.start(sink_to(late)) == Status::ok);
+    const Decoded first = decoder.push(stream.data(), stream.size());
+    CHECK(first.status == Status::more);
+    CHECK(first.bytes < stream.size());
+    const Decoded second = decoder.push(stream.data() + first.bytes, stream.size() - first.bytes);
+    CHECK(second.status == Status::more);
+    CHECK(second.bytes == 0);
+    CHECK(late.log.events.size() == streams - 1);
+    const Decoded third = decoder.push(stream.data() + first.bytes, stream.size() - first.bytes);
+    CHECK(third.status == Status::ok);
+    CHECK(late.log.starts.size() == streams);
+    CHECK(late.log.events.size() == streams);
+  }
+}
+
+TEST_CASE("a start that is heard in the middle of a region is told behind it") {
+  struct Listener {
+    Answer take(const Event& event) {
+      if (event.kind == Event::Kind::start) events_before_start = log.events.size();
+      return log.take(event);
+    }
+    size_t events_before_start = 0;
+    EventLog log{};
+  } listener;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(listener)) == Status::ok);
+  const Bytes heard =
+      joined({frame_at(1, first_payload()), header_after(2, 0), frame_at(3, last_payload())});
+  REQUIRE(decoder.push(heard.data(), heard.size()).status == Status::ok);
+  CHECK(listener.log.events == first_part().run(2, 2).region_end().events);
+  CHECK(listener.log.starts.size() == 1);
+  CHECK(listener.events_before_start == listener.log.events.size());
+}
+
+TEST_CASE("a decoder that is started again takes a stream of any name, and counts it anew") {
+  StreamHeader header = any_header();
+  header.scan = 7;
+  header.channel = 2;
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  EventLog log;
+  Decoder decoder;
+  for (const Bytes& stream : {encode(square), encode(square, header)})
+    for (size_t part = 1; part < 4; ++part) {
+      REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+      REQUIRE(decoder.push(stream.data(), stream.size() * part / 3).status == Status::ok);
+      CHECK(decoder.report().foreign_packets == 0);
+      CHECK(decoder.report().is_complete() == (part == 3));
+    }
+}
+
+TEST_CASE("of a version that is not known nothing is read, until the decoder is started again") {
+  const Bytes stream = encode(Script().layer(1).finish().events);
+  std::vector<Bytes> frames = frames_of(stream);
+  Packet header = packet_of(frames[0]);
+  ++header.payload[3];
+  frames[0] = frame_of(header);
+  const Bytes unknown = joined(frames);
+  EventLog log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
+  CHECK_FALSE(decoder.report().has_header);
+  CHECK(decoder.report().packets == 0);
+  CHECK(log.starts.empty());
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  CHECK(decoder.report().is_complete());
+}
+
+TEST_CASE("packets of other channels and scans are left alone, and counted") {
+  const auto frame = [](uint16_t scan, uint8_t channel) {
+    Packet packet = packet_of(stream_of({}));
+    packet.scan = scan;
+    packet.channel = channel;
+    return frame_of(packet);
+  };
+  const Bytes link = joined({frame(1, 4), frame(2, 6), frame(3, 5), frame(4, 5)});
+  EventLog log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log), 5) == Status::ok);
+  REQUIRE(decoder.push(link.data(), link.size()).status == Status::ok);
+  CHECK(decoder.report().foreign_packets == 3);
+  CHECK(decoder.report().packets == 1);
+  CHECK(decoder.header().scan == 3);
+  // The second of two surfaces from channel 4 on.
+  const Bytes two = frame(9, 4 | 1 << 6);
+  REQUIRE(decoder.start(sink_to(log), 5) == Status::ok);
+  REQUIRE(decoder.push(two.data(), two.size()).status == Status::ok);
+  CHECK(decoder.header().scan == 9);
+}
+
+TEST_CASE("zeros between frames mean nothing, and a byte between two is a damaged frame") {
+  const uint8_t bytes[] = {0, 0, 1, 0, 0, 2};
+  EventLog log;
+  Decoder decoder;
+  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.push(bytes, sizeof bytes).status == Status::ok);
+  CHECK(decoder.report().damaged_packets == 1);
+  CHECK(decoder.finish() == Status::ok);
+  CHECK(decoder.report().damaged_packets == 2);
+}
+
+TEST_CASE("a trailer whose digest is another says that streams are mixed, if nothing is lost") {
+  for (const uint8_t lost : {uint8_t{0}, uint8_t{1}}) {
+    std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
+    Packet trailer = packet_of(frames.back());
+    trailer.payload.back() ^= 1;
+    trailer.number = static_cast<uint8_t>(trailer.number + lost);
+    frames.back() = frame_of(trailer);
+    const StreamReport report = decode(joined(frames)).report;
+    CHECK(report.has_trailer);
+    CHECK(report.is_mixed == (lost == 0));
+    CHECK_FALSE(report.is_complete());
+  }
+}
+
+TEST_CASE("an application record says at which slice and row it was told") {
+  Line line;
+  Encoder encoder;
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  const uint8_t bytes[] = {0xFF, 0xFE};
+  REQUIRE(encoder.tell({9, 0x01020304, 0x05060708, bytes, 2}) == Status::ok);
+  const Received received = decode(line.bytes);
+  REQUIRE(received.events.size() == 1);
+  const Event event = received.events[0].event();
+  CHECK(event.application->kind == 9);
+  CHECK(event.application->slice == 0x01020304);
+  CHECK(event.application->row == 0x05060708);
+  CHECK(event.application->count == 2);
+  CHECK(event.application->bytes[1] == 0xFE);
+}
+
 TEST_CASE("a decoder that is started again after half a frame begins with a new one") {
   const Bytes stream = encode(Script().layer(1).finish().events);
   EventLog log;
@@ -1179,4 +1324,7 @@ TEST_CASE("a stream is complete when it has both ends and nothing is missing or 
   CHECK_FALSE(is_complete_but([](StreamReport& report) { report.regions = 8; }));
   CHECK_FALSE(is_complete_but([](StreamReport& report) { report.fragments = 2; }));
   CHECK_FALSE(is_complete_but([](StreamReport& report) { report.is_unreadable = true; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.is_mixed = true; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.rows = 1; }));
+  CHECK_FALSE(is_complete_but([](StreamReport& report) { report.lost_rows = 1; }));
 }

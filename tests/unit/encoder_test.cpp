@@ -45,7 +45,58 @@ TEST_CASE("a stream that cannot be told is refused") {
   header.channel = 64;
   CHECK(begin_stream(encoder, header, line.output()) == Status::bad_label);
   CHECK(line.bytes.empty());
+  CHECK(encoder.start({}, {}) == Status::bad_sink);
   CHECK(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  header.channel = 63;
+  CHECK(begin_stream(encoder, header, line.output()) == Status::ok);
+}
+
+TEST_CASE("what nobody has said of a scan is zero, and its label is what its header says") {
+  const StreamHeader unsaid;
+  CHECK(unsaid.height == 0);
+  CHECK(unsaid.depth == 0);
+  CHECK(unsaid.threshold == 0);
+  for (uint32_t surface = 1; surface < StreamHeader::max_surfaces; ++surface)
+    CHECK(unsaid.threshold_of(surface) == 0);
+  StreamHeader header;
+  header.depth = 9;
+  header.scan = 8;
+  header.channel = 7;
+  for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = axis + 4;
+  const StreamLabel label = header.label();
+  CHECK(label.depth == 9);
+  CHECK(label.scan == 8);
+  CHECK(label.channel == 7);
+  for (int axis = 0; axis < 3; ++axis) CHECK(label.spacing_nm[axis] == axis + 4);
+}
+
+TEST_CASE("a record is told between two pieces, also where the last one was lost or forgotten") {
+  Event region{}, lost{};
+  region.kind = Event::Kind::region;
+  lost.kind = Event::Kind::lost;
+  Line line;
+  Encoder encoder;
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  REQUIRE(encoder.take(region) == Answer::taken);
+  CHECK(encoder.tell({}) == Status::more);
+  REQUIRE(encoder.take(lost) == Answer::taken);
+  CHECK(encoder.tell({}) == Status::ok);
+  REQUIRE(encoder.take(region) == Answer::taken);
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  CHECK(encoder.tell({}) == Status::ok);
+}
+
+TEST_CASE("a ring of two runs, there and back, comes through") {
+  const Events events = Script().region(up).ring({1, 0, 0}).run(0, 5).run(4, 5).region_end().events;
+  CHECK(decode(encode(events)).events == events);
+}
+
+TEST_CASE("an event that a busy line refuses is told once") {
+  Script script;
+  script.region(up).ring({1, 0, 0});
+  for (uint32_t i = 0; i < 300; ++i) script.run(static_cast<Direction>(i % 8), 1 + i % 9);
+  const Events events = script.region_end().finish().events;
+  CHECK(encode(events, any_header(), 7) == encode(events));
 }
 
 TEST_CASE("every packet is numbered, short enough, and counts the pieces before it") {
@@ -238,6 +289,46 @@ TEST_CASE("an encoder that is started again begins a new stream") {
     take_all(encoder, events);
     CHECK(again.bytes == encode(events));
     CHECK(encoder.bytes() == again.bytes.size());
+  }
+}
+
+TEST_CASE("a further scan begins when the line has taken all of the one before") {
+  const Events events = Script().layer(0).finish().events;
+  Line line(1);
+  Encoder encoder;
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  Event start{};
+  start.kind = Event::Kind::start;
+  StreamHeader header = any_header();
+  start.header = &header;
+  uint32_t refusals = 0;
+  while (encoder.take(start) != Answer::taken) ++refusals;
+  CHECK(refusals > 10);
+  CHECK(line.bytes == encode({}));
+  take_all(encoder, events);
+  header.scan = 1;
+  CHECK(joined({encode({}), encode(events, header)}) == line.bytes);
+}
+
+TEST_CASE("the label's spacing is told where the scan itself knows of none, along any axis") {
+  const auto told = [](const StreamHeader& scan) {
+    Line line;
+    Encoder encoder;
+    REQUIRE(encoder.start({0, {7, 8, 9}}, line.output()) == Status::ok);
+    Event start{};
+    start.kind = Event::Kind::start;
+    start.header = &scan;
+    REQUIRE(encoder.take(start) == Answer::taken);
+    const StreamHeader header = decode(line.bytes).header;
+    return std::vector<int32_t>(header.spacing_nm, header.spacing_nm + 3);
+  };
+  StreamHeader scan = any_header();
+  for (int axis = -1; axis < 3; ++axis) {
+    CAPTURE(axis);
+    for (int32_t& spacing : scan.spacing_nm) spacing = 0;
+    if (axis >= 0) scan.spacing_nm[axis] = 5;
+    const std::vector<int32_t> own(scan.spacing_nm, scan.spacing_nm + 3);
+    CHECK(told(scan) == (axis < 0 ? std::vector<int32_t>{7, 8, 9} : own));
   }
 }
 

@@ -705,6 +705,29 @@ TEST_CASE("of several streams there is one finish event, and it comes last") {
   CHECK(count(joined.events, Kind::finish) == 1);
 }
 
+TEST_CASE("of several streams the first start is told, as soon as the sink takes it") {
+  EventLog log;
+  struct Late {
+    Answer take(const Event& event) { return refusals-- > 0 ? Answer::not_now : log.take(event); }
+    EventLog& log;
+    int refusals = 2;
+  } late{log};
+  std::vector<uint8_t> memory(4000);
+  Joiner joiner;
+  REQUIRE(joiner.start({memory.data(), memory.size()}, sink_to(late), InputOrder::any) ==
+          Status::ok);
+  StreamHeader header = test::any_header();
+  Event start{};
+  start.kind = Kind::start;
+  start.header = &header;
+  for (const Answer answer : {Answer::not_now, Answer::not_now, Answer::taken, Answer::taken}) {
+    header.scan = static_cast<uint16_t>(log.starts.size());
+    CHECK(joiner.take(start) == answer);
+  }
+  REQUIRE(log.starts.size() == 1);
+  CHECK(log.starts[0].scan == 0);
+}
+
 TEST_CASE("a finish event may come without statistics") {
   std::vector<uint8_t> memory(4000);
   EventLog log;

@@ -159,6 +159,34 @@ TEST_CASE("bits in registers come to the same code, carries and all, however man
   }
 }
 
+TEST_CASE("bits in registers come to the same code where the range is the least that suffices") {
+  constexpr uint32_t least = 1U << 24;
+  Chance chance(7);
+  Decisions decisions;
+  for (uint32_t range = UINT32_MAX; range != least;) {
+    Decision next = random_decisions(chance, 1).front();
+    for (uint32_t one = 1; one < 256; ++one) {
+      const uint32_t bound = (range >> 8) * one;
+      if (bound != least && range - bound != least) continue;
+      next = {bound == least, static_cast<Probability>(one)};
+    }
+    const uint32_t bound = (range >> 8) * next.one;
+    range = next.bit ? bound : range - bound;
+    if (range < least) range <<= 8;
+    decisions.push_back(next);
+  }
+  for (const Decision& decision : random_decisions(chance, 100)) decisions.push_back(decision);
+  Bytes bytes(decisions.size() + 8);
+  RangeEncoder encoder(bytes.data(), bytes.size());
+  {
+    RangeEncoder::Bits bits(encoder);
+    for (const Decision& decision : decisions) bits.encode(decision.bit, decision.one);
+  }
+  bytes.resize(encoder.finish());
+  CHECK(bytes == encoded(decisions));
+  CHECK(wrong_bits(bytes, decisions) == 0);
+}
+
 TEST_CASE("a first byte of 255 waits, and goes out whole") {
   // Zeros of probability 1 / 256 climb to the very top of the range at once.
   Decisions decisions(40, {false, 255});
@@ -244,6 +272,21 @@ TEST_CASE("a decoder is exhausted by the fifth byte beyond the end, and not by t
     for (int bit = 0; bit < 9; ++bit) (void)decoder.decode(128);
     CHECK(decoder.is_exhausted());
   }
+}
+
+TEST_CASE("a decoder says how many bytes it has not read, and has none beyond the end") {
+  const Bytes bytes(9, 0xA5);
+  RangeDecoder decoder(bytes.data(), bytes.size());
+  size_t left = 5;
+  CHECK(decoder.left() == left);
+  for (int bit = 0; bit < 200; ++bit) {
+    (void)decoder.decode(Probability{128});
+    CHECK(decoder.left() <= left);
+    CHECK(decoder.left() + 1 >= left);
+    left = decoder.left();
+    CHECK(decoder.rest() == bytes.data() + bytes.size() - left);
+  }
+  CHECK(left == 0);
 }
 
 TEST_CASE("any bytes decode without harm, beyond their end as well") {

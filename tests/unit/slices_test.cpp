@@ -735,6 +735,7 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
     CHECK(log.events == events_of(volume));
     REQUIRE(log.starts.size() == 1);
     CHECK(log.starts[0].further_surfaces == 0);
+    CHECK(log.starts[0].further_thresholds[0] == 0);
     CHECK(log.starts[0].channel == 5 + surface);
     CHECK(log.starts[0].threshold == thresholds[surface]);
   }

@@ -29,7 +29,6 @@ Status BasicEncoder<Normals>::start(const StreamLabel& label, const ByteOutput& 
   for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
   header.scan = label.scan;
   header.channel = label.channel;
-  header.further_surfaces = 0;
   return Status::ok;
 }
 
@@ -94,7 +93,6 @@ Answer BasicEncoder<Normals>::take_any(const Event& event) {
       done = put_trailer(event);
       break;
     case Event::Kind::start:
-      break;
     case Event::Kind::lost:
       piece_is_open_ = false;
       break;

@@ -214,7 +214,6 @@ PacketReader::Arrival PacketReader::read_trailer() {
   compare_digest(static_cast<uint32_t>(reader.get(4)));
   const uint64_t pieces = totals.regions + totals.fragments;
   if (pieces > pieces_passed_) note_gap(0, pieces - pieces_passed_);
-  gap_is_untold_ = true;
   return Arrival::trailer;
 }
 

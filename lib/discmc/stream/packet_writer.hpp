@@ -25,7 +25,6 @@ class PacketWriter {
   bool is_started() const { return is_started_; }
   bool has_output() const { return output_.write != nullptr; }
   /// Of the stream that goes on, or went before.
-  const StreamHeader& header() const { return header_; }
   StreamHeader& header() { return header_; }
 
   /// Whether the packet is open.

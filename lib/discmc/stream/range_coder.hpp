@@ -16,7 +16,6 @@ using Probability = uint8_t;
 /// A probability that is learnt. Units: 65,536ths. It stays between 15 and 65,520 of them.
 class LearntProbability {
  public:
-  constexpr LearntProbability() = default;
   /// Limit: one of 15 to 65,520.
   explicit constexpr LearntProbability(uint16_t one) : one_(one) {}
   constexpr uint32_t of_one() const { return one_; }
@@ -28,7 +27,7 @@ class LearntProbability {
   }
 
  private:
-  uint16_t one_ = 1 << 15;
+  uint16_t one_;
 };
 
 /// Writes bits into a fixed buffer. A copy is a snapshot: to go back to it undoes all bits since,

@@ -1,0 +1,280 @@
+// The surface decoder alone: started again, given memory, and streams that end where none should.
+#include <doctest/doctest.h>
+#include <discmc/surface_decoder.hpp>
+
+#include "oracle/slice_stream.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+
+namespace {
+
+constexpr Limits limits{12, 8};
+
+const BitVolume& volume() {
+  static const BitVolume rough = reference::random({12, 8, 9}, 30, 5);
+  return rough;
+}
+
+// With rows that are lost on the way.
+Bytes slices_with_a_loss() {
+  std::vector<Bytes> frames = frames_of(encode_slices(volume(), {{2}}));
+  REQUIRE(frames.size() > 4);
+  frames.erase(frames.begin() + 2);
+  return joined(frames);
+}
+
+Bytes regions() {
+  return encode(events_of(volume()), header_of(volume()));
+}
+
+Events decoded(SurfaceDecoder& decoder, const Memory& memory, const Bytes& stream) {
+  EventLog log;
+  reference::require_ok(decoder.start(memory, sink_to(log)));
+  reference::require_ok(push_stream(decoder, stream, 0));
+  CHECK(log.starts.size() == 1);
+  return log.events;
+}
+
+}  // namespace
+
+TEST_CASE("a surface decoder that is started again forgets everything") {
+  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  const Memory all{memory.data(), memory.size()};
+  const Bytes streams[] = {slices_with_a_loss(), regions()};
+  Events expected[2];
+  for (int i = 0; i < 2; ++i) {
+    SurfaceDecoder decoder;
+    expected[i] = decoded(decoder, all, streams[i]);
+    REQUIRE(expected[i].size() > 100);
+  }
+  struct Taker {
+    Answer take(const Event&) { return left-- > 0 ? Answer::taken : Answer::not_now; }
+    int left;
+  };
+  SurfaceDecoder decoder;
+  for (const Bytes& before : streams)
+    for (const int most : {0, 1, 2, 30, 200, 1000}) {
+      CAPTURE(most);
+      for (int i = 0; i < 2; ++i) {
+        Taker taker{most};
+        reference::require_ok(decoder.start(all, sink_to(taker)));
+        (void)decoder.push(before.data(), before.size());
+        CHECK(decoded(decoder, all, streams[i]) == expected[i]);
+        CHECK(decoder.report().holds_slices == (i == 0));
+      }
+    }
+}
+
+TEST_CASE("a surface decoder that was refused memory is started again without it") {
+  const Bytes slices = encode_slices(volume());
+  SurfaceDecoder decoder;
+  EventLog log;
+  reference::require_ok(decoder.start({}, sink_to(log)));
+  CHECK(decoder.push(slices.data(), slices.size()).status == Status::too_little_memory);
+  CHECK(decoder.finish() == Status::too_little_memory);
+  CHECK(decoded(decoder, {}, regions()) == decode(regions()).events);
+}
+
+TEST_CASE("memory for the rows alone is too little, at the end as well") {
+  const Bytes slices = encode_slices(volume());
+  Bytes memory(slice_decoder_bytes(limits));
+  SurfaceDecoder decoder;
+  EventLog log;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  CHECK(decoder.push(slices.data(), slices.size()).status == Status::too_little_memory);
+  CHECK(decoder.finish() == Status::too_little_memory);
+}
+
+TEST_CASE("a surface decoder that is started again amid rows that are lost has lost none") {
+  struct Stubborn {
+    Answer take(const Event& event) {
+      const bool is_skipped = event.kind == Event::Kind::skipped;
+      if (is_skipped && left == 0) return Answer::not_now;
+      if (is_skipped) --left;
+      return Answer::taken;
+    }
+    uint32_t left = 3;
+  } stubborn;
+  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  const Memory all{memory.data(), memory.size()};
+  const Bytes stream = slices_with_a_loss();
+  SurfaceDecoder decoder;
+  const Events expected = decoded(decoder, all, stream);
+  reference::require_ok(decoder.start(all, sink_to(stubborn)));
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::more);
+  CHECK(stubborn.left == 0);
+  CHECK(decoded(decoder, all, stream) == expected);
+}
+
+TEST_CASE("memory is given to a surface decoder that has too little, and to no other") {
+  const Bytes stream = encode_slices(volume());
+  Bytes memory(minimum_surface_bytes(limits));
+  const Memory all{memory.data(), memory.size()};
+  SurfaceDecoder decoder;
+  EventLog log;
+  CHECK(decoder.give_memory(all) == Status::not_started);
+  reference::require_ok(decoder.start({}, sink_to(log)));
+  CHECK(decoder.give_memory(all) == Status::ok);
+  const Decoded refused = decoder.push(stream.data(), stream.size());
+  CHECK(refused.status == Status::too_little_memory);
+  CHECK(refused.bytes == frames_of(stream).front().size());
+  CHECK(decoder.give_memory({nullptr, memory.size()}) == Status::too_little_memory);
+  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(log.starts.empty());
+  const Decoded rest = decoder.push(stream.data() + refused.bytes, stream.size() - refused.bytes);
+  CHECK(rest.status == Status::ok);
+  CHECK(refused.bytes + rest.bytes == stream.size());
+  CHECK(log.starts.size() == 1);
+  CHECK(decoder.report().is_complete());
+}
+
+TEST_CASE("a version that is not known is refused at the byte that tells of it") {
+  std::vector<Bytes> frames = frames_of(regions());
+  Packet header = packet_of(frames[0]);
+  ++header.payload[3];
+  frames[0] = frame_of(header);
+  const Bytes stream = joined(frames);
+  SurfaceDecoder decoder;
+  EventLog log;
+  reference::require_ok(decoder.start({}, sink_to(log)));
+  const Decoded decoded = decoder.push(stream.data(), stream.size());
+  CHECK(decoded.status == Status::wrong_version);
+  CHECK(decoded.bytes == frames[0].size());
+  CHECK(decoder.push(stream.data(), 1).bytes == 0);
+}
+
+TEST_CASE("where a scan ends its surface is closed, whatever the trailer says") {
+  SlicePlan plan;
+  plan.flush_every = 4;
+  const std::vector<Bytes> whole = frames_of(encode_slices(volume(), plan));
+  // Scans of two slices and of one and a half: every four rows have a packet.
+  for (const uint32_t rows : {16U, 12U})
+    for (const uint8_t is_abandoned : {uint8_t{0}, uint8_t{1}}) {
+      CAPTURE(rows);
+      CAPTURE(is_abandoned);
+      std::vector<Bytes> frames(whole.begin(), whole.begin() + 1 + rows / 4);
+      Packet trailer = packet_of(whole.back());
+      REQUIRE(trailer.is(wire::PacketKind::slices_trailer));
+      trailer.number = static_cast<uint8_t>(frames.size());
+      trailer.payload[4] = is_abandoned;  // behind the slices
+      wire::ByteWriter(trailer.payload.data() + 4 + 1).put_long(rows);
+      frames.push_back(frame_of(trailer));
+      BitVolume scanned({12, 8, 2});
+      std::copy_n(volume().on.begin(), rows * 12, scanned.on.begin());
+      Bytes memory(minimum_surface_bytes(limits) + 100000);
+      SurfaceDecoder decoder;
+      const Events events = decoded(decoder, {memory.data(), memory.size()}, joined(frames));
+      CHECK(pieces_of(events) == pieces_of(events_of(scanned)));
+      CHECK(events.back().event().abandoned == (is_abandoned != 0 || rows == 12));
+    }
+}
+
+namespace {
+
+struct Scan {
+  uint32_t width;
+  uint8_t surfaces;
+};
+
+// Rows of which some never come, a key slice every slice.
+std::vector<Bytes> frames_with_skips(const Scan& scan) {
+  StreamHeader header;
+  header.width = scan.width;
+  header.height = 8;
+  header.channel = 3;
+  header.threshold = 100;
+  header.further_surfaces = static_cast<uint8_t>(scan.surfaces - 1);
+  header.further_thresholds[0] = 180;
+  Bytes memory(slice_encoder_bytes({scan.width, 8}, {1}, scan.surfaces));
+  Line line;
+  SliceEncoder encoder;
+  reference::require_ok(encoder.start(header, {1}, {memory.data(), memory.size()}, line.output()));
+  Chance chance(5);
+  Bytes row(scan.width);
+  for (uint32_t i = 0; i < 8 * 7; ++i) {
+    for (uint8_t& sample : row) sample = chance.byte();
+    const PushResult result = i % 5 == 3   ? encoder.skip_row(Substitute::previous_row)
+                              : i % 7 == 4 ? encoder.skip_row(Substitute::off)
+                                           : encoder.push(row.data(), scan.width);
+    reference::require_ok(result.status);
+    if (i % 8 == 7) reference::require_ok(encoder.flush());
+  }
+  reference::require_ok(encoder.finish());
+  return frames_of(line.bytes);
+}
+
+// What an extractor makes of the rows of one channel that a slice decoder hands out.
+Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
+  struct Sweep {
+    Answer take(const RowEvent& event) {
+      if (event.kind == RowEvent::Kind::row && event.channel == channel)
+        reference::require_ok(extractor.push_bits(event.bits).status);
+      if (event.kind == RowEvent::Kind::skipped && event.channel == channel)
+        skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
+      if (event.kind == RowEvent::Kind::lost) skip(event.count, Substitute::off);
+      if (event.kind == RowEvent::Kind::finish) reference::require_ok(extractor.finish());
+      return Answer::taken;
+    }
+    void skip(uint64_t rows, Substitute substitute) {
+      for (; rows > 0; --rows) reference::require_ok(extractor.skip_row(substitute).status);
+    }
+    uint8_t channel;
+    Extractor32 extractor{};
+  } sweep{channel};
+  EventLog log;
+  const Limits size{scan.width, 8};
+  Bytes memory(minimum_bytes<uint32_t>(size) + 100000), rows(slice_decoder_bytes(size, 2));
+  reference::require_ok(
+      sweep.extractor.start(size, 1, {memory.data(), memory.size()}, sink_to(log)));
+  SliceDecoder decoder;
+  reference::require_ok(decoder.start({rows.data(), rows.size()}, row_sink_to(sweep)));
+  reference::require_ok(push_stream(decoder, stream, 0));
+  return log.events;
+}
+
+}  // namespace
+
+TEST_CASE("rows that never came, or were lost, are skipped, of whatever surface, whoever is busy") {
+  for (const Scan& scan : {Scan{1, 1}, Scan{11, 1}, Scan{11, 2}}) {
+    std::vector<Bytes> frames = frames_with_skips(scan);
+    frames.erase(frames.begin() + 3);
+    const Bytes stream = joined(frames);
+    Bytes memory(minimum_surface_bytes({scan.width, 8}, scan.surfaces) + 100000);
+    for (uint8_t surface = 0; surface < scan.surfaces; ++surface)
+      for (const bool refuses : {false, true}) {
+        CAPTURE(scan.width);
+        CAPTURE(surface);
+        CAPTURE(refuses);
+        const auto channel = static_cast<uint8_t>(3 + surface);
+        EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
+        SurfaceDecoder decoder;
+        reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log), channel));
+        reference::require_ok(push_stream(decoder, stream, 0));
+        CHECK(decoder.report().lost_rows == 8);
+        CHECK(log.events == swept(stream, scan, channel));
+      }
+  }
+}
+
+TEST_CASE("a surface decoder tells how many bytes it has taken, and looks at no others") {
+  const Bytes slices = encode_slices(volume());
+  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  for (const Bytes& stream : {slices, regions()})
+    for (const size_t first : {size_t{0}, size_t{1}, size_t{30}, stream.size()}) {
+      SurfaceDecoder decoder;
+      EventLog log;
+      const Decoded unasked = decoder.push(stream.data(), 1);
+      CHECK(unasked.status == Status::not_started);
+      CHECK(unasked.bytes == 0);
+      CHECK(decoder.finish() == Status::not_started);
+      reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+      CHECK(decoder.push(stream.data(), first).bytes == first);
+      CHECK(decoder.push(stream.data() + first, stream.size() - first).bytes ==
+            stream.size() - first);
+      CHECK(decoder.report().bytes == stream.size());
+      CHECK(decoder.report().is_complete());
+    }
+}
