@@ -100,6 +100,18 @@ TEST_CASE("a loss of 256 packets up to a header is noticed, whatever was lost be
   }
 }
 
+TEST_CASE("a trailer that claims more rows than a scan can have is not believed") {
+  const Sent& sent = sent_with_keys();
+  Packet trailer = packet_of(sent.frames.back());
+  std::fill_n(trailer.payload.begin() + 5, 8, uint8_t{0xFF});
+  std::vector<Bytes> frames = sent.frames;
+  frames.back() = frame_of(trailer);
+  const ReceivedRows received = arrive(frames);
+  CHECK(received.report.rows == all_rows);
+  CHECK(received.report.lost_rows == uint64_t{Limits::max_slices} * size.height - all_rows);
+  CHECK_FALSE(received.report.is_complete());
+}
+
 TEST_CASE("without key slices a packet that is lost costs all that follows") {
   const Sent sent(0);
   for (size_t i = 1; i + 1 < sent.frames.size(); i += 5) {
