@@ -109,7 +109,7 @@ Status SliceEncoder::flush() {
 }
 
 Status SliceEncoder::tell(const ApplicationRecord& record) {
-  if (state_ == State::finished) return Status::finished;
+  if (state_ == State::finishing || state_ == State::finished) return Status::finished;
   if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
   const Status status = flush();
   if (status != Status::ok) return status;
