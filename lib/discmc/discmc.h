@@ -383,7 +383,7 @@ discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
 
 /* Sends an application record now, in the order of the stream. DISCMC_MORE: the output takes
  * nothing now, or a region is on its way: resume the extractor and call again. Errors:
- * DISCMC_NOT_STARTED, DISCMC_BAD_RECORD. */
+ * DISCMC_NOT_STARTED, DISCMC_FINISHED, DISCMC_BAD_RECORD. */
 DISCMC_NODISCARD discmc_status discmc_encoder_tell(discmc_encoder* encoder,
                                                    const discmc_application_record* record);
 

@@ -56,7 +56,7 @@ class BasicEncoder : private Normals {
   /// Sends an application record now, in the order of the stream. Its slice and row are the
   /// caller's to fill in: extractor.slices() and rows(). Status::more: the output takes nothing
   /// now, or a region is on its way: resume() the extractor and call again. Errors: not_started,
-  /// bad_record.
+  /// finished, bad_record.
   [[nodiscard]] Status tell(const ApplicationRecord& record);
 
   /// Goes on with another output. Without a function the stream is dropped, but counted: so a scan

@@ -64,7 +64,8 @@ void SliceDecoder::open(PacketReader::Arrival arrival) {
   if (arrival == PacketReader::Arrival::slices) open_slices();
   if (arrival == PacketReader::Arrival::application) stage_ = Stage::application;
   if (arrival == PacketReader::Arrival::trailer) {
-    const uint64_t total = report().total_rows;
+    const uint64_t most = uint64_t{Limits::max_slices} * header().height;
+    const uint64_t total = report().total_rows < most ? report().total_rows : most;
     lost_rows_ = total > passed_rows_ ? total - passed_rows_ : 0;
     stage_ = Stage::lose;
   }

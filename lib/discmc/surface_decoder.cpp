@@ -2,6 +2,15 @@
 
 namespace discmc {
 
+namespace {
+
+// Whether the row has to be offered again: one beyond the last slice there can be is never taken.
+bool is_refused(PushResult row) {
+  return row.status == Status::more && row.samples == 0;
+}
+
+}  // namespace
+
 Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
@@ -14,7 +23,7 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   const RowSink rows{this, [](void* context, const RowEvent& event) {
                        return static_cast<SurfaceDecoder*>(context)->take(event);
                      }};
-  return slices_.start(memory, rows, channel);
+  return slices_.start({}, rows, channel);  // it gets its part when the size is known
 }
 
 Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {
@@ -55,7 +64,8 @@ Status SurfaceDecoder::begin_sweep() {
     return event.kind == Event::Kind::start ? Answer::taken
                                             : static_cast<SurfaceDecoder*>(context)->pass(event);
   };
-  return extractor_.start(limits, any, rest, {this, pass_all_else, sink_.sealing});
+  const Status status = extractor_.start(limits, any, rest, {this, pass_all_else, sink_.sealing});
+  return status == Status::ok ? slices_.give_memory(memory_) : status;
 }
 
 Status SurfaceDecoder::give_memory(Memory memory) {
@@ -63,14 +73,15 @@ Status SurfaceDecoder::give_memory(Memory memory) {
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;
   refusal_ = begin_sweep();
-  // It may have had enough: then this changes nothing.
-  return refusal_ == Status::ok ? slices_.give_memory(memory) : refusal_;
+  return refusal_;
 }
 
 Status SurfaceDecoder::finish() {
   if (refusal_ != Status::ok) return refusal_;
   if (!is_known_) (void)slices_.finish();  // it has nothing to tell yet
-  return is_of_slices_ ? slices_.finish() : regions_.finish();
+  if (!is_of_slices_) return regions_.finish();
+  const Status status = slices_.finish();
+  return status == Status::ok ? extractor_.resume() : status;  // where there was no end
 }
 
 // ---- rows ----
@@ -81,7 +92,7 @@ Answer SurfaceDecoder::take(const RowEvent& event) {
       return begin(*event.header);
     case RowEvent::Kind::row:
       if (event.channel != wanted_channel()) return Answer::taken;
-      return extractor_.push_bits(event.bits).samples > 0 ? Answer::taken : Answer::not_now;
+      return is_refused(extractor_.push_bits(event.bits)) ? Answer::not_now : Answer::taken;
     case RowEvent::Kind::skipped:
       if (event.channel != wanted_channel()) return Answer::taken;
       return skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
@@ -115,9 +126,12 @@ Answer SurfaceDecoder::begin(const StreamHeader& all) {
 }
 
 Answer SurfaceDecoder::skip(uint64_t rows, Substitute substitute) {
-  for (uint32_t now = 0; skipped_rows_ < rows; ++skipped_rows_, ++now)
-    if (now == most_skipped_rows || extractor_.skip_row(substitute).samples == 0)
-      return Answer::not_now;
+  for (uint32_t now = 0; skipped_rows_ < rows; ++skipped_rows_, ++now) {
+    if (now == most_skipped_rows) return Answer::not_now;
+    const PushResult row = extractor_.skip_row(substitute);
+    if (is_refused(row)) return Answer::not_now;
+    if (row.samples == 0) break;
+  }
   skipped_rows_ = 0;
   return Answer::taken;
 }

@@ -1,7 +1,5 @@
 #include "stream_census.hpp"
 
-#include <algorithm>
-
 #include <discmc/stream/packet_reader.hpp>
 
 namespace discmc::host {
@@ -25,11 +23,8 @@ void StreamCensus::end_frame() {
   for (const std::uint8_t byte : frame_) static_cast<void>(reader.take(byte));
   if (!reader.report().has_header) return;
   const StreamHeader& header = reader.header();
-  const bool is_known =
-      std::any_of(headers_.begin(), headers_.end(), [&](const StreamHeader& known) {
-        return known.scan == header.scan && known.channel == header.channel;
-      });
-  if (!is_known) headers_.push_back(header);
+  const bool is_new = known_.insert(wire::tag_of(header)).second;
+  if (is_new) headers_.push_back(header);
 }
 
 }  // namespace discmc::host

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 #include <discmc/stream_header.hpp>
@@ -21,6 +22,7 @@ class StreamCensus {
   void end_frame();
 
   std::vector<std::uint8_t> frame_;
+  std::unordered_set<std::uint32_t> known_;  // by what names them
   std::vector<StreamHeader> headers_;
 };
 

@@ -87,6 +87,18 @@ TEST_CASE("streams of two scans on one link are told apart") {
   CHECK(std::stoi(info["foreign_packets"]) > 2);
 }
 
+TEST_CASE("streams that one scan number and one channel begin are listed by all their surfaces") {
+  const Workshop workshop;
+  workshop.write("v.raw", cone(16));
+  workshop.done("extract " + volume + "--iso 20 --wire slices -o a.dmc");
+  workshop.done("extract " + volume + "--iso 30 --iso 40 --wire slices -o b.dmc");
+  workshop.write("link.dmc", workshop.read("a.dmc") + workshop.read("b.dmc"));
+  const std::string list = workshop.done("info link.dmc");
+  CHECK(contains(list, "surface scan 0 channel 0 threshold 20\n"));
+  CHECK(contains(list, "surface scan 0 channel 0 threshold 30\n"));
+  CHECK(contains(list, "surface scan 0 channel 1 threshold 40\n"));
+}
+
 TEST_CASE("several surfaces are a stream, and no more than four") {
   const Workshop workshop;
   workshop.write("v.raw", cone(16));

@@ -216,6 +216,34 @@ TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or
   CHECK(slices.tell(record_of(most)) == Status::finished);
 }
 
+TEST_CASE("a record is refused as soon as the scan has ended, taken by the output or not") {
+  const Bytes bytes(3, 7);
+  for (const size_t bytes_a_time : {size_t{0}, size_t{1}}) {
+    CAPTURE(bytes_a_time);
+    Line line(bytes_a_time);
+    Encoder encoder;
+    Extractor32 extractor;
+    Bytes room(minimum_bytes<uint32_t>({1, 1}));
+    require_ok(encoder.start({}, line.output()));
+    require_ok(extractor.start({1, 1}, 1, {room.data(), room.size()}, sink_to(encoder)));
+    until_taken([&] { return extractor.finish(); });
+    CHECK(encoder.tell(record_of(bytes)) == Status::finished);
+    while (!encoder.flush()) continue;
+    CHECK(encoder.tell(record_of(bytes)) == Status::finished);
+    CHECK(decode(line.bytes).report.repeated_packets == 0);
+
+    Line other(bytes_a_time);
+    SliceEncoder slices;
+    Bytes memory(slice_encoder_bytes({1, 1}, {}));
+    require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, other.output()));
+    (void)slices.finish();
+    CHECK(slices.tell(record_of(bytes)) == Status::finished);
+    until_taken([&] { return slices.finish(); });
+    CHECK(slices.tell(record_of(bytes)) == Status::finished);
+    CHECK(decode_slices(other.bytes, {1, 1, 1}).report.is_complete());
+  }
+}
+
 TEST_CASE("a record of which nothing is said is all zeros; one whose packet is too short is none") {
   Line line;
   Encoder encoder;

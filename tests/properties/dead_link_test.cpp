@@ -129,3 +129,44 @@ TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
     if (recorded.is(RowEvent::Kind::row) && recorded.event.slice > volume.depth / 2) ++last;
   CHECK(last == volume.height * (volume.depth / 2 - 1));
 }
+
+TEST_CASE("a stream that is begun amid a frame of another is whole") {
+  const Bytes regions = encode(events_of(volume), header_of(volume));
+  const Bytes slices = encode_slices(volume);
+  for (const bool is_of_slices : {false, true}) {
+    const Bytes& whole = is_of_slices ? slices : regions;
+    const size_t first_frame = frames_of(whole)[0].size();
+    for (const size_t before : {size_t{0}, size_t{1}, first_frame - 1, first_frame, size_t{100}}) {
+      CAPTURE(is_of_slices);
+      CAPTURE(before);
+      DyingLine line{before};
+      Bytes expected(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(before));
+      if (before > 0 && before != first_frame) expected.push_back(0);
+      expected.insert(expected.end(), whole.begin(), whole.end());
+      uint32_t row = 0;
+      if (is_of_slices) {
+        Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+        SliceEncoder encoder;
+        for (const Status status : {Status::more, Status::ok}) {
+          require_ok(
+              encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
+          CHECK(push_rows(encoder, row, all_rows) == status);
+          row = 0;
+          line.left = SIZE_MAX;
+        }
+        require_ok(encoder.finish());
+      } else {
+        RegionScan scan(line);
+        line.left = SIZE_MAX;
+        require_ok(scan.encoder.start(header_of(volume).label(), line.output()));
+        require_ok(scan.extractor.start({volume.width, volume.height}, 1,
+                                        {scan.memory.data(), scan.memory.size()},
+                                        sink_to(scan.encoder)));
+        require_ok(push_rows(scan.extractor, row, all_rows));
+        require_ok(scan.extractor.finish());
+        CHECK(scan.encoder.flush());
+      }
+      CHECK(line.bytes == expected);
+    }
+  }
+}

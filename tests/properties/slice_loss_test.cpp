@@ -78,6 +78,40 @@ TEST_CASE("a packet that is lost costs the rows up to the next key slice, and no
   }
 }
 
+TEST_CASE("a loss of 256 packets up to a header is noticed, whatever was lost before") {
+  constexpr reference::Size small{40, 3, 200};
+  const BitVolume volume = reference::random(small, 128, 3);
+  SlicePlan plan{{1}};
+  plan.flush_every = 1;  // every packet is a row
+  const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
+  constexpr size_t from_header_to_header = 1 + wire::header_interval;
+  constexpr size_t end = 4 * from_header_to_header, gap = 256;
+  for (size_t header = 0; header + end < frames.size(); header += from_header_to_header) {
+    CAPTURE(header);
+    REQUIRE(packet_of(frames[header + end]).is(wire::PacketKind::header));
+    std::vector<Bytes> kept;
+    for (size_t i = 0; i < frames.size(); ++i) {
+      const bool is_lost = i == header + 1 || (i + gap >= header + end && i < header + end);
+      if (!is_lost) kept.push_back(frames[i]);
+    }
+    const ReceivedRows received = decode_slices(joined(kept), small);
+    check_told_rows(volume, received);
+    CHECK(received.report.lost_packets == 1 + gap);
+  }
+}
+
+TEST_CASE("a trailer that claims more rows than a scan can have is not believed") {
+  const Sent& sent = sent_with_keys();
+  Packet trailer = packet_of(sent.frames.back());
+  std::fill_n(trailer.payload.begin() + 5, 8, uint8_t{0xFF});
+  std::vector<Bytes> frames = sent.frames;
+  frames.back() = frame_of(trailer);
+  const ReceivedRows received = arrive(frames);
+  CHECK(received.report.rows == all_rows);
+  CHECK(received.report.lost_rows == uint64_t{Limits::max_slices} * size.height - all_rows);
+  CHECK_FALSE(received.report.is_complete());
+}
+
 TEST_CASE("without key slices a packet that is lost costs all that follows") {
   const Sent sent(0);
   for (size_t i = 1; i + 1 < sent.frames.size(); i += 5) {

@@ -202,3 +202,36 @@ TEST_CASE("a stream that ends within its first packet has not begun, whatever fo
   CHECK(decoder.report().damaged_packets == 2);
   CHECK(log.starts.empty());
 }
+
+TEST_CASE("memory that is given takes the place of what was too little, all of it") {
+  const BitVolume volume = volumes()[0];
+  const Bytes stream = told(volume, Border::closed, false, 0);
+  const Limits limits{volume.width, volume.height};
+  const size_t head = frames_of(stream)[0].size();
+  for (const uint64_t bytes : {slice_decoder_bytes(limits), minimum_surface_bytes(limits) - 1}) {
+    CAPTURE(bytes);
+    EventLog log;
+    SurfaceDecoder decoder;
+    Bytes little(bytes), enough(minimum_surface_bytes(limits) + 200000);
+    reference::require_ok(decoder.start({little.data(), little.size()}, sink_to(log)));
+    CHECK(decoder.push(stream.data(), head).status == Status::too_little_memory);
+    reference::require_ok(decoder.give_memory({enough.data(), enough.size()}));
+    const Bytes unlike(bytes, 0xA5);
+    little = unlike;  // the caller's again
+    reference::require_ok(decoder.push(stream.data() + head, stream.size() - head).status);
+    CHECK(decoder.report().is_complete());
+    CHECK(log.events == swept(volume, Border::closed, false));
+    CHECK(little == unlike);
+  }
+}
+
+TEST_CASE("of a stream of bits without its end a refusal loses nothing") {
+  const BitVolume volume = reference::random({20, 10, 6}, 90, 2);
+  const Limits limits{volume.width, volume.height};
+  std::vector<Bytes> frames = frames_of(told(volume, Border::closed, false, 1));
+  for (; frames.size() > 1; frames.pop_back()) {
+    CAPTURE(frames.size());
+    const Surface surface = decode_surface(joined(frames), limits);
+    CHECK(surface.events == decode_surface(joined(frames), limits, 0, true).events);
+  }
+}

@@ -103,6 +103,7 @@ Answer BasicEncoder<Normals>::take_any(const Event& event) {
 template <class Normals>
 Status BasicEncoder<Normals>::tell(const ApplicationRecord& record) {
   if (!packets_.is_started()) return Status::not_started;
+  if (trailer_is_sealed_) return Status::finished;
   if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
   if (piece_is_open_ || !flush()) return Status::more;
   packets_.seal_application(wire::PacketKind::application, record);

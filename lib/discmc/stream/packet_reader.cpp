@@ -181,9 +181,11 @@ bool PacketReader::read_header() {
   }
   const uint64_t packets_missing = packets_before - packets_passed();
   const uint64_t pieces = pieces_before > pieces_passed_ ? pieces_before - pieces_passed_ : 0;
-  // A gap noted too small, by whole rounds of the short number, was before what is open.
+  // A gap noted too small, by whole rounds of the short number, was before what is open. The
+  // number that packets of slices tell is not so short.
+  const bool may_be_noted = gap_is_noted_ && !report_.holds_slices;
   const bool is_gap_here =
-      packets_missing % 256 != 0 || pieces > 0 || (packets_missing > 0 && !gap_is_noted_);
+      packets_missing % 256 != 0 || pieces > 0 || (packets_missing > 0 && !may_be_noted);
   report_.lost_packets += packets_missing;
   if (is_gap_here) {
     note_gap(0, pieces);

@@ -4,6 +4,8 @@
 namespace discmc {
 
 void PacketWriter::open(const ByteOutput& output) {
+  const bool is_same = output.write == output_.write && output.context == output_.context;
+  is_cut_ = is_same && (is_cut_ || (frame_bytes_ > 0 && drained_ > 0));
   output_ = output;
   is_started_ = false;
   frame_bytes_ = 0;
@@ -20,6 +22,8 @@ void PacketWriter::start(const StreamHeader& header, uint8_t flags) {
   digest_ = 0;
   pieces_before_ = 0;
   seal_header();
+  if (is_cut_) put_delimiter();
+  is_cut_ = false;
 }
 
 void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
@@ -55,6 +59,12 @@ void PacketWriter::seal_header() {
     place = wire::put(place, static_cast<uint32_t>(header_.threshold_of(surface)), 4);
   seal(wire::PacketKind::header, place);
   packets_since_header_ = 0;
+}
+
+// Before the sealed header, so that what is there of a frame does not take it with it.
+void PacketWriter::put_delimiter() {
+  for (uint16_t i = frame_bytes_++; i > 0; --i) frame_[i] = frame_[i - 1];
+  frame_[0] = 0;
 }
 
 void PacketWriter::seal_trailer(const Event& finish) {

@@ -20,7 +20,8 @@ class PacketWriter {
   /// Says where packets go, and that there is no stream yet. Limit: the output has a function.
   void open(const ByteOutput& output);
   /// Begins a stream: the header is sealed. flags: of wire::HeaderFlags, those that the header does
-  /// not tell. Limit: open(), and nothing is sealed.
+  /// not tell. Where the same output has a part of a frame from before a zero goes first, which
+  /// ends that. Limit: open(), and nothing is sealed.
   void start(const StreamHeader& header, uint8_t flags);
   bool is_started() const { return is_started_; }
   bool has_output() const { return output_.write != nullptr; }
@@ -56,11 +57,13 @@ class PacketWriter {
 
  private:
   void seal_header();
+  void put_delimiter();
 
   // Small members stand first, where they are reached by short instructions.
   bool is_started_ = false;
   uint8_t packets_since_header_ = 0;
   uint8_t flags_ = 0;
+  bool is_cut_ = false;       // the output has a part of a frame, and no stream has begun since
   uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
   uint16_t drained_ = 0;
   ByteOutput output_;
