@@ -387,8 +387,9 @@ discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
 DISCMC_NODISCARD discmc_status discmc_encoder_tell(discmc_encoder* encoder,
                                                    const discmc_application_record* record);
 
-/* Goes on with another output. Without a write the stream is dropped, but counted: so a scan goes
- * on though its link is dead, and the stream is there again once it has an output. */
+/* Goes on with another output, and with a header, so that a receiver may come late. Without a write
+ * the stream is dropped, but counted: so a scan goes on though its link is dead, and the stream is
+ * there again once it has an output. */
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output);
 
 /* Sends what is there so far instead of waiting for a full packet. 0 when the output does not take

@@ -35,8 +35,8 @@ class BasicEncoder : private Normals {
  public:
   /// Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of
   /// its header, the first packet. A further scan is a further stream; its number is one more.
-  /// Where a reset may have cut off a frame, send a zero byte first: it ends the frame, and is none.
-  /// Errors: bad_label, bad_sink (no write).
+  /// Where a reset may have cut off a frame, send a zero byte first: it ends the frame, and is
+  /// none. Errors: bad_label, bad_sink (no write).
   [[nodiscard]] Status start(const StreamLabel& label, const ByteOutput& output);
 
   /// Takes an event of the extractor (or of a decoder); nothing before start(), and no start of a
@@ -59,10 +59,10 @@ class BasicEncoder : private Normals {
   /// finished, bad_record.
   [[nodiscard]] Status tell(const ApplicationRecord& record);
 
-  /// Goes on with another output. Without a function the stream is dropped, but counted: so a scan
-  /// goes on though its link is dead, and stream there is again once it has an output. Limit:
-  /// start().
-  void set_output(const ByteOutput& output) { packets_.set_output(output); }
+  /// Goes on with another output, and with a header, so that a receiver may come late. Without a
+  /// function the stream is dropped, but counted: so a scan goes on though its link is dead, and
+  /// stream there is again once it has an output. Limit: start().
+  void set_output(const ByteOutput& output);
 
   /// Hands over what is there so far instead of waiting for a full packet; costs some bytes of
   /// stream. False when the output does not take all of it now: call again. Nothing before start().
@@ -126,7 +126,6 @@ class BasicEncoder : private Normals {
 
   // Small members stand first, where they are reached by short instructions.
   bool packet_is_empty_ = false;
-  bool trailer_is_sealed_ = false;
   bool piece_is_open_ = false;  // it has begun and not ended
   bool is_emptying_ = false;    // the record is on its way out in parts, and takes nothing
   Model model_;

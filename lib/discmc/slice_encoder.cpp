@@ -36,7 +36,8 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
 Status SliceEncoder::ready_for_row() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
-  if (!work()) return Status::more;
+  // A row that is due has the place of the next one; other packets on their way have not.
+  if (!work() && row_is_due_) return Status::more;
   if (slices() >= Limits::max_slices) return Status::too_deep;
   return Status::ok;
 }
@@ -124,6 +125,7 @@ Status SliceEncoder::tell(const ApplicationRecord& record) {
 // Whoever gets the stream again can read on from there.
 void SliceEncoder::set_output(const ByteOutput& output) {
   packets_.set_output(output);
+  if (output.write != nullptr) packets_.repeat_header(!code_is_open_);
   key_is_due_ = true;
 }
 

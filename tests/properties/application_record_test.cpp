@@ -166,6 +166,30 @@ TEST_CASE("a record in a stream of slices goes out at once, and says where the s
   CHECK(event.application->row == 3);
 }
 
+TEST_CASE("a row that follows a record is taken, though the record is on its way yet") {
+  struct BusyLine {
+    bool is_busy = false;
+    static size_t write(void* context, const uint8_t*, size_t count) {
+      return static_cast<BusyLine*>(context)->is_busy ? 0 : count;
+    }
+  } line;
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  SliceEncoder encoder;
+  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()},
+                           {&line, BusyLine::write}));
+  require_ok(encoder.push(volume.on.data(), volume.width).status);
+  for (uint32_t row = 1; row < volume.height; ++row) {
+    line.is_busy = true;
+    while (encoder.tell(record_of(Bytes(5, 1))) == Status::more) line.is_busy = !line.is_busy;
+    line.is_busy = true;
+    const PushResult pushed = encoder.push(&volume.on[size_t{row} * volume.width], volume.width);
+    CHECK(pushed.samples == volume.width);
+    line.is_busy = false;
+    require_ok(encoder.resume());
+    CHECK(encoder.rows() + volume.height * encoder.slices() == row + 1);
+  }
+}
+
 TEST_CASE("a record does not overtake what a busy sink has refused, in a stream of either kind") {
   for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
     EventLog idle, busy(reference::refuses_first);

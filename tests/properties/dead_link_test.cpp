@@ -103,6 +103,10 @@ TEST_CASE("a stream of regions whose link comes back lacks what was dropped, and
   CHECK(received.report.regions + received.report.fragments + received.report.lost_pieces ==
         received.report.totals.regions + received.report.totals.fragments);
   CHECK_FALSE(received.report.is_complete());
+  // A receiver that comes late has a header, too.
+  const StreamReport late = decode(back.bytes).report;
+  CHECK(late.has_header);
+  CHECK(late.regions + 1 >= received.report.totals.regions / 2);
 }
 
 TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
@@ -128,6 +132,28 @@ TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
   for (const RecordedRow& recorded : received.rows)
     if (recorded.is(RowEvent::Kind::row) && recorded.event.slice > volume.depth / 2) ++last;
   CHECK(last == volume.height * (volume.depth / 2 - 1));
+  // A receiver that comes late reads as many.
+  const StreamReport late = decode_slices(back.bytes, {volume.width, volume.height, 0}).report;
+  CHECK(late.rows == last);
+}
+
+TEST_CASE("a receiver that comes between two packets has a header at once") {
+  const uint32_t slice = volume.width * volume.height;
+  Line before, after;
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  SliceEncoder encoder;
+  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, before.output()));
+  require_ok(encoder.push(volume.on.data(), slice).status);
+  require_ok(encoder.flush());
+  encoder.set_output(after.output());
+  require_ok(encoder.push(&volume.on[slice], slice).status);
+  require_ok(encoder.abandon());
+  encoder.set_output(before.output());  // nothing follows a trailer
+  require_ok(encoder.resume());
+  const StreamReport late = decode_slices(after.bytes, {volume.width, volume.height, 0}).report;
+  CHECK(late.rows == volume.height);
+  CHECK(decode_slices(before.bytes, {volume.width, volume.height, 0}).report.rows == volume.height);
+  CHECK(late.repeated_packets == 0);
 }
 
 TEST_CASE("a stream that is begun amid a frame of another is whole") {

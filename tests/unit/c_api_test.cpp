@@ -304,6 +304,7 @@ TEST_CASE("records and another line go into a stream through C as in C++") {
   start.kind = Event::Kind::start;
   start.header = &same;
   REQUIRE(encoder_cpp.take(start) == Answer::taken);
+  encoder_cpp.set_output({&expected, write_bytes});
   REQUIRE(encoder_cpp.tell({11, 2, 3, told, 3}) == Status::ok);
   CHECK(stream == expected);
 }

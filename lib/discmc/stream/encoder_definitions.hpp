@@ -48,7 +48,6 @@ bool BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
   if (scan.has_spacing())
     for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = scan.spacing_nm[axis];
   packets_.start(header, 0);
-  trailer_is_sealed_ = false;
   is_emptying_ = false;
   piece_is_open_ = false;
   (void)drain();  // whoever listens knows at once; or later
@@ -103,12 +102,18 @@ Answer BasicEncoder<Normals>::take_any(const Event& event) {
 template <class Normals>
 Status BasicEncoder<Normals>::tell(const ApplicationRecord& record) {
   if (!packets_.is_started()) return Status::not_started;
-  if (trailer_is_sealed_) return Status::finished;
+  if (packets_.is_ended()) return Status::finished;
   if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
   if (piece_is_open_ || !flush()) return Status::more;
   packets_.seal_application(wire::PacketKind::application, record);
   (void)drain();  // it is taken, whenever the output takes it
   return Status::ok;
+}
+
+template <class Normals>
+void BasicEncoder<Normals>::set_output(const ByteOutput& output) {
+  packets_.set_output(output);
+  if (output.write != nullptr) packets_.repeat_header(packet_is_empty_);
 }
 
 template <class Normals>
@@ -234,10 +239,9 @@ bool BasicEncoder<Normals>::encode_part(uint32_t& words, Event::Kind cause) {
 
 template <class Normals>
 bool BasicEncoder<Normals>::put_trailer(const Event& event) {
-  if (!trailer_is_sealed_) {
+  if (!packets_.is_ended()) {
     if (!flush()) return false;
     packets_.seal_trailer(event);
-    trailer_is_sealed_ = true;
   }
   return drain();
 }

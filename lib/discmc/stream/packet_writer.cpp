@@ -7,7 +7,7 @@ void PacketWriter::open(const ByteOutput& output) {
   const bool is_same = output.write == output_.write && output.context == output_.context;
   is_cut_ = is_same && (is_cut_ || (frame_bytes_ > 0 && drained_ > 0));
   output_ = output;
-  is_started_ = false;
+  state_ = State::idle;
   frame_bytes_ = 0;
 }
 
@@ -15,7 +15,7 @@ void PacketWriter::start(const StreamHeader& header, uint8_t flags) {
   header_ = header;
   const bool is_open = header.border == Border::open;
   flags_ = static_cast<uint8_t>(flags | (is_open ? wire::HeaderFlags::open_border : 0));
-  is_started_ = true;
+  state_ = State::started;
   bytes_ = 0;
   pieces_ = 0;
   packets_ = 0;
@@ -39,8 +39,7 @@ void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
   digest_ = wire::digest_with(digest_, crc);
   drained_ = 0;
   ++packets_;
-  if (kind != wire::PacketKind::trailer && kind != wire::PacketKind::slices_trailer)
-    ++packets_since_header_;
+  ++packets_since_header_;
   pieces_before_ = static_cast<uint32_t>(pieces_);
 }
 
@@ -72,6 +71,7 @@ void PacketWriter::seal_trailer(const Event& finish) {
   place = wire::put(place, finish.abandoned ? 1 : 0, 1);
   for (const auto total : wire::trailer_totals)
     place = wire::put_long(place, finish.statistics->*total);
+  state_ = State::ended;
   seal(wire::PacketKind::trailer, wire::put(place, digest_, 4));
 }
 
@@ -81,6 +81,7 @@ void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint6
   place = wire::put(place, is_abandoned ? 1 : 0, 1);
   place = wire::put_long(place, rows);
   place = wire::put_long(place, skipped_rows);
+  state_ = State::ended;
   seal(wire::PacketKind::slices_trailer, wire::put(place, digest_, 4));
 }
 
@@ -101,7 +102,7 @@ bool PacketWriter::drain() {
     drained_ = static_cast<uint16_t>(drained_ + taken);
     if (taken < left) continue;
     frame_bytes_ = 0;
-    if (packets_since_header_ == wire::header_interval) seal_header();
+    if (packets_since_header_ >= wire::header_interval && state_ == State::started) seal_header();
   }
   return true;
 }
@@ -110,6 +111,12 @@ void PacketWriter::set_output(const ByteOutput& output) {
   output_ = output;
   if (output_.write == nullptr)
     output_.write = [](void*, const uint8_t*, size_t count) { return count; };
+}
+
+void PacketWriter::repeat_header(bool packet_is_empty) {
+  if (state_ != State::started) return;
+  packets_since_header_ = wire::header_interval;
+  if (is_open() && packet_is_empty) seal_header();
 }
 
 void PacketWriter::rewind() {

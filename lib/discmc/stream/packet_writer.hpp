@@ -23,7 +23,9 @@ class PacketWriter {
   /// not tell. Where the same output has a part of a frame from before a zero goes first, which
   /// ends that. Limit: open(), and nothing is sealed.
   void start(const StreamHeader& header, uint8_t flags);
-  bool is_started() const { return is_started_; }
+  bool is_started() const { return state_ != State::idle; }
+  /// Whether its trailer is sealed, or gone.
+  bool is_ended() const { return state_ == State::ended; }
   bool has_output() const { return output_.write != nullptr; }
   /// Of the stream that goes on, or went before.
   StreamHeader& header() { return header_; }
@@ -54,13 +56,18 @@ class PacketWriter {
   void rewind();
   /// Where it goes on. Without a function: nowhere, but bytes are counted.
   void set_output(const ByteOutput& output);
+  /// Sends the header again, for a receiver that comes late: now where nothing is in the open
+  /// packet, else behind what is there. Nothing behind a trailer.
+  void repeat_header(bool packet_is_empty);
 
  private:
+  enum class State : uint8_t { idle, started, ended };
+
   void seal_header();
   void put_delimiter();
 
   // Small members stand first, where they are reached by short instructions.
-  bool is_started_ = false;
+  State state_ = State::idle;
   uint8_t packets_since_header_ = 0;
   uint8_t flags_ = 0;
   bool is_cut_ = false;       // the output has a part of a frame, and no stream has begun since
