@@ -48,12 +48,15 @@ CLI::Validator png_name() {
       "");
 }
 
-CLI::Option* add_channel(CLI::App& app, std::uint8_t& channel) {
-  return app
-      .add_option("--channel", channel,
-                  "the surface, of a stream or link that has several (default: the first)")
-      ->check(CLI::Range(0, int{StreamLabel::max_channel}))
-      ->option_text("N");
+std::vector<CLI::Option*> add_choice(CLI::App& app, StreamChoice& choice) {
+  return {app.add_option("--channel", choice.channel,
+                         "the surface, of a stream or link that has several (default: the first)")
+              ->check(CLI::Range(0, int{StreamLabel::max_channel}))
+              ->option_text("N"),
+          app.add_option("--scan", choice.scan,
+                         "the scan, of a link that has carried several (default: the first)")
+              ->check(CLI::Range(0, 65535))
+              ->option_text("N")};
 }
 
 CLI::App* add_stream_command(CLI::App& app, const char* name, const char* description,
@@ -61,7 +64,7 @@ CLI::App* add_stream_command(CLI::App& app, const char* name, const char* descri
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("STREAM", arguments.stream, "a .dmc file; - reads standard input")
       ->required();
-  add_channel(*command, arguments.channel);
+  add_choice(*command, arguments.choice);
   return command;
 }
 
@@ -235,8 +238,8 @@ void add_extract(CLI::App& app, ExtractArguments& arguments) {
       ->expected(1, -1)
       ->allow_extra_args(false)
       ->description(
-          "on means value >= ISO, in the units that the file declares; given again: one "
-          "more surface, on the next channel of the stream");
+          "on means value >= ISO, in the units that the file declares; given up to 4 "
+          "times: a surface each, on channels of the stream");
   add_output(*extract, arguments.output, "the stream on standard output (default)");
   add_normals(*extract, arguments.normals,
               "from the samples of the volume, and what a .dmc stream can hold");
@@ -331,7 +334,7 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
       ->option_text("flat|smooth");
   render->add_flag("--edges", arguments.outlines,
                    "outline the faces: of a stream or a volume its merged polygons");
-  CLI::Option* channel = add_channel(*render, arguments.channel);
+  const std::vector<CLI::Option*> choice = add_choice(*render, arguments.choice);
   std::vector<CLI::Option*> of_volumes = add_volume_options(*render, arguments.reading);
   of_volumes.push_back(
       render
@@ -340,11 +343,12 @@ void add_render(CLI::App& app, RenderArguments& arguments) {
               "triangles of classic Marching Cubes, with interpolated vertices, for comparison")
           ->excludes("--memory")
           ->excludes("--capacities"));
-  render->callback([&arguments, of_volumes, channel] {
+  render->callback([&arguments, of_volumes, choice] {
     arguments.kind = kind_of(arguments.input, of_volumes[0]->count() > 0);
     check_kind(arguments, of_volumes);
-    if (arguments.kind != InputKind::stream && channel->count() > 0)
-      throw CLI::ValidationError("--channel", "is for streams: leave it out");
+    for (const CLI::Option* option : choice)
+      if (arguments.kind != InputKind::stream && option->count() > 0)
+        throw CLI::ValidationError(option->get_name(), "is for streams: leave it out");
     if (arguments.view == std::vector<double>{0, 0, 0})
       throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
   });

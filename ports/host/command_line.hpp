@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "stream_file.hpp"
 #include "volume.hpp"
 
 namespace discmc::host {
@@ -52,7 +53,7 @@ struct ExtractArguments {
 /// Of `decode` and `info`; each uses what it needs.
 struct StreamArguments {
   std::string stream;
-  std::uint8_t channel = any_channel;
+  StreamChoice choice;
   std::string output;
   Normals normals = Normals::none;
   std::string volume;  ///< whose gradient it is
@@ -66,7 +67,7 @@ enum class InputKind { stream, mesh, volume };
 struct RenderArguments {
   std::string input;
   InputKind kind = InputKind::stream;
-  std::uint8_t channel = any_channel;
+  StreamChoice choice;
   VolumeArguments reading;
   bool classic = false;
   std::string output;

@@ -213,13 +213,20 @@ int run_extract(const ExtractArguments& arguments) {
   return exit_ok;
 }
 
-// The channels of a link, and the thresholds of their surfaces.
-std::string list_of_channels(const StreamReader& reader) {
-  std::string text;
+// The surfaces of a link by scan, channel and threshold.
+std::vector<std::string> list_of_surfaces(const StreamReader& reader) {
+  std::vector<std::string> list;
   for (const StreamHeader& header : reader.headers())
     for (std::uint32_t surface = 0; surface < header.surfaces(); ++surface)
-      text += (text.empty() ? "" : ", ") + std::to_string(header.channel + surface) +
-              " (threshold " + std::to_string(header.threshold_of(surface)) + ")";
+      list.push_back("scan " + std::to_string(header.scan) + " channel " +
+                     std::to_string(header.channel + surface) + " (threshold " +
+                     std::to_string(header.threshold_of(surface)) + ")");
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& list) {
+  std::string text;
+  for (const std::string& item : list) text += (text.empty() ? "" : ", ") + item;
   return text;
 }
 
@@ -240,19 +247,19 @@ void read_file(const std::string& path, StreamReader& reader) {
   }
   if (reader.report().has_header) return;
   if (!reader.headers().empty())
-    throw std::runtime_error(path + ": nothing on channel " + std::to_string(reader.channel()) +
-                             ": it has " + list_of_channels(reader));
+    throw std::runtime_error(path + ": no such surface: it has " +
+                             joined(list_of_surfaces(reader)));
   throw std::runtime_error(path + ": no header of a discmc stream in " +
                            std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
 }
 
 // Where there are several surfaces and none was asked for, the others are worth a word.
-void note_others(const std::string& path, std::uint8_t asked, const StreamReader& reader) {
-  std::size_t surfaces = 0;
-  for (const StreamHeader& header : reader.headers()) surfaces += header.surfaces();
-  if (surfaces < 2 || asked != any_channel) return;
-  std::cerr << "discmc: " << path << ": this is channel " << int{reader.channel()} << " of "
-            << list_of_channels(reader) << ": take another with --channel N\n";
+void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
+  const std::vector<std::string> surfaces = list_of_surfaces(reader);
+  if (surfaces.size() < 2 || !choice.is_any()) return;
+  std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
+            << int{reader.channel()} << " of " << joined(surfaces)
+            << ": choose with --scan N and --channel N\n";
 }
 
 struct DecodedStream {
@@ -274,13 +281,13 @@ struct RecordNotes {
   }
 };
 
-DecodedStream decode_surface(const std::string& path, std::uint8_t channel) {
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
   RecordNotes notes{joiner};
-  StreamReader reader(sink_to(notes), channel);
+  StreamReader reader(sink_to(notes), choice);
   read_file(path, reader);
-  note_others(path, channel, reader);
+  note_others(path, choice, reader);
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   StreamReport report = reader.report();
@@ -370,14 +377,14 @@ int run_decode(const StreamArguments& arguments) {
     StreamOutput output(&file.stream());
     Recoder recoder(output.byte_output());
     GrowingJoiner joiner(sink_to(recoder));
-    StreamReader reader(sink_to(joiner), arguments.channel);
+    StreamReader reader(sink_to(joiner), arguments.choice);
     read_file(arguments.stream, reader);
-    note_others(arguments.stream, arguments.channel, reader);
+    note_others(arguments.stream, arguments.choice, reader);
     joiner.finish();
     recoder.flush();
     report = reader.report();
   } else {
-    const DecodedStream decoded = decode_surface(arguments.stream, arguments.channel);
+    const DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
     write_surface(
         decoded.surface, format, arguments.conforming,
         [&](Mesh& mesh) { add_normals(arguments, decoded, mesh); }, file);
@@ -388,7 +395,7 @@ int run_decode(const StreamArguments& arguments) {
 }
 
 int run_info(const StreamArguments& arguments) {
-  const DecodedStream decoded = decode_surface(arguments.stream, arguments.channel);
+  const DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
   write_info(decoded.header, decoded.channel, decoded.streams, decoded.report,
              count(decoded.surface), std::cout);
   for (const std::string& record : decoded.records) std::cout << "record " << record << '\n';
@@ -439,7 +446,7 @@ int run_render(const RenderArguments& arguments) {
   } else if (arguments.kind == InputKind::volume) {
     mesh = volume_to_draw(arguments);
   } else {
-    const DecodedStream decoded = decode_surface(arguments.input, arguments.channel);
+    const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
     mesh = mesh_to_draw(decoded.surface, arguments.smooth);
     code = completeness(arguments.input, decoded.report);
   }

@@ -30,9 +30,10 @@ ByteOutput StreamOutput::byte_output() {
           }};
 }
 
-StreamReader::StreamReader(const Sink& sink, std::uint8_t channel)
-    : sink_(sink), channel_(channel) {
-  status_ = decoder_.start({}, sink, channel);
+StreamReader::StreamReader(const Sink& sink, const StreamChoice& choice)
+    : sink_(sink), choice_(choice) {
+  if (choice.scan) filter_.emplace(*choice.scan);
+  status_ = decoder_.start({}, sink, choice.channel);
 }
 
 void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t)>& progress) {
@@ -54,15 +55,21 @@ void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t
 // Nothing is decoded before the version is known, but nothing is lost.
 void StreamReader::take(const std::uint8_t* bytes, std::size_t count) {
   census_.take(bytes, count);
-  if (search_.is_over()) return push(bytes, count);
+  if (search_.is_over()) return pass(bytes, count);
   held_.insert(held_.end(), bytes, bytes + count);
   for (std::size_t i = 0; i < count && !search_.is_over(); ++i) search_.take(bytes[i]);
   if (search_.is_over()) choose_decoder();
 }
 
 void StreamReader::choose_decoder() {
-  if (search_.is_version1()) version1_.emplace(sink_);
-  push(held_.data(), held_.size());
+  if (search_.is_version1()) {
+    if (!choice_.is_any())
+      throw std::runtime_error(
+          "the stream is of version 1, which has neither scans nor channels: leave --scan and "
+          "--channel out");
+    version1_.emplace(sink_);
+  }
+  pass(held_.data(), held_.size());
   held_ = {};
 }
 
@@ -72,6 +79,12 @@ void StreamReader::finish() {
     version1_->finish();
   else if (status_ == Status::ok)
     status_ = decoder_.finish();
+}
+
+void StreamReader::pass(const std::uint8_t* bytes, std::size_t count) {
+  if (!filter_) return push(bytes, count);
+  const std::vector<std::uint8_t> chosen = filter_->take(bytes, count);
+  push(chosen.data(), chosen.size());
 }
 
 void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
@@ -94,17 +107,17 @@ void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
 
 // The sink takes everything: there are lost rows to be skipped.
 Status StreamReader::go_on_skipping() {
-  constexpr std::uint32_t most_pauses = 1000;
-  Status status = Status::more;
-  for (; status == Status::more; ++pauses_) {
-    if (pauses_ == most_pauses)
-      throw std::runtime_error(
-          "the stream says that " +
-          std::to_string(std::uint64_t{most_pauses} * SurfaceDecoder::most_skipped_rows) +
-          " rows or more were lost, which no scan has: its bytes are not from an encoder");
-    status = decoder_.push(nullptr, 0).status;
+  constexpr std::uint64_t most = std::uint64_t{1} << 36;  // some seconds
+  const std::uint64_t work_of_row = header().width + std::uint64_t{1000};
+  for (;;) {
+    skipped_ += SurfaceDecoder::most_skipped_rows * work_of_row;
+    if (skipped_ > most)
+      throw std::runtime_error("the stream says that more than " +
+                               std::to_string(most / work_of_row) +
+                               " rows were lost: these bytes are not from a scanner");
+    const Status status = decoder_.push(nullptr, 0).status;
+    if (status != Status::more) return status;
   }
-  return status;
 }
 
 // Enough for surfaces of any size: what is never used costs nothing, and what has no room is

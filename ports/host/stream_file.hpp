@@ -14,6 +14,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 
+#include "scan_filter.hpp"
 #include "stream_census.hpp"
 #include "version1/decoder.hpp"
 #include "version_search.hpp"
@@ -33,33 +34,45 @@ class StreamOutput {
   std::uint64_t bytes_ = 0;
 };
 
+/// Which stream of a link, and which surface of it. Version 1 has neither scans nor channels.
+struct StreamChoice {
+  std::uint8_t channel = any_channel;  ///< as of the SurfaceDecoder
+  std::optional<std::uint16_t> scan;   ///< else the first
+
+  bool is_any() const { return channel == any_channel && !scan; }
+};
+
 /// A stream of either kind and of any version, read to its end.
 class StreamReader {
  public:
-  /// sink: it must not say "not now". channel: as of the SurfaceDecoder; version 1 has none.
-  explicit StreamReader(const Sink& sink, std::uint8_t channel = any_channel);
+  /// sink: it must not say "not now".
+  explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
   /// progress: called now and then with the bytes read so far.
-  /// Throws std::runtime_error when the stream's version is not known, or it claims that more was
-  /// lost than anybody can wait for.
+  /// Throws std::runtime_error when the stream's version is not known, has not what was chosen, or
+  /// it claims that more was lost than anybody can wait for.
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
 
   const StreamHeader& header() const { return version1_ ? version1_->header() : decoder_.header(); }
   const StreamReport& report() const { return version1_ ? version1_->report() : decoder_.report(); }
   /// The channel that was read.
-  std::uint8_t channel() const { return channel_ == any_channel ? header().channel : channel_; }
+  std::uint8_t channel() const {
+    return choice_.channel == any_channel ? header().channel : choice_.channel;
+  }
   /// The headers of all streams of the link, of version 2.
   const std::vector<StreamHeader>& headers() const { return census_.headers(); }
 
  private:
   void take(const std::uint8_t* bytes, std::size_t count);
   void choose_decoder();
+  void pass(const std::uint8_t* bytes, std::size_t count);
   void push(const std::uint8_t* bytes, std::size_t count);
   void finish();
   Status give_memory();
   Status go_on_skipping();
 
   Sink sink_;
-  std::uint8_t channel_;
+  StreamChoice choice_;
+  std::optional<ScanFilter> filter_;
   StreamCensus census_;
   VersionSearch search_;
   std::vector<std::uint8_t> held_;  // until the version is known
@@ -67,7 +80,7 @@ class StreamReader {
   std::optional<version1::Decoder> version1_;  // instead, for a stream of this version
   std::unique_ptr<std::uint8_t[]> memory_;     // for a stream of bits
   Status status_ = Status::ok;
-  std::uint32_t pauses_ = 0;  // of the decoder, which has more lost rows to skip
+  std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
 };
 
 /// The spacing as headers hold it. Throws std::invalid_argument beyond their range.

@@ -92,6 +92,7 @@ void write_info(const StreamHeader& header, std::uint8_t channel,
       << "damaged_packets " << report.damaged_packets << '\n'
       << "lost_pieces " << report.lost_pieces << '\n'
       << "lost_rows " << report.lost_rows << '\n'
+      << "repeated_packets " << report.repeated_packets << '\n'
       << "foreign_packets " << report.foreign_packets << '\n'
       << "mixed " << (report.is_mixed ? "yes" : "no") << '\n'
       << "bytes " << report.bytes << '\n'

@@ -68,11 +68,13 @@ TEST_CASE("who asks for no channel gets the first, and is told of the others") {
   workshop.done("extract " + volume + "--iso 20 --iso 40 -o all.dmc");
   const auto first = workshop.run("decode all.dmc -o first.stl");
   CHECK(first.code == 0);
-  CHECK(contains(first.error, "channel 0 of 0 (threshold 20), 1 (threshold 40)"));
+  CHECK(contains(
+      first.error,
+      "scan 0 channel 0 of scan 0 channel 0 (threshold 20), scan 0 channel 1 (threshold 40)"));
   CHECK(workshop.run("decode all.dmc --channel 0 -o first.stl").error.empty());
   const auto none = workshop.run("decode all.dmc --channel 2 -o none.stl");
   CHECK(none.code == 1);
-  CHECK(contains(none.error, "nothing on channel 2: it has 0 (threshold 20), 1 (threshold 40)"));
+  CHECK(contains(none.error, "no such surface: it has scan 0 channel 0 (threshold 20), "));
 }
 
 TEST_CASE("streams of two scans on one link are told apart") {
@@ -85,6 +87,17 @@ TEST_CASE("streams of two scans on one link are told apart") {
   CHECK(info["scan"] == "1");
   CHECK(info["complete"] == "yes");
   CHECK(std::stoi(info["foreign_packets"]) > 2);
+  info = workshop.info("link.dmc --scan 2");
+  CHECK(info["scan"] == "2");
+  CHECK(info["threshold"] == "40");
+  CHECK(info["complete"] == "yes");
+  CHECK(info["foreign_packets"] == "0");
+  CHECK(contains(workshop.run("info link.dmc").error, "choose with --scan N"));
+  workshop.done("decode two.dmc -o alone.stl");
+  workshop.done("decode link.dmc --scan 2 -o of_link.stl");
+  CHECK(workshop.read("of_link.stl") == workshop.read("alone.stl"));
+  CHECK(workshop.run("decode link.dmc --scan 3 -o none.stl").code == 1);
+  CHECK(workshop.run("render " + volume + "--iso 20 --scan 1 -o p.png").code == 2);
 }
 
 TEST_CASE("streams that one scan number and one channel begin are listed by all their surfaces") {
