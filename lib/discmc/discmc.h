@@ -498,7 +498,7 @@ discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder);
 /* ---- the slice encoder (slice_encoder.hpp) ---- */
 
 typedef struct discmc_slice_encoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 728 : 632) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 728 : 640) / 8];
 } discmc_slice_encoder;
 
 /* The bytes that a slice encoder takes. key_slice_interval: the slices from one key slice, which is
