@@ -276,6 +276,21 @@ TEST_CASE("fragments that no packet holds, one in the other, come back where the
   CHECK(is_turned(told.rings[1], whole.rings[1]));
 }
 
+TEST_CASE("a fragment is put back into a ring of its own incidence alone") {
+  using discmc::host::version1::Chain;
+  using discmc::host::version1::Side;
+  const auto axis = discmc::incidence_of({0, 0, 1}), corner = discmc::incidence_of({1, 1, 1});
+  discmc::host::version1::Fragments fragments;
+  fragments.add(7, axis, Chain(3, Side(discmc::Run::straight(7, 1))));  // no direction of a corner
+  Chain chain{Side::stand_in(7)};
+  CHECK_FALSE(fragments.put_back(corner, chain));
+  CHECK(chain.empty());
+  chain = {Side::stand_in(7)};
+  CHECK(fragments.put_back(axis, chain));
+  CHECK(chain.size() == 3);
+  CHECK(fragments.bytes() == 0);
+}
+
 TEST_CASE("where a fragment starts its stand-in has the normal") {
   std::set<int> normals;
   for (const auto& [corner, told] : normals_of(read(golden("long_fragments")).events))

@@ -278,12 +278,13 @@ void Decoder::skip(const Record& record) {
 
 void Decoder::end_open() {
   if (open_.head.is_fragment) {
-    fragments_.add(open_.head.number, std::move(open_.rest));
+    fragments_.add(open_.head.number, open_.head.incidence, std::move(open_.rest));
     ++packets_.report().fragments;
   } else {
     bool is_whole = true;
     for (Ring& ring : open_.rings)
-      is_whole = fragments_.put_back(ring.chain) && !ring.chain.empty() && is_whole;
+      is_whole =
+          fragments_.put_back(open_.head.incidence, ring.chain) && !ring.chain.empty() && is_whole;
     if (is_whole) {
       for (Ring& ring : open_.rings) arrange(open_.head.incidence, ring);
       tell_open();

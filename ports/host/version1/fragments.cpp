@@ -36,23 +36,23 @@ void arrange(Incidence incidence, Ring& ring) {
   join_sides(ring.chain);
 }
 
-void Fragments::add(std::uint32_t number, Chain&& chain) {
+void Fragments::add(std::uint32_t number, Incidence incidence, Chain&& chain) {
   const auto [place, is_new] = waiting_.try_emplace(number);
-  if (!is_new) bytes_ -= bytes_of(place->second.size());
+  if (!is_new) bytes_ -= bytes_of(place->second.chain.size());
   bytes_ += bytes_of(chain.size());
-  place->second = std::move(chain);
+  place->second = {incidence, std::move(chain)};
 }
 
-bool Fragments::take(std::uint32_t number, Chain& chain) {
+bool Fragments::take(std::uint32_t number, Incidence incidence, Chain& chain) {
   const auto found = waiting_.find(number);
-  if (found == waiting_.end()) return false;
-  chain = std::move(found->second);
+  if (found == waiting_.end() || found->second.incidence != incidence) return false;
+  chain = std::move(found->second.chain);
   bytes_ -= bytes_of(chain.size());
   waiting_.erase(found);
   return true;
 }
 
-bool Fragments::put_back(Chain& chain) {
+bool Fragments::put_back(Incidence incidence, Chain& chain) {
   const auto is_stand_in = [](const Side& side) { return side.is_stand_in(); };
   if (std::none_of(chain.begin(), chain.end(), is_stand_in)) return true;
   Chain whole, fragment;
@@ -67,7 +67,7 @@ bool Fragments::put_back(Chain& chain) {
     }
     fragment.clear();
     // Others are looked up all the same: they are of no use to another ring.
-    is_whole = take(side.number(), fragment) && is_whole;
+    is_whole = take(side.number(), incidence, fragment) && is_whole;
     left.insert(left.end(), fragment.rbegin(), fragment.rend());
     // The normal where a fragment starts is told with its stand-in.
     if (!fragment.empty() && !side.normal.is_none()) left.back().normal = side.normal;

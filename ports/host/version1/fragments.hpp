@@ -61,17 +61,22 @@ void arrange(Incidence incidence, Ring& ring);
 class Fragments {
  public:
   /// One of this number before is forgotten.
-  void add(std::uint32_t number, Chain&& chain);
+  void add(std::uint32_t number, Incidence incidence, Chain&& chain);
   /// Puts fragments, and those in them, where their stand-ins are. Each is used once. False when
-  /// one is missing.
-  bool put_back(Chain& chain);
+  /// one is missing, or is of another incidence: its directions mean nothing in this ring.
+  bool put_back(Incidence incidence, Chain& chain);
   /// About the memory that they take.
   std::size_t bytes() const { return bytes_; }
 
  private:
-  bool take(std::uint32_t number, Chain& chain);
+  struct Waiting {
+    Incidence incidence;
+    Chain chain;
+  };
 
-  std::unordered_map<std::uint32_t, Chain> waiting_;
+  bool take(std::uint32_t number, Incidence incidence, Chain& chain);
+
+  std::unordered_map<std::uint32_t, Waiting> waiting_;
   std::size_t bytes_ = 0;
 };
 
