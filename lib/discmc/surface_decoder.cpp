@@ -77,11 +77,9 @@ Status SurfaceDecoder::give_memory(Memory memory) {
 }
 
 Status SurfaceDecoder::finish() {
-  if (refusal_ != Status::ok) return refusal_;
-  if (!is_known_) (void)slices_.finish();  // it has nothing to tell yet
+  const Status of_slices = slices_.finish();  // before a header both decoders listen
   if (!is_of_slices_) return regions_.finish();
-  const Status status = slices_.finish();
-  return status == Status::ok ? extractor_.resume() : status;  // where there was no end
+  return of_slices == Status::ok ? extractor_.resume() : of_slices;  // where there was no end
 }
 
 // ---- rows ----

@@ -33,10 +33,10 @@ std::size_t append(void* stream, const std::uint8_t* bytes, std::size_t count) {
   return count;
 }
 
-// Empty when the library refuses the volume.
+// With the zero that ends a frame of before. Empty when the library refuses the volume.
 Bytes stream_of(const std::vector<scan::Sample>& samples) {
   static std::uint8_t arena[scan::arena_bytes];
-  Bytes stream;
+  Bytes stream{0};
   Encoder encoder;
   Extractor16 extractor;
   const bool good =

@@ -103,10 +103,8 @@ TEST_CASE("a stream of regions whose link comes back lacks what was dropped, and
   CHECK(received.report.regions + received.report.fragments + received.report.lost_pieces ==
         received.report.totals.regions + received.report.totals.fragments);
   CHECK_FALSE(received.report.is_complete());
-  // A receiver that comes late has a header, too.
-  const StreamReport late = decode(back.bytes).report;
-  CHECK(late.has_header);
-  CHECK(late.regions + 1 >= received.report.totals.regions / 2);
+  // A receiver that comes late has a header behind the first packet.
+  CHECK(packet_of(frames_of(back.bytes)[1]).is(wire::PacketKind::header));
 }
 
 TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
@@ -145,15 +143,67 @@ TEST_CASE("a receiver that comes between two packets has a header at once") {
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, before.output()));
   require_ok(encoder.push(volume.on.data(), slice).status);
   require_ok(encoder.flush());
+  const uint64_t sent = encoder.bytes();
+  encoder.set_output({});
+  require_ok(encoder.resume());
+  CHECK(encoder.bytes() == sent);
   encoder.set_output(after.output());
   require_ok(encoder.push(&volume.on[slice], slice).status);
   require_ok(encoder.abandon());
-  encoder.set_output(before.output());  // nothing follows a trailer
+  const size_t of_trailer = before.bytes.size();
+  encoder.set_output(before.output());
   require_ok(encoder.resume());
+  CHECK(before.bytes.size() == of_trailer);
   const StreamReport late = decode_slices(after.bytes, {volume.width, volume.height, 0}).report;
   CHECK(late.rows == volume.height);
   CHECK(decode_slices(before.bytes, {volume.width, volume.height, 0}).report.rows == volume.height);
   CHECK(late.repeated_packets == 0);
+}
+
+TEST_CASE("an output that comes before the stream does changes nothing") {
+  Line line;
+  Encoder encoder;
+  require_ok(encoder.start(header_of(volume).label(), line.output()));
+  encoder.set_output(line.output());
+  for (const RecordedEvent& event : events_of(volume))
+    REQUIRE(encoder.take(event.event()) == Answer::taken);
+  CHECK(line.bytes == encode(events_of(volume), header_of(volume)));
+}
+
+TEST_CASE("what is sealed goes to the new output, and the header behind it") {
+  DyingLine dead{SIZE_MAX};
+  Line back;
+  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  SliceEncoder encoder;
+  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
+  require_ok(encoder.resume());
+  dead.left = 0;
+  const uint8_t bytes[] = {1, 2, 3};
+  require_ok(encoder.tell({1, 0, 0, bytes, 3}));
+  encoder.set_output(back.output());
+  require_ok(encoder.resume());
+  const std::vector<Bytes> frames = frames_of(back.bytes);
+  REQUIRE(frames.size() == 2);
+  CHECK(packet_of(frames[0]).is(wire::PacketKind::slices_application));
+  CHECK(packet_of(frames[1]).is(wire::PacketKind::header));
+}
+
+TEST_CASE("a zero ends a cut frame once, before the next stream that goes out") {
+  DyingLine line{3};
+  Bytes memory(slice_encoder_bytes({1, 1}, {}));
+  SliceEncoder encoder;
+  const auto start = [&](const ByteOutput& output) {
+    require_ok(encoder.start({1, 1}, {}, {memory.data(), memory.size()}, output));
+    return encoder.resume();
+  };
+  CHECK(start(line.output()) == Status::more);
+  CHECK(start(line.output()) == Status::more);  // nothing goes out
+  line.left = SIZE_MAX;
+  require_ok(start(line.output()));
+  CHECK(line.bytes[3] == 0);
+  const size_t header = line.bytes.size() - 4;
+  require_ok(start(line.output()));
+  CHECK(line.bytes.size() == 4 + 2 * header);
 }
 
 TEST_CASE("a stream that is begun amid a frame of another is whole") {

@@ -4,8 +4,7 @@
 namespace discmc {
 
 void PacketWriter::open(const ByteOutput& output) {
-  const bool is_same = output.write == output_.write && output.context == output_.context;
-  is_cut_ = is_same && (is_cut_ || (frame_bytes_ > 0 && drained_ > 0));
+  is_cut_ = is_cut_ || (frame_bytes_ > 0 && drained_ > 0);
   output_ = output;
   state_ = State::idle;
   frame_bytes_ = 0;

@@ -20,8 +20,8 @@ class PacketWriter {
   /// Says where packets go, and that there is no stream yet. Limit: the output has a function.
   void open(const ByteOutput& output);
   /// Begins a stream: the header is sealed. flags: of wire::HeaderFlags, those that the header does
-  /// not tell. Where the same output has a part of a frame from before a zero goes first, which
-  /// ends that. Limit: open(), and nothing is sealed.
+  /// not tell. Where a part of a frame went out before, a zero goes first, which ends that. Limit:
+  /// open(), and nothing is sealed.
   void start(const StreamHeader& header, uint8_t flags);
   bool is_started() const { return state_ != State::idle; }
   /// Whether its trailer is sealed, or gone.
