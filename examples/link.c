@@ -46,20 +46,19 @@ static int receiver_end_scan(receiver* self) {
          discmc_surface_decoder_header(&self->decoder).scan, self->channel, self->regions,
          self->lost_rows, self->milliseconds, (double)self->placement.origin_nm[0] / 1e6);
   if (discmc_surface_decoder_report(&self->decoder).is_complete) ++self->complete_scans;
-  return discmc_surface_decoder_finish(&self->decoder) == DISCMC_OK &&
-         receiver_start(self, self->channel);
+  return receiver_start(self, self->channel);
 }
 
 /* A decoder takes one stream. So it gets no more than a frame at a time, up to the zero that ends
  * it: behind a trailer the next scan begins. */
 static int receiver_push(receiver* self, const uint8_t* bytes, size_t count) {
-  while (count > 0) {
-    const uint8_t* const zero = memchr(bytes, 0, count);
-    const size_t left = zero == NULL ? count : (size_t)(zero - bytes) + 1;
-    const discmc_decoded decoded = discmc_surface_decoder_push(&self->decoder, bytes, left);
-    bytes += decoded.bytes;
-    count -= decoded.bytes;
-    if (decoded.status == DISCMC_MORE) continue; /* many lost rows: the rest once more */
+  size_t taken = 0;
+  while (taken < count) {
+    const uint8_t* const zero = memchr(bytes + taken, 0, count - taken);
+    const size_t end = zero == NULL ? count : (size_t)(zero - bytes) + 1;
+    discmc_decoded decoded = {DISCMC_MORE, 0}; /* it may be so of many lost rows */
+    for (; decoded.status == DISCMC_MORE; taken += decoded.bytes)
+      decoded = discmc_surface_decoder_push(&self->decoder, bytes + taken, end - taken);
     if (decoded.status != DISCMC_OK) return 0;
     if (discmc_surface_decoder_report(&self->decoder).has_trailer && !receiver_end_scan(self))
       return 0;

@@ -34,14 +34,13 @@ class Receiver {
   // A decoder takes one stream. So it gets no more than a frame at a time, up to the zero that ends
   // it: behind a trailer the next scan begins.
   bool push(const uint8_t* bytes, size_t count) {
-    while (count > 0) {
-      const void* const zero = memchr(bytes, 0, count);
-      const size_t left =
-          zero == nullptr ? count : size_t(static_cast<const uint8_t*>(zero) - bytes + 1);
-      const discmc::Decoded decoded = decoder_.push(bytes, left);
-      bytes += decoded.bytes;
-      count -= decoded.bytes;
-      if (decoded.status == discmc::Status::more) continue;  // many lost rows: the rest once more
+    for (size_t taken = 0; taken < count;) {
+      const void* const zero = memchr(bytes + taken, 0, count - taken);
+      const size_t end =
+          zero == nullptr ? count : size_t(static_cast<const uint8_t*>(zero) - bytes) + 1;
+      discmc::Decoded decoded{discmc::Status::more, 0};  // it may be so of many lost rows
+      for (; decoded.status == discmc::Status::more; taken += decoded.bytes)
+        decoded = decoder_.push(bytes + taken, end - taken);
       if (decoded.status != discmc::Status::ok) return false;
       if (decoder_.report().has_trailer && !end_scan()) return false;
     }
@@ -70,7 +69,7 @@ class Receiver {
            decoder_.header().scan, channel_, regions_, lost_rows_, milliseconds_,
            static_cast<double>(placement_.origin_nm[0]) / 1e6);
     if (decoder_.report().is_complete()) ++complete_scans_;
-    return decoder_.finish() == discmc::Status::ok && start(channel_);
+    return start(channel_);
   }
 
   discmc::SurfaceDecoder decoder_;

@@ -76,16 +76,12 @@ class Printer {
   uint64_t fragments_ = 0;
 };
 
-// Status::more: of many lost rows only some have been skipped, so go on.
+// Status::more: of many lost rows only some have been skipped yet.
 Status push_all(SurfaceDecoder& decoder, const uint8_t* bytes, size_t count) {
-  Status status = Status::ok;
-  while (count > 0 && (status == Status::ok || status == Status::more)) {
-    const Decoded decoded = decoder.push(bytes, count);
-    status = decoded.status;
-    bytes += decoded.bytes;
-    count -= decoded.bytes;
-  }
-  return status;
+  Decoded decoded{Status::more, 0};
+  for (size_t taken = 0; decoded.status == Status::more; taken += decoded.bytes)
+    decoded = decoder.push(bytes + taken, count - taken);
+  return decoded.status;
 }
 
 }  // namespace
