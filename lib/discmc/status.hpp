@@ -44,8 +44,7 @@ constexpr const char* text(Status status) {
     case Status::too_little_memory:
       return "the memory is too small: see minimum_bytes(), slice_encoder_bytes() or the like";
     case Status::bad_sink:
-      return "a sink or output has no function, a sink was not started, or a slab's takes no "
-             "fragments";
+      return "the sink or output has no function, was not started, or a slab's takes no fragments";
     case Status::not_started:
       return "start() has not succeeded";
     case Status::slice_in_progress:
