@@ -140,7 +140,7 @@ static int tells_place(void) {
   int axis;
   for (axis = 0; axis < 3; ++axis) {
     placement.axes_nm[axis][axis] = millimetre;
-    placement.origin_nm[axis] = -(int64_t)(SIZE - 1) * millimetre / 2;
+    placement.origin_nm[axis] = (1 - SIZE) * (millimetre / 2);
   }
   record = discmc_placement_record(&placement, bytes);
   return tells(&record);

@@ -156,7 +156,7 @@ bool tells_place() {
   discmc::Placement placement;
   for (int axis = 0; axis < 3; ++axis) {
     placement.axes_nm[axis][axis] = millimetre;
-    placement.origin_nm[axis] = -int64_t{size - 1} * millimetre / 2;
+    placement.origin_nm[axis] = (1 - size) * (millimetre / 2);
   }
   uint8_t bytes[discmc::Placement::record_bytes];
   return tells(discmc::record_of(placement, bytes));
