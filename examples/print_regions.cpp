@@ -1,6 +1,7 @@
-// Prints a stream as text, one line a region: its normal, then for each ring (the outer one first)
-// where it starts and its runs, each as the direction in the region's plane and how often it is
-// taken. Coordinates are in half-steps: voxel (i, j, k) is at (2i, 2j, 2k).
+// Prints a stream as text, whether it holds regions or slices, one line a region: its normal, then
+// for each ring (the outer one first) where it starts and its runs, each as the direction in the
+// region's plane and how often it is taken. Coordinates are in half-steps: voxel (i, j, k) is at
+// (2i, 2j, 2k).
 //
 //   firmware | print_regions
 //   ( 0 -1 -1)  from (42 36 9): 3x1 0x2 1x1 2x2
@@ -10,7 +11,8 @@
 // where it starts, with a run of direction 7.
 #include <cinttypes>
 #include <cstdio>
-#include <discmc/decoder.hpp>
+#include <discmc/surface_decoder.hpp>
+#include <vector>
 
 using namespace discmc;
 
@@ -37,7 +39,11 @@ class Printer {
         std::printf(" %dx%" PRIu32, event.run.direction(), event.run.length());
         break;
       case Event::Kind::region_end:
+        ++regions_;
+        std::printf("\n");
+        break;
       case Event::Kind::fragment_end:
+        ++fragments_;
         std::printf("\n");
         break;
       case Event::Kind::lost:
@@ -53,6 +59,10 @@ class Printer {
     return Answer::taken;
   }
 
+  // The report has those of a stream of regions alone.
+  uint64_t regions() const { return regions_; }
+  uint64_t fragments() const { return fragments_; }
+
  private:
   static void print_normal(Incidence incidence) {
     const Vertex n = normal(incidence);
@@ -61,23 +71,38 @@ class Printer {
   static void print_start(const Vertex& start) {
     std::printf("  from (%" PRId32 " %" PRId32 " %" PRId32 ")", start.x, start.y, start.z);
   }
+
+  uint64_t regions_ = 0;
+  uint64_t fragments_ = 0;
 };
+
+// Status::more: of many lost rows only some have been skipped yet.
+Status push_all(SurfaceDecoder& decoder, const uint8_t* bytes, size_t count) {
+  Decoded decoded{Status::more, 0};
+  for (size_t taken = 0; decoded.status == Status::more; taken += decoded.bytes)
+    decoded = decoder.push(bytes + taken, count - taken);
+  return decoded.status;
+}
 
 }  // namespace
 
 int main() {
   Printer printer;
-  Decoder decoder;
-  Status status = decoder.start(sink_to(printer));
+  std::vector<uint8_t> memory(16 << 20);  // to extract the surface of slices
+  SurfaceDecoder decoder;                 // a Decoder does for regions alone, and takes no memory
+  Status status = decoder.start({memory.data(), memory.size()}, sink_to(printer));
   uint8_t bytes[4096];
   size_t count = 0;
   while (status == Status::ok && (count = std::fread(bytes, 1, sizeof(bytes), stdin)) > 0)
-    status = decoder.push(bytes, count).status;
-  if (status == Status::ok) status = decoder.finish();
+    status = push_all(decoder, bytes, count);
+  if (status == Status::ok)
+    while ((status = decoder.finish()) == Status::more) continue;
   const StreamReport& report = decoder.report();
   std::fprintf(stderr,
                "%" PRIu64 " regions, %" PRIu64 " loose fragments in %" PRIu64 " bytes, %s\n",
-               report.regions, report.fragments, report.bytes,
-               report.is_complete() ? "complete" : "not complete");
+               printer.regions(), printer.fragments(), report.bytes,
+               status != Status::ok   ? text(status)
+               : report.is_complete() ? "complete"
+                                      : "not complete");
   return status == Status::ok && report.is_complete() ? 0 : 1;
 }

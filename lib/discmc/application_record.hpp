@@ -14,7 +14,8 @@ struct ApplicationRecord {
   /// Kinds from here on have a meaning of their own: placement.hpp.
   static constexpr uint8_t first_standard_kind = 240;
 
-  uint8_t kind = 0;    ///< the user's; Limit: below first_standard_kind
+  uint8_t kind = 0;    ///< the user's; Limit: below first_standard_kind, which is not checked, as
+                       ///< standard records are told in the same way
   uint32_t slice = 0;  ///< where the scan was: as many slices and rows were complete
   uint32_t row = 0;
   const uint8_t* bytes = nullptr;  ///< Owner: whoever tells it; free again when the call returns

@@ -2,6 +2,15 @@
 //
 // Any bytes are safe. It never reads beyond what it is given nor writes beyond its own object, it
 // allocates nothing, and what was whole is delivered, whatever came before or after.
+//
+// A decoder takes one stream, up to its trailer. On a link that carries scan after scan push up to
+// the next zero byte at a time, which is a frame at most. When push() has answered `ok` and
+// report().has_trailer, all events of the scan are out: start() anew for the next one. What comes
+// in one push behind a trailer is no part of that stream, and would be missing in the next.
+//
+// Where the trailer itself is lost the next scan's packets, which have another number, are counted
+// as foreign. On a link of one channel begin anew, then, too: finish(), start(), and push the frame
+// that was foreign once more. So for SliceDecoder and SurfaceDecoder; examples/link.cpp does it.
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
 
@@ -25,7 +34,8 @@ class Decoder {
   /// bytes. Errors: bad_sink.
   [[nodiscard]] Status start(const Sink& sink, uint8_t channel = any_channel);
 
-  /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
+  /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again,
+  /// be it none.
   /// Status::wrong_version: the header names a version this decoder does not know; nothing more of
   /// this stream is delivered. Errors: also not_started.
   /// The events of packets that arrive before any header are delivered too.

@@ -1,4 +1,6 @@
-/* discmc for C99: scan, encode and decode, linked by the C linker. Only C++ makes normals.
+/* discmc for C99: scan, encode and decode, linked by the C linker. Only C++ makes normals, and has
+ * LearningExtractor, SurfaceGroup and SharedOutput: several surfaces of a scan are one stream of
+ * slices here, or extractors that are given the same rows.
  *
  *   discmc_encoder_start      once
  *   discmc_extractor_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
@@ -7,7 +9,7 @@
  *   discmc_extractor_finish   after the last slice; the stream is then complete, without a flush
  *
  * Where the receiver is to extract the surface, a slice encoder stands in for the first two, and
- * sends the bits of the samples in a tenth of the bytes.
+ * sends the bits of the samples in a tenth of the bytes. examples/firmware.c and link.c have both.
  *
  * Names and meanings are those of the C++ headers, which say more where a section names one.
  * Objects are opaque and lie in your memory. They must be zero before their first use: static ones
@@ -36,25 +38,27 @@ extern "C" {
 
 /* ---- status (status.hpp) ---- */
 
-/* Result of a call. DISCMC_OK and DISCMC_MORE are not errors: DISCMC_MORE means that the sink said
- * "not now" and that ..._resume() goes on with the work. After an error nothing has changed and
- * nothing was delivered; but a start that finds too little memory also ends the scan under way. */
+/* Result of a call. DISCMC_OK and DISCMC_MORE are not errors: DISCMC_MORE means that the sink or
+ * output said "not now" and that ..._resume() goes on with the work; of a decoder, a push of the
+ * rest. After an error nothing has changed and nothing was delivered; but a start that finds too
+ * little memory also ends the scan under way. */
 typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,
-  DISCMC_MORE,              /* suspended by the sink; nothing is lost */
+  DISCMC_MORE,              /* suspended; nothing is lost */
   DISCMC_BAD_LIMITS,        /* see discmc_limits */
   DISCMC_BAD_CAPACITIES,    /* below the minimum, or more records than an index can count */
   DISCMC_TOO_LITTLE_MEMORY, /* smaller than the limits or capacities need, or null */
-  DISCMC_BAD_SINK,        /* it has no function, refuses to start, or a slab's takes no fragments */
-  DISCMC_NOT_STARTED,     /* ..._start() has not succeeded yet */
-  DISCMC_FINISHED,        /* the scan takes no more samples: ..._reset() or ..._start() */
-  DISCMC_ROW_IN_PROGRESS, /* a whole row was given or skipped in the middle of a row */
+  DISCMC_BAD_SINK,    /* a sink or output without a function, or a sink that refuses to start; or
+                       * that of a slab takes no fragments */
+  DISCMC_NOT_STARTED, /* ..._start() has not succeeded yet */
+  DISCMC_FINISHED,    /* the scan takes no more samples: ..._start() another, or reset */
+  DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
   DISCMC_TOO_DEEP,          /* the volume has DISCMC_MAX_SLICES; finish still works */
   DISCMC_WRONG_VERSION,     /* this decoder does not know the stream's version */
   DISCMC_BAD_CHECKPOINT,    /* it, or the memory that goes with it, is not what was saved */
-  DISCMC_BAD_LABEL,         /* see discmc_stream_label */
+  DISCMC_BAD_LABEL,         /* see discmc_stream_label; of a header also its surfaces */
   DISCMC_BAD_RECORD         /* an application record is too long */
 };
 
@@ -175,7 +179,7 @@ enum { DISCMC_MAX_SURFACES = 4 };
 /* The user's own data in a stream: a time stamp, a pose, the state of a battery. A record goes out
  * at once, in a packet of its own: so tell rarely, and much at once. */
 typedef struct discmc_application_record {
-  uint8_t kind;         /* the user's; Limit: below DISCMC_FIRST_STANDARD_KIND */
+  uint8_t kind;         /* the user's; Limit: below DISCMC_FIRST_STANDARD_KIND, not checked */
   uint32_t slice, row;  /* where the scan was: as many were complete */
   const uint8_t* bytes; /* Owner: whoever tells it; free again when the call returns */
   size_t count;         /* Limit: at most DISCMC_MAX_RECORD_BYTES */
@@ -412,7 +416,8 @@ DISCMC_NODISCARD discmc_status discmc_encoder_restore(discmc_encoder* encoder,
                                                       const discmc_encoder_checkpoint* checkpoint,
                                                       discmc_byte_output output);
 
-/* The bytes that the output has taken so far. */
+/* The bytes of stream so far: what the output has taken, and what was dropped without one. How many
+ * those are is what this has grown by between the two calls of ..._set_output(). */
 uint64_t discmc_encoder_bytes(const discmc_encoder* encoder);
 
 /* What the axes of space are: the scanner's own; towards left, back and head, as in DICOM; towards
@@ -440,8 +445,9 @@ DISCMC_NODISCARD uint8_t discmc_read_placement(const discmc_application_record* 
 
 /* ---- the decoder (decoder.hpp) ---- */
 
-/* How a stream arrived. Lost counts grow when the next whole packet reveals the gap. Flags are 0 or
- * 1. */
+/* How a stream arrived. Lost counts grow when the next whole packet reveals the gap. Of a stream of
+ * slices it has rows only, no region, fragment or total but skipped_rows: count regions in the sink
+ * of a surface decoder. Flags are 0 or 1. */
 typedef struct discmc_stream_report {
   uint8_t has_header;
   uint8_t holds_slices; /* as its header says: a slice decoder or a surface decoder takes it */
@@ -478,13 +484,15 @@ typedef struct discmc_decoder {
 
 /* Begins a stream: the one of the first whole packet that comes on this channel, or
  * DISCMC_ANY_CHANNEL. Packets of other scans and channels are counted and left alone, so every
- * decoder of a link may get all bytes. Errors: DISCMC_BAD_SINK. */
+ * decoder of a link may get all bytes. For scan after scan push up to the next zero byte at a time;
+ * when a push has answered DISCMC_OK and the report has_trailer, start anew (decoder.hpp, link.c).
+ * Errors: DISCMC_BAD_SINK. */
 DISCMC_NODISCARD discmc_status discmc_decoder_start(discmc_decoder* decoder,
                                                     const discmc_sink* sink, uint8_t channel);
 
-/* Takes bytes, any number at a time. DISCMC_MORE: the sink said "not now", push the rest again.
- * DISCMC_WRONG_VERSION: nothing more of this stream is delivered. Errors: also DISCMC_NOT_STARTED.
- * Any bytes are safe. */
+/* Takes bytes, any number at a time. DISCMC_MORE: the sink said "not now", push the rest again, be
+ * it none. DISCMC_WRONG_VERSION: nothing more of this stream is delivered. Errors: also
+ * DISCMC_NOT_STARTED. Any bytes are safe. */
 DISCMC_NODISCARD discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes,
                                                     size_t count);
 
@@ -502,9 +510,10 @@ typedef struct discmc_slice_encoder {
 } discmc_slice_encoder;
 
 /* The bytes that a slice encoder takes. key_slice_interval: the slices from one key slice, which is
- * told without the ones before, to the next; 0 where only the first is one. 1 makes the stream half
- * as long again, and takes least memory. Limit: the limits are valid, and surfaces 1 to
- * DISCMC_MAX_SURFACES. sizes.h has the same as a constant: DISCMC_SLICE_ENCODER_BYTES_FOR(). */
+ * told without the ones before, to the next; 0 where only the first is one; key_slices.hpp has a
+ * rule. 1 takes least memory, but makes the stream longer by half or more. Limit: the limits are
+ * valid, and surfaces 1 to DISCMC_MAX_SURFACES. sizes.h has the same as a constant:
+ * DISCMC_SLICE_ENCODER_BYTES_FOR(). */
 uint64_t discmc_slice_encoder_bytes_for(const discmc_limits* limits, uint32_t key_slice_interval,
                                         uint32_t surfaces);
 
@@ -544,8 +553,8 @@ DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_skip_row(discmc_slice_e
 /* Goes on after DISCMC_MORE. Also harmless at any other time. Errors: DISCMC_NOT_STARTED. */
 DISCMC_NODISCARD discmc_status discmc_slice_encoder_resume(discmc_slice_encoder* encoder);
 
-/* Hands over what is there so far instead of waiting for a full packet; costs some bytes of stream.
- * After DISCMC_MORE call it again. Errors: DISCMC_NOT_STARTED. */
+/* Hands over what is there so far instead of waiting for a full packet; costs about 15 bytes of
+ * stream a call. After DISCMC_MORE call it again. Errors: DISCMC_NOT_STARTED. */
 DISCMC_NODISCARD discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder);
 
 /* Sends an application record now, before the next row; its slice and row are filled in.
@@ -565,7 +574,7 @@ DISCMC_NODISCARD discmc_status discmc_slice_encoder_finish(discmc_slice_encoder*
  * off. DISCMC_MORE as finish. Errors: DISCMC_NOT_STARTED. */
 DISCMC_NODISCARD discmc_status discmc_slice_encoder_abandon(discmc_slice_encoder* encoder);
 
-/* The bytes that the output has taken so far. */
+/* The bytes of stream so far, as discmc_encoder_bytes(). */
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder* encoder);
 /* Complete slices so far, and complete rows of the current one. */
 uint32_t discmc_slice_encoder_slices(const discmc_slice_encoder* encoder);
@@ -660,8 +669,10 @@ uint64_t discmc_minimum_surface_bytes(const discmc_limits* limits, uint32_t surf
 
 /* Begins a stream. memory: none for streams of regions, or before it is known; at least
  * discmc_minimum_surface_bytes() of what the header of a stream of bits will tell, and more for
- * fewer loose fragments; Owner: the caller, as long as the decoder is used. channel: as of the
- * decoder; of several surfaces of one stream that one, or the first. Errors: DISCMC_BAD_SINK. */
+ * fewer loose fragments (surface_decoder.hpp); Owner: the caller, as long as the decoder is used.
+ * channel: as of the decoder; of several surfaces of one stream that one, or the first: for all of
+ * them have as many decoders, each with all the memory, and give all bytes to each. Errors:
+ * DISCMC_BAD_SINK. */
 DISCMC_NODISCARD discmc_status discmc_surface_decoder_start(discmc_surface_decoder* decoder,
                                                             discmc_memory memory,
                                                             const discmc_sink* sink,

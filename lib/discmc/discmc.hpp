@@ -11,22 +11,28 @@
 //   sink.hpp              the events that come out: regions, rings, runs, loose fragments
 //   chain.hpp, polygon.hpp  Freeman chains and the polygons they are
 //   encoder.hpp           a sink that writes the stream (WIRE.md)
-//   stream_header.hpp, application_record.hpp  what it says of the scan, and the user's own data
+//     byte_output.hpp         where its bytes go
+//     stream_header.hpp       what it says of the scan
+//     application_record.hpp, placement.hpp  the user's own data in it, and where the volume lies
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
+//     stream_report.hpp       what arrived, and what did not
 //   slice_encoder.hpp     samples in, a stream of their bits out: a tenth of the bytes, and whoever
-//                         receives it extracts the surface; key_slices.hpp
+//                         receives it extracts the surface
+//     key_slices.hpp          where it can be begun, and what memory it takes
 //   slice_decoder.hpp     rows of bits out of it
 //   surface_decoder.hpp   bytes of either stream in, the same events out
 //   surface_group.hpp, shared_output.hpp  several surfaces of one scan, over one link
 //   joiner.hpp            loose fragments of one stream or several in, regions out
-//   application_record.hpp, placement.hpp  the user's own data in a stream; where the volume lies
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
 //
 // Everywhere: lattice.hpp (coordinates in half-steps, links, incidences), plane.hpp, status.hpp,
 // arena.hpp, pool.hpp.
+//
+// The namespace has short names (Link, Run, Event, Memory) and namespaces (trace, wire, slices):
+// where yours are alike, write discmc:: instead of `using namespace discmc`.
 //
 // Behind the extractor works trace/, in data-flow order:
 //

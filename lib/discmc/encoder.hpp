@@ -77,7 +77,8 @@ class BasicEncoder : private Normals {
   [[nodiscard]] Status restore(const Checkpoint<BasicEncoder>& checkpoint,
                                const ByteOutput& output);
 
-  /// The bytes that the output has taken so far.
+  /// The bytes of stream so far: what the output has taken, and what was dropped without one. How
+  /// many those are is what this has grown by between the two calls of set_output().
   uint64_t bytes() const { return packets_.bytes(); }
 
   /// Of what a checkpoint holds: see CheckpointHead.

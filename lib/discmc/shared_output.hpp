@@ -4,11 +4,16 @@
 //   link.start({nullptr, uart_write});
 //   encoders[i].start(label, link.output());     // each with a channel of its own
 //   ...
-//   while (!link.flush()) sleep();               // after all have finished
+//   while (!link.flush() && link_is_up) sleep();  // after all have finished
+//
+// The output stays what it is. Where the link is dead, set_output({}) of the encoders, each of
+// them, drops what comes, and set_output(link.output()) takes their streams up again. A frame that
+// is held waits for the link meanwhile.
 #ifndef DISCMC_SHARED_OUTPUT_HPP
 #define DISCMC_SHARED_OUTPUT_HPP
 
-#include <discmc/stream/packet_writer.hpp>
+#include <discmc/byte_output.hpp>
+#include <discmc/stream/wire.hpp>
 
 namespace discmc {
 
@@ -16,7 +21,7 @@ namespace discmc {
 /// for ever if that one had nothing more to say.
 class SharedOutput {
  public:
-  /// Limit: the output has a function.
+  /// Drops a frame that is held. Limit: the output has a function.
   void start(const ByteOutput& output) {
     output_ = output;
     held_ = 0;
@@ -30,7 +35,8 @@ class SharedOutput {
             }};
   }
 
-  /// Hands over what is held. False when the output does not take all of it now: call again.
+  /// Hands over what is held. False when the output does not take all of it now: call again, as
+  /// long as there is hope, as on a dead link it stays so.
   [[nodiscard]] bool flush() {
     while (sent_ < held_) {
       const size_t taken = output_.write(output_.context, frame_ + sent_, held_ - sent_);

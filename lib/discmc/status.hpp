@@ -6,25 +6,27 @@
 
 namespace discmc {
 
-/// Result of a call. `ok` and `more` are not errors: `more` means that the sink said "not now" and
-/// that resume() goes on with the work. After an error nothing has changed and nothing was
-/// delivered, with two exceptions: push() may have taken samples before it (PushResult::samples),
-/// and a start() that finds too little memory also ends the scan under way.
+/// Result of a call. `ok` and `more` are not errors: `more` means that the sink or output said "not
+/// now" and that resume() goes on with the work; of a decoder, push() of the rest. After an error
+/// nothing has changed and nothing was delivered, with two exceptions: push() may have taken
+/// samples before it (PushResult::samples), and a start() that finds too little memory also ends
+/// the scan under way.
 enum class Status : uint8_t {
   ok,
-  more,               ///< suspended by the sink; nothing is lost, call resume()
+  more,               ///< suspended; nothing is lost: resume(), of a decoder push() the rest
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
   too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
-  bad_sink,           ///< it has no function, refuses to start, or a slab's takes no fragments
+  bad_sink,           ///< a sink or output without a function, or a sink that refuses to start; or
+                      ///< that of a slab takes no fragments
   not_started,        ///< start() has not succeeded yet
-  finished,           ///< finish() or abandon() was called: reset() or start() for another scan
+  finished,           ///< finish() or abandon() was called: start() another scan, or reset()
   row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
   too_deep,       ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
   wrong_version,  ///< the stream's version is not known to this decoder
   bad_checkpoint,  ///< the checkpoint, or the memory that goes with it, is not what was saved
-  bad_label,       ///< see StreamLabel
+  bad_label,       ///< see StreamLabel; of a StreamHeader also its surfaces
   bad_record,      ///< an application record is too long
 };
 
@@ -34,21 +36,21 @@ constexpr const char* text(Status status) {
     case Status::ok:
       return "ok";
     case Status::more:
-      return "the sink is busy: call resume()";
+      return "the sink or output is busy: call resume(), of a decoder push() the rest";
     case Status::bad_limits:
       return "width and height must be 1 to 32766, and border and slab valid";
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type";
     case Status::too_little_memory:
-      return "the memory is too small: see minimum_bytes()";
+      return "the memory is too small: see minimum_bytes(), slice_encoder_bytes() or the like";
     case Status::bad_sink:
-      return "the sink has no function, was not started itself, or a slab's takes no fragments";
+      return "the sink or output has no function, was not started, or a slab's takes no fragments";
     case Status::not_started:
       return "start() has not succeeded";
     case Status::slice_in_progress:
       return "the current slice is not complete: push or skip its rows, or abandon()";
     case Status::finished:
-      return "the scan is finished: call reset() or start()";
+      return "the scan is finished: start() another, or reset() where there is that";
     case Status::row_in_progress:
       return "the current row is not complete";
     case Status::too_deep:
@@ -58,7 +60,7 @@ constexpr const char* text(Status status) {
     case Status::bad_checkpoint:
       return "the checkpoint is torn, damaged or of another build: take the one before";
     case Status::bad_label:
-      return "channels are 0 to 63";
+      return "channels are 0 to 63, and a stream has at most 4 surfaces";
     case Status::bad_record:
       return "an application record holds at most 200 bytes";
   }

@@ -54,6 +54,42 @@ Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
   return line.bytes;
 }
 
+// Takes scan after scan, a frame at a time, as decoder.hpp says.
+class Receiver {
+ public:
+  Receiver() { begin(); }
+
+  void push(const Bytes& frame) {
+    const uint64_t foreign = decoder_.report().foreign_packets;
+    require_ok(decoder_.push(frame.data(), frame.size()).status);
+    if (decoder_.report().has_trailer) return end();
+    if (decoder_.report().foreign_packets == foreign) return;
+    require_ok(decoder_.finish());
+    end();
+    push(frame);
+  }
+
+  struct Scan {
+    Events events;
+    bool is_complete;
+  };
+  std::vector<Scan> scans{};
+
+ private:
+  void begin() {
+    log_ = EventLog();
+    require_ok(decoder_.start({memory_.data(), memory_.size()}, sink_to(log_)));
+  }
+  void end() {
+    scans.push_back({log_.events, decoder_.report().is_complete()});
+    begin();
+  }
+
+  EventLog log_;
+  SurfaceDecoder decoder_;
+  Bytes memory_ = Bytes(minimum_surface_bytes({20, 20}) + 100000);
+};
+
 const BitVolume first_volume = reference::random({20, 20, 20}, 40, 1);
 const BitVolume second_volume = reference::random({20, 20, 20}, 40, 2);
 
@@ -379,4 +415,27 @@ TEST_CASE("a shared link that is started anew sends nothing of before") {
   const Bytes longest(wire::max_frame, 7);
   CHECK(output.write(output.context, longest.data(), longest.size()) == longest.size());
   CHECK(line.bytes.size() == 4 + longest.size());
+}
+
+TEST_CASE("a receiver that begins anew behind each trailer, lost or not, takes all scans") {
+  const BitVolume volumes[] = {first_volume, second_volume, second_volume, first_volume};
+  constexpr size_t none = 4;
+  const std::vector<Bytes> scans[] = {
+      frames_of(encode(events_of(volumes[0]), named(volumes[0], 1, 0))),
+      frames_of(slices_of(named(volumes[1], 2, 0), volumes[1])),
+      frames_of(encode(events_of(volumes[2]), named(volumes[2], 3, 0))),
+      frames_of(slices_of(named(volumes[3], 4, 0), volumes[3]))};
+  for (const size_t lost : {none, size_t{0}, size_t{1}, size_t{2}}) {
+    CAPTURE(lost);
+    Receiver receiver;
+    for (size_t scan = 0; scan < 4; ++scan)
+      for (const Bytes& frame : scans[scan])
+        if (scan != lost || &frame != &scans[scan].back()) receiver.push(frame);
+    REQUIRE(receiver.scans.size() == 4);
+    for (size_t scan = 0; scan < 4; ++scan) {
+      CAPTURE(scan);
+      CHECK(receiver.scans[scan].is_complete == (scan != lost));
+      if (scan != lost) CHECK(receiver.scans[scan].events == events_of(volumes[scan]));
+    }
+  }
 }

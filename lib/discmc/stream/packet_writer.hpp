@@ -3,16 +3,10 @@
 #ifndef DISCMC_STREAM_PACKET_WRITER_HPP
 #define DISCMC_STREAM_PACKET_WRITER_HPP
 
+#include <discmc/byte_output.hpp>
 #include <discmc/stream/wire.hpp>
 
 namespace discmc {
-
-/// Where bytes go: a UART, a ring buffer, a file. Owner: the context belongs to the caller.
-struct ByteOutput {
-  void* context = nullptr;
-  /// Takes up to `count` bytes and returns how many it took; 0 means "not now". On error, return 0.
-  size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
-};
 
 /// One packet is held: open, while its payload is written, or sealed, while its frame goes out.
 class PacketWriter {

@@ -3,7 +3,10 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
+#include <discmc/joiner.hpp>
+#include <discmc/shared_output.hpp>
 #include <discmc/slice_encoder.hpp>
+#include <discmc/surface_decoder.hpp>
 
 using namespace discmc;
 
@@ -12,16 +15,31 @@ using namespace discmc;
   uint8_t least_##size[minimum_bytes<uint16_t>({size, size})];  \
   uint8_t slices_##size[slice_encoder_bytes({size, size}, {})]; \
   uint8_t keys_##size[slice_encoder_bytes({size, size}, {1})];
+#define DISCMC_SURFACES(count, size)                                             \
+  uint8_t encoder##count##_##size[slice_encoder_bytes({size, size}, {}, count)]; \
+  uint8_t rows##count##_##size[slice_decoder_bytes({size, size}, count)];        \
+  uint8_t sweep##count##_##size[minimum_surface_bytes({size, size}, count)];
 
 extern "C" {
 DISCMC_OBJECT(Extractor16)
 DISCMC_OBJECT(Encoder)
 DISCMC_OBJECT(Decoder)
 DISCMC_OBJECT(SliceEncoder)
+DISCMC_OBJECT(SliceDecoder)
+DISCMC_OBJECT(SurfaceDecoder)
+DISCMC_OBJECT(Joiner)
+DISCMC_OBJECT(SharedOutput)
 
 DISCMC_ARENA(32)
 DISCMC_ARENA(64)
 DISCMC_ARENA(128)
 DISCMC_ARENA(256)
 DISCMC_ARENA(512)
+
+DISCMC_SURFACES(1, 64)
+DISCMC_SURFACES(2, 64)
+DISCMC_SURFACES(4, 64)
+DISCMC_SURFACES(1, 256)
+DISCMC_SURFACES(2, 256)
+DISCMC_SURFACES(4, 256)
 }

@@ -1,0 +1,199 @@
+// Both ends of a slow link that fails, in one program. The device sends two surfaces of its scans
+// as one stream of slices, with the place of the volume and time stamps in it. Amid the first scan
+// the radio dies: the scan goes on without it, and the stream is there again when the radio is. The
+// receiver extracts each of the surfaces, tells what was lost, and takes scan after scan.
+//
+//   scan 1: no link for 433 bytes
+//   scan 1, channel 0: 682 regions, 768 rows lost, the last stamp 2000 ms, x from -23.5 mm
+//
+// Names are written in full: discmc has short ones, Link, Run and Event among them.
+#include <stdio.h>
+#include <string.h>
+
+#include <discmc/discmc.hpp>
+
+namespace {
+
+constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t thresholds[] = {192, 224};
+constexpr uint32_t surfaces = 2;
+constexpr uint8_t time_stamp = 1;  // a kind of record: the application's own, below 240
+
+// ---- the receiver ----
+
+// Of one surface. Two of one stream are two decoders, which both get all bytes.
+class Receiver {
+ public:
+  bool start(uint8_t channel) {
+    channel_ = channel;
+    regions_ = lost_rows_ = 0;
+    return decoder_.start(discmc::memory_of(memory_), discmc::sink_to(*this), channel) ==
+           discmc::Status::ok;
+  }
+
+  // A decoder takes one stream. So it gets no more than a frame at a time, up to the zero that ends
+  // it: behind a trailer the next scan begins.
+  bool push(const uint8_t* bytes, size_t count) {
+    for (size_t taken = 0; taken < count;) {
+      const void* const zero = memchr(bytes + taken, 0, count - taken);
+      const size_t end =
+          zero == nullptr ? count : size_t(static_cast<const uint8_t*>(zero) - bytes) + 1;
+      discmc::Decoded decoded{discmc::Status::more, 0};  // it may be so of many lost rows
+      for (; decoded.status == discmc::Status::more; taken += decoded.bytes)
+        decoded = decoder_.push(bytes + taken, end - taken);
+      if (decoded.status != discmc::Status::ok) return false;
+      if (decoder_.report().has_trailer && !end_scan()) return false;
+    }
+    return true;
+  }
+
+  discmc::Answer take(const discmc::Event& event) {
+    // Of a stream of slices the report counts rows alone, so regions are counted here.
+    if (event.kind == discmc::Event::Kind::region_end) ++regions_;
+    if (event.kind == discmc::Event::Kind::skipped) ++lost_rows_;  // the device skips none
+    if (event.kind == discmc::Event::Kind::application) note(*event.application);
+    return discmc::Answer::taken;
+  }
+
+  uint32_t complete_scans() const { return complete_scans_; }
+
+ private:
+  void note(const discmc::ApplicationRecord& record) {
+    (void)discmc::read_placement(record, placement_);  // if it is one
+    if (record.kind == time_stamp && record.count == 2)
+      milliseconds_ = record.bytes[0] + 256U * record.bytes[1];
+  }
+
+  bool end_scan() {
+    printf("scan %d, channel %d: %u regions, %u rows lost, the last stamp %u ms, x from %.1f mm\n",
+           decoder_.header().scan, channel_, regions_, lost_rows_, milliseconds_,
+           static_cast<double>(placement_.origin_nm[0]) / 1e6);
+    if (decoder_.report().is_complete()) ++complete_scans_;
+    return start(channel_);
+  }
+
+  discmc::SurfaceDecoder decoder_;
+  uint8_t memory_[256 * 1024];  // more than minimum_surface_bytes(): no loose fragments come
+  uint8_t channel_ = 0;
+  unsigned regions_ = 0, lost_rows_ = 0, milliseconds_ = 0, complete_scans_ = 0;
+  discmc::Placement placement_;
+};
+
+Receiver receivers[surfaces];
+
+// ---- the link ----
+
+bool radio_works = true;
+
+// Takes what there is room for, and nothing while there is no link.
+size_t radio_write(void*, const uint8_t* bytes, size_t count) {
+  if (!radio_works) return 0;
+  const size_t taken = count < 16 ? count : 16;
+  for (Receiver& receiver : receivers)
+    if (!receiver.push(bytes, taken)) fputs("a receiver gives up\n", stderr);
+  return taken;
+}
+
+constexpr discmc::ByteOutput radio{nullptr, radio_write};
+
+// ---- the device ----
+
+constexpr discmc::Limits limits{size, size};
+// A slice takes 30 bytes here, so eight are a packet: one that is lost costs hardly more than
+// itself.
+constexpr discmc::KeySlices key_slices{8};
+
+// All its RAM but the stack: 3 KiB.
+discmc::SliceEncoder encoder;
+uint8_t memory[discmc::slice_encoder_bytes(limits, key_slices, surfaces)];
+
+bool is_dropping = false;
+uint64_t dropped_from = 0;
+
+// Whether to ask again. When the radio has taken nothing for long, the link is dead: what comes is
+// dropped until it is back.
+bool waits(discmc::Status status) {
+  static unsigned refusals = 0;
+  refusals = status == discmc::Status::more ? refusals + 1 : 0;
+  if (refusals == 100) {
+    is_dropping = true;
+    dropped_from = encoder.bytes();
+    encoder.set_output({});
+  }
+  return refusals > 0;  // sleep here
+}
+
+void take_up_again() {
+  is_dropping = false;
+  encoder.set_output(radio);
+  printf("scan 1: no link for %u bytes\n", static_cast<unsigned>(encoder.bytes() - dropped_from));
+}
+
+bool succeeds(discmc::Status status) {
+  while (waits(status)) status = encoder.resume();
+  return status == discmc::Status::ok;
+}
+
+bool tells(const discmc::ApplicationRecord& record) {
+  discmc::Status status = encoder.tell(record);
+  while (waits(status)) status = encoder.tell(record);  // it is not taken yet
+  return status == discmc::Status::ok;
+}
+
+bool tells_time(int32_t z) {
+  const auto milliseconds = static_cast<uint16_t>(50 * z);
+  const uint8_t bytes[] = {static_cast<uint8_t>(milliseconds & 0xFF),
+                           static_cast<uint8_t>(milliseconds >> 8)};
+  discmc::ApplicationRecord record;
+  record.kind = time_stamp;
+  record.bytes = bytes;
+  record.count = sizeof bytes;
+  return tells(record);
+}
+
+bool tells_place() {
+  constexpr int32_t millimetre = 1000 * 1000;
+  discmc::Placement placement;
+  for (int axis = 0; axis < 3; ++axis) {
+    placement.axes_nm[axis][axis] = millimetre;
+    placement.origin_nm[axis] = (1 - size) * (millimetre / 2);
+  }
+  uint8_t bytes[discmc::Placement::record_bytes];
+  return tells(discmc::record_of(placement, bytes));
+}
+
+uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle
+  const discmc::Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
+  return static_cast<uint8_t>(255 - discmc::dot(v, v) / 26);
+}
+
+bool scans(uint16_t number) {
+  discmc::StreamHeader header;
+  header.width = header.height = header.depth = size;
+  header.scan = number;  // so that no packet of one scan passes for one of another
+  header.threshold = thresholds[0];
+  header.further_surfaces = 1;
+  header.further_thresholds[0] = thresholds[1];
+  bool good = succeeds(encoder.start(header, key_slices, discmc::memory_of(memory), radio)) &&
+              tells_place();
+  for (int32_t z = 0; good && z < size; ++z) {
+    radio_works = number != 1 || z < 16 || z >= 28;
+    if (is_dropping && radio_works) take_up_again();
+    if (z % 8 == 0) good = tells_time(z);  // rarely: each takes a packet
+    for (int32_t y = 0; good && y < size; ++y) {
+      uint8_t row[size];
+      for (int32_t x = 0; x < size; ++x) row[x] = sample_at(x, y, z);
+      good = succeeds(encoder.push(row, size).status);
+    }
+  }
+  return good && succeeds(encoder.finish());
+}
+
+}  // namespace
+
+int main() {
+  bool good = receivers[0].start(0) && receivers[1].start(1);
+  for (uint16_t scan = 1; good && scan <= 2; ++scan) good = scans(scan);
+  for (const Receiver& receiver : receivers) good = good && receiver.complete_scans() == 1;
+  return good ? 0 : 1;
+}

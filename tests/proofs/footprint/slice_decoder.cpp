@@ -1,0 +1,14 @@
+// Flash: a slice decoder, with a sink that throws everything away.
+#include <discmc/slice_decoder.hpp>
+
+using namespace discmc;
+
+static Answer take(void*, const RowEvent&) {
+  return Answer::taken;
+}
+
+extern "C" Status run(SliceDecoder& decoder, Memory memory, const uint8_t* bytes, size_t count) {
+  Status status = decoder.start(memory, {nullptr, take});
+  if (status == Status::ok) status = decoder.push(bytes, count).status;
+  return status == Status::ok ? decoder.finish() : status;
+}
