@@ -165,6 +165,11 @@ TEST_CASE("an output that comes before the stream does changes nothing") {
   Encoder encoder;
   require_ok(encoder.start(header_of(volume).label(), line.output()));
   encoder.set_output(line.output());
+  const StreamHeader header = header_of(volume);
+  Event start{};
+  start.kind = Event::Kind::start;
+  start.header = &header;
+  REQUIRE(encoder.take(start) == Answer::taken);
   for (const RecordedEvent& event : events_of(volume))
     REQUIRE(encoder.take(event.event()) == Answer::taken);
   CHECK(line.bytes == encode(events_of(volume), header_of(volume)));

@@ -243,7 +243,10 @@ TEST_CASE("a scan whose output fails for good, at any byte, waits, goes on, or b
         Stopping another;
         device.reset(another);
         REQUIRE(device.run(many));
-        CHECK(another.bytes == whole);
+        const bool is_cut = stop > 0 && whole[stop - 1] != 0;
+        Bytes expected(is_cut ? 1 : 0);  // the zero that ends the frame
+        expected.insert(expected.end(), whole.begin(), whole.end());
+        CHECK(another.bytes == expected);
       }
       CHECK(device.is_intact());
     }

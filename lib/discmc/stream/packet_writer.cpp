@@ -4,7 +4,7 @@
 namespace discmc {
 
 void PacketWriter::open(const ByteOutput& output) {
-  is_cut_ = is_cut_ || (frame_bytes_ > 0 && drained_ > 0);
+  if (frame_bytes_ > 0 && drained_ > 0) is_cut_ = true;
   output_ = output;
   state_ = State::idle;
   frame_bytes_ = 0;
@@ -22,7 +22,6 @@ void PacketWriter::start(const StreamHeader& header, uint8_t flags) {
   pieces_before_ = 0;
   seal_header();
   if (is_cut_) put_delimiter();
-  is_cut_ = false;
 }
 
 void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
@@ -98,6 +97,7 @@ bool PacketWriter::drain() {
     const size_t taken = output_.write(output_.context, frame_ + drained_, left);
     bytes_ += taken;
     if (taken == 0) return false;
+    is_cut_ = false;
     drained_ = static_cast<uint16_t>(drained_ + taken);
     if (taken < left) continue;
     frame_bytes_ = 0;

@@ -64,7 +64,7 @@ class PacketWriter {
   State state_ = State::idle;
   uint8_t packets_since_header_ = 0;
   uint8_t flags_ = 0;
-  bool is_cut_ = false;       // the output has a part of a frame, and no stream has begun since
+  bool is_cut_ = false;       // a part of a frame went out, and nothing since
   uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
   uint16_t drained_ = 0;
   ByteOutput output_;
