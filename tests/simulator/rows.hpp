@@ -1,6 +1,6 @@
 // The rows of a volume, all at hand, as a scanner that repeats its scan after a reset needs them.
-#ifndef DISCMC_SIMULATOR_ROWS_HPP
-#define DISCMC_SIMULATOR_ROWS_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_ROWS_HPP
+#define DISCMC_TESTS_SIMULATOR_ROWS_HPP
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 // Whether what came is what the rows that were sent should have made.
-#ifndef DISCMC_SIMULATOR_VERDICT_HPP
-#define DISCMC_SIMULATOR_VERDICT_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_VERDICT_HPP
+#define DISCMC_TESTS_SIMULATOR_VERDICT_HPP
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // What the device sends: streams, decoded while they come.
-#ifndef DISCMC_SIMULATOR_RECEIVED_HPP
-#define DISCMC_SIMULATOR_RECEIVED_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_RECEIVED_HPP
+#define DISCMC_TESTS_SIMULATOR_RECEIVED_HPP
 
 #include <cstdint>
 #include <discmc/decoder.hpp>

@@ -1,6 +1,6 @@
 // How fast the stream is read: a receiver that is slow, or stalls, fills the device's UART.
-#ifndef DISCMC_SIMULATOR_LISTENER_HPP
-#define DISCMC_SIMULATOR_LISTENER_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_LISTENER_HPP
+#define DISCMC_TESTS_SIMULATOR_LISTENER_HPP
 
 #include <chrono>
 #include <cstdint>

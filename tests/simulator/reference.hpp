@@ -1,6 +1,6 @@
 // What the device should have made of the rows: the same extraction, in this process.
-#ifndef DISCMC_SIMULATOR_REFERENCE_HPP
-#define DISCMC_SIMULATOR_REFERENCE_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_REFERENCE_HPP
+#define DISCMC_TESTS_SIMULATOR_REFERENCE_HPP
 
 #include <cstdint>
 #include <discmc/extractor.hpp>

@@ -1,6 +1,6 @@
 // The device and the lines to it: QEMU, started here, or whatever is at the other end.
-#ifndef DISCMC_SIMULATOR_DEVICE_HPP
-#define DISCMC_SIMULATOR_DEVICE_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_DEVICE_HPP
+#define DISCMC_TESTS_SIMULATOR_DEVICE_HPP
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 // A line of bytes to a device: what a UART is at the host's end.
-#ifndef DISCMC_SIMULATOR_LINE_HPP
-#define DISCMC_SIMULATOR_LINE_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_LINE_HPP
+#define DISCMC_TESTS_SIMULATOR_LINE_HPP
 
 #include <chrono>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // What the command line says.
-#ifndef DISCMC_SIMULATOR_OPTIONS_HPP
-#define DISCMC_SIMULATOR_OPTIONS_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
+#define DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
 
 #include <CLI/CLI.hpp>
 #include <cstdint>

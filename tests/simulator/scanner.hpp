@@ -1,6 +1,6 @@
 // The scanner: which frame goes on the line, and when.
-#ifndef DISCMC_SIMULATOR_SCANNER_HPP
-#define DISCMC_SIMULATOR_SCANNER_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_SCANNER_HPP
+#define DISCMC_TESTS_SIMULATOR_SCANNER_HPP
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Firmware in QEMU, on a board with UARTs to spare.
-#ifndef DISCMC_SIMULATOR_QEMU_HPP
-#define DISCMC_SIMULATOR_QEMU_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_QEMU_HPP
+#define DISCMC_TESTS_SIMULATOR_QEMU_HPP
 
 #include <sys/types.h>
 

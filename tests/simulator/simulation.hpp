@@ -1,6 +1,6 @@
 // A scan from the first row to the last byte of the stream: the scanner, the listener, their lines.
-#ifndef DISCMC_SIMULATOR_SIMULATION_HPP
-#define DISCMC_SIMULATOR_SIMULATION_HPP
+#ifndef DISCMC_TESTS_SIMULATOR_SIMULATION_HPP
+#define DISCMC_TESTS_SIMULATOR_SIMULATION_HPP
 
 #include <csignal>
 
