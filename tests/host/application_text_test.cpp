@@ -1,5 +1,5 @@
 // Application records in words.
-#include "application_text.hpp"
+#include "streams/application_text.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "classic.hpp"
+#include "extraction/classic.hpp"
 
 #include <doctest/doctest.h>
 

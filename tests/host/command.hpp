@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh.hpp"
+#include "meshes/mesh.hpp"
 #include "oracle/volume.hpp"
 #include "volume_files.hpp"
 

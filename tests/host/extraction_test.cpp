@@ -1,5 +1,5 @@
 // Volumes through the extractor as `extract` takes them: counts, memory, sample types.
-#include "extraction.hpp"
+#include "extraction/extraction.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "command.hpp"
-#include "growing_joiner.hpp"
 #include "oracle/region.hpp"
 #include "oracle/stream.hpp"
 #include "sample_reader.hpp"
-#include "surface_builder.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
 
 namespace {
 

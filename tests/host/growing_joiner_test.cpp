@@ -1,5 +1,5 @@
 // The joiner of the host: it grows as it must, and what has no partner stays loose.
-#include "growing_joiner.hpp"
+#include "surface/growing_joiner.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "oracle/region.hpp"
 #include "oracle/stream.hpp"
-#include "surface_builder.hpp"
+#include "surface/surface_builder.hpp"
 
 namespace {
 

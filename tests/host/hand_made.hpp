@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh.hpp"
-#include "surface.hpp"
+#include "meshes/mesh.hpp"
+#include "surface/surface.hpp"
 
 namespace hand_made {
 

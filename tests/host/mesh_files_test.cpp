@@ -1,4 +1,4 @@
-#include "mesh_files.hpp"
+#include "mesh_files/mesh_files.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Meshes from files: every way in which the formats say the same, and what is no mesh.
-#include "mesh_reader.hpp"
+#include "mesh_files/mesh_reader.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "hand_made.hpp"
-#include "mesh_files.hpp"
+#include "mesh_files/mesh_files.hpp"
 #include "oracle/stream.hpp"
 #include "volume_files.hpp"
 

@@ -1,4 +1,4 @@
-#include "mesh.hpp"
+#include "meshes/mesh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 
 #include "hand_made.hpp"
-#include "triangulate.hpp"
+#include "meshes/triangulate.hpp"
 
 namespace {
 

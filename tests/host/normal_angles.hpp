@@ -9,13 +9,13 @@
 #include <discmc/normal.hpp>
 #include <discmc/sink.hpp>
 
-#include "extraction.hpp"
-#include "mesh.hpp"
+#include "extraction/extraction.hpp"
+#include "meshes/mesh.hpp"
 #include "oracle/angle.hpp"
 #include "oracle/gradient.hpp"
-#include "stream_file.hpp"
-#include "surface_builder.hpp"
-#include "volume.hpp"
+#include "streams/stream_file.hpp"
+#include "surface/surface_builder.hpp"
+#include "volumes/volume.hpp"
 
 namespace normal_angles {
 

@@ -1,4 +1,4 @@
-#include "picture.hpp"
+#include "pictures/picture.hpp"
 
 #include <doctest/doctest.h>
 #include <png.h>
@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "hand_made.hpp"
+#include "meshes/surface_normals.hpp"
 #include "sample_reader.hpp"
-#include "surface_normals.hpp"
 
 namespace {
 

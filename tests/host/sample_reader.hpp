@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "extraction.hpp"
-#include "mesh.hpp"
+#include "extraction/extraction.hpp"
+#include "meshes/mesh.hpp"
 #include "oracle/volume.hpp"
-#include "surface_builder.hpp"
-#include "volume.hpp"
+#include "surface/surface_builder.hpp"
+#include "volumes/volume.hpp"
 
 namespace sample_reader {
 

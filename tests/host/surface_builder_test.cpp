@@ -1,5 +1,5 @@
 // The surface builder: lost regions forgotten, sweep rings made simple.
-#include "surface_builder.hpp"
+#include "surface/surface_builder.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "surface_normals.hpp"
+#include "meshes/surface_normals.hpp"
 
 #include <doctest/doctest.h>
 

@@ -17,8 +17,8 @@
 #include "oracle/stream_samples.hpp"
 #include "oracle/surface.hpp"
 #include "oracle/version1_packets.hpp"
-#include "stream_file.hpp"
-#include "version1/decoder.hpp"
+#include "streams/stream_file.hpp"
+#include "streams/version1/decoder.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Normals of merged meshes, from their polygons and from the samples.
-#include "vertex_normals.hpp"
+#include "meshes/vertex_normals.hpp"
 
 #include <doctest/doctest.h>
 

@@ -18,7 +18,7 @@
 #include <system_error>
 #include <vector>
 
-#include "../../ports/host/volume.hpp"
+#include "volumes/volume.hpp"
 
 namespace volume_files {
 

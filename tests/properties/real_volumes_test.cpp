@@ -9,7 +9,7 @@
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -10,7 +10,7 @@
 
 #include "listener.hpp"
 #include "scanner.hpp"
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::simulator {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::simulator {
 
