@@ -14,8 +14,8 @@
 #include <system_error>
 #include <vector>
 
-#include "host/normal_angles.hpp"
-#include "host/sample_reader.hpp"
+#include "command/normal_angles.hpp"
+#include "command/sample_reader.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "oracle/ramp_ball.hpp"
 #include "volumes/volume.hpp"

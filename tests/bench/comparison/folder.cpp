@@ -1,4 +1,4 @@
-#include "host/described_volumes.hpp"
+#include "command/described_volumes.hpp"
 #include "volumes.hpp"
 #include "volumes/volume.hpp"
 

@@ -1,6 +1,6 @@
 // Volumes from memory as the host reads them, and the meshes of their surfaces.
-#ifndef DISCMC_TESTS_HOST_SAMPLE_READER_HPP
-#define DISCMC_TESTS_HOST_SAMPLE_READER_HPP
+#ifndef DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
+#define DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
 
 #include <cstdint>
 #include <cstring>

@@ -1,7 +1,7 @@
 // Folders of real volumes: beside each volume stands a JSON file of the same name that gives "file"
 // and "iso", a list of thresholds on stored samples.
-#ifndef DISCMC_TESTS_HOST_DESCRIBED_VOLUMES_HPP
-#define DISCMC_TESTS_HOST_DESCRIBED_VOLUMES_HPP
+#ifndef DISCMC_TESTS_COMMAND_DESCRIBED_VOLUMES_HPP
+#define DISCMC_TESTS_COMMAND_DESCRIBED_VOLUMES_HPP
 
 #include <algorithm>
 #include <cstdint>

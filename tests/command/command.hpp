@@ -1,6 +1,6 @@
 // Runs the built command in a folder of its own, and reads back the meshes that it writes.
-#ifndef DISCMC_TESTS_HOST_COMMAND_HPP
-#define DISCMC_TESTS_HOST_COMMAND_HPP
+#ifndef DISCMC_TESTS_COMMAND_COMMAND_HPP
+#define DISCMC_TESTS_COMMAND_COMMAND_HPP
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>

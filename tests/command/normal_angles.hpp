@@ -1,6 +1,6 @@
 // How far the normals of a mesh are from those in double precision.
-#ifndef DISCMC_TESTS_HOST_NORMAL_ANGLES_HPP
-#define DISCMC_TESTS_HOST_NORMAL_ANGLES_HPP
+#ifndef DISCMC_TESTS_COMMAND_NORMAL_ANGLES_HPP
+#define DISCMC_TESTS_COMMAND_NORMAL_ANGLES_HPP
 
 #include <array>
 #include <cmath>

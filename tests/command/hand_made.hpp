@@ -1,6 +1,6 @@
 // Small surfaces made by hand for the tests of the host's meshes, files and pictures.
-#ifndef DISCMC_TESTS_HOST_HAND_MADE_HPP
-#define DISCMC_TESTS_HOST_HAND_MADE_HPP
+#ifndef DISCMC_TESTS_COMMAND_HAND_MADE_HPP
+#define DISCMC_TESTS_COMMAND_HAND_MADE_HPP
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Small volumes as files of every format, and how to read and refuse them, for the tests of the
 // readers.
-#ifndef DISCMC_TESTS_HOST_VOLUME_FILES_HPP
-#define DISCMC_TESTS_HOST_VOLUME_FILES_HPP
+#ifndef DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
+#define DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
 
 #include <doctest/doctest.h>
 #include <zlib.h>
