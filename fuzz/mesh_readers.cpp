@@ -5,7 +5,7 @@
 //   fuzz_mesh_readers -max_len=1000 corpus/mesh_readers
 //   fuzz_mesh_readers corpus/mesh_readers                   with replay_main.cpp
 
-#include "mesh_reader.hpp"
+#include "mesh_files/mesh_reader.hpp"
 
 #include <cmath>
 #include <stdexcept>

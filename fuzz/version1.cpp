@@ -12,8 +12,8 @@
 #include "oracle/event_log.hpp"
 #include "oracle/version1_packets.hpp"
 #include "require.hpp"
-#include "stream_file.hpp"
-#include "version1/decoder.hpp"
+#include "streams/stream_file.hpp"
+#include "streams/version1/decoder.hpp"
 
 using namespace discmc;
 using reference::EventLog;

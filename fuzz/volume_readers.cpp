@@ -15,7 +15,7 @@
 
 #include "input.hpp"
 #include "require.hpp"
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 using namespace discmc::host;
 namespace fs = std::filesystem;

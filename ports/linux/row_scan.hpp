@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "extraction.hpp"
-#include "volume.hpp"
+#include "extraction/extraction.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::device {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "stream_file.hpp"
+#include "streams/stream_file.hpp"
 
 namespace discmc::device {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::device {
 

@@ -14,11 +14,11 @@
 #include <system_error>
 #include <vector>
 
-#include "host/normal_angles.hpp"
-#include "host/sample_reader.hpp"
+#include "command/normal_angles.hpp"
+#include "command/sample_reader.hpp"
+#include "meshes/vertex_normals.hpp"
 #include "oracle/ramp_ball.hpp"
-#include "vertex_normals.hpp"
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 using namespace discmc;
 using namespace discmc::host;

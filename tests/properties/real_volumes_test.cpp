@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "host/described_volumes.hpp"
+#include "command/described_volumes.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

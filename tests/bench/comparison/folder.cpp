@@ -1,6 +1,6 @@
-#include "host/described_volumes.hpp"
-#include "volume.hpp"  // of the host port
+#include "command/described_volumes.hpp"
 #include "volumes.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::bench {
 

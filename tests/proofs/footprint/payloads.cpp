@@ -11,7 +11,7 @@
 #include <string>
 
 #include "oracle/slice_stream.hpp"
-#include "volume.hpp"
+#include "volumes/volume.hpp"
 
 namespace {
 

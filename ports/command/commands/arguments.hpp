@@ -1,0 +1,84 @@
+// The arguments of the commands, as they are after the command line was read.
+#ifndef DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
+#define DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <discmc/limits.hpp>
+
+#include "streams/stream_file.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// How a headerless file is read; no dims where it has a header.
+struct LayoutArguments {
+  std::vector<std::uint32_t> dims;
+  std::optional<SampleType> type;
+  bool big_endian = false;
+  std::vector<double> spacing;
+};
+
+/// How a volume is read and its surface taken: of every command that takes one.
+struct VolumeArguments {
+  std::vector<double> isos;  ///< one a surface
+  Border border = Border::closed;
+  std::uint64_t memory = 0;
+  std::vector<std::uint32_t> capacities;  ///< records and holes, or none
+  LayoutArguments layout;
+};
+
+/// Where the normals of a mesh's vertices come from: its polygons, or the samples.
+enum class Normals { none, surface, gradient };
+
+/// What a stream holds.
+enum class Wire { regions, slices };
+
+/// Of `extract`.
+struct ExtractArguments {
+  std::string volume;
+  VolumeArguments reading;
+  std::string output = "-";
+  Normals normals = Normals::none;
+  Wire wire = Wire::regions;
+  std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
+  std::uint16_t scan = 0;        ///< the number in a stream
+  bool conforming = true;
+  bool quiet = false;
+};
+
+/// Of `decode` and `info`; each uses what it needs.
+struct StreamArguments {
+  std::string stream;
+  StreamChoice choice;
+  std::string output;
+  Normals normals = Normals::none;
+  std::string volume;  ///< whose gradient it is
+  LayoutArguments layout;
+  bool conforming = true;
+};
+
+enum class InputKind { stream, mesh, volume };
+
+/// Of `render`.
+struct RenderArguments {
+  std::string input;
+  InputKind kind = InputKind::stream;
+  StreamChoice choice;
+  VolumeArguments reading;
+  bool classic = false;
+  std::string output;
+  std::vector<double> view = {-0.9, -1.6, 0.8};
+  std::vector<int> size = {1024, 1024};
+  double zoom = 1;
+  std::vector<double> at;
+  bool smooth = false;
+  bool outlines = false;
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,17 @@
+// The commands. Each takes its arguments, does all, and returns the exit code of the program.
+// They throw std::exception with a text for people when they have failed.
+#ifndef DISCMC_COMMAND_COMMANDS_COMMANDS_HPP
+#define DISCMC_COMMAND_COMMANDS_COMMANDS_HPP
+
+#include "arguments.hpp"
+
+namespace discmc::host {
+
+int run_extract(const ExtractArguments& arguments);
+int run_decode(const StreamArguments& arguments);
+int run_info(const StreamArguments& arguments);
+int run_render(const RenderArguments& arguments);
+
+}  // namespace discmc::host
+
+#endif

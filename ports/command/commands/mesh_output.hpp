@@ -1,0 +1,23 @@
+// The surface of a command as the mesh that it writes.
+#ifndef DISCMC_COMMAND_COMMANDS_MESH_OUTPUT_HPP
+#define DISCMC_COMMAND_COMMANDS_MESH_OUTPUT_HPP
+
+#include <functional>
+
+#include "meshes/mesh.hpp"
+#include "output_file.hpp"
+#include "surface/surface.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// Writes a surface to the file; what goes wrong is told with its name.
+void write_surface(const Surface& surface, Format format, bool conforming,
+                   const std::function<void(Mesh&)>& add_normals, OutputFile& file);
+
+/// A second pass over the volume of a mesh.
+void add_gradient_normals(VolumeReader& volume, Mesh& mesh);
+
+}  // namespace discmc::host
+
+#endif

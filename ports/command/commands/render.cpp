@@ -1,0 +1,74 @@
+// discmc render: a picture of a stream, a mesh or a volume.
+#include "commands.hpp"
+#include "exit_codes.hpp"
+#include "extraction/classic.hpp"
+#include "extraction/extraction.hpp"
+#include "mesh_files/mesh_reader.hpp"
+#include "meshes/mesh.hpp"
+#include "meshes/surface_normals.hpp"
+#include "meshes/vertex_normals.hpp"
+#include "pictures/picture.hpp"
+#include "progress.hpp"
+#include "stream_input.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::host {
+namespace {
+
+// A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
+Mesh mesh_to_draw(const Surface& surface, bool smooth) {
+  Mesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+  if (!smooth || surface.normals.empty()) return mesh;
+  mesh.normals = surface_normals(mesh);
+  set_told_normals(surface, mesh);
+  return mesh;
+}
+
+Mesh volume_to_draw(const RenderArguments& arguments) {
+  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  Progress progress("slice", volume->info().dims[2]);
+  auto options = extraction_options(volume->info(), arguments.reading, progress);
+  options.normals = arguments.smooth;
+  if (arguments.classic) return classic_mesh(*volume, options);
+  SurfaceBuilder builder;
+  GrowingJoiner joiner(sink_to(builder));
+  extract(*volume, options, sink_to(joiner));
+  builder.surface().spacing_mm = volume->info().spacing_mm;
+  return mesh_to_draw(builder.surface(), arguments.smooth);
+}
+
+PictureOptions picture_options(const RenderArguments& arguments) {
+  PictureOptions options;
+  options.width = arguments.size[0];
+  options.height = arguments.size[1];
+  options.from = {arguments.view[0], arguments.view[1], arguments.view[2]};
+  options.zoom = arguments.zoom;
+  if (!arguments.at.empty()) options.at = {arguments.at[0], arguments.at[1], arguments.at[2]};
+  options.shading = arguments.smooth ? Shading::smooth : Shading::flat;
+  options.outlines = arguments.outlines;
+  return options;
+}
+
+}  // namespace
+
+int run_render(const RenderArguments& arguments) {
+  Mesh mesh;
+  int code = exit_ok;
+  if (arguments.kind == InputKind::mesh) {
+    mesh = read_mesh(arguments.input);
+    if (arguments.smooth) mesh = triangulated(mesh);
+  } else if (arguments.kind == InputKind::volume) {
+    mesh = volume_to_draw(arguments);
+  } else {
+    const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
+    mesh = mesh_to_draw(decoded.surface, arguments.smooth);
+    code = completeness(arguments.input, decoded.report);
+  }
+  if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
+  write_picture(mesh, picture_options(arguments), arguments.output);
+  return code;
+}
+
+}  // namespace discmc::host

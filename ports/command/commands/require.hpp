@@ -1,0 +1,21 @@
+// What has to succeed, or the command has failed.
+#ifndef DISCMC_COMMAND_COMMANDS_REQUIRE_HPP
+#define DISCMC_COMMAND_COMMANDS_REQUIRE_HPP
+
+#include <discmc/status.hpp>
+#include <ostream>
+#include <stdexcept>
+
+namespace discmc::host {
+
+inline void require(Status status) {
+  if (status != Status::ok) throw std::runtime_error(text(status));
+}
+
+inline void require_written(std::ostream& out) {
+  if (!out.flush()) throw std::runtime_error("the table cannot be written: is the disk full?");
+}
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,108 @@
+#include "stream_input.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "exit_codes.hpp"
+#include "progress.hpp"
+#include "streams/application_text.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+
+namespace discmc::host {
+namespace {
+
+// The surfaces of a link by scan, channel and threshold.
+std::vector<std::string> list_of_surfaces(const StreamReader& reader) {
+  std::vector<std::string> list;
+  for (const StreamHeader& header : reader.headers())
+    for (std::uint32_t surface = 0; surface < header.surfaces(); ++surface)
+      list.push_back("scan " + std::to_string(header.scan) + " channel " +
+                     std::to_string(header.channel + surface) + " (threshold " +
+                     std::to_string(header.threshold_of(surface)) + ")");
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& list) {
+  std::string text;
+  for (const std::string& item : list) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
+// Notes the application records of a stream, and passes on what it is given.
+struct RecordNotes {
+  GrowingJoiner& to;
+  std::vector<std::string> records{};
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::application) records.push_back(text(*event.application));
+    return to.take(event);
+  }
+};
+
+}  // namespace
+
+void read_file(const std::string& path, StreamReader& reader) {
+  std::ifstream file;
+  if (path != "-") {
+    if (!std::filesystem::is_directory(path)) file.open(path, std::ios::binary);
+    if (!file.is_open())
+      throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
+  }
+  Progress progress("bytes", 0);
+  try {
+    reader.read(path == "-" ? std::cin : file,
+                [&progress](std::uint64_t bytes) { progress.show(bytes); });
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+  if (reader.report().has_header) return;
+  if (!reader.headers().empty())
+    throw std::runtime_error(path + ": no such surface: it has " +
+                             joined(list_of_surfaces(reader)));
+  throw std::runtime_error(path + ": no header of a discmc stream in " +
+                           std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
+}
+
+void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
+  const std::vector<std::string> surfaces = list_of_surfaces(reader);
+  if (surfaces.size() < 2 || !choice.is_any()) return;
+  std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
+            << int{reader.channel()} << " of " << joined(surfaces)
+            << ": choose with --scan N and --channel N\n";
+}
+
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
+  SurfaceBuilder builder;
+  GrowingJoiner joiner(sink_to(builder));
+  RecordNotes notes{joiner};
+  StreamReader reader(sink_to(notes), choice);
+  read_file(path, reader);
+  note_others(path, choice, reader);
+  joiner.finish();
+  builder.surface().spacing_mm = spacing_mm(reader.header());
+  StreamReport report = reader.report();
+  report.lost_pieces += builder.incomplete_regions();
+  return {reader.header(),
+          reader.channel(),
+          reader.headers(),
+          report,
+          std::move(builder.surface()),
+          std::move(notes.records)};
+}
+
+int completeness(const std::string& path, const StreamReport& report) {
+  if (report.is_complete()) return exit_ok;
+  if (report.is_mixed)
+    std::cerr << "discmc: " << path
+              << ": two scans of one number are mixed in it: give every scan a number of its own\n";
+  std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
+            << " packets and " << (report.holds_slices ? report.lost_rows : report.lost_pieces)
+            << (report.holds_slices ? " rows" : " regions or fragments") << " are missing"
+            << (report.has_trailer ? "" : ", and its end") << '\n';
+  return exit_incomplete;
+}
+
+}  // namespace discmc::host

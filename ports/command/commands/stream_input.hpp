@@ -1,0 +1,39 @@
+// The stream of a command: read and decoded, and what of it is missing.
+#ifndef DISCMC_COMMAND_COMMANDS_STREAM_INPUT_HPP
+#define DISCMC_COMMAND_COMMANDS_STREAM_INPUT_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <discmc/stream_header.hpp>
+
+#include "streams/stream_file.hpp"
+#include "surface/surface.hpp"
+
+namespace discmc::host {
+
+/// Reads the named stream; "-" is standard input.
+void read_file(const std::string& path, StreamReader& reader);
+
+/// Where there are several surfaces and none was asked for, the others are worth a word.
+void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader);
+
+/// What a stream tells of its surface.
+struct DecodedStream {
+  StreamHeader header;
+  std::uint8_t channel;
+  std::vector<StreamHeader> streams;  ///< all of the link
+  StreamReport report;
+  Surface surface;
+  std::vector<std::string> records;  ///< the user's own, in words
+};
+
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice);
+
+/// What is missing is said, and told by the exit code, but what is there is used.
+int completeness(const std::string& path, const StreamReport& report);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,77 @@
+// A volume through the extractor: what the `extract` command does, slice by slice.
+#ifndef DISCMC_COMMAND_EXTRACTION_EXTRACTION_HPP
+#define DISCMC_COMMAND_EXTRACTION_EXTRACTION_HPP
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <discmc/extractor.hpp>
+#include <discmc/slice_encoder.hpp>
+#include <discmc/stream/wire.hpp>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+struct ExtractionOptions {
+  std::int32_t threshold = 0;  ///< on stored samples
+  Border border = Border::closed;
+  /// The arena. 0 takes a generous default. Units: bytes
+  std::uint64_t memory = 0;
+  /// Called after every slice with how many are done.
+  std::function<void(std::uint32_t)> progress;
+  /// Whether the events tell gradient normals. The arena then also holds four slices.
+  bool normals = false;
+  /// Is given the samples as well, and finished, if there is one; its output must take all.
+  SliceEncoder* slices = nullptr;
+  /// In place of `memory`: the arena is as large as these need.
+  std::optional<Capacities> capacities{};
+};
+
+struct Extraction {
+  Statistics statistics{};
+  std::uint64_t voxels = 0;
+  std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
+  std::uint64_t arena_bytes = 0;       ///< given
+  std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by records that were ever in use
+  Capacities capacities{};             ///< that the arena had
+  HighWater high_water{};              ///< of them, the most in use at once
+};
+
+/// A surface of a volume: where it lies, on stored samples, and who gets its events. The sink must
+/// not say "not now".
+struct SurfaceRequest {
+  std::int32_t threshold;
+  Sink sink;
+};
+
+/// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
+/// half a MiB. A scan on the host then is one on a device.
+template <class Normals = NoNormals>
+bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
+  return default_capacities<std::uint16_t, Normals>(limits, memory).records >=
+         default_capacities<std::uint32_t, Normals>(limits, memory).records;
+}
+
+/// The header of a volume's stream.
+StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
+
+/// Throws std::invalid_argument when the stream cannot be of this volume, because their extents or
+/// spacings differ; the text tells both. What the header does not say is not compared.
+void require_same_volume(const VolumeInfo& info, const StreamHeader& header);
+
+/// Reads the volume to its end and gives its surface to the sink, which must not say "not now".
+/// Throws VolumeError as the reader does, std::invalid_argument when the memory is too small (the
+/// text names the minimum) or the capacities are not valid.
+Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink);
+
+/// The same for several surfaces in one pass, whatever the threshold of the options; each has an
+/// arena as the options say.
+std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
+                                const std::vector<SurfaceRequest>& surfaces);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,33 @@
+// Meshes as OBJ, PLY and STL files, and polygons as lines of JSON.
+//
+// All writers append to a stream that the caller opened (binary) and owns. They throw
+// std::runtime_error when the stream fails; what was written before that is worthless.
+#ifndef DISCMC_COMMAND_MESH_FILES_MESH_FILES_HPP
+#define DISCMC_COMMAND_MESH_FILES_MESH_FILES_HPP
+
+#include <ostream>
+
+#include "meshes/mesh.hpp"
+
+namespace discmc::host {
+
+/// Wavefront OBJ, n-gons, exact decimal coordinates. Units: millimetres.
+/// Many readers cut n-gons into fans, which is wrong where they are not convex: give those
+/// triangles. Every vertex has its normal, where the mesh has normals.
+void write_obj(const Mesh& mesh, std::ostream& out);
+
+/// PLY, binary little endian, n-gons, coordinates as 32-bit floats, and so are normals, where the
+/// mesh has them. Units: millimetres.
+void write_ply(const Mesh& mesh, std::ostream& out);
+
+/// Binary STL, coordinates as 32-bit floats. Units: millimetres.
+/// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
+void write_stl(const Mesh& mesh, std::ostream& out);
+
+/// One polygon a line, `{"normal":[0,0,1],"rings":[[[1,0,0],...],...]}`: the corners of its simple
+/// rings, the outer one first. Units: half-steps.
+void write_jsonl(const Surface& surface, std::ostream& out);
+
+}  // namespace discmc::host
+
+#endif

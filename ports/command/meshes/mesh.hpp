@@ -1,0 +1,82 @@
+// From polygons on the half-step lattice to a mesh in millimetres.
+#ifndef DISCMC_COMMAND_MESHES_MESH_HPP
+#define DISCMC_COMMAND_MESHES_MESH_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "point.hpp"
+#include "surface/surface.hpp"
+
+namespace discmc::host {
+
+enum class Faces {
+  polygons,   ///< n-gons; only polygons with holes are triangulated
+  triangles,  ///< triangles only
+};
+
+struct MeshOptions {
+  /// Keep the vertices on straight sides where boundary links of other polygons end. The mesh then
+  /// has no T-junctions. Without them it is smaller and only looks closed.
+  bool conforming = true;
+  Faces faces = Faces::polygons;
+};
+
+/// Faces over shared vertices. Faces are counter-clockwise seen from outside.
+struct Mesh {
+  Point spacing_mm{};                      ///< as in Surface
+  std::vector<Point> vertices_mm;          ///< one for each lattice position in use
+  std::vector<Vertex> lattice;             ///< one a vertex: its position; none in other meshes
+  std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
+  std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
+  std::vector<Incidence> incidences;       ///< one a face; none where faces lie in any plane
+  std::vector<std::uint32_t> polygons;     ///< one a face: its place in Surface::polygons
+  /// One a vertex, or none at all: unit vectors that point outside, zero where there is none.
+  std::vector<Point> normals;
+
+  std::size_t face_count() const { return face_begin.size() - 1; }
+  std::size_t face_size(std::size_t face) const { return face_begin[face + 1] - face_begin[face]; }
+  const std::uint32_t* face(std::size_t face) const { return corners.data() + face_begin[face]; }
+};
+
+/// Makes a mesh of all polygons. Voxel (i, j, k) lies at (i, j, k) times the spacing.
+/// Throws std::invalid_argument when a spacing is zero or not finite, or when a polygon is not
+/// valid (Ring, Polygon) and that keeps it from being triangulated; the text tells which one.
+Mesh build_mesh(const Surface& surface, const MeshOptions& options = {});
+
+/// The unit vector that points from on to off where the voxels have this spacing.
+Point outward_normal(Incidence incidence, const Point& spacing_mm);
+
+/// A vector along the normal of a face, as long as the face is large; exact enough also where
+/// corners are collinear. Units: square millimetres.
+Point area_vector(const Mesh& mesh, std::size_t face);
+
+/// The unit normal of a face, by its incidence where it has one; zero where it has no area.
+Point face_normal(const Mesh& mesh, std::size_t face);
+
+/// Drops the vertices at which a ring goes straight on. Units: half-steps.
+Ring corners_of(const Ring& ring);
+
+/// The mesh with every face of more than three corners cut into triangles that keep the number of
+/// its polygon. Faces need not be convex; one that crosses itself is cut into a fan.
+Mesh triangulated(const Mesh& mesh);
+
+/// What is wrong with a mesh. A closed mesh has zero everywhere but in `edges`.
+struct MeshReport {
+  std::size_t edges = 0;               ///< undirected
+  std::size_t open_edges = 0;          ///< used by one face
+  std::size_t non_manifold_edges = 0;  ///< used by three faces or more
+  std::size_t wrongly_oriented = 0;    ///< used by two faces in the same direction
+  std::size_t degenerate_faces = 0;    ///< no area, or a vertex twice
+
+  bool closed() const {
+    return open_edges + non_manifold_edges + wrongly_oriented + degenerate_faces == 0;
+  }
+};
+
+MeshReport check_mesh(const Mesh& mesh);
+
+}  // namespace discmc::host
+
+#endif

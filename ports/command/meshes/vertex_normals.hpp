@@ -1,0 +1,34 @@
+// Normals at the vertices of a merged mesh, in the integers of the library.
+#ifndef DISCMC_COMMAND_MESHES_VERTEX_NORMALS_HPP
+#define DISCMC_COMMAND_MESHES_VERTEX_NORMALS_HPP
+
+#include <cstdint>
+#include <functional>
+
+#include "mesh.hpp"
+#include "surface/surface.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// Gives every vertex the mean of the polygons that have it for a corner or a junction, each by its
+/// area; zero where they cancel each other out. mesh: build_mesh() of the surface.
+/// Throws std::invalid_argument when the spacing is beyond what a stream can hold.
+void set_polygon_normals(const Surface& surface, Mesh& mesh);
+
+/// Gives every vertex the normal that the scan or the stream told there. Where it told none the
+/// vertex keeps the one that it has.
+void set_told_normals(const Surface& surface, Mesh& mesh);
+
+/// Gives every vertex the direction in which the samples fall there. Where they are level, and on
+/// the walls around the volume, it keeps the normal that it has. Reads the volume to its end, and
+/// holds four slices of it.
+/// mesh: from a volume of these extents; its spacing counts, not that of the volume.
+/// progress: called after every slice with how many are done.
+/// Throws as set_polygon_normals() does, and VolumeError as the reader does.
+void set_gradient_normals(VolumeReader& volume, Mesh& mesh,
+                          const std::function<void(std::uint32_t)>& progress = {});
+
+}  // namespace discmc::host
+
+#endif

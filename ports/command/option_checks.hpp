@@ -1,0 +1,46 @@
+// Checks of option values that several commands share; what they return is an error, and wrong
+// usage.
+#ifndef DISCMC_COMMAND_OPTION_CHECKS_HPP
+#define DISCMC_COMMAND_OPTION_CHECKS_HPP
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+namespace discmc::host {
+
+/// The spacing of a stream is a count of nanometres in 32 bits.
+inline CLI::Validator usable_spacing() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const double size = std::fabs(std::strtod(text.c_str(), nullptr));
+        return size >= 1e-6 && size <= 2147 ? std::string()
+                                            : "'" + text + "' is not within 1e-6 to 2147 mm";
+      },
+      "");
+}
+
+inline CLI::Validator not_negative() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
+      },
+      "");
+}
+
+/// --memory: bytes, with K, M or G for powers of 1024.
+inline CLI::Option* add_memory_option(CLI::App& app, std::uint64_t& memory,
+                                      const std::string& description) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 60;  // more than there is anywhere
+  return app.add_option("--memory", memory, description)
+      ->transform(CLI::AsSizeValue(false))
+      ->transform(not_negative())  // which comes before the other
+      ->check(CLI::Range(std::uint64_t{1}, most))
+      ->option_text("BYTES");
+}
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,102 @@
+#include "output_file.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "mesh_files/mesh_files.hpp"
+
+namespace discmc::host {
+namespace {
+
+// What a signal that ends the program removes first; nothing when empty.
+char unfinished[4096] = "";
+
+void remove_unfinished(int signal) {
+  if (unfinished[0] != '\0') unlink(unfinished);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void set_unfinished(const std::string& file) {
+  unfinished[0] = '\0';
+  if (file.empty() || file.size() >= sizeof unfinished) return;
+  file.copy(unfinished + 1, file.size() - 1, 1);
+  unfinished[file.size()] = '\0';
+  unfinished[0] = file[0];
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+}  // namespace
+
+Format format_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (path == "-" || extension == ".dmc") return Format::stream;
+  if (extension == ".obj") return Format::obj;
+  if (extension == ".ply") return Format::ply;
+  if (extension == ".stl") return Format::stl;
+  if (extension == ".jsonl") return Format::jsonl;
+  throw std::invalid_argument(path.string() + ": cannot tell a format from \"" + extension +
+                              "\": use .dmc, .obj, .ply, .stl or .jsonl");
+}
+
+OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
+  if (is_standard_output()) return;
+  const auto status = std::filesystem::status(path);
+  if (std::filesystem::is_directory(status))
+    throw std::runtime_error(path.string() + ": is a folder: give the name of a file");
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+    temporary_ = path;
+    temporary_ += ".part" + std::to_string(getpid());
+    set_unfinished(temporary_.string());
+  }
+  file_.open(is_in_place() ? path_ : temporary_, std::ios::binary);
+  if (!file_)
+    throw std::runtime_error(path.string() +
+                             ": cannot be written: check the folder and its permissions");
+}
+
+OutputFile::~OutputFile() {
+  if (is_standard_output() || is_committed_ || is_in_place()) return;
+  file_.close();
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+  set_unfinished({});
+}
+
+std::ostream& OutputFile::stream() {
+  return is_standard_output() ? std::cout : static_cast<std::ostream&>(file_);
+}
+
+void OutputFile::commit() {
+  stream().flush();
+  if (!stream()) throw std::runtime_error(path_.string() + ": writing failed: is the disk full?");
+  if (is_standard_output()) return;
+  file_.close();
+  if (!file_) throw std::runtime_error(path_.string() + ": writing failed: is the disk full?");
+  std::error_code error;
+  if (!is_in_place()) std::filesystem::rename(temporary_, path_, error);
+  if (error) throw std::runtime_error(path_.string() + ": cannot be replaced: " + error.message());
+  is_committed_ = true;
+  set_unfinished({});
+}
+
+void write_surface(const Surface& surface, Format format, bool conforming,
+                   const std::function<void(Mesh&)>& add_normals, std::ostream& out) {
+  if (format == Format::stream)
+    throw std::invalid_argument("a stream is not written from a surface");
+  if (format == Format::jsonl) return write_jsonl(surface, out);
+  const Faces faces = format == Format::stl ? Faces::triangles : Faces::polygons;
+  Mesh mesh = build_mesh(surface, {conforming, faces});
+  if (add_normals) add_normals(mesh);
+  if (format == Format::obj) write_obj(mesh, out);
+  if (format == Format::ply) write_ply(mesh, out);
+  if (format == Format::stl) write_stl(mesh, out);
+}
+
+}  // namespace discmc::host

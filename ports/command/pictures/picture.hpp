@@ -1,0 +1,57 @@
+// A picture of a mesh, without a window or a graphics card.
+#ifndef DISCMC_COMMAND_PICTURES_PICTURE_HPP
+#define DISCMC_COMMAND_PICTURES_PICTURE_HPP
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "meshes/mesh.hpp"
+
+namespace discmc::host {
+
+enum class Projection { orthographic, perspective };
+
+enum class Shading {
+  flat,  ///< every face in one colour, by its normal
+  /// The normals of the vertices are interpolated over the faces, but for those that lean away from
+  /// a face by more than 72 degrees: there is an edge, and the face has its own normal.
+  /// Limit: the mesh has triangles only, and normals.
+  smooth,
+};
+
+struct PictureOptions {
+  int width = 1024;                ///< Units: pixels. Limit: 1 to 8192
+  int height = 1024;               ///< as width
+  Point from = {-0.9, -1.6, 0.8};  ///< from the mesh to the viewer; any length but zero
+  Point up = {0, 0, 1};            ///< points upwards in the picture
+  Projection projection = Projection::perspective;
+  double zoom = 1;          ///< 1 fills the picture; more is nearer. Limit: 1e-3 to 1e3
+  std::optional<Point> at;  ///< in the middle of the picture; without it all of the mesh is
+  Shading shading = Shading::flat;
+  bool outlines = false;  ///< thin dark lines around the merged polygons
+  std::array<std::uint8_t, 3> colour = {224, 186, 146};  ///< of the surface, sRGB
+};
+
+/// Rows from top to bottom, three bytes (red, green, blue; sRGB) a pixel.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Draws the mesh so that it fills the picture but for a small margin. n-gons need not be convex.
+/// The inside of an open mesh is drawn in a bluish tone.
+/// Throws std::invalid_argument when the options are out of range or the mesh lacks what they ask.
+Picture draw(const Mesh& mesh, const PictureOptions& options = {});
+
+/// Draws the mesh into a PNG file; "-" is standard output. Throws as draw() does, and
+/// std::runtime_error when the file cannot be written.
+void write_picture(const Mesh& mesh, const PictureOptions& options,
+                   const std::filesystem::path& path);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,58 @@
+// What colour the faces of a mesh have in a picture.
+#ifndef DISCMC_COMMAND_PICTURES_SHADING_HPP
+#define DISCMC_COMMAND_PICTURES_SHADING_HPP
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "meshes/mesh.hpp"
+#include "picture.hpp"
+
+namespace discmc::host {
+
+using Colour = std::array<float, 3>;  // linear light
+
+/// Axes of the viewer: right, upwards, and out of the picture towards him.
+struct Axes {
+  Point right, upward, towards;
+};
+
+/// A vertex in the picture: x to the right and y downwards in samples, and a nearness that grows
+/// towards the viewer and is linear over the picture of a plane. What is linear over a plane in
+/// space is, times the weight, linear over its picture.
+struct Projected {
+  double x, y, nearness, weight;
+};
+
+/// Lights the samples of a picture, face after face.
+class Shader {
+ public:
+  /// Owner: the mesh and the vertices outlive the shader.
+  Shader(const Mesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
+         const PictureOptions& options);
+
+  /// The colour of a face at a place of the picture. inside: its back is what is seen.
+  /// Cost: less when the face is that of the last call.
+  Colour colour(std::size_t face, bool inside, double x, double y);
+
+ private:
+  void take(std::size_t face);
+  Point normal_at(double x, double y) const;
+  Colour light(const Point& normal, bool inside) const;
+
+  const Mesh& mesh_;
+  const std::vector<Projected>& vertices_;
+  Axes axes_;
+  Shading shading_;
+  Colour surface_;
+  // Right, upward, towards: over the left shoulder.
+  Point key_light_ = unit_or_zero({-0.6, 0.7, 0.5});
+  std::size_t face_;
+  Point face_normal_{};
+  std::array<Point, 3> normals_{};  // of the corners, as the face has them
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,16 @@
+// What application records say, in words.
+#ifndef DISCMC_COMMAND_STREAMS_APPLICATION_TEXT_HPP
+#define DISCMC_COMMAND_STREAMS_APPLICATION_TEXT_HPP
+
+#include <string>
+
+#include <discmc/application_record.hpp>
+
+namespace discmc::host {
+
+/// A record in one line: its kind, where it was told, and its bytes; of a placement what it says.
+std::string text(const ApplicationRecord& record);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,31 @@
+// Which streams share a link.
+#ifndef DISCMC_COMMAND_STREAMS_STREAM_CENSUS_HPP
+#define DISCMC_COMMAND_STREAMS_STREAM_CENSUS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include <discmc/stream_header.hpp>
+
+namespace discmc::host {
+
+/// Finds the headers among the frames of a link.
+class StreamCensus {
+ public:
+  void take(const std::uint8_t* bytes, std::size_t count);
+  /// One of each stream, in the order in which they came.
+  const std::vector<StreamHeader>& headers() const { return headers_; }
+
+ private:
+  void end_frame();
+
+  std::vector<std::uint8_t> frame_;
+  std::unordered_set<std::uint32_t> known_;  // by what names them
+  std::vector<StreamHeader> headers_;
+};
+
+}  // namespace discmc::host
+
+#endif

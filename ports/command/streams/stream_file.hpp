@@ -1,0 +1,94 @@
+// Streams (.dmc) as files: written through an encoder, read through a decoder.
+#ifndef DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
+#define DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+#include <discmc/encoder.hpp>
+#include <discmc/surface_decoder.hpp>
+
+#include "scan_filter.hpp"
+#include "stream_census.hpp"
+#include "streams/version1/decoder.hpp"
+#include "version_search.hpp"
+
+namespace discmc::host {
+
+/// An output that counts what an encoder gives it and passes it on to a stream, if there is one.
+/// Owner: `out` belongs to the caller and outlives the output.
+class StreamOutput {
+ public:
+  explicit StreamOutput(std::ostream* out) : out_(out) {}
+  ByteOutput byte_output();
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  std::ostream* out_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// Which stream of a link, and which surface of it. Version 1 has neither scans nor channels.
+struct StreamChoice {
+  std::uint8_t channel = any_channel;  ///< as of the SurfaceDecoder
+  std::optional<std::uint16_t> scan;   ///< else the first
+
+  bool is_any() const { return channel == any_channel && !scan; }
+};
+
+/// A stream of either kind and of any version, read to its end.
+class StreamReader {
+ public:
+  /// sink: it must not say "not now".
+  explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
+  /// progress: called now and then with the bytes read so far.
+  /// Throws std::runtime_error when the stream's version is not known, has not what was chosen, or
+  /// it claims that more was lost than anybody can wait for.
+  void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
+
+  const StreamHeader& header() const { return version1_ ? version1_->header() : decoder_.header(); }
+  const StreamReport& report() const { return version1_ ? version1_->report() : decoder_.report(); }
+  /// The channel that was read.
+  std::uint8_t channel() const {
+    return choice_.channel == any_channel ? header().channel : choice_.channel;
+  }
+  /// The headers of all streams of the link, of version 2.
+  const std::vector<StreamHeader>& headers() const { return census_.headers(); }
+
+ private:
+  void take(const std::uint8_t* bytes, std::size_t count);
+  void choose_decoder();
+  void pass(const std::uint8_t* bytes, std::size_t count);
+  void push(const std::uint8_t* bytes, std::size_t count);
+  void finish();
+  Status give_memory();
+  Status go_on_skipping();
+
+  Sink sink_;
+  StreamChoice choice_;
+  std::optional<ScanFilter> filter_;
+  StreamCensus census_;
+  VersionSearch search_;
+  std::vector<std::uint8_t> held_;  // until the version is known
+  SurfaceDecoder decoder_{};
+  std::optional<version1::Decoder> version1_;  // instead, for a stream of this version
+  std::unique_ptr<std::uint8_t[]> memory_;     // for a stream of bits
+  Status status_ = Status::ok;
+  std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
+};
+
+/// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
+std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
+
+/// The header's spacing, 1 where the stream does not say. Units: millimetres.
+std::array<double, 3> spacing_mm(const StreamHeader& header);
+
+}  // namespace discmc::host
+
+#endif

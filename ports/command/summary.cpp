@@ -1,0 +1,108 @@
+#include "summary.hpp"
+
+#include <iomanip>
+#include <string>
+
+#include "streams/stream_file.hpp"
+
+namespace discmc::host {
+namespace {
+
+// 1234567 as 1,234,567.
+std::string grouped(std::uint64_t value) {
+  std::string digits = std::to_string(value);
+  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3)
+    digits.insert(static_cast<std::size_t>(i), ",");
+  return digits;
+}
+
+void row(std::ostream& out, const char* name, const std::string& value,
+         const std::string& note = {}) {
+  out << "  " << std::left << std::setw(26) << name << std::right << std::setw(14) << value;
+  if (!note.empty()) out << "  " << note;
+  out << '\n';
+}
+
+std::string ratio(std::uint64_t a, std::uint64_t b) {
+  if (b == 0) return "-";
+  const std::uint64_t tenths = (10 * a + b / 2) / b;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
+// What there was too little of, if anything.
+std::string shortage(const Extraction& extraction) {
+  if (extraction.statistics.fragments == 0) return {};
+  const bool lacked_holes = extraction.high_water.holes == extraction.capacities.holes;
+  return std::string("memory ran short of records") + (lacked_holes ? " or holes" : "");
+}
+
+}  // namespace
+
+void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
+                 std::ostream& out) {
+  const Statistics& statistics = extraction.statistics;
+  row(out, "voxels", grouped(extraction.voxels));
+  row(out, "classic MC triangles", grouped(statistics.classic_triangles));
+  row(out, "classic MC vertices", grouped(extraction.classic_vertices));
+  row(out, "facets", grouped(statistics.facets));
+  row(out, "regions", grouped(counts.regions));
+  row(out, "  with 3 corners", grouped(counts.three));
+  row(out, "  with 4 corners", grouped(counts.four));
+  row(out, "  with more", grouped(counts.more));
+  row(out, "holes", grouped(counts.holes));
+  row(out, "reduction", ratio(statistics.classic_triangles, counts.regions), "triangles a region");
+  row(out, "bytes of stream", grouped(stream_bytes),
+      ratio(stream_bytes, counts.regions) + " a region");
+  row(out, "bytes of arena used", grouped(extraction.arena_bytes_used),
+      "of " + grouped(extraction.arena_bytes));
+  row(out, "  records at most in use", grouped(extraction.high_water.records),
+      "of " + grouped(extraction.capacities.records));
+  row(out, "  holes at most waiting", grouped(extraction.high_water.holes),
+      "of " + grouped(extraction.capacities.holes));
+  row(out, "loose fragments", grouped(statistics.fragments), shortage(extraction));
+}
+
+void write_info(const StreamHeader& header, std::uint8_t channel,
+                const std::vector<StreamHeader>& streams, const StreamReport& report,
+                const Counts& counts, std::ostream& out) {
+  const auto spacing = spacing_mm(header);
+  const auto digits = out.precision(10);  // a nanometre of the largest spacing
+  out << "dimensions " << header.width << ' ' << header.height << ' '
+      << (report.has_trailer ? report.slices : header.depth) << '\n'
+      << "spacing " << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2] << '\n'
+      << "position dropped\n"
+      << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
+      << "scan " << header.scan << '\n'
+      << "channel " << int{channel} << '\n'
+      << "threshold " << header.threshold_of(static_cast<std::uint32_t>(channel - header.channel))
+      << '\n'
+      << "border " << (header.border == Border::closed ? "closed" : "open") << '\n'
+      << "regions " << counts.regions << '\n'
+      << "rings " << counts.rings << '\n'
+      << "holes " << counts.holes << '\n'
+      << "links " << counts.links << '\n'
+      << "corners " << counts.corners << '\n'
+      << "three " << counts.three << '\n'
+      << "four " << counts.four << '\n'
+      << "more " << counts.more << '\n'
+      << "normals " << counts.normals << '\n'
+      << "fragments " << report.totals.fragments << '\n'
+      << "skipped_rows " << report.totals.skipped_rows << '\n'
+      << "lost_packets " << report.lost_packets << '\n'
+      << "damaged_packets " << report.damaged_packets << '\n'
+      << "lost_pieces " << report.lost_pieces << '\n'
+      << "lost_rows " << report.lost_rows << '\n'
+      << "repeated_packets " << report.repeated_packets << '\n'
+      << "foreign_packets " << report.foreign_packets << '\n'
+      << "mixed " << (report.is_mixed ? "yes" : "no") << '\n'
+      << "bytes " << report.bytes << '\n'
+      << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
+      << "complete " << (report.is_complete() ? "yes" : "no") << '\n';
+  for (const StreamHeader& stream : streams)
+    for (std::uint32_t surface = 0; surface < stream.surfaces(); ++surface)
+      out << "surface scan " << stream.scan << " channel " << stream.channel + surface
+          << " threshold " << stream.threshold_of(surface) << '\n';
+  out.precision(digits);
+}
+
+}  // namespace discmc::host

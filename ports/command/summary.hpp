@@ -1,0 +1,27 @@
+// What the command says of a surface: the table after `extract`, the lines of `info`.
+#ifndef DISCMC_COMMAND_SUMMARY_HPP
+#define DISCMC_COMMAND_SUMMARY_HPP
+
+#include <ostream>
+#include <vector>
+
+#include <discmc/decoder.hpp>
+
+#include "extraction/extraction.hpp"
+#include "surface/counts.hpp"
+
+namespace discmc::host {
+
+/// A short table for people: what came in, what came out, what it took.
+void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
+                 std::ostream& out);
+
+/// One `key value` a line, for people and programs. channel: of the surface that was counted.
+/// streams: all that share the link with it.
+void write_info(const StreamHeader& header, std::uint8_t channel,
+                const std::vector<StreamHeader>& streams, const StreamReport& report,
+                const Counts& counts, std::ostream& out);
+
+}  // namespace discmc::host
+
+#endif

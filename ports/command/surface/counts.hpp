@@ -1,0 +1,28 @@
+// What a surface consists of, as the paper's Table 1 counts it.
+#ifndef DISCMC_COMMAND_SURFACE_COUNTS_HPP
+#define DISCMC_COMMAND_SURFACE_COUNTS_HPP
+
+#include <cstdint>
+
+#include "surface.hpp"
+
+namespace discmc::host {
+
+/// Counts of simple rings and their corners, and of the vertices that have a normal.
+struct Counts {
+  std::uint64_t regions = 0;
+  std::uint64_t rings = 0;
+  std::uint64_t holes = 0;
+  std::uint64_t links = 0;
+  std::uint64_t corners = 0;
+  std::uint64_t three = 0;  ///< regions with three corners in all
+  std::uint64_t four = 0;   ///< with four
+  std::uint64_t more = 0;   ///< with more
+  std::uint64_t normals = 0;
+};
+
+Counts count(const Surface& surface);
+
+}  // namespace discmc::host
+
+#endif

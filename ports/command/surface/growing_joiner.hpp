@@ -1,0 +1,44 @@
+// A joiner with a host's memory: as much as the loose fragments need.
+#ifndef DISCMC_COMMAND_SURFACE_GROWING_JOINER_HPP
+#define DISCMC_COMMAND_SURFACE_GROWING_JOINER_HPP
+
+#include <cstdint>
+#include <memory>
+
+#include <discmc/joiner.hpp>
+
+namespace discmc::host {
+
+/// A sink before another: takes the events of one sweep and makes regions of the loose fragments
+/// among them. What finds no partner reaches the sink loose. A joiner that runs short of memory
+/// passes on what it holds; then the next one, with four times as much, goes on.
+class GrowingJoiner {
+ public:
+  static constexpr std::uint64_t first_bytes = std::uint64_t{1} << 20;
+
+  /// sink: must take everything at once; Owner: the caller, as long as events are taken. bytes: of
+  /// the first joiner.
+  explicit GrowingJoiner(const Sink& sink, std::uint64_t bytes = first_bytes);
+  GrowingJoiner(const GrowingJoiner&) = delete;
+  GrowingJoiner& operator=(const GrowingJoiner&) = delete;
+
+  Answer take(const Event& event) { return joiner_.take(event); }
+
+  /// Tells that no event follows: a stream may break off before its `finish`.
+  void finish();
+
+ private:
+  Answer pass(const Event& event);
+  bool is_unmatched();
+
+  Sink sink_;
+  std::uint64_t bytes_;
+  std::unique_ptr<std::uint8_t[]> memory_;
+  Joiner joiner_;
+  std::uint64_t unmatched_ = 0;  // fragments that came out so
+  std::unique_ptr<GrowingJoiner> next_;
+};
+
+}  // namespace discmc::host
+
+#endif

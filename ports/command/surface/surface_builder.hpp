@@ -1,0 +1,56 @@
+// A sink that puts a scan together again: regions whole, rings simple.
+#ifndef DISCMC_COMMAND_SURFACE_SURFACE_BUILDER_HPP
+#define DISCMC_COMMAND_SURFACE_SURFACE_BUILDER_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include <discmc/sink.hpp>
+
+#include "surface.hpp"
+
+namespace discmc::host {
+
+/// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
+/// joined before.
+/// Throws std::runtime_error beyond max_links, since a few bytes of a hostile stream can stand for
+/// any number of links.
+class SurfaceBuilder {
+ public:
+  static constexpr std::uint64_t max_links = std::uint64_t{1} << 27;
+
+  Answer take(const Event& event);
+
+  /// What has been delivered so far; spacing_mm is for the caller to set.
+  Surface& surface() { return surface_; }
+  const Surface& surface() const { return surface_; }
+
+  /// Regions and loose fragments that could not be made polygons of.
+  std::uint64_t incomplete_regions() const { return incomplete_regions_; }
+
+ private:
+  // A run and the normal where it starts.
+  struct Side {
+    Run run;
+    OctahedralNormal normal;
+  };
+  struct OpenRing {
+    Vertex start;
+    std::vector<Side> sides;
+  };
+
+  void end_region();
+  bool is_sound(const Vertex& start, const std::vector<Side>& sides);
+  void add_simple_rings(const Vertex& start, const std::vector<Side>& sides, Polygon& polygon);
+  void add_normals(const Vertex& start, const std::vector<Side>& sides);
+
+  Surface surface_;
+  std::uint64_t incomplete_regions_ = 0;
+  std::uint64_t links_ = 0;  // unfolded so far
+  Incidence incidence_ = no_incidence;
+  std::vector<OpenRing> rings_;  // of the region under way
+};
+
+}  // namespace discmc::host
+
+#endif

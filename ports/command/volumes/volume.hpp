@@ -1,0 +1,106 @@
+// Volumes from files, slice by slice: NRRD, NIfTI-1, MetaImage and headerless samples.
+//
+// A reader holds one small buffer, never the volume. Any bytes given as a file end in a volume or
+// in a VolumeError. Every VolumeError names the file, the value at fault and the remedy.
+#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_HPP
+#define DISCMC_COMMAND_VOLUMES_VOLUME_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace discmc::host {
+
+/// How a sample is stored. Other types are refused.
+enum class SampleType : std::uint8_t { u8, u16, i16 };
+
+/// Units: bytes.
+constexpr std::size_t sample_bytes(SampleType type) {
+  return type == SampleType::u8 ? 1 : 2;
+}
+
+/// What cannot be read, and why.
+class VolumeError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a file says about its volume.
+struct VolumeInfo {
+  /// Width, height and number of slices. Units: voxels. Limit: 1 to 32766 in x and y, 1 to 2^30 - 1
+  /// in z.
+  std::array<std::uint32_t, 3> dims{};
+  SampleType type = SampleType::u8;
+  /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
+  /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored.
+  /// Units: millimetres. Limit: 1e-6 to 1e6 either way.
+  std::array<double, 3> spacing_mm{1, 1, 1};
+  /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
+  double slope = 1;
+  double intercept = 0;
+  /// The format and the way it is stored, for people: "NRRD, gzip".
+  std::string format;
+  /// What the file says and the reader dropped: origin, rotation, a fourth dimension of size 1.
+  std::vector<std::string> notes;
+
+  /// Units: bytes of one slice.
+  std::uint64_t slice_bytes() const {
+    return std::uint64_t{dims[0]} * dims[1] * sample_bytes(type);
+  }
+};
+
+/// The layout of a file that does not tell its own.
+struct RawLayout {
+  /// Units: voxels. Limit: as VolumeInfo.
+  std::array<std::uint32_t, 3> dims{};
+  SampleType type = SampleType::u8;
+  bool big_endian = false;
+  /// Units: millimetres. Limit: as VolumeInfo.
+  std::array<double, 3> spacing_mm{1, 1, 1};
+};
+
+/// One pass over a volume, first slice to last.
+class VolumeReader {
+ public:
+  VolumeReader() = default;
+  VolumeReader(const VolumeReader&) = delete;
+  VolumeReader& operator=(const VolumeReader&) = delete;
+  virtual ~VolumeReader() = default;
+
+  /// Valid as long as the reader.
+  virtual const VolumeInfo& info() const = 0;
+
+  /// Writes the next slice, rows of x from y = 0, samples in native byte order.
+  /// Size: info().slice_bytes(), owned by the caller.
+  /// Throws VolumeError when the data ends early (the text says in which slice and how many bytes
+  /// are missing), when compressed data is damaged, and after the last slice. What a failed call
+  /// wrote has no meaning.
+  virtual void read_slice(void* samples) = 0;
+};
+
+/// Whether the name is that of a volume, by its extension; headerless ones may have any name.
+bool is_volume_name(const std::filesystem::path& file);
+
+/// Opens a volume. With a layout the file is taken as headerless samples, inflated first when its
+/// name ends in .gz; without one the format follows from the name, or else from the first bytes.
+/// Throws VolumeError when the file cannot be opened, is in no known format, or holds what the
+/// command does not take. Nothing is allocated that depends on the sizes a file claims, and a file
+/// too short for its first slice is refused here.
+std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
+                                          const std::optional<RawLayout>& layout = std::nullopt);
+
+/// The threshold on stored samples that stands for an iso value in the file's declared units:
+/// stored >= threshold exactly where value >= iso. Values that differ from iso by no more than the
+/// rounding of the decimal numbers involved count as equal, so iso 0.9 at slope 0.3 is 3, not 4.
+/// Saturates: INT32_MIN when every value reaches iso, INT32_MAX when none does (or iso is NaN).
+std::int32_t stored_threshold(const VolumeInfo& info, double iso);
+
+}  // namespace discmc::host
+
+#endif

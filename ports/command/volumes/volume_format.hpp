@@ -1,0 +1,84 @@
+// What the readers of the formats share: refusals, header text, sizes and axes. Internal to the
+// volume readers.
+#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_FORMAT_HPP
+#define DISCMC_COMMAND_VOLUMES_VOLUME_FORMAT_HPP
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "volume.hpp"
+#include "volume_stream.hpp"
+
+namespace discmc::host {
+
+std::unique_ptr<VolumeReader> open_nrrd(const std::filesystem::path& file);
+std::unique_ptr<VolumeReader> open_nifti(const std::filesystem::path& file);
+std::unique_ptr<VolumeReader> open_metaimage(const std::filesystem::path& file);
+std::unique_ptr<VolumeReader> open_raw(const std::filesystem::path& file, const RawLayout& layout);
+
+/// Throws a VolumeError that reads "file: what; remedy".
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& what,
+                       const std::string& remedy);
+
+/// Throws the refusal of a sample type, by the name the file gives it.
+[[noreturn]] void fail_type(const std::filesystem::path& file, std::string_view type);
+
+/// Returns text from a file in quotes, cut to a length fit for a message, without control bytes.
+std::string shown(std::string_view text);
+
+/// Returns the beginning of the stream, enough for any sensible header, and goes back to its start.
+std::string header_text(ByteStream& stream);
+
+/// Takes a line off the front, without its line feed and carriage return; nothing at the end.
+std::optional<std::string_view> take_line(std::string_view& text);
+
+/// Returns the text without blanks at either end.
+std::string_view trimmed(std::string_view text);
+
+/// Returns the text in lower case (ASCII letters only).
+std::string lower(std::string_view text);
+
+/// Returns the words between blanks.
+std::vector<std::string_view> words(std::string_view text);
+
+/// Returns the file beside the header that its text names. Throws when that is no name.
+std::filesystem::path beside(const std::filesystem::path& header, std::string_view name);
+
+/// Return the number when the text is one and nothing else; a real may be nan. The file and the
+/// name of the field are for the VolumeError thrown otherwise.
+std::int64_t integer(const std::filesystem::path& file, std::string_view field,
+                     std::string_view text);
+double real(const std::filesystem::path& file, std::string_view field, std::string_view text);
+
+/// Takes sizes, fastest axis first. Two give one slice; those beyond the third must be 1. Throws
+/// when one is out of the range of VolumeInfo::dims.
+void set_dims(VolumeInfo& info, const std::filesystem::path& file,
+              const std::vector<std::int64_t>& sizes);
+
+/// One vector an axis of the volume: the way to the next voxel along it, of any length.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+/// Takes the spacing with the signs of the directions in right-handed coordinates, so that leaving
+/// out the rest of them only turns the volume and never mirrors it; says so in a note.
+/// Units: millimetres. A value of no use becomes 1, with a note.
+void set_axes(VolumeInfo& info, const Axes& directions, const std::array<double, 3>& spacing_mm);
+
+/// As set_axes, for axes along the coordinates.
+void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm);
+
+/// Takes value = slope * stored + intercept; a slope of 0 stands for no scaling at all. Throws when
+/// slope is negative or either not finite.
+void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope, double intercept);
+
+/// Adds a note that the origin is dropped, unless it is zero.
+void note_origin(VolumeInfo& info, const std::vector<double>& origin);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,173 @@
+#include "extraction/classic.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "command.hpp"
+#include "oracle/stream.hpp"
+#include "sample_reader.hpp"
+
+namespace {
+
+using command::volume_of;
+using discmc::Border;
+using discmc::host::check_mesh;
+using discmc::host::classic_mesh;
+using discmc::host::Extraction;
+using discmc::host::ExtractionOptions;
+using discmc::host::Mesh;
+using discmc::host::MeshReport;
+using discmc::host::Point;
+using discmc::host::SampleType;
+using discmc::host::SurfaceBuilder;
+using discmc::reference::BitVolume;
+using discmc::reference::Size;
+using sample_reader::SampleReader;
+
+struct Field {
+  Size size;
+  std::vector<int> samples;
+
+  bool contains(int x, int y, int z) const {
+    return x >= 0 && y >= 0 && z >= 0 && x < static_cast<int>(size.width) &&
+           y < static_cast<int>(size.height) && z < static_cast<int>(size.depth);
+  }
+  int at(int x, int y, int z) const {
+    const auto row = static_cast<std::size_t>(z) * size.height + static_cast<std::size_t>(y);
+    return samples.at(row * size.width + static_cast<std::size_t>(x));
+  }
+};
+
+Field noise(Size size, std::uint32_t seed, std::uint32_t values) {
+  Field field{size, {}};
+  discmc::test::Chance chance(seed);
+  for (std::uint32_t i = 0; i < size.width * size.height * size.depth; ++i)
+    field.samples.push_back(static_cast<int>(chance.below(values)));
+  return field;
+}
+
+// As dense as it is near to the middle, 100 at the radius.
+Field ramp(Size size, double radius) {
+  Field field{size, {}};
+  for (std::uint32_t z = 0; z < size.depth; ++z)
+    for (std::uint32_t y = 0; y < size.height; ++y)
+      for (std::uint32_t x = 0; x < size.width; ++x) {
+        const double distance = std::hypot(x - (size.width - 1) / 2.0, y - (size.height - 1) / 2.0,
+                                           z - (size.depth - 1) / 2.0);
+        field.samples.push_back(static_cast<int>(std::lround(100 + 6 * (radius - distance))));
+      }
+  return field;
+}
+
+Field bits(const BitVolume& volume) {
+  Field field{{volume.width, volume.height, volume.depth}, {}};
+  for (const std::uint8_t on : volume.on) field.samples.push_back(on != 0 ? 200 : 0);
+  return field;
+}
+
+Mesh classic(const Field& field, Border border = Border::closed, const Point& spacing = {1, 1, 1},
+             SampleType type = SampleType::u8) {
+  SampleReader reader(field.size, field.samples, spacing, type);
+  return classic_mesh(reader, {100, border, 0, {}});
+}
+
+Extraction extraction(const Field& field, Border border) {
+  SampleReader reader(field.size, field.samples);
+  SurfaceBuilder builder;
+  return extract(reader, {100, border, 0, {}}, discmc::sink_to(builder));
+}
+
+// A vertex lies strictly between an on and an off voxel, where the line through their samples
+// passes the level; next to the halo in the middle.
+void check_vertex(const Field& field, const Point& vertex) {
+  constexpr double level = 99.5;
+  int low[3], high[3], broken = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = static_cast<int>(std::floor(vertex[axis]));
+    high[axis] = static_cast<int>(std::ceil(vertex[axis]));
+    broken += high[axis] - low[axis];
+  }
+  REQUIRE(broken == 1);
+  double part = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) part += vertex[axis] - low[axis];
+  const bool low_inside = field.contains(low[0], low[1], low[2]);
+  const bool high_inside = field.contains(high[0], high[1], high[2]);
+  REQUIRE((low_inside || high_inside));
+  if (low_inside && high_inside) {
+    const int from = field.at(low[0], low[1], low[2]), to = field.at(high[0], high[1], high[2]);
+    CHECK((from >= 100) != (to >= 100));
+    CHECK(from + part * (to - from) == doctest::Approx(level));
+  } else {
+    CHECK(part == 0.5);
+    const int* inside = low_inside ? low : high;
+    CHECK(field.at(inside[0], inside[1], inside[2]) >= 100);
+  }
+}
+
+void check_classic(const Field& field, Border border) {
+  const Mesh mesh = classic(field, border);
+  const Extraction extracted = extraction(field, border);
+  CHECK(mesh.face_count() == extracted.statistics.classic_triangles);
+  CHECK(mesh.vertices_mm.size() == extracted.classic_vertices);
+  const MeshReport report = check_mesh(mesh);
+  CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);
+  CHECK((border == Border::open || report.closed()));
+  for (const Point& vertex : mesh.vertices_mm) check_vertex(field, vertex);
+}
+
+}  // namespace
+
+TEST_CASE("classic Marching Cubes is closed, manifold, and as large as the statistics say") {
+  for (const Border border : {Border::closed, Border::open}) {
+    check_classic(ramp({14, 12, 13}, 4.3), border);
+    check_classic(bits(discmc::reference::checkerboard({6, 5, 4})), border);
+    for (const std::uint32_t seed : {1U, 2U, 3U}) {
+      check_classic(noise({9, 8, 7}, seed, 200), border);
+      check_classic(noise({9, 8, 7}, seed, 256), border);
+    }
+  }
+}
+
+TEST_CASE("cells of any configuration fit each other") {
+  for (int configuration = 0; configuration < discmc::configurations; ++configuration) {
+    INFO(configuration);
+    const auto code = static_cast<discmc::Configuration>(configuration);
+    check_classic(bits(discmc::reference::tiling({4, 4, 4}, code)), Border::closed);
+  }
+}
+
+TEST_CASE("classic Marching Cubes finds the ball that the samples stand for") {
+  const double radius = 9.2;
+  const Mesh mesh = classic(ramp({26, 26, 26}, radius));
+  for (const Point& vertex : mesh.vertices_mm)
+    CHECK(std::hypot(vertex[0] - 12.5, vertex[1] - 12.5, vertex[2] - 12.5) ==
+          doctest::Approx(radius + 0.5 / 6).epsilon(0.02));
+}
+
+TEST_CASE("its triangles look outside whichever way the axes run") {
+  const Field field = ramp({16, 14, 15}, 5);
+  const double expected = volume_of(classic(field));
+  CHECK(expected == doctest::Approx(4.19 * 5.1 * 5.1 * 5.1).epsilon(0.05));
+  for (const double x : {2.0, -2.0})
+    for (const double y : {0.5, -0.5})
+      for (const double z : {3.0, -3.0}) {
+        const Mesh mesh = classic(field, Border::closed, {x, y, z});
+        CHECK(check_mesh(mesh).closed());
+        CHECK(volume_of(mesh) == doctest::Approx(3 * expected));
+      }
+}
+
+TEST_CASE("samples of every type give the same triangles") {
+  const Field field = noise({7, 6, 5}, 4, 250);
+  const Mesh expected = classic(field);
+  for (const SampleType type : {SampleType::u16, SampleType::i16}) {
+    const Mesh mesh = classic(field, Border::closed, {1, 1, 1}, type);
+    CHECK(mesh.vertices_mm == expected.vertices_mm);
+    CHECK(mesh.corners == expected.corners);
+  }
+  Field negative = field;
+  for (int& sample : negative.samples) sample -= 400;
+  SampleReader reader(negative.size, negative.samples, {1, 1, 1}, SampleType::i16);
+  CHECK(classic_mesh(reader, {-300, Border::closed, 0, {}}).vertices_mm == expected.vertices_mm);
+}

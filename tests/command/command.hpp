@@ -1,0 +1,241 @@
+// Runs the built command in a folder of its own, and reads back the meshes that it writes.
+#ifndef DISCMC_TESTS_COMMAND_COMMAND_HPP
+#define DISCMC_TESTS_COMMAND_COMMAND_HPP
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "meshes/mesh.hpp"
+#include "oracle/volume.hpp"
+#include "volume_files.hpp"
+
+namespace command {
+
+using discmc::host::Mesh;
+using discmc::host::Point;
+using discmc::reference::BitVolume;
+
+inline std::string contents(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// What a run came to. A signal that ended it is 128 and more, as shells have it.
+struct Result {
+  int code;
+  std::string out, error;
+};
+
+/// A folder in which the command runs.
+class Workshop {
+ public:
+  /// Runs a line of shell, in which "$discmc" is the command.
+  Result shell(const std::string& line) const {
+    const auto out = logs_.path() / "out", error = logs_.path() / "error";
+    const std::string whole = "discmc='" DISCMC_COMMAND "'; cd '" + folder_.path().string() +
+                              "' && { " + line + "\n} >'" + out.string() + "' 2>'" +
+                              error.string() + "'";
+    const int status = std::system(whole.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, contents(out), contents(error)};
+  }
+
+  /// Runs the command with arguments as a shell splits them.
+  Result run(const std::string& arguments) const { return shell("\"$discmc\" " + arguments); }
+
+  /// The same where it must succeed; returns what it said on standard output.
+  std::string done(const std::string& arguments) const {
+    const Result result = run(arguments);
+    INFO(arguments, "\n", result.error);
+    REQUIRE(result.code == 0);
+    return result.out;
+  }
+
+  /// The lines of `info` by their keys.
+  std::map<std::string, std::string> info(const std::string& stream) const {
+    std::map<std::string, std::string> values;
+    std::istringstream lines(run("info " + stream).out);
+    for (std::string line; std::getline(lines, line);)
+      values[line.substr(0, line.find(' '))] = line.substr(line.find(' ') + 1);
+    return values;
+  }
+
+  void write(const std::string& name, const std::string& bytes) const {
+    folder_.write(name, bytes);
+  }
+
+  /// Writes the volume as an NRRD file with more header lines; on is 200, off is 10.
+  void write(const std::string& name, const BitVolume& volume,
+             const std::string& lines = "spacings: 1 1 1\n") const {
+    std::string samples;
+    for (const std::uint8_t on : volume.on) samples += static_cast<char>(on != 0 ? 200 : 10);
+    const std::string sizes = std::to_string(volume.width) + " " + std::to_string(volume.height) +
+                              " " + std::to_string(volume.depth);
+    write(name, volume_files::nrrd(volume_files::nrrd_u8 + lines, sizes) + "\n" + samples);
+  }
+
+  std::string read(const std::string& name) const { return contents(folder_.path() / name); }
+
+  /// The names of all files there are, sorted.
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+ private:
+  volume_files::Folder folder_;
+  volume_files::Folder logs_;
+};
+
+// ---- meshes ----
+
+inline void add_face(Mesh& mesh, const std::vector<std::uint32_t>& corners) {
+  mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
+  mesh.face_begin.push_back(mesh.corners.size());
+  mesh.incidences.push_back(0);
+}
+
+inline Mesh mesh_of_obj(const std::string& text) {
+  Mesh mesh;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string key;
+    words >> key;
+    if (key == "v" || key == "vn") {
+      Point point{};
+      words >> point[0] >> point[1] >> point[2];
+      (key == "v" ? mesh.vertices_mm : mesh.normals).push_back(point);
+    } else if (key == "f") {
+      std::vector<std::uint32_t> face;
+      for (std::string corner; words >> corner;) {
+        const std::size_t slashes = corner.find("//");
+        const std::string number = corner.substr(0, slashes);
+        CHECK((slashes == std::string::npos) == mesh.normals.empty());
+        if (slashes != std::string::npos) CHECK(corner.substr(slashes + 2) == number);
+        face.push_back(static_cast<std::uint32_t>(std::stoul(number)) - 1);
+      }
+      add_face(mesh, face);
+    }
+  }
+  return mesh;
+}
+
+/// Takes little-endian values off the front of bytes. Errors: fails the test at the end.
+class Taker {
+ public:
+  explicit Taker(const std::string& bytes, std::size_t at = 0) : bytes_(bytes), at_(at) {}
+  std::uint32_t integer(std::size_t size) {
+    REQUIRE(at_ + size <= bytes_.size());
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < size; ++i)
+      value |= std::uint32_t{static_cast<unsigned char>(bytes_[at_++])} << 8 * i;
+    return value;
+  }
+  Point point() {
+    Point point{};
+    for (double& coordinate : point) {
+      const std::uint32_t bits = integer(4);
+      float value = 0;
+      std::memcpy(&value, &bits, sizeof value);
+      coordinate = static_cast<double>(value);
+    }
+    return point;
+  }
+  bool at_end() const { return at_ == bytes_.size(); }
+
+ private:
+  const std::string& bytes_;
+  std::size_t at_;
+};
+
+inline Mesh mesh_of_stl(const std::string& bytes) {
+  Mesh mesh;
+  std::map<Point, std::uint32_t> numbers;
+  Taker taker(bytes, 80);
+  for (std::uint32_t left = taker.integer(4); left > 0; --left) {
+    taker.point();  // the normal
+    std::vector<std::uint32_t> face;
+    for (int i = 0; i < 3; ++i) {
+      const Point point = taker.point();
+      const auto next = static_cast<std::uint32_t>(mesh.vertices_mm.size());
+      const auto [entry, is_new] = numbers.try_emplace(point, next);
+      if (is_new) mesh.vertices_mm.push_back(point);
+      face.push_back(entry->second);
+    }
+    add_face(mesh, face);
+    taker.integer(2);
+  }
+  CHECK(taker.at_end());
+  return mesh;
+}
+
+inline std::size_t count_after(const std::string& text, const std::string& key) {
+  REQUIRE(contains(text, key));
+  return std::stoul(text.substr(text.find(key) + key.size()));
+}
+
+inline Mesh mesh_of_ply(const std::string& bytes) {
+  const std::string end = "end_header\n";
+  REQUIRE(contains(bytes, end));
+  const std::size_t body = bytes.find(end) + end.size();
+  const std::string header = bytes.substr(0, body);
+  const std::string normals = "\nproperty float nx\nproperty float ny\nproperty float nz\n";
+  Mesh mesh;
+  Taker taker(bytes, body);
+  for (std::size_t left = count_after(header, "element vertex "); left > 0; --left) {
+    mesh.vertices_mm.push_back(taker.point());
+    if (contains(header, normals)) mesh.normals.push_back(taker.point());
+  }
+  for (std::size_t left = count_after(header, "element face "); left > 0; --left) {
+    std::vector<std::uint32_t> face(taker.integer(contains(header, "list uchar") ? 1 : 4));
+    for (std::uint32_t& number : face) number = taker.integer(4);
+    add_face(mesh, face);
+  }
+  CHECK(taker.at_end());
+  return mesh;
+}
+
+/// By the extension of the name.
+inline Mesh mesh_of(const std::string& name, const std::string& bytes) {
+  const std::string extension = name.substr(name.size() - 4);
+  if (extension == ".obj") return mesh_of_obj(bytes);
+  return extension == ".ply" ? mesh_of_ply(bytes) : mesh_of_stl(bytes);
+}
+
+/// What the faces enclose, when they are closed and look outside. Units: cubic millimetres.
+inline double volume_of(const Mesh& mesh) {
+  double sum = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    for (std::size_t i = 2; i < mesh.face_size(face); ++i) {
+      const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
+      const Point& b = mesh.vertices_mm[mesh.face(face)[i - 1]];
+      const Point& c = mesh.vertices_mm[mesh.face(face)[i]];
+      sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    }
+  return sum / 6;
+}
+
+}  // namespace command
+
+#endif

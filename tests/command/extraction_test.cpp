@@ -1,0 +1,270 @@
+// Volumes through the extractor as `extract` takes them: counts, memory, sample types.
+#include "extraction/extraction.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.hpp"
+#include "oracle/region.hpp"
+#include "oracle/stream.hpp"
+#include "sample_reader.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+
+namespace {
+
+using command::contains;
+using discmc::Border;
+using discmc::host::Extraction;
+using discmc::host::ExtractionOptions;
+using discmc::host::SampleType;
+using discmc::host::SurfaceBuilder;
+using discmc::reference::ball;
+using discmc::reference::BitVolume;
+using discmc::reference::box;
+using discmc::reference::checkerboard;
+using discmc::reference::Size;
+using sample_reader::SampleReader;
+
+constexpr std::int32_t threshold = 100;
+
+const discmc::host::Point spacing_mm = {0.5, -2, 1.25};
+
+ExtractionOptions options(Border border = Border::closed, std::uint64_t memory = 0) {
+  return {threshold, border, memory, {}};
+}
+
+struct Extracted {
+  Extraction extraction;
+  discmc::test::Events events;
+  discmc::host::Surface surface;
+};
+
+Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
+                    SampleType type = SampleType::u8) {
+  SampleReader reader(volume, spacing_mm, type);
+  discmc::test::EventLog log;
+  const Extraction extraction = extract(reader, options, discmc::sink_to(log));
+  SurfaceBuilder builder;
+  discmc::host::GrowingJoiner joiner(discmc::sink_to(builder));
+  for (const auto& recorded : log.events) joiner.take(recorded.event());
+  CHECK(builder.incomplete_regions() == 0);
+  builder.surface().spacing_mm = reader.info().spacing_mm;
+  return {extraction, std::move(log.events), std::move(builder.surface())};
+}
+
+std::vector<discmc::reference::Region> regions_of(const discmc::host::Surface& surface) {
+  std::vector<discmc::reference::Region> regions;
+  for (const auto& polygon : surface.polygons)
+    regions.push_back({polygon.incidence, polygon.rings});
+  return discmc::reference::canonical(std::move(regions));
+}
+
+// The lattice edges between an on and an off voxel, one by one.
+std::uint64_t crossings(const BitVolume& volume, Border border) {
+  const bool closed = border == Border::closed;
+  const std::int64_t w = volume.width, h = volume.height, d = volume.depth;
+  std::uint64_t count = 0;
+  for (std::int64_t z = -1; z < d; ++z)
+    for (std::int64_t y = -1; y < h; ++y)
+      for (std::int64_t x = -1; x < w; ++x)
+        for (const auto& [dx, dy, dz] : {std::array{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+          const bool inside = volume.contains(x, y, z) && volume.contains(x + dx, y + dy, z + dz);
+          const bool crosses = volume.at(x, y, z) != volume.at(x + dx, y + dy, z + dz);
+          if (crosses && (inside || closed)) ++count;
+        }
+  return count;
+}
+
+std::string refusal(const BitVolume& volume, std::uint64_t memory) {
+  SampleReader reader(volume, spacing_mm);
+  discmc::test::EventLog log;
+  try {
+    extract(reader, options(Border::closed, memory), discmc::sink_to(log));
+  } catch (const std::invalid_argument& error) {
+    CHECK(log.events.empty());
+    return error.what();
+  }
+  FAIL("not refused");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("classic Marching Cubes vertices are the lattice edges that cross") {
+  for (const Size size : {Size{1, 1, 1}, Size{7, 1, 1}, Size{1, 5, 2}, Size{6, 7, 8}})
+    for (const std::uint32_t density : {0U, 60U, 128U, 256U})
+      for (const Border border : {Border::closed, Border::open}) {
+        const BitVolume volume = discmc::reference::random(size, density, 9);
+        CHECK(extracted(volume, options(border)).extraction.classic_vertices ==
+              crossings(volume, border));
+      }
+}
+
+TEST_CASE("classic triangles and vertices of closed surfaces obey Euler") {
+  const auto check = [](const BitVolume& volume, std::int64_t characteristic) {
+    const Extraction extraction = extracted(volume, options()).extraction;
+    const auto triangles = static_cast<std::int64_t>(extraction.statistics.classic_triangles);
+    const auto vertices = static_cast<std::int64_t>(extraction.classic_vertices);
+    CHECK(triangles == 2 * (vertices - characteristic));
+  };
+  check(box({1, 1, 1}, {0, 0, 0}, {0, 0, 0}), 2);
+  check(box({5, 6, 7}, {0, 0, 0}, {4, 5, 6}), 2);
+  check(ball({20, 20, 20}, {20, 20, 20}, 64), 2);
+  check(discmc::reference::torus({24, 24, 12}, 14, 6), 0);
+  check(checkerboard({5, 5, 5}), 2 * 63);  // an octahedron around every second voxel
+}
+
+TEST_CASE("sizes and progress are told") {
+  const BitVolume volume = ball({9, 8, 7}, {8, 7, 6}, 9);
+  ExtractionOptions with_progress = options();
+  std::vector<std::uint32_t> slices;
+  with_progress.progress = [&slices](std::uint32_t done) { slices.push_back(done); };
+  const Extraction extraction = extracted(volume, with_progress).extraction;
+  CHECK(slices == std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7});
+  CHECK(extraction.voxels == 9 * 8 * 7);
+  CHECK(extraction.statistics.fragments == 0);
+}
+
+TEST_CASE("the type of the samples makes no difference") {
+  const BitVolume volume = discmc::reference::random({8, 8, 8}, 128, 4);
+  const Extracted bytes = extracted(volume, options());
+  for (const SampleType type : {SampleType::u16, SampleType::i16}) {
+    const Extracted words = extracted(volume, options(), type);
+    CHECK(words.events == bytes.events);
+    CHECK(words.extraction.classic_vertices == bytes.extraction.classic_vertices);
+  }
+}
+
+TEST_CASE("thresholds beyond the samples make everything on or everything off") {
+  const BitVolume volume = checkerboard({5, 5, 5});
+  using Limits = std::numeric_limits<std::int32_t>;
+  ExtractionOptions all = options(), none = options();
+  all.threshold = Limits::min();
+  none.threshold = Limits::max();
+  CHECK(extracted(volume, all).surface.polygons.size() == 26);
+  CHECK(extracted(volume, all).extraction.classic_vertices == 6 * 25);
+  CHECK(extracted(volume, none).surface.polygons.empty());
+  CHECK(extracted(volume, none).extraction.classic_vertices == 0);
+}
+
+TEST_CASE("the default memory is enough, and no more of it is used than is given") {
+  for (const BitVolume& volume : {checkerboard({20, 20, 6}), ball({30, 30, 30}, {29, 29, 29}, 196),
+                                  discmc::reference::spiral({30, 30, 3})}) {
+    const Extraction extraction = extracted(volume, options()).extraction;
+    CHECK(extraction.statistics.fragments == 0);
+    CHECK(extraction.arena_bytes_used > 0);
+    CHECK(extraction.arena_bytes_used <= extraction.arena_bytes);
+  }
+}
+
+TEST_CASE("memory grows with what is under way and not with the surface") {
+  const auto used = [](std::uint32_t depth) {
+    const auto last = static_cast<std::int32_t>(depth) - 2;
+    const BitVolume column = box({12, 12, depth}, {3, 3, 1}, {8, 8, last});
+    return extracted(column, options()).extraction.arena_bytes_used;
+  };
+  CHECK(used(100) == used(10));
+}
+
+TEST_CASE("too little memory is refused with the least that will do, which does") {
+  const BitVolume volume = discmc::reference::random({20, 20, 5}, 128, 3);
+  const std::string text = refusal(volume, 7);
+  INFO(text);
+  CHECK(contains(text, "--memory 7 "));
+  CHECK(contains(text, "20x20"));
+  const std::uint64_t least = command::count_after(text, "at least ");
+  refusal(volume, least - 1);
+  const Extracted small = extracted(volume, options(Border::closed, least));
+  CHECK(small.extraction.arena_bytes == least);
+  CHECK(small.extraction.arena_bytes_used <= least);
+  CHECK(small.extraction.statistics.fragments > 0);
+  CHECK(regions_of(small.surface) == regions_of(extracted(volume, options()).surface));
+}
+
+TEST_CASE("capacities that are asked for are those of the scan, whatever they are") {
+  const BitVolume volume = discmc::reference::random({20, 20, 5}, 128, 3);
+  const auto whole = regions_of(extracted(volume, options()).surface);
+  for (const discmc::Capacities capacities :
+       {discmc::minimum_capacities(), {300, 0}, {300, 7}, {32759, 2}, {40000, 3000}}) {
+    ExtractionOptions with_capacities = options();
+    with_capacities.capacities = capacities;
+    const Extracted scan = extracted(volume, with_capacities);
+    CHECK(scan.extraction.capacities.records == capacities.records);
+    CHECK(scan.extraction.capacities.holes == capacities.holes);
+    CHECK(scan.extraction.high_water.records > 0);
+    CHECK(scan.extraction.high_water.records <= capacities.records);
+    CHECK(scan.extraction.high_water.holes <= capacities.holes);
+    CHECK(scan.extraction.arena_bytes_used <= scan.extraction.arena_bytes);
+    CHECK(regions_of(scan.surface) == whole);
+  }
+}
+
+TEST_CASE("capacities that no scan can have are refused") {
+  for (const std::uint32_t records : {0U, 3U, 0x80000000U}) {
+    ExtractionOptions with_capacities = options();
+    with_capacities.capacities = discmc::Capacities{records, 0};
+    CHECK_THROWS_AS(extracted(box({2, 2, 2}, {0, 0, 0}, {1, 1, 1}), with_capacities),
+                    std::invalid_argument);
+  }
+}
+
+TEST_CASE("both widths of indices make the same surface") {
+  constexpr std::uint64_t narrow = std::uint64_t{1} << 19, wide = std::uint64_t{1} << 20;
+  for (const BitVolume& volume :
+       {ball({24, 24, 24}, {23, 23, 23}, 110), discmc::reference::random({16, 16, 16}, 128, 6)})
+    for (const Border border : {Border::closed, Border::open}) {
+      const Extracted a = extracted(volume, options(border, narrow));
+      const Extracted b = extracted(volume, options(border, wide));
+      CHECK(a.events == b.events);
+      CHECK(a.extraction.arena_bytes_used < b.extraction.arena_bytes_used);
+    }
+}
+
+TEST_CASE("the header of a stream tells the volume") {
+  const BitVolume volume({9, 8, 7});
+  const SampleReader reader(volume, spacing_mm);
+  const auto header = discmc::host::stream_header(reader.info(), options(Border::open));
+  CHECK(header.width == 9);
+  CHECK(header.height == 8);
+  CHECK(header.depth == 7);
+  CHECK(header.spacing_nm[0] == 500000);
+  CHECK(header.spacing_nm[1] == -2000000);
+  CHECK(header.spacing_nm[2] == 1250000);
+  CHECK(header.threshold == threshold);
+  CHECK(header.border == Border::open);
+}
+
+TEST_CASE("a stream is of a volume of its extents and spacing, as far as it tells them") {
+  const SampleReader reader(BitVolume({9, 8, 7}), spacing_mm);
+  const auto header = discmc::host::stream_header(reader.info(), options());
+  const auto complaint = [&reader](const discmc::StreamHeader& other) -> std::string {
+    try {
+      require_same_volume(reader.info(), other);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK(complaint(header).empty());
+  CHECK(complaint({}).empty());
+  for (int axis = 0; axis < 3; ++axis) {
+    discmc::StreamHeader other = header;
+    (axis == 0 ? other.width : axis == 1 ? other.height : other.depth) += 1;
+    CHECK(contains(complaint(other), "9x8x7"));
+    other = header;
+    other.spacing_nm[axis] += 1;  // rounded another way
+    CHECK(complaint(other).empty());
+    other.spacing_nm[axis] += 1;
+    CHECK(contains(complaint(other), "0.5,-2,1.25"));
+    other.spacing_nm[axis] = 0;
+    CHECK(complaint(other).empty());
+    other.spacing_nm[axis] = -header.spacing_nm[axis];
+    CHECK(contains(complaint(other), "0.5,-2,1.25"));
+  }
+}

@@ -1,0 +1,94 @@
+// The joiner of the host: it grows as it must, and what has no partner stays loose.
+#include "surface/growing_joiner.hpp"
+
+#include <doctest/doctest.h>
+
+#include <utility>
+#include <vector>
+
+#include "oracle/region.hpp"
+#include "oracle/stream.hpp"
+#include "surface/surface_builder.hpp"
+
+namespace {
+
+using discmc::Event;
+using discmc::host::GrowingJoiner;
+using discmc::host::SurfaceBuilder;
+using discmc::test::EventLog;
+using discmc::test::Events;
+
+// A scan in so little memory that all of it comes in pieces.
+Events pieces() {
+  const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
+  return discmc::test::events_of(volume, discmc::minimum_capacities());
+}
+
+std::size_t count(const Events& events, Event::Kind kind) {
+  std::size_t count = 0;
+  for (const auto& one : events) count += one.is(kind) ? 1U : 0U;
+  return count;
+}
+
+// The events of the first fragment alone.
+Events first_fragment() {
+  Events events = pieces();
+  std::size_t first = 0, end = 0;
+  while (!events[first].is(Event::Kind::fragment)) ++first;
+  for (end = first; !events[end].is(Event::Kind::fragment_end);) ++end;
+  return Events(events.begin() + static_cast<std::ptrdiff_t>(first),
+                events.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+}
+
+Events joined(const Events& events, std::uint64_t bytes = GrowingJoiner::first_bytes) {
+  EventLog log;
+  GrowingJoiner joiner(discmc::sink_to(log), bytes);
+  for (const auto& one : events) REQUIRE(joiner.take(one.event()) == discmc::Answer::taken);
+  joiner.finish();
+  return log.events;
+}
+
+std::vector<discmc::reference::Region> regions_of(const Events& events) {
+  SurfaceBuilder builder;
+  for (const auto& one : events) builder.take(one.event());
+  CHECK(builder.incomplete_regions() == 0);
+  std::vector<discmc::reference::Region> regions;
+  for (const auto& polygon : builder.surface().polygons)
+    regions.push_back({polygon.incidence, polygon.rings});
+  return discmc::reference::canonical(std::move(regions));
+}
+
+}  // namespace
+
+TEST_CASE("with whatever memory it begins, a joiner that grows makes the regions") {
+  const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
+  const Events told = pieces();
+  REQUIRE(count(told, Event::Kind::fragment) > 1000);
+  const auto whole = regions_of(discmc::test::events_of(volume));
+  for (const std::uint64_t bytes : {discmc::Joiner::minimum_bytes(), std::uint64_t{1000},
+                                    std::uint64_t{30000}, GrowingJoiner::first_bytes}) {
+    const Events events = joined(told, bytes);
+    CHECK(count(events, Event::Kind::fragment) == 0);
+    CHECK(count(events, Event::Kind::finish) == 1);
+    CHECK(regions_of(events) == whole);
+  }
+}
+
+TEST_CASE("the totals are of what is delivered") {
+  for (const std::uint64_t bytes : {discmc::Joiner::minimum_bytes(), GrowingJoiner::first_bytes}) {
+    const Events events = joined(pieces(), bytes);
+    REQUIRE(events.back().is(Event::Kind::finish));
+    const discmc::Statistics& totals = *events.back().event().statistics;
+    CHECK(totals.regions == count(events, Event::Kind::region_end));
+    CHECK(totals.rings == count(events, Event::Kind::ring));
+    CHECK(totals.fragments == 0);
+  }
+}
+
+TEST_CASE("a fragment without a partner stays loose, though a stream breaks off after it") {
+  const Events alone = first_fragment();
+  CHECK(joined(alone) == alone);
+  Events twice = alone;
+  twice.insert(twice.end(), alone.begin(), alone.end());
+  CHECK(joined(twice) == twice);
+}

@@ -1,0 +1,161 @@
+// Small surfaces made by hand for the tests of the host's meshes, files and pictures.
+#ifndef DISCMC_TESTS_COMMAND_HAND_MADE_HPP
+#define DISCMC_TESTS_COMMAND_HAND_MADE_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "meshes/mesh.hpp"
+#include "surface/surface.hpp"
+
+namespace hand_made {
+
+using discmc::Vertex;
+using discmc::host::Mesh;
+using discmc::host::Point;
+using discmc::host::Polygon;
+using discmc::host::Ring;
+using discmc::host::Surface;
+
+// The ring through these corners in unit steps. Axis links are two half-steps long.
+inline Ring ring(const std::vector<Vertex>& corners) {
+  Ring result;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vertex side = corners[(i + 1) % corners.size()] - corners[i];
+    std::int32_t steps = std::gcd(std::gcd(side.x, side.y), side.z);
+    if (std::abs(side.x) + std::abs(side.y) + std::abs(side.z) == steps) steps /= 2;
+    const Vertex step = {side.x / steps, side.y / steps, side.z / steps};
+    Vertex vertex = corners[i];
+    for (std::int32_t j = 0; j < steps; ++j, vertex = vertex + step) result.push_back(vertex);
+  }
+  return result;
+}
+
+// Six times the signed volume between the origin and the ring's surface.
+inline std::int64_t six_volumes(const Ring& ring) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i) sum += dot(ring[0], cross(ring[i - 1], ring[i]));
+  return sum;
+}
+
+inline std::int64_t six_volumes(const Surface& surface) {
+  std::int64_t sum = 0;
+  for (const Polygon& polygon : surface.polygons)
+    for (const Ring& ring : polygon.rings) sum += six_volumes(ring);
+  return sum;
+}
+
+// A polygon of these rings by their corners, turned as the normal wants it.
+inline Polygon polygon(const Vertex& normal, const std::vector<std::vector<Vertex>>& rings) {
+  Polygon result{discmc::incidence_of(normal), {}};
+  for (const auto& corners : rings) {
+    Ring next = ring(corners);
+    std::int64_t area = 0;
+    for (std::size_t i = 2; i < next.size(); ++i)
+      area += dot(normal, cross(next[i - 1] - next[0], next[i] - next[0]));
+    if ((area > 0) != result.rings.empty()) std::reverse(next.begin(), next.end());
+    result.rings.push_back(next);
+  }
+  return result;
+}
+
+// The surface of one voxel at the origin.
+inline Surface octahedron(const Point& spacing_mm = {2, 2, 2}) {
+  Surface surface{spacing_mm, {}};
+  for (const int x : {-1, 1})
+    for (const int y : {-1, 1})
+      for (const int z : {-1, 1})
+        surface.polygons.push_back(polygon({x, y, z}, {{{x, 0, 0}, {0, y, 0}, {0, 0, z}}}));
+  return surface;
+}
+
+// The four sides of an upright box; `sign` -1 turns them inside out.
+inline void add_sides(Surface& surface, const Vertex& low, const Vertex& high, int sign) {
+  for (const bool is_high : {false, true}) {
+    const int out = is_high ? sign : -sign;
+    const int x = is_high ? high.x : low.x;
+    const int y = is_high ? high.y : low.y;
+    surface.polygons.push_back(polygon(
+        {out, 0, 0},
+        {{{x, low.y, low.z}, {x, high.y, low.z}, {x, high.y, high.z}, {x, low.y, high.z}}}));
+    surface.polygons.push_back(polygon(
+        {0, out, 0},
+        {{{low.x, y, low.z}, {high.x, y, low.z}, {high.x, y, high.z}, {low.x, y, high.z}}}));
+  }
+}
+
+inline std::vector<Vertex> level_square(const Vertex& low, const Vertex& high, int z) {
+  return {{low.x, low.y, z}, {high.x, low.y, z}, {high.x, high.y, z}, {low.x, high.y, z}};
+}
+
+// A box of 8 x 8 x 8 half-steps with an upright hole of 4 x 4 through it.
+inline Surface box_with_hole(const Point& spacing_mm = {2, 2, 2}) {
+  const Vertex low = {1, 0, 0}, high = {9, 8, 8}, hole_low = {3, 2, 0}, hole_high = {7, 6, 8};
+  Surface surface{spacing_mm, {}};
+  add_sides(surface, low, high, 1);
+  add_sides(surface, hole_low, hole_high, -1);
+  for (const int z : {0, 8})
+    surface.polygons.push_back(
+        polygon({0, 0, z == 0 ? -1 : 1},
+                {level_square(low, high, z), level_square(hole_low, hole_high, z)}));
+  return surface;
+}
+
+struct Pit {
+  int column, row;  // 0 to 3
+};
+
+// A block of 16 x 16 x 8 half-steps with pyramid pits in its top. Neighbouring pits touch in a
+// vertex, and pits in the outer columns and rows touch the rim. Each pit takes 32 six-volumes.
+inline Surface pitted_block(const std::vector<Pit>& pits) {
+  const Vertex low = {1, 0, 0}, high = {17, 16, 8};
+  Surface surface{{2, 2, 2}, {}};
+  add_sides(surface, low, high, 1);
+  surface.polygons.push_back(polygon({0, 0, -1}, {level_square(low, high, 0)}));
+  std::vector<std::vector<Vertex>> top = {level_square(low, high, 8)};
+  for (const Pit& pit : pits) {
+    const int x = 3 + 4 * pit.column, y = 2 + 4 * pit.row;
+    top.push_back({{x + 2, y, 8}, {x, y + 2, 8}, {x - 2, y, 8}, {x, y - 2, 8}});
+    for (const int u : {-1, 1})
+      for (const int v : {-1, 1})
+        surface.polygons.push_back(
+            polygon({-u, -v, 1}, {{{x + 2 * u, y, 8}, {x, y + 2 * v, 8}, {x, y, 6}}}));
+  }
+  surface.polygons.push_back(polygon({0, 0, 1}, top));
+  return surface;
+}
+
+// A box with half of its front wall leaning back: the straight front side of the bottom belongs to
+// two walls, so that it has a T-junction at (5, 0, 0).
+inline Surface leaning_wall() {
+  Surface surface{{2, 2, 2}, {}};
+  auto add = [&surface](const Vertex& normal, const std::vector<Vertex>& corners) {
+    surface.polygons.push_back(polygon(normal, {corners}));
+  };
+  add({0, 0, -1}, {{1, 0, 0}, {9, 0, 0}, {9, 8, 0}, {1, 8, 0}});
+  add({0, -1, 0}, {{1, 0, 0}, {5, 0, 0}, {5, 0, 4}, {1, 0, 4}});
+  add({0, -1, 1}, {{5, 0, 0}, {9, 0, 0}, {9, 4, 4}, {5, 4, 4}});
+  add({1, 0, 0}, {{5, 0, 0}, {5, 4, 4}, {5, 0, 4}});
+  add({0, 0, 1}, {{1, 0, 4}, {5, 0, 4}, {5, 4, 4}, {9, 4, 4}, {9, 8, 4}, {1, 8, 4}});
+  add({0, 1, 0}, {{1, 8, 0}, {9, 8, 0}, {9, 8, 4}, {1, 8, 4}});
+  add({-1, 0, 0}, {{1, 0, 0}, {1, 8, 0}, {1, 8, 4}, {1, 0, 4}});
+  add({1, 0, 0}, {{9, 0, 0}, {9, 8, 0}, {9, 8, 4}, {9, 4, 4}});
+  return surface;
+}
+
+// A level strip with a saw-tooth side: one polygon of more than 256 corners, open.
+inline Surface saw() {
+  std::vector<Vertex> corners;
+  for (int i = 0; i <= 300; ++i) corners.push_back({1 + i, i % 2, 0});
+  corners.push_back({301, 4, 0});
+  corners.push_back({1, 4, 0});
+  return Surface{{2, 2, 2}, {polygon({0, 0, 1}, {corners})}};
+}
+
+}  // namespace hand_made
+
+#endif

@@ -1,0 +1,215 @@
+#include "mesh_files/mesh_files.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+#include <streambuf>
+#include <string>
+
+#include "hand_made.hpp"
+
+namespace {
+
+using namespace discmc::host;
+using namespace hand_made;
+
+// A stream that takes so many bytes and then no more.
+class Full : public std::streambuf {
+ public:
+  explicit Full(std::streamsize room) : room_(room) {}
+
+ protected:
+  std::streamsize xsputn(const char*, std::streamsize count) override {
+    const std::streamsize taken = std::min(count, room_);
+    room_ -= taken;
+    return taken;
+  }
+  int_type overflow(int_type) override { return traits_type::eof(); }
+
+ private:
+  std::streamsize room_;
+};
+
+// A stream that buffers everything and then cannot get rid of it.
+class Stuck : public std::streambuf {
+ protected:
+  std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+  int sync() override { return -1; }
+};
+
+class Bytes {
+ public:
+  Bytes(const std::string& bytes, std::size_t begin) : bytes_(bytes), next_(begin) {}
+
+  std::uint32_t integer(int count) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i)
+      value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes_.at(next_++)))
+               << (8 * i);
+    return value;
+  }
+  float real() {
+    const std::uint32_t bits = integer(4);
+    float value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+  bool at_end() const { return next_ == bytes_.size(); }
+
+ private:
+  const std::string& bytes_;
+  std::size_t next_;
+};
+
+void check_point(Bytes& bytes, const Point& expected) {
+  for (const double coordinate : expected) CHECK(bytes.real() == static_cast<float>(coordinate));
+}
+
+void check_ply(const Mesh& mesh, const std::string& count_type, int count_bytes) {
+  std::ostringstream out;
+  write_ply(mesh, out);
+  const std::string file = out.str();
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\ncomment discmc, millimetres\nelement vertex " +
+      std::to_string(mesh.vertices_mm.size()) +
+      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+      std::to_string(mesh.face_count()) + "\nproperty list " + count_type +
+      " int vertex_indices\nend_header\n";
+  REQUIRE(file.substr(0, header.size()) == header);
+  Bytes bytes(file, header.size());
+  for (const Point& vertex : mesh.vertices_mm) check_point(bytes, vertex);
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    REQUIRE(bytes.integer(count_bytes) == mesh.face_size(face));
+    for (std::size_t i = 0; i < mesh.face_size(face); ++i)
+      CHECK(bytes.integer(4) == mesh.face(face)[i]);
+  }
+  CHECK(bytes.at_end());
+}
+
+}  // namespace
+
+TEST_CASE("an OBJ file reads back exactly") {
+  const Mesh mesh = build_mesh(leaning_wall());
+  Mesh scaled = mesh;
+  for (Point& vertex : scaled.vertices_mm) vertex[0] = vertex[0] / 3 - 1;
+  std::ostringstream out;
+  write_obj(scaled, out);
+
+  std::vector<Point> vertices;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> face_begin{0};
+  std::istringstream in(out.str());
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind == "v") {
+      Point point{};
+      words >> point[0] >> point[1] >> point[2];
+      CHECK_FALSE(words.fail());
+      vertices.push_back(point);
+    } else if (kind == "f") {
+      for (std::uint32_t number; words >> number;) corners.push_back(number - 1);
+      face_begin.push_back(corners.size());
+    } else {
+      CHECK(kind == "#");
+    }
+  }
+  CHECK(vertices == scaled.vertices_mm);
+  CHECK(corners == scaled.corners);
+  CHECK(face_begin == scaled.face_begin);
+}
+
+TEST_CASE("a PLY file reads back, with wide counts only for large faces") {
+  check_ply(build_mesh(box_with_hole({0.3, 0.3, -1.5})), "uchar", 1);
+  const Mesh saw_mesh = build_mesh(saw());
+  REQUIRE(saw_mesh.face_size(0) == 303);
+  check_ply(saw_mesh, "uint", 4);
+}
+
+TEST_CASE("an STL file reads back, with unit normals that look outside") {
+  for (const double z : {3.0, -3.0}) {
+    const Mesh mesh = build_mesh(octahedron({1, 2, z}), {true, Faces::triangles});
+    std::ostringstream out;
+    write_stl(mesh, out);
+    const std::string file = out.str();
+    REQUIRE(file.size() == 80 + 4 + 50 * mesh.face_count());
+    CHECK(file.substr(0, 5) != "solid");
+    Bytes bytes(file, 80);
+    CHECK(bytes.integer(4) == mesh.face_count());
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+      float normal[3], corner[3][3];
+      for (float& coordinate : normal) coordinate = bytes.real();
+      for (auto& point : corner)
+        for (float& coordinate : point) coordinate = bytes.real();
+      CHECK(bytes.integer(2) == 0);
+      // The octahedron is around the origin, so the right-hand rule can be checked against it.
+      float outside = 0, product = 0;
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const float area = (corner[1][j] - corner[0][j]) * (corner[2][k] - corner[0][k]) -
+                           (corner[1][k] - corner[0][k]) * (corner[2][j] - corner[0][j]);
+        product += area * normal[i];
+        outside += corner[0][i] * normal[i];
+      }
+      CHECK(product > 0);
+      CHECK(outside == doctest::Approx(1 / std::sqrt(1 / 0.25 + 1 / 1.0 + 1 / 2.25)));
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          CHECK(corner[i][axis] == static_cast<float>(mesh.vertices_mm[mesh.face(face)[i]][axis]));
+    }
+    CHECK(bytes.at_end());
+  }
+}
+
+TEST_CASE("STL refuses anything but triangles") {
+  std::ostringstream out;
+  CHECK_THROWS_AS(write_stl(build_mesh(leaning_wall()), out), std::invalid_argument);
+  CHECK(out.str().empty());
+}
+
+TEST_CASE("lines of JSON hold the corners in half-steps") {
+  Surface surface = box_with_hole({-1, 5, 5});
+  surface.polygons = {surface.polygons[9], octahedron().polygons[0]};
+  std::ostringstream out;
+  write_jsonl(surface, out);
+  CHECK(out.str() ==
+        "{\"normal\":[0,0,1],\"rings\":[[[1,0,8],[9,0,8],[9,8,8],[1,8,8]],"
+        "[[3,6,8],[7,6,8],[7,2,8],[3,2,8]]]}\n"
+        "{\"normal\":[-1,-1,-1],\"rings\":[[[0,0,-1],[0,-1,0],[-1,0,0]]]}\n");
+}
+
+TEST_CASE("every writer reports a stream that fails, early or late") {
+  const Surface surface = pitted_block({{0, 0}, {2, 2}});
+  const Mesh mesh = build_mesh(surface, {true, Faces::triangles});
+  for (const std::streamsize room : {0, 1, 300}) {
+    auto check_writer = [room](auto write) {
+      Full full(room);
+      std::ostream out(&full);
+      CHECK_THROWS_AS(write(out), std::runtime_error);
+      Stuck stuck;
+      std::ostream late(&stuck);
+      CHECK_THROWS_AS(write(late), std::runtime_error);
+    };
+    check_writer([&](std::ostream& out) { write_obj(mesh, out); });
+    check_writer([&](std::ostream& out) { write_ply(mesh, out); });
+    check_writer([&](std::ostream& out) { write_stl(mesh, out); });
+    check_writer([&](std::ostream& out) { write_jsonl(surface, out); });
+  }
+}
+
+TEST_CASE("a file larger than the writer's buffer arrives whole") {
+  Surface surface{{2, 2, 2}, {}};
+  for (int i = 0; i < 3000; ++i) {
+    Polygon copy = octahedron().polygons[0];
+    for (Vertex& vertex : copy.rings[0]) vertex.z += 2 * i;
+    surface.polygons.push_back(copy);
+  }
+  std::ostringstream out;
+  write_stl(build_mesh(surface, {true, Faces::triangles}), out);
+  CHECK(out.str().size() == 84 + 50 * 3000);
+}

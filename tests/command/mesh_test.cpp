@@ -1,0 +1,344 @@
+#include "meshes/mesh.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "hand_made.hpp"
+#include "meshes/triangulate.hpp"
+
+namespace {
+
+using namespace discmc::host;
+using namespace hand_made;
+
+const Faces both_kinds[] = {Faces::polygons, Faces::triangles};
+
+double six_volumes(const Mesh& mesh) {
+  double sum = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    for (std::size_t i = 2; i < mesh.face_size(face); ++i) {
+      const std::uint32_t* corners = mesh.face(face);
+      sum += dot(mesh.vertices_mm[corners[0]],
+                 cross(mesh.vertices_mm[corners[i - 1]], mesh.vertices_mm[corners[i]]));
+    }
+  return sum;
+}
+
+// With a spacing of two the mesh is in half-steps, and all of this is exact.
+void check_closed_and_exact(const Surface& surface) {
+  for (const Faces faces : both_kinds) {
+    const Mesh mesh = build_mesh(surface, {true, faces});
+    const MeshReport report = check_mesh(mesh);
+    CHECK(report.open_edges == 0);
+    CHECK(report.non_manifold_edges == 0);
+    CHECK(report.wrongly_oriented == 0);
+    CHECK(report.degenerate_faces == 0);
+    CHECK(six_volumes(mesh) == static_cast<double>(hand_made::six_volumes(surface)));
+  }
+}
+
+bool is_vertex(const Mesh& mesh, const Point& point) {
+  return std::find(mesh.vertices_mm.begin(), mesh.vertices_mm.end(), point) !=
+         mesh.vertices_mm.end();
+}
+
+}  // namespace
+
+TEST_CASE("a lone voxel is an octahedron of half its spacing") {
+  const Surface surface = octahedron({1, 2, 3});
+  CHECK(hand_made::six_volumes(surface) == 8);
+  for (const Faces faces : both_kinds) {
+    const Mesh mesh = build_mesh(surface, {true, faces});
+    CHECK(mesh.vertices_mm.size() == 6);
+    CHECK(mesh.face_count() == 8);
+    CHECK(check_mesh(mesh).closed());
+    CHECK(check_mesh(mesh).edges == 12);
+    CHECK(is_vertex(mesh, {0.5, 0, 0}));
+    CHECK(is_vertex(mesh, {0, -1, 0}));
+    CHECK(is_vertex(mesh, {0, 0, 1.5}));
+    CHECK(six_volumes(mesh) == doctest::Approx(8 * 6 / 8.0));
+  }
+  check_closed_and_exact(octahedron());
+}
+
+TEST_CASE("polygons with holes are triangulated, the others stay whole") {
+  const Surface surface = box_with_hole();
+  CHECK(hand_made::six_volumes(surface) == 6 * (8 * 8 * 8 - 4 * 4 * 8));
+  check_closed_and_exact(surface);
+  const Mesh polygons = build_mesh(surface, {true, Faces::polygons});
+  CHECK(polygons.vertices_mm.size() == 16);
+  CHECK(polygons.face_count() == 8 + 2 * 8);
+  const Mesh triangles = build_mesh(surface, {true, Faces::triangles});
+  CHECK(triangles.face_count() == 2 * 8 + 2 * 8);
+  for (std::size_t face = 0; face < triangles.face_count(); ++face) {
+    CHECK(triangles.face_size(face) == 3);
+    const std::uint32_t polygon = triangles.polygons[face];
+    CHECK(triangles.incidences[face] == surface.polygons[polygon].incidence);
+  }
+}
+
+TEST_CASE("faces look outside whichever way the axes run") {
+  for (const double x : {1.0, -1.0})
+    for (const double y : {2.0, -2.0})
+      for (const double z : {0.7, -0.7})
+        for (const Faces faces : both_kinds) {
+          const Surface surface = box_with_hole({x, y, z});
+          const Mesh mesh = build_mesh(surface, {true, faces});
+          CHECK(check_mesh(mesh).closed());
+          CHECK(six_volumes(mesh) == doctest::Approx(6 * 384 * 1.4 / 8));
+          for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+            const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
+            const Point area = cross(difference(mesh.vertices_mm[mesh.face(face)[1]], a),
+                                     difference(mesh.vertices_mm[mesh.face(face)[2]], a));
+            const Point normal = outward_normal(mesh.incidences[face], mesh.spacing_mm);
+            CHECK(dot(area, normal) == doctest::Approx(std::sqrt(dot(area, area))));
+          }
+        }
+}
+
+TEST_CASE("normals follow the spacing as planes do") {
+  const Mesh mesh = build_mesh(octahedron({1, -2, 3}));
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const Point normal = outward_normal(mesh.incidences[face], mesh.spacing_mm);
+    CHECK(dot(normal, normal) == doctest::Approx(1));
+    const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
+    for (const int i : {1, 2})
+      CHECK(std::abs(dot(normal, difference(mesh.vertices_mm[mesh.face(face)[i]], a))) < 1e-12);
+    CHECK(dot(normal, a) > 0);
+  }
+}
+
+TEST_CASE("holes may touch each other and the rim") {
+  const Surface surface = pitted_block({{0, 0}, {1, 0}, {1, 1}, {2, 1}});
+  CHECK(hand_made::six_volumes(surface) == 6 * 16 * 16 * 8 - 4 * 32);
+  check_closed_and_exact(surface);
+  const Mesh mesh = build_mesh(surface, {true, Faces::polygons});
+  CHECK(is_vertex(mesh, {5, 2, 8}));  // shared by two pits
+  CHECK(is_vertex(mesh, {3, 0, 8}));  // a pit and the rim
+}
+
+TEST_CASE("any choice of touching holes gives a closed mesh of the same volume") {
+  std::minstd_rand random(1);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Pit> pits;
+    for (int place = 0; place < 16; ++place)
+      if (random() % 2 == 0) pits.push_back({place % 4, place / 4});
+    const Surface surface = pitted_block(pits);
+    const auto count = static_cast<std::int64_t>(pits.size());
+    CHECK(hand_made::six_volumes(surface) == 6 * 16 * 16 * 8 - 32 * count);
+    check_closed_and_exact(surface);
+  }
+}
+
+TEST_CASE("a conforming mesh keeps the vertices where other polygons' sides end") {
+  const Surface surface = leaning_wall();
+  check_closed_and_exact(surface);
+  for (const Faces faces : both_kinds) {
+    const Mesh conforming = build_mesh(surface, {true, faces});
+    const Mesh plain = build_mesh(surface, {false, faces});
+    CHECK(conforming.vertices_mm.size() == plain.vertices_mm.size());
+    CHECK(check_mesh(plain).open_edges == 3);
+    CHECK(check_mesh(plain).degenerate_faces == 0);
+    CHECK(six_volumes(plain) == static_cast<double>(hand_made::six_volumes(surface)));
+  }
+  CHECK(build_mesh(surface, {true, Faces::polygons}).face_size(0) == 5);
+  CHECK(build_mesh(surface, {false, Faces::polygons}).face_size(0) == 4);
+}
+
+TEST_CASE("a conforming mesh is closed also where a polygon was cut in two") {
+  Surface surface = leaning_wall();
+  surface.polygons[5] = polygon({0, 1, 0}, {{{1, 8, 0}, {5, 8, 0}, {5, 8, 4}, {1, 8, 4}}});
+  surface.polygons.push_back(polygon({0, 1, 0}, {{{5, 8, 0}, {9, 8, 0}, {9, 8, 4}, {5, 8, 4}}}));
+  check_closed_and_exact(surface);
+}
+
+TEST_CASE("without conforming a hole may touch the inside of a straight side") {
+  const Surface surface = pitted_block({{0, 0}, {1, 0}, {1, 1}});
+  const Mesh mesh = build_mesh(surface, {false, Faces::triangles});
+  CHECK(check_mesh(mesh).degenerate_faces == 0);
+  CHECK(six_volumes(mesh) == static_cast<double>(hand_made::six_volumes(surface)));
+}
+
+TEST_CASE("corners are where a ring turns, also at its start") {
+  const Ring square = ring({{1, 0, 0}, {9, 0, 0}, {9, 8, 0}, {1, 8, 0}});
+  CHECK(square.size() == 16);
+  Ring turned = square;
+  std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  CHECK(corners_of(square).size() == 4);
+  CHECK(corners_of(turned).size() == 4);
+  CHECK(corners_of(turned)[0] == Vertex{9, 0, 0});
+}
+
+TEST_CASE("triangulation keeps collinear points and makes no flat triangle") {
+  const std::vector<PlanePoint> points = {{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 4},
+                                          {2, 2}, {1, 1}, {0, 2}, {0, 1}};
+  const std::vector<std::vector<std::uint32_t>> rings = {{0, 1, 2, 3, 4, 5, 6, 7, 8}};
+  const std::vector<Triangle> triangles = triangulate(points, rings);
+  CHECK(triangles.size() == points.size() - 2);
+  std::set<std::uint32_t> used;
+  std::int64_t sum = 0;
+  for (const Triangle& t : triangles) {
+    used.insert(t.begin(), t.end());
+    const PlanePoint &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+    const std::int64_t area = (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+    CHECK(area > 0);
+    sum += area;
+  }
+  CHECK(used.size() == points.size());
+  CHECK(sum == 18);
+}
+
+TEST_CASE("a star that turns left everywhere is not taken for a convex polygon") {
+  const std::vector<PlanePoint> points = {{2, 0}, {6, 0}, {8, 4}, {4, 7}, {0, 4}};
+  CHECK(triangulate(points, {{0, 1, 2, 3, 4}}).size() == 3);
+  CHECK_THROWS_AS(triangulate(points, {{0, 2, 4, 1, 3}}), std::invalid_argument);
+}
+
+TEST_CASE("a polygon that is none is refused by its number") {
+  auto message = [](const Surface& surface) -> std::string {
+    try {
+      build_mesh(surface, {true, Faces::triangles});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  Surface surface = box_with_hole();
+  Surface crossing = surface;
+  Ring& hole = crossing.polygons[8].rings[1];
+  for (Vertex& vertex : hole) vertex = vertex + Vertex{3, 1, 0};
+  CHECK(message(crossing) == "polygon 8: rings cross");
+  Surface apart = surface;
+  for (Vertex& vertex : apart.polygons[9].rings[1]) vertex.x += 40;
+  CHECK(message(apart) == "polygon 9: rings do not bound a polygon");
+  Surface backwards = surface;
+  std::reverse(backwards.polygons[0].rings[0].begin(), backwards.polygons[0].rings[0].end());
+  CHECK(message(backwards) == "polygon 0: rings do not bound a polygon");
+  Surface empty = surface;
+  empty.polygons[3].rings.clear();
+  CHECK(message(empty) == "polygon 3: rings do not bound a polygon");
+  Surface slit = surface;
+  slit.polygons[2].rings[0] = {{1, 0, 0}, {3, 0, 0}};
+  CHECK(message(slit) == "polygon 2: ring of less than three points");
+  CHECK_THROWS_AS(build_mesh(slit), std::invalid_argument);
+  Surface huge = surface;
+  for (Vertex& vertex : huge.polygons[8].rings[1]) vertex.x += 1 << 30;
+  CHECK(message(huge) == "polygon 8: polygon too large to triangulate");
+  CHECK(message(surface) == "accepted");
+}
+
+TEST_CASE("a spacing must be a length") {
+  for (const double wrong : {0.0, std::numeric_limits<double>::infinity(), std::nan("")})
+    CHECK_THROWS_AS(build_mesh(octahedron({1, wrong, 1})), std::invalid_argument);
+}
+
+TEST_CASE("a surface without polygons is an empty closed mesh") {
+  const Mesh mesh = build_mesh({{1, 1, 1}, {}});
+  CHECK(mesh.face_count() == 0);
+  CHECK(check_mesh(mesh).closed());
+}
+
+TEST_CASE("far coordinates neither wrap nor lose a half-step") {
+  Surface surface = box_with_hole();
+  const std::int32_t far = 2000000000;
+  for (Polygon& polygon : surface.polygons)
+    for (Ring& ring : polygon.rings)
+      for (Vertex& vertex : ring) vertex.z += far;
+  const Mesh mesh = build_mesh(surface, {true, Faces::triangles});
+  CHECK(check_mesh(mesh).closed());
+  CHECK(is_vertex(mesh, {1, 0, 2000000008.0}));
+}
+
+TEST_CASE("the report counts each kind of damage") {
+  const Mesh whole = build_mesh(octahedron());
+  REQUIRE(check_mesh(whole).closed());
+
+  Surface surface = octahedron();
+  surface.polygons.pop_back();
+  MeshReport report = check_mesh(build_mesh(surface));
+  CHECK(report.open_edges == 3);
+  CHECK(report.edges == 12);
+  CHECK_FALSE(report.closed());
+
+  Mesh reversed = whole;
+  std::swap(reversed.corners[0], reversed.corners[1]);
+  report = check_mesh(reversed);
+  CHECK(report.wrongly_oriented == 3);
+  CHECK(report.open_edges == 0);
+
+  surface = octahedron();
+  surface.polygons.push_back(surface.polygons[0]);
+  CHECK(check_mesh(build_mesh(surface)).non_manifold_edges == 3);
+
+  Mesh repeated = build_mesh(leaning_wall());
+  repeated.corners[4] = repeated.corners[0];
+  CHECK(check_mesh(repeated).degenerate_faces == 1);
+
+  // Rounding leaves these three corners a trace of an area.
+  Mesh flat = build_mesh({{1, 1, 1}, {polygon({0, 0, 1}, {{{1, 0, 0}, {3, 0, 0}, {2, 1, 0}}})}});
+  CHECK(check_mesh(flat).degenerate_faces == 0);
+  flat.vertices_mm = {{0.1, 0.3, 0}, {0.2, 0.6, 0}, {0.3, 0.9, 0}};
+  CHECK(check_mesh(flat).degenerate_faces == 1);
+}
+
+TEST_CASE("faces of any shape are cut into triangles that cover them and keep their number") {
+  for (const Surface& surface :
+       {octahedron(), box_with_hole(), leaning_wall(), pitted_block({{0, 0}, {1, 1}}), saw()}) {
+    Mesh mesh = build_mesh(surface);
+    for (const bool has_incidences : {true, false}) {
+      if (!has_incidences) mesh.incidences.clear();
+      const Mesh cut = triangulated(mesh);
+      const MeshReport before = check_mesh(mesh), after = check_mesh(cut);
+      CHECK(after.open_edges == before.open_edges);
+      CHECK(after.non_manifold_edges + after.wrongly_oriented + after.degenerate_faces == 0);
+      CHECK(cut.face_count() == mesh.corners.size() - 2 * mesh.face_count());
+      CHECK(cut.incidences.size() == (has_incidences ? cut.face_count() : 0));
+      std::vector<double> areas(surface.polygons.size());
+      for (std::size_t face = 0; face < mesh.face_count(); ++face)
+        areas[mesh.polygons[face]] +=
+            std::sqrt(dot(area_vector(mesh, face), area_vector(mesh, face)));
+      for (std::size_t face = 0; face < cut.face_count(); ++face) {
+        REQUIRE(cut.face_size(face) == 3);
+        const Point normal =
+            outward_normal(surface.polygons[cut.polygons[face]].incidence, surface.spacing_mm);
+        CHECK(dot(face_normal(cut, face), normal) == doctest::Approx(1));
+        areas[cut.polygons[face]] -= dot(area_vector(cut, face), normal);
+      }
+      for (const double left : areas) CHECK(std::abs(left) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("a face that crosses itself, or lies in a line, becomes a fan") {
+  Mesh mesh;
+  mesh.vertices_mm = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 0}, {3, 3, 0}};
+  mesh.corners = {0, 1, 2, 3, 0, 1, 4, 5};
+  mesh.face_begin = {0, 4, 8};
+  mesh.polygons = {4, 5};
+  mesh.normals.assign(6, {0, 0, 1});
+  const Mesh cut = triangulated(mesh);
+  CHECK(cut.corners == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 1, 4, 0, 4, 5});
+  CHECK(cut.polygons == std::vector<std::uint32_t>{4, 4, 5, 5});
+  CHECK(cut.normals == mesh.normals);
+}
+
+TEST_CASE("a face has the normal of its plane, with and without an incidence") {
+  Mesh mesh = build_mesh(octahedron({1, -2, 3}));
+  std::vector<Point> expected;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    expected.push_back(face_normal(mesh, face));
+  mesh.incidences.clear();
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    CHECK(dot(expected[face], expected[face]) == doctest::Approx(1));
+    CHECK(dot(face_normal(mesh, face), expected[face]) == doctest::Approx(1));
+  }
+  mesh.vertices_mm.assign(mesh.vertices_mm.size(), {1, 1, 1});
+  CHECK(face_normal(mesh, 0) == Point{});
+}

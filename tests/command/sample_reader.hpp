@@ -1,0 +1,74 @@
+// Volumes from memory as the host reads them, and the meshes of their surfaces.
+#ifndef DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
+#define DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
+
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "extraction/extraction.hpp"
+#include "meshes/mesh.hpp"
+#include "oracle/volume.hpp"
+#include "surface/surface_builder.hpp"
+#include "volumes/volume.hpp"
+
+namespace sample_reader {
+
+using discmc::host::Mesh;
+using discmc::host::Point;
+using discmc::host::SampleType;
+using discmc::host::VolumeInfo;
+using discmc::reference::BitVolume;
+using discmc::reference::Size;
+
+/// Samples of any type, x fastest, then y, then z.
+class SampleReader final : public discmc::host::VolumeReader {
+ public:
+  SampleReader(Size size, std::vector<int> samples, const Point& spacing_mm = {1, 1, 1},
+               SampleType type = SampleType::u8)
+      : samples_(std::move(samples)) {
+    info_.dims = {size.width, size.height, size.depth};
+    info_.type = type;
+    info_.spacing_mm = spacing_mm;
+  }
+  /// 150 where on, 50 where off.
+  explicit SampleReader(const BitVolume& volume, const Point& spacing_mm = {1, 1, 1},
+                        SampleType type = SampleType::u8)
+      : SampleReader({volume.width, volume.height, volume.depth}, {}, spacing_mm, type) {
+    for (const std::uint8_t on : volume.on) samples_.push_back(on != 0 ? 150 : 50);
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+  void read_slice(void* samples) override {
+    auto* bytes = static_cast<unsigned char*>(samples);
+    const std::size_t size = sample_bytes(info_.type);
+    for (std::size_t left = info_.slice_bytes() / size; left > 0; --left, bytes += size) {
+      const auto sample = static_cast<std::uint16_t>(samples_.at(next_++));
+      const auto narrow = static_cast<std::uint8_t>(sample);
+      if (size == 1) *bytes = narrow;
+      if (size == 2) std::memcpy(bytes, &sample, 2);
+    }
+  }
+
+ private:
+  std::vector<int> samples_;
+  VolumeInfo info_;
+  std::size_t next_ = 0;
+};
+
+/// Between on and off of a volume of bits.
+constexpr std::int32_t bit_threshold = 100;
+
+inline Mesh merged_mesh(const BitVolume& volume, discmc::host::Faces faces,
+                        const Point& spacing_mm = {1, 1, 1}) {
+  SampleReader reader(volume, spacing_mm);
+  discmc::host::SurfaceBuilder builder;
+  extract(reader, {bit_threshold, discmc::Border::closed, 0, {}}, discmc::sink_to(builder));
+  builder.surface().spacing_mm = spacing_mm;
+  return build_mesh(builder.surface(), {true, faces});
+}
+
+}  // namespace sample_reader
+
+#endif

@@ -1,0 +1,215 @@
+// The surface builder: lost regions forgotten, sweep rings made simple.
+#include "surface/surface_builder.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <discmc/polygon.hpp>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include "oracle/stream.hpp"
+
+namespace {
+
+using discmc::Event;
+using discmc::Incidence;
+using discmc::Run;
+using discmc::Vertex;
+using discmc::host::Polygon;
+using discmc::host::Ring;
+using discmc::host::SurfaceBuilder;
+using discmc::test::events_of;
+using Kind = Event::Kind;
+using Events = std::vector<Event>;
+
+const Incidence up = discmc::incidence_of({0, 0, 1});
+
+Event event(Kind kind) {
+  Event event{};
+  event.kind = kind;
+  return event;
+}
+
+void add_runs(Events& events, const std::vector<Run>& runs) {
+  for (const Run& run : runs) {
+    events.push_back(event(Kind::run));
+    events.back().run = run;
+  }
+}
+
+void add_fragment(Events& events, const std::vector<Run>& runs) {
+  events.push_back(event(Kind::fragment));
+  events.back().incidence = up;
+  add_runs(events, runs);
+  events.push_back(event(Kind::fragment_end));
+}
+
+void add_region(Events& events, const std::vector<std::vector<Run>>& rings,
+                Vertex start = {1, 0, 0}) {
+  events.push_back(event(Kind::region));
+  events.back().incidence = up;
+  for (const auto& ring : rings) {
+    events.push_back(event(Kind::ring));
+    events.back().start = start;
+    events.back().hole = &ring != &rings[0];
+    add_runs(events, ring);
+  }
+  events.push_back(event(Kind::region_end));
+}
+
+SurfaceBuilder build(const Events& events) {
+  SurfaceBuilder builder;
+  for (const Event& event : events) REQUIRE(builder.take(event) == discmc::Answer::taken);
+  return builder;
+}
+
+// A straight run in the plane of `up` whose links are this step.
+Run run(const Vertex& step, std::uint32_t length = 1) {
+  for (discmc::Direction direction = 0; direction < 8; ++direction)
+    if (discmc::direction_vector(up, direction) == step) return Run::straight(direction, length);
+  FAIL("no such link");
+  return {};
+}
+
+const Vertex east = {2, 0, 0}, north = {0, 2, 0}, west = {-2, 0, 0}, south = {0, -2, 0};
+
+// A rectangle of 3 by 2 links, counter-clockwise.
+std::vector<Run> rectangle() {
+  return {run(east, 3), run(north, 2), run(west, 3), run(south, 2)};
+}
+
+bool is_simple(const Ring& ring) {
+  std::set<std::tuple<int, int, int>> vertices;
+  for (const Vertex& vertex : ring) vertices.emplace(vertex.x, vertex.y, vertex.z);
+  return vertices.size() == ring.size();
+}
+
+std::int64_t area(const Polygon& polygon, const Ring& ring) {
+  return discmc::twice_area(polygon.incidence, ring.data(),
+                            static_cast<std::uint32_t>(ring.size()));
+}
+
+std::int64_t area(const Polygon& polygon) {
+  std::int64_t sum = 0;
+  for (const Ring& ring : polygon.rings) sum += area(polygon, ring);
+  return sum;
+}
+
+void check_same(const SurfaceBuilder& a, const SurfaceBuilder& b) {
+  REQUIRE(a.surface().polygons.size() == b.surface().polygons.size());
+  for (std::size_t i = 0; i < a.surface().polygons.size(); ++i) {
+    CHECK(a.surface().polygons[i].incidence == b.surface().polygons[i].incidence);
+    CHECK(a.surface().polygons[i].rings == b.surface().polygons[i].rings);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a region becomes a polygon with every vertex of its rings") {
+  Events events;
+  add_region(events, {rectangle()});
+  const SurfaceBuilder builder = build(events);
+  REQUIRE(builder.surface().polygons.size() == 1);
+  const Polygon& polygon = builder.surface().polygons[0];
+  REQUIRE(polygon.rings.size() == 1);
+  CHECK(polygon.incidence == up);
+  CHECK(polygon.rings[0].size() == 10);
+  CHECK(polygon.rings[0][0] == Vertex{1, 0, 0});
+  CHECK(polygon.rings[0][3] == Vertex{7, 0, 0});
+  CHECK(area(polygon) == 2 * 6 * 4);
+}
+
+TEST_CASE("regions and fragments that the decoder reports lost are forgotten") {
+  Events events, rest;
+  add_region(events, {rectangle(), rectangle()});
+  events.back().kind = Kind::lost;
+  add_fragment(events, {run(north, 2)});
+  events.back().kind = Kind::lost;
+  add_region(events, {rectangle()}, {1, 0, 4});
+  add_fragment(events, {run(north, 2)});
+  add_region(rest, {rectangle()}, {1, 0, 4});
+  const SurfaceBuilder builder = build(events);
+  check_same(builder, build(rest));
+  CHECK(builder.incomplete_regions() == 1);  // the fragment, which nobody joined
+}
+
+TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {
+  Events events, plain, slit;
+  add_region(plain, {rectangle()});
+  add_region(events, {{run(east, 3), run(north), run(east, 5), run(west, 5), run(north),
+                       run(west, 3), run(south, 2)}});
+  check_same(build(events), build(plain));
+  add_region(slit, {{run(east, 3), run(west, 3)}});
+  CHECK(build(slit).surface().polygons.empty());
+}
+
+TEST_CASE("a ring that touches itself is split into simple rings, the outer one first") {
+  Events events;
+  // Once around a square of 4 by 4 links, and on the way, from the middle of its first side, around
+  // a diamond inside, clockwise.
+  add_region(events,
+             {{run(east, 2), run({-1, 1, 0}), run({1, 1, 0}), run({1, -1, 0}), run({-1, -1, 0}),
+               run(east, 2), run(north, 4), run(west, 4), run(south, 4)}});
+  const SurfaceBuilder builder = build(events);
+  REQUIRE(builder.surface().polygons.size() == 1);
+  const Polygon& polygon = builder.surface().polygons[0];
+  REQUIRE(polygon.rings.size() == 2);
+  CHECK(polygon.rings[0].size() == 16);
+  CHECK(polygon.rings[1].size() == 4);
+  CHECK(area(polygon, polygon.rings[0]) > 0);
+  CHECK(area(polygon, polygon.rings[1]) < 0);
+}
+
+TEST_CASE("all rings of all regions are simple, one of them outer") {
+  for (const std::uint32_t density : {60U, 128U, 200U}) {
+    Events events;
+    const auto told = events_of(discmc::reference::random({12, 12, 12}, density, density));
+    for (const auto& one : told) events.push_back(one.event());
+    const SurfaceBuilder builder = build(events);
+    CHECK(builder.incomplete_regions() == 0);
+    CHECK(!builder.surface().polygons.empty());
+    for (const Polygon& polygon : builder.surface().polygons)
+      for (const Ring& ring : polygon.rings) {
+        CHECK(is_simple(ring));
+        CHECK((area(polygon, ring) > 0) == (&ring == &polygon.rings[0]));
+      }
+  }
+}
+
+TEST_CASE("rings that do not close or enclose nothing are no regions") {
+  Events events;
+  add_region(events, {{run(east, 3), run(north, 2), run(west, 3)}});
+  add_region(events, {{run(north, 2), run(east, 3), run(south, 2), run(west, 3)}});  // clockwise
+  add_region(events, {{}});
+  add_region(events, {});
+  const SurfaceBuilder builder = build(events);
+  CHECK(builder.surface().polygons.empty());
+  CHECK(builder.incomplete_regions() == 4);
+}
+
+TEST_CASE("rings beyond the coordinates of any scan are no regions") {
+  constexpr std::uint32_t most = Run::max_length;
+  Events events;
+  std::vector<Run> far(8, run(east, most));
+  far.insert(far.end(), 8, run(west, most));
+  add_region(events, {far});
+  add_region(events, {std::vector<Run>(16, run(east, 1U << 27))});  // once around 32 bits
+  add_region(events, {rectangle()}, {2147483647, 0, 0});
+  const SurfaceBuilder builder = build(events);
+  CHECK(builder.surface().polygons.empty());
+  CHECK(builder.incomplete_regions() == 3);
+}
+
+TEST_CASE("more links than memory should hold are refused before they are unfolded") {
+  constexpr std::uint32_t many = 1U << 27;
+  Events events;
+  add_region(events, {{run(east, many), run(west, many)}});
+  SurfaceBuilder builder;
+  const auto take_all = [&] {
+    for (const Event& event : events) builder.take(event);
+  };
+  CHECK_THROWS_AS(take_all(), std::runtime_error);
+}

@@ -1,0 +1,236 @@
+// Normals of merged meshes, from their polygons and from the samples.
+#include "meshes/vertex_normals.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "hand_made.hpp"
+#include "normal_angles.hpp"
+#include "oracle/ramp_ball.hpp"
+#include "oracle/stream.hpp"
+#include "sample_reader.hpp"
+
+namespace {
+
+using namespace discmc::host;
+using namespace hand_made;
+using namespace normal_angles;
+using discmc::reference::gradient;
+using discmc::reference::ramp_ball;
+using discmc::reference::Size;
+using discmc::test::Chance;
+using sample_reader::SampleReader;
+
+// Where axes run either way, and voxels are no cubes.
+const std::vector<Point> all_signs = [] {
+  std::vector<Point> result;
+  for (const double x : {0.5, -0.5})
+    for (const double y : {1.25, -1.25})
+      for (const double z : {3.0, -3.0}) result.push_back({x, y, z});
+  return result;
+}();
+
+SampleVolume<int> noise(Size size, int least, int most, Chance& chance) {
+  SampleVolume<int> volume{size, {}};
+  for (std::size_t i = 0; i < std::size_t{size.width} * size.height * size.depth; ++i)
+    volume.samples.push_back(
+        least + static_cast<int>(chance.next() % static_cast<std::uint64_t>(most - least)));
+  return volume;
+}
+
+Surface polygons_of(const SampleVolume<int>& volume, int threshold, const Point& spacing_mm,
+                    SampleType type = SampleType::u8) {
+  SampleReader reader(volume.size, volume.samples, spacing_mm, type);
+  return surface_of(reader, threshold);
+}
+
+void set_gradient_normals_of(const SampleVolume<int>& volume, SampleType type, Mesh& mesh) {
+  SampleReader reader(volume.size, volume.samples, mesh.spacing_mm, type);
+  set_gradient_normals(reader, mesh);
+}
+
+// A polygon's area vector, from its rings as they lie in space. Units: square millimetres.
+Point area_in_space(const Polygon& polygon, const Point& spacing_mm) {
+  const auto in_space = [&](const Vertex& v) {
+    return Point{v.x * spacing_mm[0] / 2, v.y * spacing_mm[1] / 2, v.z * spacing_mm[2] / 2};
+  };
+  Point sum{};
+  for (const Ring& ring : polygon.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point area = cross(in_space(ring[i]), in_space(ring[(i + 1) % ring.size()]));
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += area[axis] / 2;
+    }
+  const bool is_mirrored = spacing_mm[0] * spacing_mm[1] * spacing_mm[2] < 0;
+  return is_mirrored ? Point{-sum[0], -sum[1], -sum[2]} : sum;
+}
+
+std::size_t vertex_at(const Mesh& mesh, const Vertex& position) {
+  const auto found = std::find(mesh.lattice.begin(), mesh.lattice.end(), position);
+  REQUIRE(found != mesh.lattice.end());
+  return static_cast<std::size_t>(found - mesh.lattice.begin());
+}
+
+void check_along(const Point& normal, const Point& direction) {
+  CHECK(degrees_between(normal, direction) < 0.006);
+  CHECK(std::hypot(normal[0], normal[1], normal[2]) == doctest::Approx(1).epsilon(1e-4));
+}
+
+}  // namespace
+
+TEST_CASE("the vertices of a mesh have their positions on the lattice") {
+  for (const bool conforming : {true, false}) {
+    const Mesh mesh = build_mesh(box_with_hole({0.5, -2, 3}), {conforming, Faces::triangles});
+    REQUIRE(mesh.lattice.size() == mesh.vertices_mm.size());
+    for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
+      const Vertex& at = mesh.lattice[i];
+      CHECK(mesh.vertices_mm[i] == Point{at.x * 0.25, at.y * -1.0, at.z * 1.5});
+    }
+  }
+}
+
+TEST_CASE("polygon normals of an octahedron are its axes, exactly, whichever way they run") {
+  for (const Point& spacing : all_signs) {
+    const Surface surface = octahedron(spacing);
+    Mesh mesh = build_mesh(surface);
+    set_polygon_normals(surface, mesh);
+    REQUIRE(mesh.normals.size() == 6);
+    for (std::size_t i = 0; i < 6; ++i) CHECK(mesh.normals[i] == unit_or_zero(mesh.vertices_mm[i]));
+  }
+}
+
+TEST_CASE("a polygon counts by its area in space, without its holes, however it is cut") {
+  for (const Point& spacing : all_signs)
+    for (const Faces faces : {Faces::polygons, Faces::triangles}) {
+      const Surface surface = box_with_hole(spacing);
+      Mesh mesh = build_mesh(surface, {true, faces});
+      set_polygon_normals(surface, mesh);
+      // In half-steps 8 x 8 each, but the lids without 4 x 4, and 4 x 8 within the hole.
+      const auto in_space = [&](double x, double y, double z) {
+        return Point{x / spacing[0], y / spacing[1], z / spacing[2]};
+      };
+      check_along(mesh.normals[vertex_at(mesh, {9, 8, 8})], in_space(64, 64, 48));
+      check_along(mesh.normals[vertex_at(mesh, {1, 0, 0})], in_space(-64, -64, -48));
+      check_along(mesh.normals[vertex_at(mesh, {7, 6, 8})], in_space(-32, -32, 48));
+      check_along(mesh.normals[vertex_at(mesh, {3, 6, 0})], in_space(32, -32, -48));
+    }
+}
+
+TEST_CASE("polygon normals are the sum of the areas that meet, whatever the surface") {
+  Chance chance(21);
+  for (const Point& spacing : all_signs) {
+    const Surface surface = polygons_of(noise({7, 6, 8}, 0, 255, chance), 128, spacing);
+    for (const bool conforming : {true, false}) {
+      Mesh mesh = build_mesh(surface, {conforming, Faces::polygons});
+      set_polygon_normals(surface, mesh);
+      std::vector<std::set<std::uint32_t>> polygons(mesh.lattice.size());
+      for (std::size_t face = 0; face < mesh.face_count(); ++face)
+        for (std::size_t i = 0; i < mesh.face_size(face); ++i)
+          polygons[mesh.face(face)[i]].insert(mesh.polygons[face]);
+      for (std::size_t i = 0; i < polygons.size(); ++i) {
+        Point sum{};
+        for (const std::uint32_t polygon : polygons[i]) {
+          const Point area = area_in_space(surface.polygons[polygon], spacing);
+          for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += area[axis];
+        }
+        REQUIRE(degrees_between(mesh.normals[i], sum) < 0.006);
+      }
+    }
+  }
+}
+
+TEST_CASE("gradient normals are at most 0.1 degree from double precision, whatever the samples") {
+  struct Kind {
+    SampleType type;
+    int least, most;
+  };
+  Chance chance(22);
+  for (const Kind& kind : {Kind{SampleType::u8, 0, 255},
+                           {SampleType::u16, 0, 65535},
+                           {SampleType::i16, -32768, 32767},
+                           {SampleType::u16, 500, 560}})
+    for (const Point& spacing : all_signs) {
+      const SampleVolume<int> volume = noise({14, 13, 12}, kind.least, kind.most, chance);
+      const int middle = (kind.least + kind.most) / 2;
+      Mesh mesh = build_mesh(polygons_of(volume, middle, spacing, kind.type));
+      set_gradient_normals_of(volume, kind.type, mesh);
+      const NormalAngles angles = compare(mesh, volume);
+      CHECK(angles.fixed_point.count > mesh.lattice.size() / 3);
+      CHECK(angles.fixed_point.worst > 0.001);  // or nothing was measured
+      CHECK(angles.fixed_point.worst <= 0.1);
+      CHECK(angles.octahedral.worst < 1);
+    }
+}
+
+TEST_CASE("normals of a ball of radius 40 are within 3 degrees of its radii on a distance ramp") {
+  struct Kind {
+    SampleType type;
+    discmc::reference::Ramp ramp;
+  };
+  for (const Kind& kind : {Kind{SampleType::u8, {16, 128, 255}},
+                           {SampleType::u8, {32, 128, 255}},
+                           {SampleType::u16, {500, 32768, 65535}}}) {
+    const SampleVolume<int> volume = ramp_ball(90, 40, kind.ramp);
+    Mesh mesh = build_mesh(polygons_of(volume, kind.ramp.threshold, {1, 1, 1}, kind.type));
+    set_gradient_normals_of(volume, kind.type, mesh);
+    const Angles angles = compare_with_radii(mesh, 90);
+    CHECK(angles.count > 5000);
+    CHECK(angles.worst < 3);
+    CHECK(compare(mesh, volume).fixed_point.worst <= 0.1);
+  }
+}
+
+TEST_CASE("where the samples are level, and outside the volume, a vertex keeps its normal") {
+  // Within a checkerboard central differences are zero; at its border they are not.
+  const auto board = discmc::reference::checkerboard({6, 5, 4});
+  SampleVolume<int> volume{{6, 5, 4}, {}};
+  for (const std::uint8_t on : board.on) volume.samples.push_back(on != 0 ? 200 : 10);
+  const Surface surface = polygons_of(volume, 100, {1, 1, 1});
+  Mesh mesh = build_mesh(surface);
+  set_polygon_normals(surface, mesh);
+  const Mesh before = mesh;
+  set_gradient_normals_of(volume, SampleType::u8, mesh);
+  std::size_t outside = 0, level = 0, steep_vertices = 0;
+  for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
+    const Vertex& at = mesh.lattice[i];
+    const auto up = gradient(volume, at);
+    if (std::hypot(up[0], up[1], up[2]) > 0) {
+      ++steep_vertices;
+      check_along(mesh.normals[i], {-up[0], -up[1], -up[2]});
+      continue;
+    }
+    const bool is_outside = std::min({at.x, at.y, at.z}) < 0 || at.x > 10 || at.y > 8 || at.z > 6;
+    ++(is_outside ? outside : level);
+    CHECK(mesh.normals[i] == before.normals[i]);
+  }
+  CHECK(outside > 0);
+  CHECK(level > 0);
+  CHECK(steep_vertices > 0);
+}
+
+TEST_CASE("a mesh without normals gets those of the gradient alone") {
+  const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
+  Mesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
+  set_gradient_normals_of(volume, SampleType::u8, mesh);
+  CHECK(mesh.normals.size() == mesh.vertices_mm.size());
+  CHECK(compare_with_radii(mesh, 12).worst < 10);
+}
+
+TEST_CASE("the second pass tells of every slice") {
+  const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
+  Mesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
+  SampleReader reader(volume.size, volume.samples);
+  std::vector<std::uint32_t> told;
+  set_gradient_normals(reader, mesh, [&told](std::uint32_t slices) { told.push_back(slices); });
+  CHECK(told == std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+}
+
+TEST_CASE("a spacing that no stream can hold is refused") {
+  const Surface surface = octahedron({1, 5000, 1});
+  Mesh mesh = build_mesh(surface);
+  CHECK_THROWS_WITH_AS(set_polygon_normals(surface, mesh), doctest::Contains("5000"),
+                       std::invalid_argument);
+}

@@ -1,0 +1,211 @@
+// Small volumes as files of every format, and how to read and refuse them, for the tests of the
+// readers.
+#ifndef DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
+#define DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
+
+#include <doctest/doctest.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <random>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "volumes/volume.hpp"
+
+namespace volume_files {
+
+namespace fs = std::filesystem;
+using discmc::host::open_volume;
+using discmc::host::RawLayout;
+using discmc::host::SampleType;
+using discmc::host::VolumeError;
+using discmc::host::VolumeInfo;
+using discmc::host::VolumeReader;
+
+/// A folder of its own for a test, removed at its end.
+class Folder {
+ public:
+  Folder()
+      : path_(fs::temp_directory_path() / ("discmc-" + std::to_string(std::random_device()()))) {
+    fs::create_directory(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  fs::path write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path_ / name, std::ios::binary) << bytes;
+    return path_ / name;
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+enum class Wrapper { zlib = 15, gzip = 31 };
+
+inline std::string deflated(const std::string& bytes, Wrapper wrapper) {
+  z_stream state{};
+  deflateInit2(&state, 6, Z_DEFLATED, static_cast<int>(wrapper), 8, Z_DEFAULT_STRATEGY);
+  std::vector<unsigned char> in(bytes.begin(), bytes.end());
+  std::vector<unsigned char> out(deflateBound(&state, in.size()));
+  state.next_in = in.data();
+  state.avail_in = static_cast<uInt>(in.size());
+  state.next_out = out.data();
+  state.avail_out = static_cast<uInt>(out.size());
+  REQUIRE(deflate(&state, Z_FINISH) == Z_STREAM_END);
+  out.resize(state.total_out);
+  deflateEnd(&state);
+  return std::string(out.begin(), out.end());
+}
+
+inline std::string gzip(const std::string& bytes) {
+  return deflated(bytes, Wrapper::gzip);
+}
+
+// The test volume: 5 by 3 by 4 samples, negative ones among them where the type has any.
+constexpr int voxels = 5 * 3 * 4;
+
+inline int sample_at(int voxel, SampleType type) {
+  return type == SampleType::u8    ? voxel * 4
+         : type == SampleType::u16 ? voxel * 1000 + 7
+                                   : voxel * 1000 - 30000;
+}
+
+inline std::string stored(SampleType type, bool big_endian = false) {
+  std::string bytes;
+  for (int voxel = 0; voxel < voxels; ++voxel) {
+    const auto sample = static_cast<std::uint16_t>(sample_at(voxel, type));
+    const auto low = static_cast<char>(sample & 0xff);
+    const auto high = static_cast<char>(sample >> 8);
+    if (type == SampleType::u8)
+      bytes += low;
+    else
+      bytes += big_endian ? std::string{high, low} : std::string{low, high};
+  }
+  return bytes;
+}
+
+inline std::string nrrd(const std::string& lines, const std::string& sizes = "5 3 4") {
+  return "NRRD0004\n# a comment\nkey:=value\ndimension: " +
+         std::to_string(std::count(sizes.begin(), sizes.end(), ' ') + 1) + "\nsizes: " + sizes +
+         "\n" + lines;
+}
+
+inline std::string metaimage(const std::string& lines, const std::string& sizes = "5 3 4") {
+  return "ObjectType = Image\nNDims = " +
+         std::to_string(std::count(sizes.begin(), sizes.end(), ' ') + 1) + "\nDimSize = " + sizes +
+         "\n" + lines;
+}
+
+inline const std::string nrrd_u8 = "type: uchar\nencoding: raw\n";
+inline const std::string metaimage_u8 = "ElementType = MET_UCHAR\n";
+
+// A NIfTI-1 header, field by field at the offsets of the standard.
+class Nifti {
+ public:
+  explicit Nifti(bool big_endian = false) : big_endian_(big_endian) {
+    integer(0, 4, 348);
+    dims({3, 5, 3, 4});
+    type(2);
+    for (std::size_t i = 0; i < 4; ++i) real(76 + 4 * i, 1);
+    real(108, 352);
+    bytes_.replace(344, 3, "n+1");
+  }
+  Nifti& dims(const std::vector<int>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) integer(40 + 2 * i, 2, values[i]);
+    return *this;
+  }
+  Nifti& type(int datatype) { return integer(70, 2, datatype); }
+  Nifti& scale(float slope, float intercept) { return real(112, slope).real(116, intercept); }
+  Nifti& pair() {
+    bytes_.replace(344, 3, "ni1");
+    return real(108, 0);
+  }
+  Nifti& integer(std::size_t offset, int size, int value) {
+    for (int i = 0; i < size; ++i)
+      bytes_[offset + static_cast<std::size_t>(big_endian_ ? size - 1 - i : i)] =
+          static_cast<char>(value >> (8 * i) & 0xff);
+    return *this;
+  }
+  Nifti& real(std::size_t offset, float value) {
+    int bits = 0;
+    std::memcpy(&bits, &value, 4);
+    return integer(offset, 4, bits);
+  }
+  std::string header() const { return bytes_.substr(0, 348); }
+  std::string file(const std::string& data) const { return bytes_ + data; }
+
+ private:
+  bool big_endian_;
+  std::string bytes_ = std::string(352, '\0');
+};
+
+inline std::vector<int> read_all(VolumeReader& reader) {
+  const VolumeInfo info = reader.info();
+  std::vector<int> samples;
+  std::vector<unsigned char> slice(info.slice_bytes());
+  for (std::uint32_t k = 0; k < info.dims[2]; ++k) {
+    reader.read_slice(slice.data());
+    const std::size_t step = sample_bytes(info.type);
+    for (std::size_t at = 0; at < slice.size(); at += step) {
+      std::uint16_t wide = slice[at];
+      if (step == 2) std::memcpy(&wide, &slice[at], 2);
+      samples.push_back(info.type == SampleType::i16 ? static_cast<std::int16_t>(wide) : wide);
+    }
+  }
+  return samples;
+}
+
+inline void check_volume(const fs::path& file, SampleType type, const std::string& format,
+                         const std::optional<RawLayout>& layout = std::nullopt) {
+  INFO(file.filename().string(), " as ", format);
+  const auto reader = open_volume(file, layout);
+  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
+  CHECK(reader->info().type == type);
+  CHECK(reader->info().format == format);
+  std::vector<int> expected;
+  for (int voxel = 0; voxel < voxels; ++voxel) expected.push_back(sample_at(voxel, type));
+  CHECK(read_all(*reader) == expected);
+}
+
+// Opens and reads a volume that should be refused, and returns the refusal.
+inline std::string refusal(const fs::path& file,
+                           const std::optional<RawLayout>& layout = std::nullopt) {
+  try {
+    read_all(*open_volume(file, layout));
+  } catch (const VolumeError& error) {
+    const std::string text = error.what();
+    CHECK(text.find(file.stem().string()) != std::string::npos);
+    CHECK(text.find("; ") != std::string::npos);
+    return text;
+  }
+  FAIL("not refused: ", file.string());
+  return {};
+}
+
+inline void check_refusal(const std::string& text, const std::string& part) {
+  INFO(text);
+  CHECK(text.find(part) != std::string::npos);
+}
+
+inline bool noted(const VolumeInfo& info, const std::string& part) {
+  for (const auto& note : info.notes)
+    if (note.find(part) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace volume_files
+
+#endif

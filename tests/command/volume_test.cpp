@@ -1,0 +1,422 @@
+// The volume readers, on small files written here. With DISCMC_DATA naming a folder of volumes,
+// each with a JSON file that describes it, those are read as well.
+#include "volumes/volume.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using discmc::host::stored_threshold;
+
+const std::string u8 = stored(SampleType::u8);
+const std::string i16 = stored(SampleType::i16);
+
+}  // namespace
+
+TEST_CASE("raw samples of every type and byte order are read") {
+  const Folder folder;
+  for (const auto type : {SampleType::u8, SampleType::u16, SampleType::i16}) {
+    for (const bool big_endian : {false, true}) {
+      RawLayout layout;
+      layout.dims = {5, 3, 4};
+      layout.type = type;
+      layout.big_endian = big_endian;
+      const std::string bytes = stored(type, big_endian);
+      check_volume(folder.write("v.raw", bytes), type, "raw", layout);
+      check_volume(folder.write("v.raw.gz", gzip(bytes)), type, "raw, gzip", layout);
+    }
+  }
+}
+
+TEST_CASE("a raw layout keeps its spacing and is checked before anything is read") {
+  const Folder folder;
+  const auto file = folder.write("v.raw", u8);
+  RawLayout layout;
+  layout.dims = {5, 3, 4};
+  layout.spacing_mm = {0.5, -0.25, 2};
+  CHECK(open_volume(file, layout)->info().spacing_mm == layout.spacing_mm);
+  layout.dims = {32766, 32766, 4};
+  check_refusal(refusal(file, layout), "slice 0 (the first is 0) of 4: 1073610696 bytes of it are");
+  layout.dims = {32767, 1, 1};
+  check_refusal(refusal(file, layout), "dimension 1 has size 32767, outside 1 to 32766");
+  layout.dims = {1, 0, 1};
+  check_refusal(refusal(file, layout), "dimension 2 has size 0");
+}
+
+TEST_CASE("NRRD of every type, byte order, encoding and attachment is read") {
+  const Folder folder;
+  const std::vector<std::pair<SampleType, std::string>> types = {
+      {SampleType::u8, "uint8"}, {SampleType::u16, "unsigned short"}, {SampleType::i16, "int16_t"}};
+  for (const auto& [type, name] : types) {
+    for (const bool big : {false, true}) {
+      for (const bool packed : {false, true}) {
+        const std::string header = nrrd("type: " + name + "\nendian: " + (big ? "big" : "little") +
+                                        "\nencoding: " + (packed ? "gzip" : "raw") + "\n");
+        const std::string format = packed ? "NRRD, gzip" : "NRRD, raw";
+        const std::string data = packed ? gzip(stored(type, big)) : stored(type, big);
+        check_volume(folder.write("v.nrrd", header + "\n" + data), type, format);
+        check_volume(folder.write("no_extension", header + "\r\n" + data), type, format);
+        folder.write("the data", data);
+        check_volume(folder.write("v.nhdr", header + "data file: the data"), type,
+                     format + ", detached");
+      }
+    }
+  }
+}
+
+TEST_CASE("NRRD skips lines of the file and bytes of its content") {
+  const Folder folder;
+  const std::string skips = "line skip: 2\nbyteskip: 3\n";
+  const std::string gzip_u8 = "type: uchar\nencoding: gz\n";
+  check_volume(folder.write("a.nrrd", nrrd(nrrd_u8 + skips) + "\none\ntwo\nxyz" + u8),
+               SampleType::u8, "NRRD, raw");
+  check_volume(folder.write("b.nrrd", nrrd(gzip_u8 + skips) + "\none\ntwo\n" + gzip("xyz" + u8)),
+               SampleType::u8, "NRRD, gzip");
+  folder.write("c.raw", "anything before" + u8);
+  check_volume(folder.write("c.nhdr", nrrd(nrrd_u8 + "data file: c.raw\nbyte skip: -1\n")),
+               SampleType::u8, "NRRD, raw, detached");
+  check_refusal(refusal(folder.write("d.nrrd", nrrd(gzip_u8 + "byte skip: -1\n\n") + gzip(u8))),
+                "byte skip -1");
+  check_refusal(refusal(folder.write("e.nrrd", nrrd(nrrd_u8 + "line skip: 9\n\n") + "one\ntwo\n")),
+                "of 9 lines to skip only 2 are there");
+  check_refusal(refusal(folder.write("f.nrrd", nrrd(gzip_u8 + "byte skip: 99\n\n") + gzip(u8))),
+                "of 99 bytes to skip 39 are not there");
+  check_refusal(
+      refusal(folder.write("g.nrrd", nrrd(nrrd_u8 + "byte skip: 9223372036854775807\n\n") + u8)),
+      "the data should begin at byte");
+}
+
+TEST_CASE("NRRD gives a signed spacing in millimetres and tells what it drops") {
+  const Folder folder;
+  const auto info = [&](const std::string& lines) {
+    return open_volume(folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8))->info();
+  };
+  const std::string directions = "space dimension: 3\nspace directions: ";
+  using Spacing = std::array<double, 3>;
+  CHECK(info("spacings: 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
+  CHECK(info("spacings: 1 2 3\nunits: \"cm\" \"\" \"um\"\n").spacing_mm == Spacing{10, 2, 0.003});
+  CHECK(noted(info("spacings: 1 nan 0\n"), "spacing nan of axis 2 unusable"));
+  CHECK(noted(info(""), "no spacing"));
+  CHECK(info(directions + "(-0.5,0,0) (0, 2, 0) (0,0,3)\n").spacing_mm == Spacing{-0.5, 2, 3});
+  const auto turned = info(directions + "(0,2,0) (-3,0,0) (0,0,4)\nspace origin: (1,0,-2.5)\n");
+  CHECK(turned.spacing_mm == Spacing{2, 3, 4});
+  CHECK(noted(turned, "rotation dropped"));
+  CHECK(noted(turned, "origin (1, 0, -2.5) dropped"));
+  CHECK(info(directions + "(0,2,0) (3,0,0) (0,0,4)\n").spacing_mm == Spacing{2, 3, -4});
+  CHECK(info("space: LAS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n").spacing_mm ==
+        Spacing{-1, 1, 1});
+}
+
+TEST_CASE("NRRD refuses by name what it does not take") {
+  const Folder folder;
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {nrrd("type: float\nencoding: raw\n\n"), "type 'float'"},
+      {nrrd("type: signed char\nencoding: raw\n\n"), "convert to u8, u16 or i16"},
+      {nrrd("type: uchar\nencoding: bzip2\n\n"), "encoding 'bzip2'"},
+      {nrrd("type: short\nencoding: raw\n\n"), "'endian' is missing"},
+      {nrrd("type: short\nencoding: raw\nendian: pdp\n\n"), "endian is 'pdp'"},
+      {nrrd(nrrd_u8 + "endain: big\n\n"), "'endain' is not known"},
+      {nrrd(nrrd_u8 + "type: uchar\n\n"), "'type' is there twice"},
+      {nrrd(nrrd_u8 + "kinds: 3-color domain domain\n\n"), "kind '3-color'"},
+      {nrrd(nrrd_u8 + "space directions: none (1,0,0) (0,1,0)\n\n"), "axis 1 has no direction"},
+      {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "no vector of up to"},
+      {nrrd(nrrd_u8 + "space directions: (1,0,0) (0,1,0)\n\n"), "2 entries for 3 dimensions"},
+      {nrrd(nrrd_u8 + "spacings: 1\n\n"), "1 entries for 3 dimensions"},
+      {nrrd(nrrd_u8 + "data file: LIST\na\nb\n"), "no colon"},
+      {nrrd(nrrd_u8 + "data file: LIST\n"), "several files"},
+      {nrrd(nrrd_u8 + "data file: %99999d.raw 1 4 1\n"), "several files"},
+      {nrrd(nrrd_u8 + "data file: absent.raw\n"), "no such file"},
+      {nrrd(nrrd_u8 + "data file: .\n"), "no regular file"},
+      {nrrd(nrrd_u8), "no end"},
+      {nrrd(nrrd_u8 + "\n", "5 3"), "slice 0 (the first is 0) of 1: 15 bytes"},
+      {nrrd(nrrd_u8 + "\n", "5 3 4 2"), "dimension 4 has size 2"},
+      {nrrd(nrrd_u8 + "\n", "5 0 4"), "dimension 2 has size 0"},
+      {nrrd(nrrd_u8 + "\n", "5 -3 4"), "dimension 2 has size -3"},
+      {nrrd(nrrd_u8 + "\n", "5 3 99999999999999999999"), "no whole number in range"},
+      {"NRRD0006\n", "'NRRD0006'"},
+      {"", "begins with ''"},
+  };
+  // Names that no refusal quotes by chance: the file is v.nrrd, the parts are others.
+  for (const auto& [bytes, part] : cases) try {
+      read_all(*open_volume(folder.write("v.nrrd", bytes)));
+      FAIL_CHECK("not refused: ", part);
+    } catch (const VolumeError& error) {
+      check_refusal(error.what(), part);
+    }
+}
+
+TEST_CASE("a fourth dimension of size 1 is dropped with a note in every format") {
+  const Folder folder;
+  for (const auto& file :
+       {folder.write("v.nrrd", nrrd(nrrd_u8 + "\n", "5 3 4 1") + u8),
+        folder.write("v.mha",
+                     metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n", "5 3 4 1") + u8),
+        folder.write("v.nii", Nifti().dims({4, 5, 3, 4, 1}).file(u8))})
+    CHECK(noted(open_volume(file)->info(), "dimension 4 of size 1 dropped"));
+}
+
+TEST_CASE("NIfTI of every type, byte order, compression and pairing is read") {
+  const Folder folder;
+  const std::vector<std::pair<SampleType, int>> types = {
+      {SampleType::u8, 2}, {SampleType::u16, 512}, {SampleType::i16, 4}};
+  for (const auto& [type, datatype] : types) {
+    for (const bool big : {false, true}) {
+      const std::string data = stored(type, big);
+      const std::string file = Nifti(big).type(datatype).file(data);
+      check_volume(folder.write("v.nii", file), type, "NIfTI-1");
+      check_volume(folder.write("v.nii.gz", gzip(file)), type, "NIfTI-1, gzip");
+      check_volume(folder.write("no_extension", file), type, "NIfTI-1");
+      folder.write("pair.img", data);
+      check_volume(folder.write("pair.hdr", Nifti(big).type(datatype).pair().header()), type,
+                   "NIfTI-1 pair");
+      check_volume(folder.path() / "pair.img", type, "NIfTI-1 pair");
+      folder.write("packed.img.gz", gzip(data));
+      check_volume(folder.write("packed.hdr", Nifti(big).type(datatype).pair().header()), type,
+                   "NIfTI-1 pair, gzip");
+    }
+  }
+  const std::string file = Nifti().real(108, 360).file("extended" + u8);
+  check_volume(folder.write("later.nii", file), SampleType::u8, "NIfTI-1");
+  const std::size_t half = file.size() / 2;
+  check_volume(folder.write("two.nii.gz", gzip(file.substr(0, half)) + gzip(file.substr(half))),
+               SampleType::u8, "NIfTI-1, gzip");
+}
+
+TEST_CASE("NIfTI gives scale and signed spacing") {
+  const Folder folder;
+  const auto info = [&](const Nifti& nifti) {
+    return open_volume(folder.write("v.nii", nifti.file(u8)))->info();
+  };
+  using Spacing = std::array<double, 3>;
+  CHECK(info(Nifti().scale(0.01F, -3)).slope == 0.01);
+  CHECK(info(Nifti().scale(0.01F, -3)).intercept == -3);
+  CHECK(info(Nifti().scale(0, -3)).slope == 1);
+  CHECK(info(Nifti().scale(0, -3)).intercept == 0);
+  Nifti nifti;
+  nifti.real(80, 0.5F).real(84, 2).real(88, 3);
+  CHECK(info(nifti).spacing_mm == Spacing{0.5, 2, 3});
+  Nifti metres = nifti;
+  metres.integer(123, 1, 1);
+  CHECK(info(metres).spacing_mm == Spacing{500, 2000, 3000});
+  // sform: x runs backwards, and there is an origin.
+  Nifti mirrored = nifti;
+  mirrored.integer(254, 2, 1).real(280, -0.5F).real(300, 2).real(320, 3).real(292, 90);
+  CHECK(info(mirrored).spacing_mm == Spacing{-0.5, 2, 3});
+  CHECK(noted(info(mirrored), "origin (90, 0, 0) dropped"));
+  // qform: no rotation, but qfac turns z.
+  Nifti turned = nifti;
+  turned.integer(252, 2, 1).real(76, -1);
+  CHECK(info(turned).spacing_mm == Spacing{0.5, 2, -3});
+}
+
+TEST_CASE("NIfTI refuses by name what it does not take") {
+  const Folder folder;
+  const auto check = [&](const std::string& bytes, const std::string& part) {
+    check_refusal(refusal(folder.write("v.nii", bytes)), part);
+  };
+  check(Nifti().type(16).file(u8), "FLOAT32");
+  check(Nifti().type(256).file(u8), "INT8");
+  check(Nifti().scale(-2, 0).file(u8), "negative slope");
+  check(Nifti().scale(std::numeric_limits<float>::infinity(), 0).file(u8), "not finite");
+  check(Nifti().dims({4, 5, 3, 4, 2}).file(u8), "dimension 4 has size 2");
+  check(Nifti().dims({3, 5, 0, 4}).file(u8), "dimension 2 has size 0");
+  check(Nifti().dims({3, -5, 3, 4}).file(u8), "dimension 1 has size -5");
+  check(Nifti().dims({9, 5, 3, 4}).file(u8), "9 dimensions");
+  check(Nifti().integer(0, 4, 540).file(u8), "size 540");
+  check(Nifti().integer(344, 4, 0).file(u8), "Analyze");
+  check(Nifti().real(108, -1).file(u8), "vox_offset");
+  check(Nifti().real(108, 1000).file(u8), "byte 1000");
+  check(Nifti().pair().file(u8), "no .img or .img.gz beside it");
+  check("short", "348 bytes");
+  check_refusal(refusal(folder.write("v.img", u8)), "no .hdr or .hdr.gz beside it");
+}
+
+TEST_CASE("MetaImage of every type, byte order, compression and attachment is read") {
+  const Folder folder;
+  const std::vector<std::pair<SampleType, std::string>> types = {{SampleType::u8, "MET_UCHAR"},
+                                                                 {SampleType::u16, "MET_USHORT"},
+                                                                 {SampleType::i16, "MET_SHORT"}};
+  for (const auto& [type, name] : types) {
+    for (const bool big : {false, true}) {
+      for (const bool packed : {false, true}) {
+        const std::string header =
+            metaimage("ElementByteOrderMSB = " + std::string(big ? "True" : "False") +
+                      "\nCompressedData = " + (packed ? "True" : "False") +
+                      "\nElementType = " + name + "\nElementDataFile = ");
+        const std::string format = packed ? "MetaImage, zlib" : "MetaImage, raw";
+        const std::string plain = stored(type, big);
+        const std::string data = packed ? deflated(plain, Wrapper::zlib) : plain;
+        check_volume(folder.write("v.mha", header + "LOCAL\n" + data), type, format);
+        check_volume(folder.write("no_extension", header + "LOCAL\r\n" + data), type, format);
+        folder.write("v.data", data);
+        check_volume(folder.write("v.mhd", header + "v.data"), type, format + ", detached");
+      }
+    }
+  }
+  folder.write("v.data", "before" + u8);
+  for (const std::string size : {"6", "-1"})
+    check_volume(folder.write("v.mhd", metaimage(metaimage_u8 + "HeaderSize = " + size +
+                                                 "\nElementDataFile = v.data\n")),
+                 SampleType::u8, "MetaImage, raw, detached");
+}
+
+TEST_CASE("MetaImage gives signed spacing and scale and tells what it drops") {
+  const Folder folder;
+  const auto info = [&](const std::string& lines) {
+    const std::string header = metaimage(metaimage_u8 + lines + "ElementDataFile = LOCAL\n");
+    return open_volume(folder.write("v.mha", header + u8))->info();
+  };
+  using Spacing = std::array<double, 3>;
+  CHECK(info("ElementSpacing = 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
+  CHECK(info("ElementSpacing = 0.5 2 3\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\n").spacing_mm ==
+        Spacing{0.5, -2, 3});
+  CHECK(noted(info("TransformMatrix = 0 1 0 -1 0 0 0 0 1\n"), "rotation dropped"));
+  CHECK(noted(info("Offset = 1 2 3\n"), "origin (1, 2, 3) dropped"));
+  const auto scaled =
+      info("ElementToIntensityFunctionSlope = 0.5\nElementToIntensityFunctionOffset = -1024\n");
+  CHECK(scaled.slope == 0.5);
+  CHECK(scaled.intercept == -1024);
+}
+
+TEST_CASE("MetaImage refuses by name what it does not take") {
+  const Folder folder;
+  const auto check = [&](const std::string& lines, const std::string& part,
+                         const std::string& sizes = "5 3 4") {
+    check_refusal(refusal(folder.write("v.mha", metaimage(lines, sizes) + u8)), part);
+  };
+  const std::string local = "ElementDataFile = LOCAL\n";
+  check("ElementType = MET_FLOAT\n" + local, "'MET_FLOAT'");
+  check("ElementType = MET_CHAR\n" + local, "'MET_CHAR'");
+  check(metaimage_u8 + "BinaryData = False\n" + local, "BinaryData is 'False'");
+  check(metaimage_u8 + "ElementNumberOfChannels = 3\n" + local, "ElementNumberOfChannels is '3'");
+  check(metaimage_u8 + "ElementToIntensityFunctionSlope = -1\n" + local, "negative slope");
+  check(metaimage_u8 + "ElementSpacing = 1 one 1\n" + local, "'one'");
+  check(metaimage_u8 + "ElementSpacing = 1 1\n" + local, "2 numbers for 3 dimensions");
+  check(metaimage_u8 + "CompressedData = maybe\n" + local, "CompressedData is 'maybe'");
+  check(metaimage_u8 + "HeaderSize = -2\n" + local, "HeaderSize is -2");
+  check(metaimage_u8 + "ElementDataFile = v%03d.raw 1 4 1\n", "several files");
+  check(metaimage_u8 + local, "dimension 4 has size 2", "5 3 4 2");
+  check(metaimage_u8 + local, "dimension 3 has size 0", "5 3 0");
+  check(metaimage_u8, "no equals sign");
+  check("ObjectType = Tube\n", "'ObjectType' is there twice");
+  check_refusal(refusal(folder.write("v.mhd", "NDims = 3\n")), "ElementDataFile is missing");
+}
+
+TEST_CASE("data that ends early is refused with the slice and the bytes that are missing") {
+  const Folder folder;
+  const std::string header = nrrd("type: short\nendian: little\nencoding: raw\n\n");
+  for (const std::size_t kept : {0U, 29U, 30U, 31U, 119U}) {
+    const auto file = folder.write("v.nrrd", header + i16.substr(0, kept));
+    check_refusal(refusal(file), "slice " + std::to_string(kept / 30) + " (the first is 0) of 4: " +
+                                     std::to_string(30 - kept % 30) + " bytes of it are missing");
+  }
+  const auto file = folder.write("whole.nrrd", header + i16);
+  const auto reader = open_volume(file);
+  read_all(*reader);
+  char slice[30];
+  CHECK_THROWS_AS(reader->read_slice(slice), VolumeError);
+}
+
+TEST_CASE("compressed data that ends early or is damaged is refused") {
+  const Folder folder;
+  const std::string header = nrrd("type: short\nendian: little\nencoding: gzip\n\n");
+  const std::string packed = gzip(i16);
+  for (std::size_t kept = 0; kept < packed.size(); ++kept)
+    check_refusal(refusal(folder.write("v.nrrd", header + packed.substr(0, kept))), "slice ");
+  std::string wrong_checksum = packed;
+  wrong_checksum[packed.size() - 8] = static_cast<char>(wrong_checksum[packed.size() - 8] ^ 1);
+  check_refusal(refusal(folder.write("v.nrrd", header + wrong_checksum)), "damaged");
+  check_refusal(refusal(folder.write("v.nrrd", header + i16)), "incorrect header check");
+  check_refusal(refusal(folder.write("v.nrrd", header + gzip(i16.substr(0, 75)))),
+                "slice 2 (the first is 0) of 4: 15 bytes of it are missing");
+}
+
+TEST_CASE("a file of no known format, a folder and a missing file are refused") {
+  const Folder folder;
+  check_refusal(refusal(folder.write("v.dcm", "DICM")), "format is not known");
+  check_refusal(refusal(folder.path() / "absent.nii"), "no such file");
+  fs::create_directory(folder.path() / "folder.nrrd");
+  check_refusal(refusal(folder.path() / "folder.nrrd"), "no regular file");
+}
+
+TEST_CASE("the stored threshold is reached exactly where the value reaches iso") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto threshold = [](double slope, double intercept, double iso) {
+    VolumeInfo info;
+    info.slope = slope;
+    info.intercept = intercept;
+    return stored_threshold(info, iso);
+  };
+  CHECK(threshold(1, 0, 500) == 500);
+  CHECK(threshold(1, 0, 500.001) == 501);
+  CHECK(threshold(1, -1024, -524) == 500);
+  CHECK(threshold(0.5, 0, -0.75) == -1);
+  for (int stored = -1000; stored <= 1000; ++stored)
+    for (const double slope : {0.01, 0.1, 0.3, 0.7, 1.1, 2.5, 1.0 / 3})
+      for (const double intercept : {0.0, 0.1, -1024.0, 32767.3}) {
+        const double iso = slope * stored + intercept;
+        CHECK(threshold(slope, intercept, iso) == stored);
+        CHECK(threshold(slope, intercept, iso + 0.01 * slope) == stored + 1);
+        CHECK(threshold(slope, intercept, iso - 0.01 * slope) == stored);
+      }
+  CHECK(threshold(0.3, 0, 0.9) == 3);    // 0.3 * 3 is less than 0.9 in double
+  CHECK(threshold(0.01, 0, 0.07) == 7);  // 0.07 / 0.01 is more than 7
+  CHECK(threshold(1, 0, 1e300) == INT32_MAX);
+  CHECK(threshold(1, 0, -1e300) == INT32_MIN);
+  CHECK(threshold(1e-300, 0, 1) == INT32_MAX);
+  CHECK(threshold(1, 0, infinity) == INT32_MAX);
+  CHECK(threshold(1, 0, -infinity) == INT32_MIN);
+  CHECK(threshold(1, 0, std::nan("")) == INT32_MAX);
+}
+
+TEST_CASE("the volumes of DISCMC_DATA are what their descriptions say") {
+  const char* folder = std::getenv("DISCMC_DATA");
+  if (folder == nullptr || !fs::is_directory(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    INFO(entry.path().filename().string());
+    std::stringstream json;
+    json << std::ifstream(entry.path()).rdbuf();
+    const auto text_after = [&](const std::string& name, char open, char close) {
+      const std::string text = json.str();
+      const std::size_t begin =
+          text.find(open, text.find("\"" + name + "\":") + name.size() + 3) + 1;
+      return text.substr(begin, text.find(close, begin) - begin);
+    };
+    const auto numbers = [&](const std::string& name) {
+      std::string list = text_after(name, '[', ']');
+      std::replace(list.begin(), list.end(), ',', ' ');
+      std::istringstream in(list);
+      std::vector<double> result;
+      for (double value = 0; in >> value;) result.push_back(value);
+      REQUIRE(result.size() == 3);
+      return result;
+    };
+    const auto reader = open_volume(fs::path(folder) / text_after("file", '"', '"'));
+    const VolumeInfo& info = reader->info();
+    const std::vector<std::string> types = {"u8", "u16", "i16"};
+    CHECK(types[static_cast<std::size_t>(info.type)] == text_after("type", '"', '"'));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      CHECK(info.dims[axis] == numbers("dims")[axis]);
+      CHECK(info.spacing_mm[axis] == doctest::Approx(numbers("spacing")[axis]));
+    }
+    const auto samples = read_all(*reader);
+    CHECK(samples.size() == std::size_t{info.dims[0]} * info.dims[1] * info.dims[2]);
+  }
+}

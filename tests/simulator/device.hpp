@@ -1,0 +1,50 @@
+// The device and the lines to it: QEMU, started here, or whatever is at the other end.
+#ifndef DISCMC_TESTS_SIMULATOR_DEVICE_HPP
+#define DISCMC_TESTS_SIMULATOR_DEVICE_HPP
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "qemu.hpp"
+#include "simulation.hpp"
+
+namespace discmc::simulator {
+
+/// A folder for sockets, which goes with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class Device {
+ public:
+  /// Makes the lines that the options name, or starts QEMU with lines of its own, and waits until
+  /// all are connected. Throws std::runtime_error.
+  explicit Device(const Options& options);
+
+  Simulation::Lines lines() const { return {*rows_, *stream_, monitor_.get()}; }
+
+  /// What is wrong with the end of the firmware; empty when it ended with this code, and when
+  /// nobody can know.
+  std::string mistake(int expected_code) const;
+
+  /// What the firmware printed, as far as QEMU is started here.
+  std::string console() const;
+
+ private:
+  TemporaryFolder folder_;
+  std::unique_ptr<Line> rows_, stream_, monitor_;
+  std::unique_ptr<Qemu> qemu_;
+};
+
+}  // namespace discmc::simulator
+
+#endif

@@ -1,0 +1,64 @@
+// How fast the stream is read: a receiver that is slow, or stalls, fills the device's UART.
+#ifndef DISCMC_TESTS_SIMULATOR_LISTENER_HPP
+#define DISCMC_TESTS_SIMULATOR_LISTENER_HPP
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "scanner.hpp"
+
+namespace discmc::simulator {
+
+/// Nothing is read from when the scan is at this row until the device has dropped so many frames.
+struct HoldUp {
+  std::uint32_t row, frames;
+};
+
+struct ListenerBehaviour {
+  std::uint64_t bytes_per_second = 0;  ///< 0: as fast as they come
+  /// Reads nothing for so long from when the scan is at these rows.
+  std::map<std::uint32_t, std::chrono::milliseconds> stalls;
+  std::optional<HoldUp> hold_up;
+};
+
+class Listener {
+ public:
+  explicit Listener(const ListenerBehaviour& behaviour) : behaviour_(behaviour) {}
+
+  /// Takes note of where the scan is. Several rows may have gone out since the last call.
+  void follow(const Scanner& scanner, Clock::time_point now) {
+    auto& stalls = behaviour_.stalls;
+    while (!stalls.empty() && stalls.begin()->first <= scanner.row()) {
+      next_ = now + stalls.begin()->second;
+      stalls.erase(stalls.begin());
+    }
+    const auto& hold_up = behaviour_.hold_up;
+    is_held_up_ = hold_up && scanner.row() >= hold_up->row && scanner.drops() < hold_up->frames &&
+                  !scanner.has_sent_all();
+  }
+
+  /// How many bytes may be read now, when they are no more than `most`.
+  std::size_t allowed(std::size_t most, Clock::time_point now) const {
+    if (is_held_up_ || now < next_) return 0;
+    return behaviour_.bytes_per_second > 0 ? 1 : most;
+  }
+
+  void has_read(std::size_t count, Clock::time_point now) {
+    if (behaviour_.bytes_per_second == 0) return;
+    next_ = now + std::chrono::nanoseconds(count * 1000000000 / behaviour_.bytes_per_second);
+  }
+
+  /// When it reads again, unless it is held up.
+  Clock::time_point next() const { return next_; }
+
+ private:
+  ListenerBehaviour behaviour_;
+  Clock::time_point next_{};
+  bool is_held_up_ = false;
+};
+
+}  // namespace discmc::simulator
+
+#endif

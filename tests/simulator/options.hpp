@@ -1,0 +1,38 @@
+// What the command line says.
+#ifndef DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
+#define DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "listener.hpp"
+#include "scanner.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::simulator {
+
+struct Options {
+  std::string volume;
+  std::optional<host::RawLayout> layout;
+  std::uint64_t memory = 0;
+
+  std::string firmware;
+  std::string rows;
+  std::string stream;
+  std::string monitor;
+
+  ScannerBehaviour scanner;
+  std::uint32_t reset_at = ScannerBehaviour::never;
+  ListenerBehaviour listener;
+
+  std::string output;
+};
+
+void add_options(CLI::App& app, Options& options);
+
+}  // namespace discmc::simulator
+
+#endif

@@ -1,0 +1,36 @@
+// Firmware in QEMU, on a board with UARTs to spare.
+#ifndef DISCMC_TESTS_SIMULATOR_QEMU_HPP
+#define DISCMC_TESTS_SIMULATOR_QEMU_HPP
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace discmc::simulator {
+
+/// QEMU's process, which ends with the object at the latest.
+class Qemu {
+ public:
+  /// Where QEMU calls, and where what the firmware prints goes.
+  struct Files {
+    std::string stream, rows, monitor, console;
+  };
+
+  /// Throws std::runtime_error when there is no QEMU.
+  Qemu(const std::string& firmware, const Files& files);
+  Qemu(const Qemu&) = delete;
+  Qemu& operator=(const Qemu&) = delete;
+  ~Qemu();
+
+  /// The exit code of the firmware; none when it does not end.
+  std::optional<int> wait(std::chrono::milliseconds patience);
+
+ private:
+  pid_t process_ = -1;
+};
+
+}  // namespace discmc::simulator
+
+#endif

@@ -1,0 +1,59 @@
+// What the device sends: streams, decoded while they come.
+#ifndef DISCMC_TESTS_SIMULATOR_RECEIVED_HPP
+#define DISCMC_TESTS_SIMULATOR_RECEIVED_HPP
+
+#include <cstdint>
+#include <discmc/decoder.hpp>
+#include <discmc/extractor.hpp>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace discmc::simulator {
+
+/// One stream, from its first header on.
+class ReceivedStream {
+ public:
+  ReceivedStream();
+  ReceivedStream(const ReceivedStream&) = delete;
+  ReceivedStream& operator=(const ReceivedStream&) = delete;
+
+  void push(const std::uint8_t* bytes, std::size_t count);
+  void finish();
+  Answer take(const Event& event);
+
+  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+  const StreamHeader& header() const { return decoder_.header(); }
+  const StreamReport& report() const { return decoder_.report(); }
+  /// Every region below this slice is here.
+  std::uint32_t final_slices() const { return final_slices_; }
+  /// The rows that never came, by their numbers over all slices, and what stands in for them.
+  const std::map<std::uint32_t, Substitute>& skipped() const { return skipped_; }
+
+ private:
+  Decoder decoder_;
+  std::vector<std::uint8_t> bytes_;
+  std::uint32_t final_slices_ = 0;
+  std::map<std::uint32_t, Substitute> skipped_;
+};
+
+/// All that came: a device that is reset begins a new stream in the middle of the old one. That is
+/// where the first frame of all comes again, equal byte by byte.
+class Received {
+ public:
+  Received();
+
+  void push(const std::uint8_t* bytes, std::size_t count);
+
+  /// The stream of the last scan.
+  const ReceivedStream& stream() const { return *streams_.back(); }
+  /// All streams in their order, all but the last broken off.
+  const std::vector<std::unique_ptr<ReceivedStream>>& streams() const { return streams_; }
+
+ private:
+  std::vector<std::unique_ptr<ReceivedStream>> streams_;
+};
+
+}  // namespace discmc::simulator
+
+#endif

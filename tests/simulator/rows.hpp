@@ -1,0 +1,30 @@
+// The rows of a volume, all at hand, as a scanner that repeats its scan after a reset needs them.
+#ifndef DISCMC_TESTS_SIMULATOR_ROWS_HPP
+#define DISCMC_TESTS_SIMULATOR_ROWS_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::simulator {
+
+class Rows {
+ public:
+  /// Reads the volume to its end. Throws VolumeError.
+  explicit Rows(host::VolumeReader& volume);
+
+  const host::VolumeInfo& info() const { return info_; }
+  std::uint32_t count() const { return info_.dims[1] * info_.dims[2]; }
+  /// Units: bytes of a row.
+  std::size_t bytes() const { return info_.dims[0] * host::sample_bytes(info_.type); }
+  const std::uint8_t* row(std::uint32_t number) const { return &samples_[number * bytes()]; }
+
+ private:
+  host::VolumeInfo info_;
+  std::vector<std::uint8_t> samples_;
+};
+
+}  // namespace discmc::simulator
+
+#endif

@@ -1,0 +1,64 @@
+// A scan from the first row to the last byte of the stream: the scanner, the listener, their lines.
+#ifndef DISCMC_TESTS_SIMULATOR_SIMULATION_HPP
+#define DISCMC_TESTS_SIMULATOR_SIMULATION_HPP
+
+#include <csignal>
+
+#include "line.hpp"
+#include "options.hpp"
+#include "received.hpp"
+
+namespace discmc::simulator {
+
+/// Set by a signal handler: the simulation ends as soon as it can.
+inline volatile std::sig_atomic_t is_interrupted = 0;
+
+class Simulation {
+ public:
+  struct Lines {
+    Line& rows;
+    Line& stream;
+    Line* monitor;  ///< null without
+  };
+
+  /// Owner: all belong to the caller and outlive the simulation.
+  Simulation(const Rows& rows, const Options& options, const Lines& lines);
+
+  /// Scans until the trailer of the stream has come, and shows how it goes on standard error.
+  /// Throws std::runtime_error when the device falls silent, hangs up or does not fit the volume,
+  /// and when it is interrupted.
+  void run();
+
+  const Scanner& scanner() const { return scanner_; }
+  const Received& received() const { return received_; }
+  /// How many of the last scan's regions were here when its last row went out.
+  std::uint64_t early_regions() const { return early_regions_; }
+  Clock::duration duration() const { return duration_; }
+
+ private:
+  void wait(Clock::time_point now);
+  void hear(Clock::time_point now);
+  void listen(Clock::time_point now);
+  void speak(Clock::time_point now);
+  void reset();
+  void check_header();
+  void check_silence(Clock::time_point now) const;
+  void show(Clock::time_point now);
+  void note(const std::string& text) const;
+
+  const Rows& rows_;
+  const Options& options_;
+  Lines lines_;
+  Scanner scanner_;
+  Listener listener_;
+  Received received_;
+  bool was_reset_ = false;
+  std::uint64_t early_regions_ = 0;
+  Clock::time_point last_sign_{};  // of the device
+  Clock::time_point next_show_{};
+  Clock::duration duration_{};
+};
+
+}  // namespace discmc::simulator
+
+#endif

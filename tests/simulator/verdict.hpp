@@ -1,0 +1,27 @@
+// Whether what came is what the rows that were sent should have made.
+#ifndef DISCMC_TESTS_SIMULATOR_VERDICT_HPP
+#define DISCMC_TESTS_SIMULATOR_VERDICT_HPP
+
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+#include "received.hpp"
+
+namespace discmc::simulator {
+
+/// What is wrong, in sentences; empty when nothing is.
+///
+/// The last stream has to be complete and equal, byte by byte, to an extraction in this process
+/// that skips the rows that the stream says were skipped; and those have to be the rows that the
+/// scanner did not send whole, and no others if it waited for the device. A stream that a reset
+/// broke off has to be the beginning of such a one.
+std::vector<std::string> mistakes(const Rows& rows, const Options& options,
+                                  const Received& received);
+
+/// Rows that were sent whole and are skipped all the same: the device had no room for them.
+std::size_t overruns(const ScannerBehaviour& scanner, const ReceivedStream& stream);
+
+}  // namespace discmc::simulator
+
+#endif
