@@ -22,7 +22,9 @@ ReceivedStream::ReceivedStream() {
   if (decoder_.start(sink_to(*this)) != Status::ok) throw std::logic_error("the sink is no sink");
 }
 
+// The zeros before the first frame end what a reset has cut off.
 void ReceivedStream::push(const std::uint8_t* bytes, std::size_t count) {
+  for (; bytes_.empty() && count > 0 && *bytes == 0; --count) ++bytes;
   bytes_.insert(bytes_.end(), bytes, bytes + count);
   const Status status = decoder_.push(bytes, count).status;
   if (status != Status::ok) throw std::runtime_error(text(status));
@@ -54,7 +56,7 @@ void Received::push(const std::uint8_t* bytes, std::size_t count) {
   if (beginning == current.bytes().end()) return;
 
   // The decoder of the old stream has seen bytes of the new one: both begin anew.
-  const Bytes before(current.bytes().begin(), beginning);
+  const Bytes before(current.bytes().begin(), beginning - 1);  // without its zero
   const Bytes after(beginning, current.bytes().end());
   streams_.back() = std::make_unique<ReceivedStream>();
   streams_.back()->push(before.data(), before.size());
