@@ -223,6 +223,10 @@ void check_wire(const ExtractArguments& arguments) {
   if (is_of_slices && arguments.normals != Normals::none)
     throw CLI::ValidationError("--wire",
                                "a stream of slices holds no normals: leave out --normals");
+  if (is_of_slices && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
+    throw CLI::ValidationError("--wire",
+                               "a slice encoder takes the memory that it needs, and no more: leave "
+                               "out --memory and --capacities");
   if (!is_of_slices && arguments.key_slices > 0)
     throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
 }

@@ -39,7 +39,7 @@ std::string shortage(const Extraction& extraction) {
 }  // namespace
 
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
-                 std::ostream& out) {
+                 std::uint64_t slice_encoder_bytes, std::ostream& out) {
   const Statistics& statistics = extraction.statistics;
   row(out, "voxels", grouped(extraction.voxels));
   row(out, "classic MC triangles", grouped(statistics.classic_triangles));
@@ -53,6 +53,10 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
   row(out, "reduction", ratio(statistics.classic_triangles, counts.regions), "triangles a region");
   row(out, "bytes of stream", grouped(stream_bytes),
       ratio(stream_bytes, counts.regions) + " a region");
+  if (slice_encoder_bytes > 0) {
+    row(out, "bytes of slice encoder", grouped(slice_encoder_bytes));
+    return;
+  }
   row(out, "bytes of arena used", grouped(extraction.arena_bytes_used),
       "of " + grouped(extraction.arena_bytes));
   row(out, "  records at most in use", grouped(extraction.high_water.records),

@@ -12,9 +12,10 @@
 
 namespace discmc::host {
 
-/// A short table for people: what came in, what came out, what it took.
+/// A short table for people: what came in, what came out, what it took. slice_encoder_bytes: of the
+/// device's memory for a stream of slices; 0 for regions, which take an arena.
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
-                 std::ostream& out);
+                 std::uint64_t slice_encoder_bytes, std::ostream& out);
 
 /// One `key value` a line, for people and programs. channel: of the surface that was counted.
 /// streams: all that share the link with it.

@@ -112,6 +112,20 @@ TEST_CASE("streams that one scan number and one channel begin are listed by all 
   CHECK(contains(list, "surface scan 0 channel 1 threshold 40\n"));
 }
 
+TEST_CASE("a stream of slices tells what its encoder took, and takes no other memory") {
+  const Workshop workshop;
+  workshop.write("v.raw", cone(16));
+  const std::string extract = "extract " + volume + "--iso 20 --wire slices -o s.dmc";
+  const auto result = workshop.run(extract);
+  CHECK(contains(result.out, "bytes of slice encoder"));
+  CHECK_FALSE(contains(result.out, "arena"));
+  for (const std::string memory : {" --memory 64K", " --capacities 100,10"}) {
+    const auto refused = workshop.run(extract + memory);
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.error, "leave out --memory"));
+  }
+}
+
 TEST_CASE("several surfaces are a stream, and no more than four") {
   const Workshop workshop;
   workshop.write("v.raw", cone(16));

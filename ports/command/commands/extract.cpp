@@ -47,6 +47,8 @@ class SliceWriter {
     require(encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output));
   }
   SliceEncoder& encoder() { return encoder_; }
+  /// Units: bytes; 0 before a start.
+  std::size_t memory() const { return memory_.size(); }
 
  private:
   std::vector<std::uint8_t> memory_;
@@ -140,7 +142,7 @@ int run_extract(const ExtractArguments& arguments) {
     if (surfaces.count() > 1)
       out << "channel " << i << ", at " << arguments.reading.isos[i] << '\n';
     write_table(extractions[i], count(surfaces[i].builder.surface()),
-                tells_slices ? output.bytes() : surfaces[i].encoder.bytes(), out);
+                tells_slices ? output.bytes() : surfaces[i].encoder.bytes(), slices.memory(), out);
   }
   require_written(out);
   return exit_ok;
