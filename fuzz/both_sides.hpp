@@ -8,7 +8,9 @@
 #include <discmc/row_input.hpp>
 #include <vector>
 
+#include "input.hpp"
 #include "oracle/c_events.hpp"
+#include "oracle/scan.hpp"
 #include "require.hpp"
 
 /// Refuses at random, but on both sides alike.
@@ -41,6 +43,48 @@ struct RefusingLine {
     line.bytes.insert(line.bytes.end(), data, data + taken);
     return taken;
   }
+};
+
+inline Refusals read_refusals(Input& input) {
+  Refusals refusals;
+  const uint32_t of_256 = input.byte();
+  refusals.set(of_256, input.byte());
+  return refusals;
+}
+
+/// A block of so many samples, whatever the input has left.
+template <class Sample>
+std::vector<Sample> read_samples(Input& input, size_t count) {
+  std::vector<Sample> samples(count);
+  for (Sample& sample : samples) sample = static_cast<Sample>(input.byte());
+  return samples;
+}
+
+/// Some of a stream from a byte on, now and then with a bit that is wrong; all for a `what` of 0.
+inline std::vector<uint8_t> some_of(const std::vector<uint8_t>& stream, size_t from, uint32_t what,
+                                    Input& input) {
+  const size_t there = stream.size() - from;
+  const size_t most = what == 0 ? SIZE_MAX : size_t{4} * input.byte();
+  const size_t count = there < most ? there : most;
+  const auto begin = stream.begin() + static_cast<std::ptrdiff_t>(from);
+  std::vector<uint8_t> bytes(begin, begin + static_cast<std::ptrdiff_t>(count));
+  if (what >= 228 && count > 0) {
+    uint8_t& damaged = bytes[input.byte() % count];
+    damaged = static_cast<uint8_t>(damaged ^ 1U << what % 8);
+  }
+  return bytes;
+}
+
+/// Memory of one size for either side.
+struct BothBlocks {
+  explicit BothBlocks(uint64_t bytes)
+      : c(bytes, discmc::reference::Block::Kind::exact),
+        cpp(bytes, discmc::reference::Block::Kind::exact) {}
+  discmc_memory memory_c() {
+    const discmc::Memory memory = c.memory();
+    return {memory.data, memory.bytes};
+  }
+  discmc::reference::Block c, cpp;
 };
 
 inline void require_same(discmc_status in_c, discmc::Status in_cpp) {

@@ -15,7 +15,6 @@
 #include "oracle/sink.hpp"
 
 using namespace discmc;
-using reference::Block;
 using reference::counts;
 using reference::Events;
 using reference::from_c;
@@ -193,13 +192,11 @@ class Both {
     const bool takes_fragments = (flags & 4) == 0;
     const int32_t threshold = static_cast<int32_t>(input_.byte()) - 2;
 
-    auto block_c = std::make_unique<Block>(bytes, Block::Kind::exact);
-    auto block_cpp = std::make_unique<Block>(bytes, Block::Kind::exact);
-    const Memory memory = block_c->memory();
+    auto blocks = std::make_unique<BothBlocks>(bytes);
     const discmc_sink sink = {&scanned_c_, SinkInC::take, static_cast<uint8_t>(takes_fragments)};
     const discmc_status in_c =
         discmc_extractor_start(extractor_.get(), &limits, has_defaults ? nullptr : &capacities,
-                               threshold, {memory.data, memory.bytes}, &sink);
+                               threshold, blocks->memory_c(), &sink);
     const Limits cpp_limits{
         limits.width,
         limits.height,
@@ -209,8 +206,8 @@ class Both {
     const Sink cpp_sink = sink_to(scanned_cpp_, takes_fragments);
     const Status in_cpp =
         has_defaults
-            ? in_cpp_.start(cpp_limits, threshold, block_cpp->memory(), cpp_sink)
-            : in_cpp_.start(cpp_limits, cpp_capacities, threshold, block_cpp->memory(), cpp_sink);
+            ? in_cpp_.start(cpp_limits, threshold, blocks->cpp.memory(), cpp_sink)
+            : in_cpp_.start(cpp_limits, cpp_capacities, threshold, blocks->cpp.memory(), cpp_sink);
     require_same(in_c, in_cpp);
     require((discmc_limits_is_valid(&limits) != 0) == cpp_limits.is_valid(),
             "limits are valid on one side");
@@ -219,8 +216,7 @@ class Both {
     require_same_records(discmc_default_capacities(&limits, bytes),
                          default_capacities<uint16_t>(cpp_limits, bytes));
     if (in_c != DISCMC_OK) return;
-    block_c_ = std::move(block_c);
-    block_cpp_ = std::move(block_cpp);
+    blocks_ = std::move(blocks);
     width_ = limits.width;
     scanned_c_.encoder = (flags & 0x40) != 0 ? encoder_.get() : nullptr;
     scanned_cpp_.encoder = (flags & 0x40) != 0 ? &encoder_cpp_ : nullptr;
@@ -236,9 +232,7 @@ class Both {
   }
 
   void change_refusals() {
-    Refusals refusals;
-    const uint32_t of_256 = input_.byte();
-    refusals.set(of_256, input_.byte());
+    const Refusals refusals = read_refusals(input_);
     const uint32_t whose = input_.below(3);
     if (whose == 0) scanned_c_.refusals = scanned_cpp_.refusals = refusals;
     if (whose == 1) decoded_c_.refusals = decoded_cpp_.refusals = refusals;
@@ -257,7 +251,7 @@ class Both {
   }
 
   void push_bits() {
-    const std::vector<uint8_t> bits = exactly((width_ + 7) / 8);
+    const auto bits = read_samples<uint8_t>(input_, (width_ + 7) / 8);
     require_same(discmc_extractor_push_bits(extractor_.get(), bits.data()),
                  in_cpp_.push_bits(bits.data()));
   }
@@ -266,8 +260,7 @@ class Both {
   void push(discmc_push_result (*in_c)(discmc_extractor*, const Sample*, uint32_t, uint32_t)) {
     const uint32_t count = input_.byte() % 40;
     const uint32_t stride = 1 + input_.below(3);
-    std::vector<Sample> samples(count == 0 ? 0 : (count - 1) * stride + 1);
-    for (Sample& sample : samples) sample = static_cast<Sample>(input_.byte());
+    const auto samples = read_samples<Sample>(input_, count == 0 ? 0 : (count - 1) * stride + 1);
     require_same(in_c(extractor_.get(), samples.data(), count, stride),
                  in_cpp_.push(samples.data(), count, stride));
   }
@@ -309,18 +302,8 @@ class Both {
     if (in_c == DISCMC_OK) arrived_ = 0;
   }
 
-  // Some of what the encoder has sent, now and then with a bit that is wrong.
   void push_stream(uint32_t what) {
-    const size_t there = line_c_.bytes.size() - arrived_;
-    const size_t most = what == 0 ? SIZE_MAX : size_t{4} * input_.byte();
-    const size_t count = there < most ? there : most;
-    const auto begin = line_c_.bytes.begin() + static_cast<std::ptrdiff_t>(arrived_);
-    std::vector<uint8_t> bytes(begin, begin + static_cast<std::ptrdiff_t>(count));
-    if (what >= 228 && count > 0) {
-      uint8_t& damaged = bytes[input_.byte() % count];
-      damaged = static_cast<uint8_t>(damaged ^ 1U << what % 8);
-    }
-    arrived_ += push_bytes(bytes);
+    arrived_ += push_bytes(some_of(line_c_.bytes, arrived_, what, input_));
   }
 
   void push_any_bytes() { push_bytes(input_.bytes(input_.byte())); }
@@ -364,20 +347,13 @@ class Both {
     require(discmc_extractor_bytes_used(extractor) == in_cpp_.bytes_used(),
             "other bytes in use than in C++");
     require(
-        block_c_ == nullptr || discmc_extractor_bytes_used(extractor) <= block_c_->memory().bytes,
+        blocks_ == nullptr || discmc_extractor_bytes_used(extractor) <= blocks_->cpp.memory().bytes,
         "more bytes in use than were given");
     require(discmc_extractor_slices(extractor) == in_cpp_.slices() &&
                 discmc_extractor_rows(extractor) == in_cpp_.rows(),
             "other rows counted than in C++");
     require_same(discmc_decoder_report(decoder_.get()), decoder_cpp_.report());
     require_same(discmc_decoder_header(decoder_.get()), decoder_cpp_.header());
-  }
-
-  // A block of so many bytes, whatever the input has left.
-  std::vector<uint8_t> exactly(size_t count) {
-    std::vector<uint8_t> bytes(count);
-    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(input_.byte());
-    return bytes;
   }
 
   Input& input_;
@@ -388,7 +364,7 @@ class Both {
   SinkInCpp scanned_cpp_;
   SinkInC decoded_c_;  // of the decoder
   SinkInCpp decoded_cpp_;
-  std::unique_ptr<Block> block_c_, block_cpp_;
+  std::unique_ptr<BothBlocks> blocks_;
   // On the heap, where the next byte is no one's.
   std::unique_ptr<discmc_extractor> extractor_ = std::make_unique<discmc_extractor>();
   std::unique_ptr<discmc_encoder> encoder_ = std::make_unique<discmc_encoder>();

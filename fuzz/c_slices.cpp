@@ -10,90 +10,31 @@
 
 #include "both_sides.hpp"
 #include "input.hpp"
-#include "oracle/scan.hpp"
+#include "oracle/c_row_events.hpp"
 #include "oracle/sink.hpp"
 
 using namespace discmc;
-using reference::Block;
 using reference::Events;
 using reference::from_c;
 
 namespace {
 
-/// Memory of one size for either side.
-struct BothBlocks {
-  explicit BothBlocks(uint64_t bytes)
-      : c(bytes, Block::Kind::exact), cpp(bytes, Block::Kind::exact) {}
-  discmc_memory memory_c() {
-    const Memory memory = c.memory();
-    return {memory.data, memory.bytes};
-  }
-  Block c, cpp;
-};
-
-/// A row event with what it refers to, as bytes that can be compared.
-using Noted = std::vector<uint64_t>;
-
-// What both kinds of row event have under one name.
-template <class RowEventOfEither>
-Noted note_common(const RowEventOfEither& event, uint8_t kind) {
-  switch (static_cast<RowEvent::Kind>(kind)) {
-    case RowEvent::Kind::start:
-    case RowEvent::Kind::application:
-      return {kind};
-    case RowEvent::Kind::row:
-      return {kind, event.channel, event.slice, event.row};
-    case RowEvent::Kind::skipped:
-      return {kind, event.channel, event.slice, event.row, event.repeated};
-    case RowEvent::Kind::lost:
-      return {kind, event.slice, event.row, event.count};
-    case RowEvent::Kind::finish:
-      break;
-  }
-  return {kind, event.slice, event.abandoned};
-}
-
-void add_bytes(Noted& noted, const uint8_t* bytes, size_t count) {
-  noted.insert(noted.end(), bytes, bytes + count);
-}
-
-Noted note(const RowEvent& event, uint32_t width) {
-  Noted noted = note_common(event, static_cast<uint8_t>(event.kind));
-  if (event.kind == RowEvent::Kind::start) noted.push_back(event.header->width);
-  if (event.kind == RowEvent::Kind::row || event.kind == RowEvent::Kind::skipped)
-    add_bytes(noted, event.bits, (width + 7) / 8);
-  if (event.kind == RowEvent::Kind::application)
-    add_bytes(noted, event.application->bytes, event.application->count);
-  return noted;
-}
-
-Noted note(const discmc_row_event& event, uint32_t width) {
-  Noted noted = note_common(event, event.kind);
-  if (event.kind == DISCMC_ROWS_START) noted.push_back(event.of.header->width);
-  if (event.kind == DISCMC_ROW || event.kind == DISCMC_ROW_SKIPPED)
-    add_bytes(noted, event.of.bits, (width + 7) / 8);
-  if (event.kind == DISCMC_ROWS_APPLICATION)
-    add_bytes(noted, event.of.application->bytes, event.of.application->count);
-  return noted;
-}
-
 /// Notes rows, but for those that it refuses.
 struct RowSinkOfEither {
   Refusals refusals;
   uint32_t width = 0;  // of the stream
-  std::vector<Noted> rows;
+  std::vector<std::vector<int64_t>> rows;
 
   static discmc_answer take_in_c(void* context, const discmc_row_event* event) {
-    auto& sink = *static_cast<RowSinkOfEither*>(context);
-    if (sink.refusals.refuses()) return DISCMC_NOT_NOW;
-    if (event->kind == DISCMC_ROWS_START) sink.width = event->of.header->width;
-    sink.rows.push_back(note(*event, sink.width));
-    return DISCMC_TAKEN;
+    StreamHeader header;
+    ApplicationRecord application;
+    const RowEvent same = from_c(*event, header, application);
+    return static_cast<discmc_answer>(static_cast<RowSinkOfEither*>(context)->take(same));
   }
   Answer take(const RowEvent& event) {
     if (refusals.refuses()) return Answer::not_now;
     if (event.kind == RowEvent::Kind::start) width = event.header->width;
-    rows.push_back(note(event, width));
+    rows.push_back(reference::numbers_of(event, width));
     return Answer::taken;
   }
 };
@@ -196,9 +137,7 @@ class Both {
   }
 
   void change_refusals() {
-    Refusals refusals;
-    const uint32_t of_256 = input_.byte();
-    refusals.set(of_256, input_.byte());
+    const Refusals refusals = read_refusals(input_);
     const uint32_t whose = input_.below(3);
     if (whose == 0) rows_c_.refusals = rows_cpp_.refusals = refusals;
     if (whose == 1) events_c_.refusals = events_cpp_.refusals = refusals;
@@ -238,8 +177,7 @@ class Both {
   }
 
   void push_bits() {
-    std::vector<uint8_t> bits(size_t{surfaces_} * ((width_ + 7) / 8));
-    for (uint8_t& byte : bits) byte = static_cast<uint8_t>(input_.byte());
+    const auto bits = read_samples<uint8_t>(input_, surfaces_ * ((width_ + 7) / 8));
     require_same(discmc_slice_encoder_push_bits(encoder_.get(), bits.data()),
                  encoder_cpp_.push_bits(bits.data()));
   }
@@ -248,8 +186,7 @@ class Both {
   void push(discmc_push_result (*in_c)(discmc_slice_encoder*, const Sample*, uint32_t, uint32_t)) {
     const uint32_t count = input_.byte() % 90;
     const uint32_t stride = 1 + input_.below(3);
-    std::vector<Sample> samples(count == 0 ? 0 : (count - 1) * stride + 1);
-    for (Sample& sample : samples) sample = static_cast<Sample>(input_.byte());
+    const auto samples = read_samples<Sample>(input_, count == 0 ? 0 : (count - 1) * stride + 1);
     require_same(in_c(encoder_.get(), samples.data(), count, stride),
                  encoder_cpp_.push(samples.data(), count, stride));
   }
@@ -299,19 +236,10 @@ class Both {
     taken_by_surface_ = 0;
   }
 
-  // Some of what the encoder has sent, now and then with a bit that is wrong.
   void push_stream(uint32_t what) {
     const bool is_surface = what % 2 != 0;
     size_t& taken = is_surface ? taken_by_surface_ : taken_by_slices_;
-    const size_t there = line_c_.bytes.size() - taken;
-    const size_t most = what == 0 ? SIZE_MAX : size_t{4} * input_.byte();
-    const size_t count = there < most ? there : most;
-    const auto begin = line_c_.bytes.begin() + static_cast<std::ptrdiff_t>(taken);
-    std::vector<uint8_t> bytes(begin, begin + static_cast<std::ptrdiff_t>(count));
-    if (what >= 228 && count > 0) {
-      uint8_t& damaged = bytes[input_.byte() % count];
-      damaged = static_cast<uint8_t>(damaged ^ 1U << what % 8);
-    }
+    const std::vector<uint8_t> bytes = some_of(line_c_.bytes, taken, what, input_);
     taken += is_surface ? push_to_surface(bytes) : push_to_slices(bytes);
   }
 

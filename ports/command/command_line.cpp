@@ -203,8 +203,6 @@ void check_kind(const RenderArguments& arguments, const std::vector<CLI::Option*
                                      ": leave it out");
 }
 
-}  // namespace
-
 void check_isos(const ExtractArguments& arguments) {
   const std::size_t surfaces = arguments.reading.isos.size();
   if (surfaces > StreamHeader::max_surfaces)
@@ -230,6 +228,8 @@ void check_wire(const ExtractArguments& arguments) {
   if (!is_of_slices && arguments.key_slices > 0)
     throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
 }
+
+}  // namespace
 
 void add_extract(CLI::App& app, ExtractArguments& arguments) {
   CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");

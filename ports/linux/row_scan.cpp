@@ -4,14 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "require.hpp"
+
 namespace discmc::device {
-namespace {
 
-void require(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
-}
-
-}  // namespace
+using host::require;
 
 RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
     : plan_(plan), memory_(plan.options.memory) {

@@ -27,6 +27,10 @@ inline StreamHeader from_c(const discmc_stream_header& header) {
       {header.further_thresholds[0], header.further_thresholds[1], header.further_thresholds[2]}};
 }
 
+inline ApplicationRecord from_c(const discmc_application_record& record) {
+  return {record.kind, record.slice, record.row, record.bytes, record.count};
+}
+
 inline RecordedEvent from_c(const discmc_event& event) {
   Event same{};
   same.kind = static_cast<Event::Kind>(event.kind);
@@ -50,8 +54,7 @@ inline RecordedEvent from_c(const discmc_event& event) {
     header = from_c(*event.of.header);
     same.header = &header;
   } else if (same.kind == Event::Kind::application) {
-    const discmc_application_record& told = *event.of.application;
-    application = {told.kind, told.slice, told.row, told.bytes, told.count};
+    application = from_c(*event.of.application);
     same.application = &application;
   }
   return RecordedEvent(same);

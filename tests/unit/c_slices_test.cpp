@@ -5,7 +5,7 @@
 
 #include <discmc/surface_decoder.hpp>
 
-#include "oracle/c_events.hpp"
+#include "oracle/c_row_events.hpp"
 #include "oracle/slice_stream.hpp"
 
 using namespace discmc;
@@ -136,62 +136,6 @@ Bytes some_stream(uint8_t surfaces = 1, uint32_t interval = 2) {
   return encode_in_cpp(make_samples<uint8_t>(), interval, surfaces);
 }
 
-// What a row event says: its kind, then the members that its kind names, and what they point to.
-std::vector<int64_t> numbers_of(const RowEvent& event) {
-  std::vector<int64_t> numbers{static_cast<int64_t>(event.kind)};
-  const auto add = [&](auto... values) { (numbers.push_back(static_cast<int64_t>(values)), ...); };
-  const auto add_bytes = [&](const uint8_t* bytes, size_t count) {
-    numbers.insert(numbers.end(), bytes, bytes + count);
-  };
-  switch (event.kind) {
-    case RowEvent::Kind::start:
-      add(event.header->width, event.header->height, event.header->scan, event.header->channel,
-          event.header->further_surfaces, event.header->further_thresholds[2]);
-      break;
-    case RowEvent::Kind::skipped:
-      add(event.repeated);
-      [[fallthrough]];
-    case RowEvent::Kind::row:
-      add(event.slice, event.row, event.channel);
-      add_bytes(event.bits, (width + 7) / 8);
-      break;
-    case RowEvent::Kind::lost:
-      add(event.slice, event.row, event.count);
-      break;
-    case RowEvent::Kind::application:
-      add(event.application->kind, event.application->slice, event.application->row);
-      add_bytes(event.application->bytes, event.application->count);
-      break;
-    case RowEvent::Kind::finish:
-      add(event.slice, event.abandoned);
-      break;
-  }
-  return numbers;
-}
-
-RowEvent from_c_row(const discmc_row_event& event, StreamHeader& header,
-                    ApplicationRecord& application) {
-  RowEvent same{};
-  same.kind = static_cast<RowEvent::Kind>(event.kind);
-  same.repeated = event.repeated != 0;
-  same.abandoned = event.abandoned != 0;
-  same.channel = event.channel;
-  same.slice = event.slice;
-  same.row = event.row;
-  same.count = event.count;
-  if (event.kind == DISCMC_ROWS_START) {
-    header = from_c(*event.of.header);
-    same.header = &header;
-  } else if (event.kind == DISCMC_ROWS_APPLICATION) {
-    const discmc_application_record& record = *event.of.application;
-    application = {record.kind, record.slice, record.row, record.bytes, record.count};
-    same.application = &application;
-  } else {
-    same.bits = event.of.bits;
-  }
-  return same;
-}
-
 /// Takes row events of either side, and refuses every nth (0: none) of those that may be.
 struct RowListener {
   std::vector<std::vector<int64_t>> events;
@@ -200,13 +144,13 @@ struct RowListener {
 
   Answer take(const RowEvent& event) {
     if (nth != 0 && ++calls % nth == 0) return Answer::not_now;
-    events.push_back(numbers_of(event));
+    events.push_back(reference::numbers_of(event, width));
     return Answer::taken;
   }
   static discmc_answer take_in_c(void* context, const discmc_row_event* event) {
     StreamHeader header;
     ApplicationRecord application;
-    const RowEvent same = from_c_row(*event, header, application);
+    const RowEvent same = from_c(*event, header, application);
     return static_cast<discmc_answer>(static_cast<RowListener*>(context)->take(same));
   }
   discmc_row_sink sink_in_c() { return {this, take_in_c}; }

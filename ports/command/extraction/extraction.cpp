@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "require.hpp"
 #include "streams/stream_file.hpp"
 
 namespace discmc::host {
@@ -103,10 +104,6 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   const std::uint64_t generous =
       std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
   return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
-}
-
-void require(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
 }
 
 template <class Sample>

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "frames.hpp"
+
 namespace discmc::host {
 
 class ScanFilter {
@@ -16,10 +18,10 @@ class ScanFilter {
   std::vector<std::uint8_t> take(const std::uint8_t* bytes, std::size_t count);
 
  private:
-  bool is_other_scan() const;
+  bool is_other_scan(std::vector<std::uint8_t> frame) const;
 
   std::uint16_t scan_;
-  std::vector<std::uint8_t> frame_;
+  Frames frames_;
 };
 
 }  // namespace discmc::host

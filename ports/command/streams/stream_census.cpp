@@ -5,22 +5,16 @@
 namespace discmc::host {
 
 void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (frame_.size() < wire::max_frame) frame_.push_back(bytes[i]);
-    if (bytes[i] != 0) continue;
-    frame_.back() = 0;
-    end_frame();
-    frame_.clear();
-  }
+  frames_.push(bytes, count, [this](const std::vector<std::uint8_t>& frame) { look_at(frame); });
 }
 
-void StreamCensus::end_frame() {
+void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   // Stuffing leaves the kind of a packet as it is.
   constexpr auto header_kind = static_cast<std::uint8_t>(wire::PacketKind::header);
-  if (frame_.size() < 2 || frame_[1] != header_kind) return;
+  if (frame.size() < 2 || frame[1] != header_kind) return;
   PacketReader reader;
   reader.start(any_channel);
-  for (const std::uint8_t byte : frame_) static_cast<void>(reader.take(byte));
+  for (const std::uint8_t byte : frame) static_cast<void>(reader.take(byte));
   if (!reader.report().has_header) return;
   const StreamHeader& header = reader.header();
   const bool is_new = known_.insert(wire::tag_of(header)).second;

@@ -9,6 +9,8 @@
 
 #include <discmc/stream_header.hpp>
 
+#include "frames.hpp"
+
 namespace discmc::host {
 
 /// Finds the headers among the frames of a link.
@@ -19,9 +21,9 @@ class StreamCensus {
   const std::vector<StreamHeader>& headers() const { return headers_; }
 
  private:
-  void end_frame();
+  void look_at(const std::vector<std::uint8_t>& frame);
 
-  std::vector<std::uint8_t> frame_;
+  Frames frames_;
   std::unordered_set<std::uint32_t> known_;  // by what names them
   std::vector<StreamHeader> headers_;
 };

@@ -157,15 +157,7 @@ void go_to_data(VolumeInfo& info, ByteStream& data, const Description& header) {
   if (bytes < (compressed ? 0 : -1))
     fail(data.file(), "HeaderSize is " + std::to_string(bytes), "give a number from 0");
   if (bytes > 0) data.seek(static_cast<std::uint64_t>(bytes));
-  if (bytes == -1) {
-    const std::uint64_t volume = info.slice_bytes() * info.dims[2];
-    if (volume > data.file_bytes())
-      fail(data.file(),
-           "the volume has " + std::to_string(volume) + " bytes but the file has only " +
-               std::to_string(data.file_bytes()),
-           "copy or export the file again");
-    data.seek(data.file_bytes() - volume);
-  }
+  if (bytes == -1) seek_volume_at_end(data, info);
   info.format = compressed ? "MetaImage, zlib" : "MetaImage, raw";
   if (compressed) data.start_inflate();
 }

@@ -252,13 +252,7 @@ void go_to_data(VolumeInfo& info, ByteStream& data, const Fields& fields) {
   if (bytes >= 0) {
     data.skip(static_cast<std::uint64_t>(bytes));
   } else {
-    const std::uint64_t volume = info.slice_bytes() * info.dims[2];
-    if (volume > data.file_bytes())
-      fail(file,
-           "the volume has " + std::to_string(volume) + " bytes but the file has only " +
-               std::to_string(data.file_bytes()),
-           "copy or export the file again");
-    data.seek(data.file_bytes() - volume);
+    seek_volume_at_end(data, info);
   }
 }
 

@@ -59,6 +59,16 @@ std::string header_text(ByteStream& stream) {
   return text;
 }
 
+void seek_volume_at_end(ByteStream& stream, const VolumeInfo& info) {
+  const std::uint64_t volume = info.slice_bytes() * info.dims[2];
+  if (volume > stream.file_bytes())
+    fail(stream.file(),
+         "the volume has " + std::to_string(volume) + " bytes but the file has only " +
+             std::to_string(stream.file_bytes()),
+         "copy or export the file again");
+  stream.seek(stream.file_bytes() - volume);
+}
+
 std::optional<std::string_view> take_line(std::string_view& text) {
   if (text.empty()) return std::nullopt;
   const std::size_t end = std::min(text.find('\n'), text.size());

@@ -35,6 +35,10 @@ std::string shown(std::string_view text);
 /// Returns the beginning of the stream, enough for any sensible header, and goes back to its start.
 std::string header_text(ByteStream& stream);
 
+/// Goes to the first sample of a volume that is the end of its file. Throws when the file is
+/// shorter.
+void seek_volume_at_end(ByteStream& stream, const VolumeInfo& info);
+
 /// Takes a line off the front, without its line feed and carriage return; nothing at the end.
 std::optional<std::string_view> take_line(std::string_view& text);
 

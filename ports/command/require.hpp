@@ -1,6 +1,6 @@
 // What has to succeed, or the command has failed.
-#ifndef DISCMC_COMMAND_COMMANDS_REQUIRE_HPP
-#define DISCMC_COMMAND_COMMANDS_REQUIRE_HPP
+#ifndef DISCMC_COMMAND_REQUIRE_HPP
+#define DISCMC_COMMAND_REQUIRE_HPP
 
 #include <discmc/status.hpp>
 #include <ostream>

@@ -1,0 +1,33 @@
+// The bytes of a link as frames.
+#ifndef DISCMC_COMMAND_STREAMS_FRAMES_HPP
+#define DISCMC_COMMAND_STREAMS_FRAMES_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <discmc/stream/wire.hpp>
+
+namespace discmc::host {
+
+class Frames {
+ public:
+  /// Calls take(frame) for every frame that these bytes end, with its zero. Of one that is too long
+  /// for a packet hardly more than that is kept.
+  template <class Take>
+  void push(const std::uint8_t* bytes, std::size_t count, Take take) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (frame_.size() <= wire::max_frame || bytes[i] == 0) frame_.push_back(bytes[i]);
+      if (bytes[i] != 0) continue;
+      take(static_cast<const std::vector<std::uint8_t>&>(frame_));
+      frame_.clear();
+    }
+  }
+
+ private:
+  std::vector<std::uint8_t> frame_;
+};
+
+}  // namespace discmc::host
+
+#endif
