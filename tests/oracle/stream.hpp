@@ -308,6 +308,15 @@ inline Bytes joined(const std::vector<Bytes>& frames) {
   return stream;
 }
 
+/// The stream with a header of another version.
+inline Bytes with_version(uint8_t version, const Bytes& stream) {
+  std::vector<Bytes> frames = frames_of(stream);
+  Packet header = packet_of(frames[0]);
+  header.payload[3] = version;
+  frames[0] = frame_of(header);
+  return joined(frames);
+}
+
 // ---- the model by hand ----
 
 struct WritingCoder {

@@ -187,10 +187,7 @@ TEST_CASE("a decoder that is started again forgets everything") {
 TEST_CASE("a decoder that is started again knows nothing of what it refused or had yet to tell") {
   const Sample sample = samples()[2];
   const Bytes stream = encode(sample.events, sample.header);
-  Bytes unknown = stream_of({});
-  Packet header = packet_of(unknown);
-  ++header.payload[3];
-  unknown = frame_of(header);
+  const Bytes unknown = with_version(3, stream_of({}));
   const Bytes lost = stream_of({payload_of([](auto& model) {
     begin_part(model, false);
     tell_ring(model, false);
@@ -308,11 +305,7 @@ TEST_CASE("a decoder that is started again takes a stream of any name, and count
 
 TEST_CASE("of a version that is not known nothing is read, until the decoder is started again") {
   const Bytes stream = encode(Script().layer(1).finish().events);
-  std::vector<Bytes> frames = frames_of(stream);
-  Packet header = packet_of(frames[0]);
-  ++header.payload[3];
-  frames[0] = frame_of(header);
-  const Bytes unknown = joined(frames);
+  const Bytes unknown = with_version(3, stream);
   EventLog log;
   Decoder decoder;
   REQUIRE(decoder.start(sink_to(log)) == Status::ok);

@@ -132,17 +132,13 @@ TEST_CASE("memory is given to a surface decoder that has too little, and to no o
 }
 
 TEST_CASE("a version that is not known is refused at the byte that tells of it") {
-  std::vector<Bytes> frames = frames_of(regions());
-  Packet header = packet_of(frames[0]);
-  ++header.payload[3];
-  frames[0] = frame_of(header);
-  const Bytes stream = joined(frames);
+  const Bytes stream = with_version(3, regions());
   SurfaceDecoder decoder;
   EventLog log;
   reference::require_ok(decoder.start({}, sink_to(log)));
   const Decoded decoded = decoder.push(stream.data(), stream.size());
   CHECK(decoded.status == Status::wrong_version);
-  CHECK(decoded.bytes == frames[0].size());
+  CHECK(decoded.bytes == frames_of(stream)[0].size());
   CHECK(decoder.push(stream.data(), 1).bytes == 0);
 }
 
