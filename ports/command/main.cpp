@@ -1,10 +1,11 @@
 // The discmc command.
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <vector>
 
-#include "command_line.hpp"
-#include "commands/commands.hpp"
+#include "command_line/command_line.hpp"
 #include "commands/exit_codes.hpp"
 
 namespace discmc::host {
@@ -17,21 +18,15 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", DISCMC_VERSION);
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
-  ExtractArguments extract_arguments;
-  StreamArguments stream_arguments;
-  RenderArguments render_arguments;
-  add_extract(app, extract_arguments);
-  add_stream_commands(app, stream_arguments);
-  add_render(app, render_arguments);
+  const std::vector<Command> commands = add_commands(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
-  if (app.got_subcommand("extract")) return run_extract(extract_arguments);
-  if (app.got_subcommand("decode")) return run_decode(stream_arguments);
-  if (app.got_subcommand("info")) return run_info(stream_arguments);
-  return run_render(render_arguments);
+  return std::find_if(commands.begin(), commands.end(),
+                      [](const Command& command) { return command.app->parsed(); })
+      ->run();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <new>
 #include <vector>
 
-#include "option_checks.hpp"
+#include "command_line/option_checks.hpp"
 
 namespace discmc::device {
 namespace {

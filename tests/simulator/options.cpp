@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "option_checks.hpp"
+#include "command_line/option_checks.hpp"
 
 namespace discmc::simulator {
 namespace {

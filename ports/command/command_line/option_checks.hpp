@@ -1,7 +1,7 @@
 // Checks of option values that several commands share; what they return is an error, and wrong
 // usage.
-#ifndef DISCMC_COMMAND_OPTION_CHECKS_HPP
-#define DISCMC_COMMAND_OPTION_CHECKS_HPP
+#ifndef DISCMC_COMMAND_COMMAND_LINE_OPTION_CHECKS_HPP
+#define DISCMC_COMMAND_COMMAND_LINE_OPTION_CHECKS_HPP
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -10,6 +10,15 @@
 #include <string>
 
 namespace discmc::host {
+
+inline CLI::Validator finite() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const bool is_finite = !text.empty() && std::isfinite(std::strtod(text.c_str(), nullptr));
+        return is_finite ? std::string() : "'" + text + "' is no finite number";
+      },
+      "");
+}
 
 /// The spacing of a stream is a count of nanometres in 32 bits.
 inline CLI::Validator usable_spacing() {

@@ -1,0 +1,9 @@
+#include "command_line.hpp"
+
+namespace discmc::host {
+
+std::vector<Command> add_commands(CLI::App& app) {
+  return {add_extract(app), add_decode(app), add_info(app), add_render(app)};
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,40 @@
+// The arguments of discmc decode.
+#include <memory>
+
+#include "command_line.hpp"
+#include "commands/commands.hpp"
+#include "mesh_options.hpp"
+#include "stream_options.hpp"
+#include "volume_options.hpp"
+
+namespace discmc::host {
+namespace {
+
+void check(const StreamArguments& arguments) {
+  check_normals(arguments.normals, arguments.output, false);
+  if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
+    throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
+}
+
+}  // namespace
+
+Command add_decode(CLI::App& app) {
+  const auto arguments = std::make_shared<StreamArguments>();
+  CLI::App* decode = app.add_subcommand("decode", "Turn a stream into a mesh, or pack it anew");
+  decode->add_option("STREAM", arguments->stream, "a .dmc file; - reads standard input")
+      ->required();
+  add_output_option(*decode, arguments->output, "a stream on standard output")->required();
+  add_choice_options(*decode, arguments->choice);
+  add_normals_option(*decode, arguments->normals,
+                     "those that the stream tells, or from the samples of --volume");
+  add_conforming_option(*decode, arguments->conforming);
+  add_layout_options(*decode, arguments->layout);
+  CLI::Option* volume = decode->add_option("--volume", arguments->volume,
+                                           "the file that the stream was made of, for --normals "
+                                           "gradient (default: what the stream tells of it)");
+  decode->get_option("--dims")->needs(volume);
+  decode->callback([arguments] { check(*arguments); });
+  return {decode, [arguments] { return run_decode(*arguments); }};
+}
+
+}  // namespace discmc::host

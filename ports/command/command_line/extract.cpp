@@ -1,0 +1,90 @@
+// The arguments of discmc extract.
+#include <memory>
+
+#include "command_line.hpp"
+#include "commands/commands.hpp"
+#include "mesh_options.hpp"
+#include "named_values.hpp"
+#include "output_file.hpp"
+#include "stream_options.hpp"
+#include "surface_options.hpp"
+#include "volume_options.hpp"
+
+namespace discmc::host {
+namespace {
+
+void check_isos(const ExtractArguments& arguments) {
+  const std::size_t surfaces = arguments.reading.isos.size();
+  if (surfaces > StreamHeader::max_surfaces)
+    throw CLI::ValidationError("--iso", std::to_string(surfaces) + " surfaces are too many: give " +
+                                            std::to_string(StreamHeader::max_surfaces) +
+                                            " at most");
+  if (surfaces > 1 && format_of(arguments.output) != Format::stream)
+    throw CLI::ValidationError(
+        "--iso", "several surfaces are a stream: give -o FILE.dmc, or one --iso for a mesh");
+}
+
+void check_wire(const ExtractArguments& arguments) {
+  const bool is_of_slices = arguments.wire == Wire::slices;
+  if (is_of_slices && format_of(arguments.output) != Format::stream)
+    throw CLI::ValidationError("--wire", "slices are a stream: give -o FILE.dmc");
+  if (is_of_slices && arguments.normals != Normals::none)
+    throw CLI::ValidationError("--wire",
+                               "a stream of slices holds no normals: leave out --normals");
+  if (is_of_slices && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
+    throw CLI::ValidationError("--wire",
+                               "a slice encoder takes the memory that it needs, and no more: leave "
+                               "out --memory and --capacities");
+  if (!is_of_slices && arguments.key_slices > 0)
+    throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
+}
+
+void check(const ExtractArguments& arguments) {
+  check_normals(arguments.normals, arguments.output, true);
+  check_isos(arguments);
+  check_wire(arguments);
+}
+
+// What a stream holds, where that is what is written.
+void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
+  app.option_defaults()->group(stream_group);
+  add_named_option(
+      app, "--wire", arguments.wire,
+      NamedValues<Wire>{{"regions", Wire::regions}, {"slices", Wire::slices}},
+      "what a .dmc stream holds: regions (default), final as they come; or slices, the bits of "
+      "the volume, in a tenth of the bytes");
+  app.add_option("--key-slices", arguments.key_slices,
+                 "with --wire slices: every N slices one that needs none before it, for who has "
+                 "lost some (default: the first alone)")
+      ->check(CLI::Range(std::uint32_t{1}, Limits::max_slices))
+      ->option_text("N");
+  app.add_option("--scan", arguments.scan,
+                 "a number for the scan, by which streams on one link are told apart (default: 0)")
+      ->option_text("N");
+}
+
+}  // namespace
+
+Command add_extract(CLI::App& app) {
+  const auto arguments = std::make_shared<ExtractArguments>();
+  CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
+  extract
+      ->add_option("VOLUME", arguments->volume,
+                   "NRRD, NIfTI-1 or MetaImage file, or headerless samples with --dims and --type")
+      ->required();
+  add_output_option(*extract, arguments->output, "the stream on standard output (default)");
+  extract->add_flag("-q,--quiet", arguments->quiet, "no table");
+  add_volume_options(*extract, arguments->reading.layout);
+  add_surface_options(*extract, arguments->reading);
+  extract->get_option("--iso")->required()->expected(1, -1)->allow_extra_args(false)->description(
+      "on means value >= ISO, in the units that the file declares; given up to 4 "
+      "times: a surface each, on channels of the stream");
+  add_normals_option(*extract, arguments->normals,
+                     "from the samples of the volume, and what a .dmc stream can hold");
+  add_conforming_option(*extract, arguments->conforming);
+  add_wire_options(*extract, *arguments);
+  extract->callback([arguments] { check(*arguments); });
+  return {extract, [arguments] { return run_extract(*arguments); }};
+}
+
+}  // namespace discmc::host

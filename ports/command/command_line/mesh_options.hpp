@@ -1,0 +1,29 @@
+// Options under "Mesh": what a mesh holds; and the file that it is written to.
+#ifndef DISCMC_COMMAND_COMMAND_LINE_MESH_OPTIONS_HPP
+#define DISCMC_COMMAND_COMMAND_LINE_MESH_OPTIONS_HPP
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "commands/arguments.hpp"
+
+namespace discmc::host {
+
+constexpr const char* mesh_group = "Mesh";
+
+/// -o, of a stream or a mesh by its extension. standard_output: what "-" is.
+CLI::Option* add_output_option(CLI::App& app, std::string& output,
+                               const std::string& standard_output);
+
+/// --normals. gradient: where those of the gradient come from.
+void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient);
+
+/// --conforming.
+void add_conforming_option(CLI::App& app, bool& conforming);
+
+/// Only some formats hold normals of vertices. Throws: CLI::ValidationError.
+void check_normals(Normals normals, const std::string& output, bool has_samples);
+
+}  // namespace discmc::host
+
+#endif

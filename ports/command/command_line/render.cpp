@@ -1,0 +1,124 @@
+// The arguments of discmc render.
+#include <filesystem>
+#include <memory>
+
+#include "command_line.hpp"
+#include "commands/commands.hpp"
+#include "mesh_files/mesh_reader.hpp"
+#include "named_values.hpp"
+#include "option_checks.hpp"
+#include "stream_options.hpp"
+#include "surface_options.hpp"
+#include "volume_options.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+namespace {
+
+CLI::Validator png_name() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const std::string extension = std::filesystem::path(text).extension().string();
+        return text == "-" || extension == ".png" || extension == ".PNG"
+                   ? std::string()
+                   : text + ": pictures are PNG files: give a name that ends in .png";
+      },
+      "");
+}
+
+// By the name; but what is given a threshold must be a volume.
+InputKind kind_of(const std::string& input, bool has_iso) {
+  if (is_mesh_name(input)) return InputKind::mesh;
+  const bool is_stream = input == "-" || std::filesystem::path(input).extension() == ".dmc";
+  return is_volume_name(input) || (has_iso && !is_stream) ? InputKind::volume : InputKind::stream;
+}
+
+const char* name_of(InputKind kind) {
+  return kind == InputKind::mesh ? "a mesh" : kind == InputKind::volume ? "a volume" : "a stream";
+}
+
+bool is_for(const std::string& group, InputKind kind) {
+  if (group == volume_group || group == surface_group) return kind == InputKind::volume;
+  if (group == stream_group) return kind == InputKind::stream;
+  return true;
+}
+
+// An option under a heading of another kind of input is a mistake.
+void check_kind(const CLI::App& render, const RenderArguments& arguments) {
+  for (const CLI::Option* option : render.get_options())
+    if (option->count() > 0 && !is_for(option->get_group(), arguments.kind))
+      throw CLI::ValidationError(
+          option->get_name(),
+          std::string(option->get_group() == stream_group ? "is for streams" : "is for volumes") +
+              ", and " + arguments.input + " is " + name_of(arguments.kind) + ": leave it out");
+  if (arguments.kind == InputKind::volume && arguments.reading.isos.empty())
+    throw CLI::ValidationError(arguments.input,
+                               "a volume is drawn at a threshold: give --iso VALUE");
+}
+
+void add_picture_options(CLI::App& app, RenderArguments& arguments) {
+  app.option_defaults()->group("Picture");
+  app.add_option("--view", arguments.view, "direction from the surface to the viewer")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->option_text("X,Y,Z");
+  app.add_option("--size", arguments.size, "of the picture, in pixels (default: 1024,1024)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(1, 8192))
+      ->option_text("W,H");
+  app.add_option("--zoom", arguments.zoom, "times nearer than what shows all (default: 1)")
+      ->check(finite())
+      ->check(CLI::Range(1e-3, 1e3))
+      ->option_text("FACTOR");
+  app.add_option("--at", arguments.at,
+                 "the point in the middle of the picture, in millimetres as in meshes")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->option_text("X,Y,Z");
+  add_named_option(app, "--shade", arguments.smooth,
+                   NamedValues<bool>{{"flat", false}, {"smooth", true}},
+                   "flat: every face in one colour (default); smooth: by the normals of vertices");
+  app.add_flag("--edges", arguments.outlines,
+               "outline the faces: of a stream or a volume its merged polygons");
+}
+
+void add_classic_option(CLI::App& app, bool& classic) {
+  app.option_defaults()->group(surface_group);
+  app.add_flag("--classic", classic,
+               "triangles of classic Marching Cubes, with interpolated vertices, for comparison")
+      ->excludes("--memory")
+      ->excludes("--capacities");
+}
+
+}  // namespace
+
+Command add_render(CLI::App& app) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* render =
+      app.add_subcommand("render", "Draw a stream, a mesh or a volume as a PNG picture");
+  render
+      ->add_option("INPUT", arguments->input,
+                   "a .dmc stream (- reads standard input), a .ply, .obj or .stl mesh, or a volume "
+                   "as extract takes it")
+      ->required();
+  render->add_option("-o,--output", arguments->output, "the PNG file; - is standard output")
+      ->check(png_name())
+      ->required();
+  add_picture_options(*render, *arguments);
+  add_choice_options(*render, arguments->choice);
+  add_volume_options(*render, arguments->reading.layout);
+  add_surface_options(*render, arguments->reading);
+  add_classic_option(*render, arguments->classic);
+  render->callback([arguments, render] {
+    arguments->kind = kind_of(arguments->input, !arguments->reading.isos.empty());
+    check_kind(*render, *arguments);
+    if (arguments->view == std::vector<double>{0, 0, 0})
+      throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
+  });
+  return {render, [arguments] { return run_render(*arguments); }};
+}
+
+}  // namespace discmc::host

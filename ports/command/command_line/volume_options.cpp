@@ -1,0 +1,38 @@
+#include "volume_options.hpp"
+
+#include "named_values.hpp"
+#include "option_checks.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+void add_layout_options(CLI::App& app, LayoutArguments& arguments) {
+  app.option_defaults()->group(volume_group);
+  CLI::Option* dims =
+      app.add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
+          ->delimiter(',')
+          ->expected(3)
+          ->option_text("X,Y,Z");
+  CLI::Option* type = add_named_option(
+      app, "--type", arguments.type,
+      NamedValues<SampleType>{
+          {"u8", SampleType::u8}, {"u16", SampleType::u16}, {"i16", SampleType::i16}},
+      "samples of a headerless file");
+  dims->needs(type);
+  type->needs(dims);
+  app.add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
+      ->needs(dims);
+}
+
+void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
+  add_layout_options(app, arguments);
+  app.add_option("--spacing", arguments.spacing,
+                 "of a headerless file, in millimetres (default: 1,1,1)")
+      ->delimiter(',')
+      ->expected(3)
+      ->option_text("X,Y,Z")
+      ->check(usable_spacing())
+      ->needs("--dims");
+}
+
+}  // namespace discmc::host
