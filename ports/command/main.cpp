@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_line/command_line.hpp"
+#include "command_line/usage_error.hpp"
 #include "commands/exit_codes.hpp"
 
 namespace discmc::host {
@@ -18,6 +19,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", DISCMC_VERSION);
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
+  app.failure_message(usage_error);
   const std::vector<Command> commands = add_commands(app);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,66 @@
+// What discmc says of a command line that it does not understand.
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+
+// Usage, and the whole of what is said.
+void check_said(const std::string& arguments, const std::string& said) {
+  const Result result = Workshop().run(arguments);
+  INFO(arguments);
+  CHECK(result.code == 2);
+  CHECK(result.out.empty());
+  CHECK(result.error == said);
+}
+
+}  // namespace
+
+TEST_CASE("a command that is misspelt is answered with the nearest one") {
+  const std::string end = "?\nSee discmc --help.\n";
+  check_said("extrct v.nrrd", "discmc: 'extrct' is not a command; did you mean extract" + end);
+  check_said("dceode v.dmc", "discmc: 'dceode' is not a command; did you mean decode" + end);
+  check_said("infos v.dmc", "discmc: 'infos' is not a command; did you mean info" + end);
+  check_said("reader v.dmc", "discmc: 'reader' is not a command; did you mean render" + end);
+}
+
+TEST_CASE("a command that is like none is answered with what there is") {
+  const std::string all = "give one of extract, decode, info";
+  CHECK(contains(Workshop().run("frobnicate v.nrrd").error,
+                 "discmc: 'frobnicate' is not a command; " + all));
+  CHECK(contains(Workshop().run("").error, "discmc: no command is given; " + all));
+}
+
+TEST_CASE("an option that is misspelt is answered with the nearest one of its command") {
+  const std::string end = "?\nSee discmc extract --help.\n";
+  const std::string spacing =
+      "discmc: '--spacng' is not an option of extract; did you mean --spacing" + end;
+  check_said("extract v.raw --iso 5 --spacng 1,1,1", spacing);
+  check_said("extract --spacng=1,1,1 v.raw", spacing);
+  check_said(
+      "extract --no-confroming v.raw",
+      "discmc: '--no-confroming' is not an option of extract; did you mean --no-conforming" + end);
+  check_said("extract -borders v.raw",
+             "discmc: '-borders' is not an option of extract; did you mean --border" + end);
+  check_said("extract --conformity v.raw",
+             "discmc: '--conformity' is not an option of extract; did you mean --conforming" + end);
+  check_said("--verson",
+             "discmc: '--verson' is not an option of discmc; did you mean --version?\n"
+             "See discmc --help.\n");
+}
+
+TEST_CASE("an option that is like none is answered without a guess") {
+  check_said("info v.dmc --zoom 5",
+             "discmc: '--zoom' is not an option of info; leave it out\nSee discmc info --help.\n");
+  check_said("--iso 5 extract v.nrrd",
+             "discmc: '--iso' is not an option of discmc; options of a command are given after its "
+             "name\nSee discmc extract --help.\n");
+}
+
+TEST_CASE("arguments too many and too few are told by name") {
+  check_said("info a.dmc b.dmc",
+             "discmc: 'b.dmc' is one argument too many; leave it out\nSee discmc info --help.\n");
+  check_said("extract --border -o v.dmc v.nrrd --iso 5",
+             "discmc: --border: -o not in {closed,open}\nSee discmc extract --help.\n");
+  check_said("info --", "discmc: STREAM is required\nSee discmc info --help.\n");
+}
