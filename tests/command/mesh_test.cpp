@@ -288,47 +288,6 @@ TEST_CASE("the report counts each kind of damage") {
   CHECK(check_mesh(flat).degenerate_faces == 1);
 }
 
-TEST_CASE("faces of any shape are cut into triangles that cover them and keep their number") {
-  for (const Surface& surface :
-       {octahedron(), box_with_hole(), leaning_wall(), pitted_block({{0, 0}, {1, 1}}), saw()}) {
-    Mesh mesh = build_mesh(surface);
-    for (const bool has_incidences : {true, false}) {
-      if (!has_incidences) mesh.incidences.clear();
-      const Mesh cut = triangulated(mesh);
-      const MeshReport before = check_mesh(mesh), after = check_mesh(cut);
-      CHECK(after.open_edges == before.open_edges);
-      CHECK(after.non_manifold_edges + after.wrongly_oriented + after.degenerate_faces == 0);
-      CHECK(cut.face_count() == mesh.corners.size() - 2 * mesh.face_count());
-      CHECK(cut.incidences.size() == (has_incidences ? cut.face_count() : 0));
-      std::vector<double> areas(surface.polygons.size());
-      for (std::size_t face = 0; face < mesh.face_count(); ++face)
-        areas[mesh.polygons[face]] +=
-            std::sqrt(dot(area_vector(mesh, face), area_vector(mesh, face)));
-      for (std::size_t face = 0; face < cut.face_count(); ++face) {
-        REQUIRE(cut.face_size(face) == 3);
-        const Point normal =
-            outward_normal(surface.polygons[cut.polygons[face]].incidence, surface.spacing_mm);
-        CHECK(dot(face_normal(cut, face), normal) == doctest::Approx(1));
-        areas[cut.polygons[face]] -= dot(area_vector(cut, face), normal);
-      }
-      for (const double left : areas) CHECK(std::abs(left) < 1e-9);
-    }
-  }
-}
-
-TEST_CASE("a face that crosses itself, or lies in a line, becomes a fan") {
-  Mesh mesh;
-  mesh.vertices_mm = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 0}, {3, 3, 0}};
-  mesh.corners = {0, 1, 2, 3, 0, 1, 4, 5};
-  mesh.face_begin = {0, 4, 8};
-  mesh.polygons = {4, 5};
-  mesh.normals.assign(6, {0, 0, 1});
-  const Mesh cut = triangulated(mesh);
-  CHECK(cut.corners == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 1, 4, 0, 4, 5});
-  CHECK(cut.polygons == std::vector<std::uint32_t>{4, 4, 5, 5});
-  CHECK(cut.normals == mesh.normals);
-}
-
 TEST_CASE("a face has the normal of its plane, with and without an incidence") {
   Mesh mesh = build_mesh(octahedron({1, -2, 3}));
   std::vector<Point> expected;

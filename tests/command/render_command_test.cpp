@@ -1,4 +1,4 @@
-// The command that draws: streams, meshes and volumes, and what does not go together.
+// The command that draws: streams and volumes, and what does not go together.
 #include "command.hpp"
 
 namespace {
@@ -55,25 +55,6 @@ TEST_CASE("a volume of any name is one when it has a threshold, and a stream oth
   CHECK(picture(workshop, "stream") == expected);
 }
 
-TEST_CASE("meshes are drawn in every format and shade") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  const std::string empty = picture(workshop, "v.nrrd --iso 250");
-  for (const std::string format : {"ply", "obj", "stl"}) {
-    workshop.done("decode v.dmc -o v." + format);
-    const std::string flat = picture(workshop, "v." + format);
-    const std::string smooth = picture(workshop, "v." + format + " --shade smooth");
-    CHECK(flat != smooth);
-    CHECK(flat != empty);
-    CHECK(smooth != empty);
-  }
-  workshop.write("v.obj", "v 0 0 0\nf 1 1 2\n");
-  const Result result = workshop.run("render v.obj -o o.png");
-  CHECK(result.code == 1);
-  CHECK(contains(result.error, "v.obj: a face names vertex 2"));
-  CHECK(contains(workshop.run("render none.ply -o o.png").error, "none.ply: cannot be read"));
-}
-
 TEST_CASE("classic Marching Cubes has a picture of its own") {
   const Workshop workshop;
   write_volumes(workshop);
@@ -100,7 +81,6 @@ TEST_CASE("a picture can be taken from near, and of a place") {
 TEST_CASE("wrong usage of render is told, and nothing is written") {
   const Workshop workshop;
   write_volumes(workshop);
-  workshop.done("decode v.dmc -o v.ply");
   const auto names = workshop.names();
   const std::pair<std::string, std::string> wrong[] = {
       {"v.nrrd", "v.nrrd: a volume is drawn at a threshold: give --iso"},
@@ -111,9 +91,6 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
       {"v.dmc --capacities 9,9", "--capacities: is for volumes"},
       {"v.dmc --border open", "--border: is for volumes"},
       {"v.dmc --classic", "--classic: is for volumes"},
-      {"v.ply --iso 100", "v.ply is a mesh"},
-      {"v.ply" + raw_layout, "--dims: is for volumes, and v.ply is a mesh"},
-      {"v.ply --classic", "--classic: is for volumes"},
       {"v.nrrd --iso 100 --classic --memory 1M", "--memory"},
       {"v.nrrd --iso 100 --classic --capacities 9,9", "--capacities"},
       {"v.raw --iso 100 --dims 20,20,20", "--type"},

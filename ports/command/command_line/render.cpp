@@ -4,7 +4,6 @@
 
 #include "command_line.hpp"
 #include "commands/commands.hpp"
-#include "mesh_files/mesh_reader.hpp"
 #include "named_values.hpp"
 #include "option_checks.hpp"
 #include "stream_options.hpp"
@@ -27,31 +26,25 @@ CLI::Validator png_name() {
 }
 
 // By the name; but what is given a threshold must be a volume.
-InputKind kind_of(const std::string& input, bool has_iso) {
-  if (is_mesh_name(input)) return InputKind::mesh;
+bool is_volume(const std::string& input, bool has_iso) {
   const bool is_stream = input == "-" || std::filesystem::path(input).extension() == ".dmc";
-  return is_volume_name(input) || (has_iso && !is_stream) ? InputKind::volume : InputKind::stream;
+  return is_volume_name(input) || (has_iso && !is_stream);
 }
 
-const char* name_of(InputKind kind) {
-  return kind == InputKind::mesh ? "a mesh" : kind == InputKind::volume ? "a volume" : "a stream";
-}
-
-bool is_for(const std::string& group, InputKind kind) {
-  if (group == volume_group || group == surface_group) return kind == InputKind::volume;
-  if (group == stream_group) return kind == InputKind::stream;
-  return true;
-}
-
-// An option under a heading of another kind of input is a mistake.
+// An option under a heading of the other kind of input is a mistake.
 void check_kind(const CLI::App& render, const RenderArguments& arguments) {
-  for (const CLI::Option* option : render.get_options())
-    if (option->count() > 0 && !is_for(option->get_group(), arguments.kind))
+  for (const CLI::Option* option : render.get_options()) {
+    const std::string& group = option->get_group();
+    const bool is_other = arguments.is_volume ? group == stream_group
+                                              : group == volume_group || group == surface_group;
+    if (option->count() > 0 && is_other)
       throw CLI::ValidationError(
           option->get_name(),
-          std::string(option->get_group() == stream_group ? "is for streams" : "is for volumes") +
-              ", and " + arguments.input + " is " + name_of(arguments.kind) + ": leave it out");
-  if (arguments.kind == InputKind::volume && arguments.reading.isos.empty())
+          (arguments.is_volume ? "is for streams, and " + arguments.input + " is a volume"
+                               : "is for volumes, and " + arguments.input + " is a stream") +
+              ": leave it out");
+  }
+  if (arguments.is_volume && arguments.reading.isos.empty())
     throw CLI::ValidationError(arguments.input,
                                "a volume is drawn at a threshold: give --iso VALUE");
 }
@@ -81,8 +74,7 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments) {
   add_named_option(app, "--shade", arguments.smooth,
                    NamedValues<bool>{{"flat", false}, {"smooth", true}},
                    "flat: every face in one colour (default); smooth: by the normals of vertices");
-  app.add_flag("--edges", arguments.outlines,
-               "outline the faces: of a stream or a volume its merged polygons");
+  app.add_flag("--edges", arguments.outlines, "outline the faces: the merged polygons");
 }
 
 void add_classic_option(CLI::App& app, bool& classic) {
@@ -97,12 +89,10 @@ void add_classic_option(CLI::App& app, bool& classic) {
 
 Command add_render(CLI::App& app) {
   const auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* render =
-      app.add_subcommand("render", "Draw a stream, a mesh or a volume as a PNG picture");
+  CLI::App* render = app.add_subcommand("render", "Draw a stream or a volume as a PNG picture");
   render
       ->add_option("INPUT", arguments->input,
-                   "a .dmc stream (- reads standard input), a .ply, .obj or .stl mesh, or a volume "
-                   "as extract takes it")
+                   "a .dmc stream (- reads standard input), or a volume as extract takes it")
       ->required();
   render->add_option("-o,--output", arguments->output, "the PNG file; - is standard output")
       ->check(png_name())
@@ -113,7 +103,7 @@ Command add_render(CLI::App& app) {
   add_surface_options(*render, arguments->reading);
   add_classic_option(*render, arguments->classic);
   render->callback([arguments, render] {
-    arguments->kind = kind_of(arguments->input, !arguments->reading.isos.empty());
+    arguments->is_volume = is_volume(arguments->input, !arguments->reading.isos.empty());
     check_kind(*render, *arguments);
     if (arguments->view == std::vector<double>{0, 0, 0})
       throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");

@@ -61,12 +61,10 @@ struct StreamArguments {
   bool conforming = true;
 };
 
-enum class InputKind { stream, mesh, volume };
-
 /// Of `render`.
 struct RenderArguments {
   std::string input;
-  InputKind kind = InputKind::stream;
+  bool is_volume = false;  ///< or a stream
   StreamChoice choice;
   VolumeArguments reading;
   bool classic = false;

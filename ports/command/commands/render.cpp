@@ -1,9 +1,8 @@
-// discmc render: a picture of a stream, a mesh or a volume.
+// discmc render: a picture of a stream or a volume.
 #include "commands.hpp"
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/extraction.hpp"
-#include "mesh_files/mesh_reader.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
@@ -56,10 +55,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
 int run_render(const RenderArguments& arguments) {
   Mesh mesh;
   int code = exit_ok;
-  if (arguments.kind == InputKind::mesh) {
-    mesh = read_mesh(arguments.input);
-    if (arguments.smooth) mesh = triangulated(mesh);
-  } else if (arguments.kind == InputKind::volume) {
+  if (arguments.is_volume) {
     mesh = volume_to_draw(arguments);
   } else {
     const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);

@@ -58,10 +58,6 @@ Point face_normal(const Mesh& mesh, std::size_t face);
 /// Drops the vertices at which a ring goes straight on. Units: half-steps.
 Ring corners_of(const Ring& ring);
 
-/// The mesh with every face of more than three corners cut into triangles that keep the number of
-/// its polygon. Faces need not be convex; one that crosses itself is cut into a fan.
-Mesh triangulated(const Mesh& mesh);
-
 /// What is wrong with a mesh. A closed mesh has zero everywhere but in `edges`.
 struct MeshReport {
   std::size_t edges = 0;               ///< undirected
