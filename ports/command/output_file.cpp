@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "mesh_files/mesh_files.hpp"
-
 namespace discmc::host {
 namespace {
 
@@ -32,18 +30,6 @@ void set_unfinished(const std::string& file) {
 }
 
 }  // namespace
-
-Format format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (path == "-" || extension == ".dmc") return Format::stream;
-  if (extension == ".obj") return Format::obj;
-  if (extension == ".ply") return Format::ply;
-  if (extension == ".stl") return Format::stl;
-  if (extension == ".jsonl") return Format::jsonl;
-  throw std::invalid_argument(path.string() + ": cannot tell a format from \"" + extension +
-                              "\": use .dmc, .obj, .ply, .stl or .jsonl");
-}
 
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   if (is_standard_output()) return;
@@ -84,19 +70,6 @@ void OutputFile::commit() {
   if (error) throw std::runtime_error(path_.string() + ": cannot be replaced: " + error.message());
   is_committed_ = true;
   set_unfinished({});
-}
-
-void write_surface(const Surface& surface, Format format, bool conforming,
-                   const std::function<void(Mesh&)>& add_normals, std::ostream& out) {
-  if (format == Format::stream)
-    throw std::invalid_argument("a stream is not written from a surface");
-  if (format == Format::jsonl) return write_jsonl(surface, out);
-  const Faces faces = format == Format::stl ? Faces::triangles : Faces::polygons;
-  Mesh mesh = build_mesh(surface, {conforming, faces});
-  if (add_normals) add_normals(mesh);
-  if (format == Format::obj) write_obj(mesh, out);
-  if (format == Format::ply) write_ply(mesh, out);
-  if (format == Format::stl) write_stl(mesh, out);
 }
 
 }  // namespace discmc::host

@@ -167,6 +167,35 @@ TEST_CASE("without the vertices of neighbours meshes are smaller and enclose the
   }
 }
 
+TEST_CASE("faces are triangles, and polygons where they are asked for and the format holds them") {
+  const Workshop workshop;
+  const BitVolume volume = box({5, 5, 5}, {1, 1, 1}, {3, 3, 3});
+  workshop.write("v.nrrd", volume);
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  for (const std::string& format : meshes) {
+    workshop.done("decode v.dmc -o v." + format);
+    const std::string triangles = workshop.read("v." + format);
+    const Mesh mesh = mesh_of("v." + format, triangles);
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) CHECK(mesh.face_size(face) == 3);
+    workshop.done("decode v.dmc --faces triangles -o v." + format);
+    CHECK(workshop.read("v." + format) == triangles);
+  }
+  for (const std::string format : {"obj", "ply"}) {
+    workshop.done("decode v.dmc --faces polygons -o v." + format);
+    const std::string polygons = workshop.read("v." + format);
+    const Mesh mesh = mesh_of("v." + format, polygons);
+    CHECK(check_mesh(mesh).closed());
+    CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
+    CHECK(std::to_string(mesh.face_count()) == workshop.info("v.dmc")["regions"]);
+    workshop.done("extract v.nrrd --iso 100 -q --faces polygons -o v." + format);
+    CHECK(workshop.read("v." + format) == polygons);
+  }
+  for (const std::string command : {"extract v.nrrd --iso 100", "decode v.dmc"})
+    for (const std::string name : {"no.stl", "no.dmc"})
+      check_failure(workshop.run(command + " --faces polygons -o " + name), 2,
+                    {"--faces", name, ".obj, .ply or .jsonl"});
+}
+
 TEST_CASE("iso is in the units that the file declares") {
   const Workshop workshop;
   const std::string samples = volume_files::stored(volume_files::SampleType::u8);

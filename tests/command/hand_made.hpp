@@ -147,11 +147,12 @@ inline Surface leaning_wall() {
   return surface;
 }
 
-// A level strip with a saw-tooth side: one polygon of more than 256 corners, open.
-inline Surface saw() {
+// A level strip with a saw-tooth side: one polygon of so many corners, an odd number, open.
+inline Surface saw(int count) {
+  const int last = count - 3;
   std::vector<Vertex> corners;
-  for (int i = 0; i <= 300; ++i) corners.push_back({1 + i, i % 2, 0});
-  corners.push_back({301, 4, 0});
+  for (int i = 0; i <= last; ++i) corners.push_back({1 + i, i % 2, 0});
+  corners.push_back({1 + last, 4, 0});
   corners.push_back({1, 4, 0});
   return Surface{{2, 2, 2}, {polygon({0, 0, 1}, {corners})}};
 }

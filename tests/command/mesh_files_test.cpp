@@ -69,7 +69,7 @@ void check_point(Bytes& bytes, const Point& expected) {
   for (const double coordinate : expected) CHECK(bytes.real() == static_cast<float>(coordinate));
 }
 
-void check_ply(const Mesh& mesh, const std::string& count_type, int count_bytes) {
+void check_ply(const Mesh& mesh) {
   std::ostringstream out;
   write_ply(mesh, out);
   const std::string file = out.str();
@@ -77,13 +77,12 @@ void check_ply(const Mesh& mesh, const std::string& count_type, int count_bytes)
       "ply\nformat binary_little_endian 1.0\ncomment discmc, millimetres\nelement vertex " +
       std::to_string(mesh.vertices_mm.size()) +
       "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-      std::to_string(mesh.face_count()) + "\nproperty list " + count_type +
-      " int vertex_indices\nend_header\n";
+      std::to_string(mesh.face_count()) + "\nproperty list uchar int vertex_indices\nend_header\n";
   REQUIRE(file.substr(0, header.size()) == header);
   Bytes bytes(file, header.size());
   for (const Point& vertex : mesh.vertices_mm) check_point(bytes, vertex);
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    REQUIRE(bytes.integer(count_bytes) == mesh.face_size(face));
+    REQUIRE(bytes.integer(1) == mesh.face_size(face));
     for (std::size_t i = 0; i < mesh.face_size(face); ++i)
       CHECK(bytes.integer(4) == mesh.face(face)[i]);
   }
@@ -124,11 +123,18 @@ TEST_CASE("an OBJ file reads back exactly") {
   CHECK(face_begin == scaled.face_begin);
 }
 
-TEST_CASE("a PLY file reads back, with wide counts only for large faces") {
-  check_ply(build_mesh(box_with_hole({0.3, 0.3, -1.5})), "uchar", 1);
-  const Mesh saw_mesh = build_mesh(saw());
-  REQUIRE(saw_mesh.face_size(0) == 303);
-  check_ply(saw_mesh, "uint", 4);
+TEST_CASE("a PLY file reads back, its corners counted by a byte") {
+  check_ply(build_mesh(box_with_hole({0.3, 0.3, -1.5})));
+  check_ply(build_mesh(saw(255)));
+}
+
+TEST_CASE("PLY refuses what a byte cannot count") {
+  Mesh mesh = build_mesh(saw(255));
+  mesh.corners.push_back(0);
+  ++mesh.face_begin.back();
+  std::ostringstream out;
+  CHECK_THROWS_AS(write_ply(mesh, out), std::invalid_argument);
+  CHECK(out.str().empty());
 }
 
 TEST_CASE("an STL file reads back, with unit normals that look outside") {

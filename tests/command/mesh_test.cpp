@@ -84,6 +84,17 @@ TEST_CASE("polygons with holes are triangulated, the others stay whole") {
   }
 }
 
+TEST_CASE(
+    "a polygon of more corners than a byte can count is triangulated, one of as many stays whole") {
+  const Mesh whole = build_mesh(saw(255), {true, Faces::polygons});
+  CHECK(whole.face_count() == 1);
+  CHECK(whole.face_size(0) == 255);
+  const Mesh cut = build_mesh(saw(257), {true, Faces::polygons});
+  CHECK(cut.vertices_mm.size() == 257);
+  CHECK(cut.face_count() == 257 - 2);
+  CHECK(check_mesh(cut).open_edges == 257);
+}
+
 TEST_CASE("faces look outside whichever way the axes run") {
   for (const double x : {1.0, -1.0})
     for (const double y : {2.0, -2.0})

@@ -163,15 +163,15 @@ TEST_CASE("what has no normals of vertices is refused before anything is read") 
     for (const std::string name : {"no.stl", "no.jsonl"}) {
       for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
         check_refusal(workshop, 2, command + " -o " + name + normals,
-                      {"--normals", name, ".ply or .obj"});
+                      {"--normals", name, ".obj or .ply"});
     }
     for (const std::string output : {" -o no.dmc", " -o -"})
       check_refusal(workshop, 2, "decode no.dmc" + output + normals,
-                    {"--normals", "stream", ".ply or .obj"});
+                    {"--normals", "stream", ".obj or .ply"});
   }
   for (const std::string output : {"", " -o no.dmc", " -o -"})
     check_refusal(workshop, 2, "extract no.nrrd --iso 1 --normals surface" + output,
-                  {"--normals", "stream", "--normals gradient", ".ply or .obj"});
+                  {"--normals", "stream", "--normals gradient", ".obj or .ply"});
   for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
     check_refusal(workshop, 2, command + " -o no.ply --normals smooth", {"--normals", "smooth"});
 }

@@ -11,6 +11,7 @@ namespace discmc::host {
 namespace {
 
 void check(const StreamArguments& arguments) {
+  check_faces(arguments.mesh.faces, arguments.output);
   check_normals(arguments.normals, arguments.output, false);
   if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
     throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
@@ -27,7 +28,7 @@ Command add_decode(CLI::App& app) {
   add_choice_options(*decode, arguments->choice);
   add_normals_option(*decode, arguments->normals,
                      "those that the stream tells, or from the samples of --volume");
-  add_conforming_option(*decode, arguments->conforming);
+  add_mesh_options(*decode, arguments->mesh);
   add_layout_options(*decode, arguments->layout);
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the file that the stream was made of, for --normals "

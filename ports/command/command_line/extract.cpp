@@ -3,9 +3,9 @@
 
 #include "command_line.hpp"
 #include "commands/commands.hpp"
+#include "mesh_files/file_format.hpp"
 #include "mesh_options.hpp"
 #include "named_values.hpp"
-#include "output_file.hpp"
 #include "stream_options.hpp"
 #include "surface_options.hpp"
 #include "volume_options.hpp"
@@ -40,6 +40,7 @@ void check_wire(const ExtractArguments& arguments) {
 }
 
 void check(const ExtractArguments& arguments) {
+  check_faces(arguments.mesh.faces, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_isos(arguments);
   check_wire(arguments);
@@ -81,7 +82,7 @@ Command add_extract(CLI::App& app) {
       "times: a surface each, on channels of the stream");
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
-  add_conforming_option(*extract, arguments->conforming);
+  add_mesh_options(*extract, arguments->mesh);
   add_wire_options(*extract, *arguments);
   extract->callback([arguments] { check(*arguments); });
   return {extract, [arguments] { return run_extract(*arguments); }};

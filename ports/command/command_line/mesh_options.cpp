@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "mesh_files/file_format.hpp"
 #include "named_values.hpp"
-#include "output_file.hpp"
 
 namespace discmc::host {
 namespace {
@@ -27,7 +27,7 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
                                const std::string& standard_output) {
   return app
       .add_option("-o,--output", output,
-                  "by extension .dmc, .obj, .ply, .stl or .jsonl; - is " + standard_output)
+                  "by extension " + extensions() + "; - is " + standard_output)
       ->check(known_format());
 }
 
@@ -37,30 +37,40 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
       app, "--normals", normals,
       NamedValues<Normals>{
           {"none", Normals::none}, {"surface", Normals::surface}, {"gradient", Normals::gradient}},
-      "at the vertices of a .ply or .obj mesh: none (default); surface: from the "
-      "polygons that meet there, by area; gradient: " +
+      "at the vertices of a mesh (" + extensions(&FormatTraits::holds_normals) +
+          "): none (default); surface: from the polygons that meet there, by area; gradient: " +
           gradient);
 }
 
-void add_conforming_option(CLI::App& app, bool& conforming) {
+void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
   app.option_defaults()->group(mesh_group);
-  app.add_flag("--conforming,!--no-conforming", conforming,
+  add_named_option(
+      app, "--faces", mesh.faces,
+      NamedValues<Faces>{{"triangles", Faces::triangles}, {"polygons", Faces::polygons}},
+      "triangles (default), which every program reads; polygons: the merged ones, of up to " +
+          std::to_string(max_face_corners) + " corners, for programs that take them as they are");
+  app.add_flag("--conforming,!--no-conforming", mesh.conforming,
                "a mesh without T-junctions (default), or corners alone");
+}
+
+void check_faces(Faces faces, const std::string& output) {
+  if (faces == Faces::triangles || traits_of(format_of(output)).holds_polygons) return;
+  throw CLI::ValidationError("--faces", output + " cannot hold polygons: leave it out, or give a " +
+                                            extensions(&FormatTraits::holds_polygons) + " name");
 }
 
 void check_normals(Normals normals, const std::string& output, bool has_samples) {
   if (normals == Normals::none) return;
   const Format format = format_of(output);
-  if (format == Format::ply || format == Format::obj) return;
+  if (traits_of(format).holds_normals) return;
   if (format == Format::stream && normals == Normals::gradient && has_samples) return;
+  const std::string name = "a " + extensions(&FormatTraits::holds_normals) + " name";
   throw CLI::ValidationError(
       "--normals",
-      format != Format::stream
-          ? output + " cannot hold normals of vertices: give a .ply or .obj name"
-      : has_samples ? "a stream holds normals of the gradient alone: give --normals gradient, or "
-                      "a .ply or .obj name"
-                    : "a stream keeps the normals that it has: leave it out, or give a .ply or "
-                      ".obj name");
+      (format != Format::stream ? output + " cannot hold normals of vertices: give "
+       : has_samples ? "a stream holds normals of the gradient alone: give --normals gradient, or "
+                     : "a stream keeps the normals that it has: leave it out, or give ") +
+          name);
 }
 
 }  // namespace discmc::host

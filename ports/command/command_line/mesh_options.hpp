@@ -18,8 +18,11 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
 /// --normals. gradient: where those of the gradient come from.
 void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient);
 
-/// --conforming.
-void add_conforming_option(CLI::App& app, bool& conforming);
+/// --faces and --conforming.
+void add_mesh_options(CLI::App& app, MeshOptions& mesh);
+
+/// Only some formats hold polygons. Throws: CLI::ValidationError.
+void check_faces(Faces faces, const std::string& output);
 
 /// Only some formats hold normals of vertices. Throws: CLI::ValidationError.
 void check_normals(Normals normals, const std::string& output, bool has_samples);

@@ -9,6 +9,7 @@
 
 #include <discmc/limits.hpp>
 
+#include "meshes/mesh.hpp"
 #include "streams/stream_file.hpp"
 #include "volumes/volume.hpp"
 
@@ -46,7 +47,7 @@ struct ExtractArguments {
   Wire wire = Wire::regions;
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
   std::uint16_t scan = 0;        ///< the number in a stream
-  bool conforming = true;
+  MeshOptions mesh{true, Faces::triangles};
   bool quiet = false;
 };
 
@@ -58,7 +59,7 @@ struct StreamArguments {
   Normals normals = Normals::none;
   std::string volume;  ///< whose gradient it is
   LayoutArguments layout;
-  bool conforming = true;
+  MeshOptions mesh{true, Faces::triangles};
 };
 
 /// Of `render`.

@@ -93,7 +93,7 @@ int run_decode(const StreamArguments& arguments) {
   } else {
     const DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
     write_surface(
-        decoded.surface, format, arguments.conforming,
+        decoded.surface, format, arguments.mesh,
         [&](Mesh& mesh) { add_normals(arguments, decoded, mesh); }, file);
     report = decoded.report;
   }

@@ -132,7 +132,7 @@ int run_extract(const ExtractArguments& arguments) {
     Surface& surface = surfaces[0].builder.surface();
     surface.spacing_mm = info.spacing_mm;
     write_surface(
-        surface, format, arguments.conforming,
+        surface, format, arguments.mesh,
         [&](Mesh& mesh) { add_normals(arguments, surface, mesh); }, file);
   }
   file.commit();

@@ -2,15 +2,19 @@
 
 #include <stdexcept>
 
+#include "mesh_files/mesh_files.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
 
 namespace discmc::host {
 
-void write_surface(const Surface& surface, Format format, bool conforming,
+void write_surface(const Surface& surface, Format format, const MeshOptions& options,
                    const std::function<void(Mesh&)>& add_normals, OutputFile& file) {
   try {
-    write_surface(surface, format, conforming, add_normals, file.stream());
+    if (format == Format::jsonl) return write_jsonl(surface, file.stream());
+    Mesh mesh = build_mesh(surface, options);
+    add_normals(mesh);
+    write_mesh(mesh, format, file.stream());
   } catch (const std::runtime_error&) {
     if (!file.stream()) file.commit();  // throws
     throw;

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "mesh_files/file_format.hpp"
 #include "meshes/mesh.hpp"
 #include "output_file.hpp"
 #include "surface/surface.hpp"
@@ -11,8 +12,10 @@
 
 namespace discmc::host {
 
-/// Writes a surface to the file; what goes wrong is told with its name.
-void write_surface(const Surface& surface, Format format, bool conforming,
+/// Writes a surface to the file, as a mesh or as lines of polygons; what goes wrong is told with
+/// the file's name. add_normals: called with a mesh before it is written. Limit: not
+/// Format::stream.
+void write_surface(const Surface& surface, Format format, const MeshOptions& options,
                    const std::function<void(Mesh&)>& add_normals, OutputFile& file);
 
 /// A second pass over the volume of a mesh.

@@ -7,17 +7,22 @@
 
 #include <ostream>
 
+#include "file_format.hpp"
 #include "meshes/mesh.hpp"
 
 namespace discmc::host {
 
-/// Wavefront OBJ, n-gons, exact decimal coordinates. Units: millimetres.
-/// Many readers cut n-gons into fans, which is wrong where they are not convex: give those
-/// triangles. Every vertex has its normal, where the mesh has normals.
+/// By the writer of the format, of those below that take a mesh; otherwise std::invalid_argument.
+void write_mesh(const Mesh& mesh, Format format, std::ostream& out);
+
+/// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
+/// the mesh has normals.
 void write_obj(const Mesh& mesh, std::ostream& out);
 
-/// PLY, binary little endian, n-gons, coordinates as 32-bit floats, and so are normals, where the
-/// mesh has them. Units: millimetres.
+/// PLY, binary little endian, coordinates as 32-bit floats, and so are normals, where the mesh has
+/// them. Units: millimetres.
+/// Limit: faces of max_face_corners, otherwise std::invalid_argument: corners are counted by a
+/// byte, as every reader takes it.
 void write_ply(const Mesh& mesh, std::ostream& out);
 
 /// Binary STL, coordinates as 32-bit floats. Units: millimetres.

@@ -120,7 +120,8 @@ class Builder {
   void add_polygon(std::uint32_t polygon, Incidence incidence,
                    const std::vector<std::vector<std::uint32_t>>& rings) {
     try {
-      if (rings.size() != 1 || options_.faces == Faces::triangles)
+      if (rings.size() != 1 || rings[0].size() > max_face_corners ||
+          options_.faces == Faces::triangles)
         add_triangles(polygon, incidence, rings);
       else if (rings[0].size() < 3)
         throw std::invalid_argument("ring of less than three corners");

@@ -11,8 +11,11 @@
 
 namespace discmc::host {
 
+/// What a byte can count, as in PLY files.
+constexpr std::size_t max_face_corners = 255;
+
 enum class Faces {
-  polygons,   ///< n-gons; only polygons with holes are triangulated
+  polygons,   ///< n-gons; polygons with holes or more than max_face_corners are triangulated
   triangles,  ///< triangles only
 };
 

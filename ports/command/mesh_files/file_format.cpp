@@ -1,0 +1,44 @@
+#include "file_format.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+namespace discmc::host {
+namespace {
+
+constexpr FormatTraits all_formats[] = {
+    // extension, polygons, normals
+    {Format::stream, ".dmc", false, false}, {Format::obj, ".obj", true, true},
+    {Format::ply, ".ply", true, true},      {Format::stl, ".stl", false, false},
+    {Format::jsonl, ".jsonl", true, false},
+};
+
+}  // namespace
+
+Format format_of(const std::filesystem::path& path) {
+  std::string extension = path == "-" ? ".dmc" : path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const FormatTraits& traits : all_formats)
+    if (extension == traits.extension) return traits.format;
+  throw std::invalid_argument(path.string() + ": cannot tell a format from \"" + extension +
+                              "\": use " + extensions());
+}
+
+const FormatTraits& traits_of(Format format) {
+  return *std::find_if(std::begin(all_formats), std::end(all_formats),
+                       [format](const FormatTraits& traits) { return traits.format == format; });
+}
+
+std::string extensions(bool FormatTraits::*holds) {
+  std::vector<std::string> names;
+  for (const FormatTraits& traits : all_formats)
+    if (holds == nullptr || traits.*holds) names.emplace_back(traits.extension);
+  std::string list = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i)
+    list += (i + 1 == names.size() ? " or " : ", ") + names[i];
+  return list;
+}
+
+}  // namespace discmc::host

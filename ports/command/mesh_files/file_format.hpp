@@ -1,0 +1,31 @@
+// Formats of the files that a command writes, told by their names.
+#ifndef DISCMC_COMMAND_MESH_FILES_FILE_FORMAT_HPP
+#define DISCMC_COMMAND_MESH_FILES_FILE_FORMAT_HPP
+
+#include <filesystem>
+#include <string>
+
+namespace discmc::host {
+
+enum class Format { stream, obj, ply, stl, jsonl };
+
+/// What a format can hold.
+struct FormatTraits {
+  Format format;
+  const char* extension;
+  bool holds_polygons;  ///< faces of more than three corners
+  bool holds_normals;   ///< of vertices
+};
+
+/// By the extension; "-" is the stream on standard output. Throws std::invalid_argument with the
+/// extensions that are known.
+Format format_of(const std::filesystem::path& path);
+
+const FormatTraits& traits_of(Format format);
+
+/// The extensions of all formats, as ".obj, .ply or .stl"; or only of those that hold something.
+std::string extensions(bool FormatTraits::*holds = nullptr);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,35 @@
+#include <cstdint>
+#include <stdexcept>
+
+#include "mesh_files.hpp"
+#include "writer.hpp"
+
+namespace discmc::host {
+
+void write_ply(const Mesh& mesh, std::ostream& out) {
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    if (mesh.face_size(face) > max_face_corners)
+      throw std::invalid_argument("a face of more corners than PLY counts in a byte");
+  Writer writer(out);
+  writer.text("ply\nformat binary_little_endian 1.0\ncomment ");
+  writer.text(header_text);
+  writer.text("\nelement vertex ");
+  writer.decimal(mesh.vertices_mm.size());
+  writer.text("\nproperty float x\nproperty float y\nproperty float z");
+  if (!mesh.normals.empty())
+    writer.text("\nproperty float nx\nproperty float ny\nproperty float nz");
+  writer.text("\nelement face ");
+  writer.decimal(mesh.face_count());
+  writer.text("\nproperty list uchar int vertex_indices\nend_header\n");
+  for (std::size_t vertex = 0; vertex < mesh.vertices_mm.size(); ++vertex) {
+    writer.point(mesh.vertices_mm[vertex]);
+    if (!mesh.normals.empty()) writer.point(mesh.normals[vertex]);
+  }
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    writer.bytes(mesh.face_size(face), 1);
+    for (std::size_t i = 0; i < mesh.face_size(face); ++i) writer.bytes(mesh.face(face)[i], 4);
+  }
+  writer.finish();
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,28 @@
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "mesh_files.hpp"
+#include "writer.hpp"
+
+namespace discmc::host {
+
+void write_stl(const Mesh& mesh, std::ostream& out) {
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    if (mesh.face_size(face) != 3) throw std::invalid_argument("STL takes triangles only");
+  if (mesh.face_count() > 0xFFFFFFFFu) throw std::invalid_argument("too many triangles for STL");
+  Writer writer(out);
+  std::string header = "binary STL, ";  // "solid" would announce text
+  header += header_text;
+  header.resize(80, ' ');
+  writer.text(header);
+  writer.bytes(mesh.face_count(), 4);
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    writer.point(face_normal(mesh, face));
+    for (std::size_t i = 0; i < 3; ++i) writer.point(mesh.vertices_mm[mesh.face(face)[i]]);
+    writer.bytes(0, 2);
+  }
+  writer.finish();
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,57 @@
+// What the writers of mesh files share: numbers as text and as bytes, and what a file says of
+// itself. Internal to the writers.
+#ifndef DISCMC_COMMAND_MESH_FILES_WRITER_HPP
+#define DISCMC_COMMAND_MESH_FILES_WRITER_HPP
+
+#include <charconv>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "meshes/point.hpp"
+
+namespace discmc::host {
+
+/// What every file says of itself, in a comment or where its format has a place for such text.
+constexpr std::string_view header_text = "discmc, millimetres";
+
+/// Collects small writes, and makes a failing stream a std::runtime_error.
+class Writer {
+ public:
+  explicit Writer(std::ostream& out) : out_(out) { buffer_.reserve(full + 64); }
+
+  void text(std::string_view text) {
+    buffer_ += text;
+    if (buffer_.size() >= full) flush();
+  }
+
+  /// The shortest decimal that reads back as the same value.
+  template <typename Number>
+  void decimal(Number value) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    text({digits, static_cast<std::size_t>(end - digits)});
+  }
+
+  /// The lowest bytes of a value, little endian.
+  void bytes(std::uint64_t value, int count);
+
+  /// Three 32-bit floats, little endian.
+  void point(const Point& point);
+
+  /// Call last; what is still collected is lost otherwise.
+  void finish();
+
+ private:
+  static constexpr std::size_t full = 1 << 16;
+
+  void flush();
+
+  std::ostream& out_;
+  std::string buffer_;
+};
+
+}  // namespace discmc::host
+
+#endif
