@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_line/command_line.hpp"
+#include "command_line/help.hpp"
 #include "command_line/usage_error.hpp"
 #include "commands/exit_codes.hpp"
 
@@ -17,10 +18,16 @@ int run(int argc, char** argv) {
       "Surfaces of scanned volumes by Discretized Marching Cubes, merged while they stream",
       "discmc"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", DISCMC_VERSION);
-  app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
+  app.set_help_flag("-h,--help", "print this help");
+  app.set_version_flag("--version", DISCMC_VERSION, "print the version");
+  app.formatter_fn([](const CLI::App* command, const std::string&, CLI::AppFormatMode) {
+    return help(outline_of(*command));
+  });
   app.failure_message(usage_error);
   const std::vector<Command> commands = add_commands(app);
+  app.footer(
+      "discmc COMMAND --help tells the options of a command.\n"
+      "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -32,8 +32,12 @@ Command add_decode(CLI::App& app) {
   add_layout_options(*decode, arguments->layout);
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the file that the stream was made of, for --normals "
-                                           "gradient (default: what the stream tells of it)");
+                                           "gradient (default: the normals in the stream)");
   decode->get_option("--dims")->needs(volume);
+  decode->footer(
+      "Examples:\n"
+      "  discmc decode head.dmc -o head.ply\n"
+      "  discmc decode head.dmc --normals gradient --volume head.nii.gz -o head.obj");
   decode->callback([arguments] { check(*arguments); });
   return {decode, [arguments] { return run_decode(*arguments); }};
 }

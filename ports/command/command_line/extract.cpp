@@ -52,16 +52,17 @@ void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
   add_named_option(
       app, "--wire", arguments.wire,
       NamedValues<Wire>{{"regions", Wire::regions}, {"slices", Wire::slices}},
-      "what a .dmc stream holds: regions (default), final as they come; or slices, the bits of "
-      "the volume, in a tenth of the bytes");
+      "what a .dmc stream holds; regions: polygons, final as they come; slices: the bits of the "
+      "volume, in a tenth of the bytes");
   app.add_option("--key-slices", arguments.key_slices,
-                 "with --wire slices: every N slices one that needs none before it, for who has "
-                 "lost some (default: the first alone)")
+                 "with --wire slices: every N slices one that is read without those before it, "
+                 "where some are lost (default: the first alone)")
       ->check(CLI::Range(std::uint32_t{1}, Limits::max_slices))
       ->option_text("N");
   app.add_option("--scan", arguments.scan,
-                 "a number for the scan, by which streams on one link are told apart (default: 0)")
-      ->option_text("N");
+                 "number of the scan, by which streams on one link are told apart")
+      ->option_text("N")
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -74,16 +75,20 @@ Command add_extract(CLI::App& app) {
                    "NRRD, NIfTI-1 or MetaImage file, or headerless samples with --dims and --type")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
-  extract->add_flag("-q,--quiet", arguments->quiet, "no table");
+  extract->add_flag("-q,--quiet", arguments->quiet, "print no table");
   add_volume_options(*extract, arguments->reading.layout);
   add_surface_options(*extract, arguments->reading);
   extract->get_option("--iso")->required()->expected(1, -1)->allow_extra_args(false)->description(
-      "on means value >= ISO, in the units that the file declares; given up to 4 "
-      "times: a surface each, on channels of the stream");
+      "the threshold, in the units of the file: a voxel is on if its value is >= ISO; given up "
+      "to 4 times: a surface each, on channels of the stream");
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
   add_mesh_options(*extract, arguments->mesh);
   add_wire_options(*extract, *arguments);
+  extract->footer(
+      "Examples:\n"
+      "  discmc extract head.nii.gz --iso 300 -o head.stl\n"
+      "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
   extract->callback([arguments] { check(*arguments); });
   return {extract, [arguments] { return run_extract(*arguments); }};
 }

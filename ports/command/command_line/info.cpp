@@ -12,6 +12,9 @@ Command add_info(CLI::App& app) {
   CLI::App* info = app.add_subcommand("info", "Tell what a stream holds, one key and value a line");
   info->add_option("STREAM", arguments->stream, "a .dmc file; - reads standard input")->required();
   add_choice_options(*info, arguments->choice);
+  info->footer(
+      "Examples:\n"
+      "  discmc info head.dmc");
   return {info, [arguments] { return run_info(*arguments); }};
 }
 

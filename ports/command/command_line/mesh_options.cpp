@@ -27,7 +27,7 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
                                const std::string& standard_output) {
   return app
       .add_option("-o,--output", output,
-                  "by extension " + extensions() + "; - is " + standard_output)
+                  "the file to write, by extension " + extensions() + "; - is " + standard_output)
       ->check(known_format());
 }
 
@@ -38,8 +38,7 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
       NamedValues<Normals>{
           {"none", Normals::none}, {"surface", Normals::surface}, {"gradient", Normals::gradient}},
       "at the vertices of a mesh (" + extensions(&FormatTraits::holds_normals) +
-          "): none (default); surface: from the polygons that meet there, by area; gradient: " +
-          gradient);
+          "); surface: from the polygons that meet there, by area; gradient: " + gradient);
 }
 
 void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
@@ -47,10 +46,10 @@ void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
   add_named_option(
       app, "--faces", mesh.faces,
       NamedValues<Faces>{{"triangles", Faces::triangles}, {"polygons", Faces::polygons}},
-      "triangles (default), which every program reads; polygons: the merged ones, of up to " +
+      "triangles, which every program reads; polygons: the merged ones, of up to " +
           std::to_string(max_face_corners) + " corners, for programs that take them as they are");
   app.add_flag("--conforming,!--no-conforming", mesh.conforming,
-               "a mesh without T-junctions (default), or corners alone");
+               "a mesh without T-junctions (default), or with corners alone");
 }
 
 void check_faces(Faces faces, const std::string& output) {

@@ -55,32 +55,37 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments) {
       ->delimiter(',')
       ->expected(3)
       ->check(finite())
-      ->option_text("X,Y,Z");
-  app.add_option("--size", arguments.size, "of the picture, in pixels (default: 1024,1024)")
+      ->option_text("X,Y,Z")
+      ->capture_default_str();
+  app.add_option("--size", arguments.size, "of the picture, in pixels")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1, 8192))
-      ->option_text("W,H");
-  app.add_option("--zoom", arguments.zoom, "times nearer than what shows all (default: 1)")
+      ->option_text("W,H")
+      ->capture_default_str();
+  app.add_option("--zoom", arguments.zoom, "times nearer than what shows all")
       ->check(finite())
       ->check(CLI::Range(1e-3, 1e3))
-      ->option_text("FACTOR");
-  app.add_option("--at", arguments.at,
-                 "the point in the middle of the picture, in millimetres as in meshes")
+      ->option_text("FACTOR")
+      ->capture_default_str();
+  app.add_option(
+         "--at", arguments.at,
+         "point in the middle of the picture, in millimetres as in meshes (default: the middle of "
+         "the surface)")
       ->delimiter(',')
       ->expected(3)
       ->check(finite())
       ->option_text("X,Y,Z");
   add_named_option(app, "--shade", arguments.smooth,
                    NamedValues<bool>{{"flat", false}, {"smooth", true}},
-                   "flat: every face in one colour (default); smooth: by the normals of vertices");
+                   "flat: every face in one colour; smooth: by the normals of vertices");
   app.add_flag("--edges", arguments.outlines, "outline the faces: the merged polygons");
 }
 
 void add_classic_option(CLI::App& app, bool& classic) {
   app.option_defaults()->group(surface_group);
   app.add_flag("--classic", classic,
-               "triangles of classic Marching Cubes, with interpolated vertices, for comparison")
+               "triangles of classic Marching Cubes, with interpolated vertices, to compare")
       ->excludes("--memory")
       ->excludes("--capacities");
 }
@@ -94,7 +99,8 @@ Command add_render(CLI::App& app) {
       ->add_option("INPUT", arguments->input,
                    "a .dmc stream (- reads standard input), or a volume as extract takes it")
       ->required();
-  render->add_option("-o,--output", arguments->output, "the PNG file; - is standard output")
+  render
+      ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")
       ->check(png_name())
       ->required();
   add_picture_options(*render, *arguments);
@@ -102,6 +108,10 @@ Command add_render(CLI::App& app) {
   add_volume_options(*render, arguments->reading.layout);
   add_surface_options(*render, arguments->reading);
   add_classic_option(*render, arguments->classic);
+  render->footer(
+      "Examples:\n"
+      "  discmc render head.dmc --edges -o head.png\n"
+      "  discmc render head.nii.gz --iso 300 --shade smooth -o head.png");
   render->callback([arguments, render] {
     arguments->is_volume = is_volume(arguments->input, !arguments->reading.isos.empty());
     check_kind(*render, *arguments);

@@ -20,17 +20,19 @@ void add_layout_options(CLI::App& app, LayoutArguments& arguments) {
       "samples of a headerless file");
   dims->needs(type);
   type->needs(dims);
-  app.add_flag("--big-endian", arguments.big_endian, "byte order of a headerless file")
+  app.add_flag("--big-endian", arguments.big_endian,
+               "a headerless file has the high byte of a sample first")
       ->needs(dims);
 }
 
 void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
   add_layout_options(app, arguments);
   app.add_option("--spacing", arguments.spacing,
-                 "of a headerless file, in millimetres (default: 1,1,1)")
+                 "distances of voxels in a headerless file, in millimetres")
       ->delimiter(',')
       ->expected(3)
       ->option_text("X,Y,Z")
+      ->default_str("1,1,1")
       ->check(usable_spacing())
       ->needs("--dims");
 }

@@ -1,0 +1,72 @@
+// What discmc --help tells.
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+
+const std::vector<std::string> commands = {"extract", "decode", "info", "render"};
+
+std::string help_of(const std::string& command) {
+  return Workshop().done(command + " --help");
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("help lists the commands, and of a command the options under headings") {
+  const std::string all = Workshop().done("--help");
+  for (const std::string& command : commands) CHECK(contains(all, "\n  " + command + "  "));
+  const std::string extract = help_of("extract");
+  std::size_t at = 0;
+  for (const char* part :
+       {"\nUsage: discmc extract [OPTIONS] VOLUME\n", "\nOptions:\n", "\n  -o, --output FILE  ",
+        "\nVolume:\n", "\n  --big-endian  ", "\n  --spacing X,Y,Z  ", "\nSurface:\n",
+        "\n  --border closed|open  ", "\nMesh:\n", "\n  --conforming, --no-conforming\n",
+        "\nStream:\n", "\n  --scan N  "}) {
+    INFO(part);
+    at = extract.find(part, at);
+    CHECK(at != std::string::npos);
+  }
+}
+
+TEST_CASE("help tells what an option is when it is not given, and which are required") {
+  const std::string extract = help_of("extract");
+  CHECK(contains(extract, "(default: closed)"));
+  CHECK(contains(extract, "(default: 1,1,1)"));
+  CHECK(contains(help_of("render"), "(default: 1024,1024)"));
+  CHECK(contains(help_of("info"), "--scan"));
+  CHECK(!contains(help_of("info"), "(required)"));
+  CHECK(contains(help_of("decode"), "standard output (required)"));
+}
+
+TEST_CASE("help fits a terminal of 80 columns") {
+  for (const std::string& command : commands)
+    for (const std::string& line : lines_of(help_of(command))) {
+      INFO(line);
+      CHECK(line.size() <= 80);
+      CHECK((line.empty() || line.back() != ' '));
+    }
+}
+
+TEST_CASE("every example of the help is understood") {
+  const Workshop workshop;
+  for (const std::string& command : commands) {
+    std::size_t examples = 0;
+    for (const std::string& line : lines_of(help_of(command))) {
+      const std::string start = "  discmc ";
+      if (line.rfind(start, 0) != 0) continue;
+      ++examples;
+      const Result result = workshop.run(line.substr(start.size()));
+      INFO(line, "\n", result.error);
+      CHECK(result.code == 1);  // the files are not there
+    }
+    CHECK(examples > 0);
+  }
+}
