@@ -16,6 +16,7 @@
 #include "input.hpp"
 #include "require.hpp"
 #include "volumes/volume.hpp"
+#include "volumes/volume_stream.hpp"
 
 using namespace discmc::host;
 namespace fs = std::filesystem;
@@ -179,7 +180,7 @@ RawLayout read_layout(Input& input) {
   RawLayout layout;
   for (uint32_t& size : layout.dims) size = input.byte();
   const uint32_t flags = input.byte();
-  layout.type = static_cast<SampleType>(flags % 3);
+  layout.type = sample_types[(flags >> 4) % std::size(sample_types)].second;
   layout.big_endian = (flags & 4) != 0;
   if ((flags & 8) != 0) layout.spacing_mm[1] = std::ldexp(-1, static_cast<int>(input.byte()) - 128);
   return layout;
@@ -187,16 +188,12 @@ RawLayout read_layout(Input& input) {
 
 /// Headerless samples are what the file holds, in the machine's byte order.
 void check_raw(const Reading& reading, const RawLayout& layout, const Bytes& file) {
-  for (size_t at = 0; at < reading.samples.size(); at += sample_bytes(layout.type)) {
-    if (layout.type == SampleType::u8) {
-      require(reading.samples[at] == file[at], "not the sample of the file");
-      continue;
-    }
-    uint16_t sample = 0;
-    std::memcpy(&sample, reading.samples.data() + at, 2);
-    const int first = file[at] << (layout.big_endian ? 8 : 0);
-    const int second = file[at + 1] << (layout.big_endian ? 0 : 8);
-    require(sample == (first | second), "not the sample of the file");
+  const size_t bytes = sample_bytes(layout.type);
+  const bool is_turned = layout.big_endian != is_native_big_endian();
+  for (size_t i = 0; i < reading.samples.size(); ++i) {
+    const size_t in_sample = i % bytes;
+    const size_t of_file = i - in_sample + (is_turned ? bytes - 1 - in_sample : in_sample);
+    require(reading.samples[i] == file[of_file], "not the sample of the file");
   }
 }
 

@@ -18,9 +18,10 @@ RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
   else
     extractor_.emplace<Extractor32>();
   require(encoder_.start(stream_header(plan.volume, plan.options).label(), output));
+  const std::int32_t threshold = stored_threshold(plan.volume, plan.options.selection.low);
   const Status started = std::visit(
       [&](auto& extractor) {
-        return extractor.start(limits, plan.options.threshold, {memory_.data(), memory_.size()},
+        return extractor.start(limits, threshold, {memory_.data(), memory_.size()},
                                sink_to(encoder_));
       },
       extractor_);
@@ -43,17 +44,8 @@ Status RowScan::push_samples(const std::uint8_t* row) {
 }
 
 void RowScan::push(const std::uint8_t* row) {
-  switch (plan_.volume.type) {
-    case host::SampleType::u8:
-      require(push_samples<std::uint8_t>(row));
-      break;
-    case host::SampleType::u16:
-      require(push_samples<std::uint16_t>(row));
-      break;
-    case host::SampleType::i16:
-      require(push_samples<std::int16_t>(row));
-      break;
-  }
+  host::with_scanner_type(plan_.volume.type,
+                          [&](auto type) { require(push_samples<decltype(type)>(row)); });
   ++rows_;
 }
 

@@ -50,7 +50,11 @@ void add_scan_options(CLI::App& command, ScanArguments& arguments) {
                                                   {"u16", host::SampleType::u16},
                                                   {"i16", host::SampleType::i16}}))
       ->option_text("u8|u16|i16");
-  command.add_option("--threshold", options.threshold, "on means sample >= THRESHOLD")->required();
+  command
+      .add_option_function<std::int32_t>(
+          "--threshold", [&options](std::int32_t threshold) { options.selection = threshold; },
+          "on means sample >= THRESHOLD")
+      ->required();
   command
       .add_option("--border", options.border, "of the surface, as discmc extract (default: closed)")
       ->transform(CLI::CheckedTransformer(

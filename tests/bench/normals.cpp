@@ -52,9 +52,8 @@ void append_slices(VolumeReader& reader, std::vector<int>& samples) {
 reference::SampleVolume<int> samples_of(VolumeReader& reader) {
   const VolumeInfo& info = reader.info();
   reference::SampleVolume<int> volume{{info.dims[0], info.dims[1], info.dims[2]}, {}};
-  if (info.type == SampleType::u8) append_slices<uint8_t>(reader, volume.samples);
-  if (info.type == SampleType::u16) append_slices<uint16_t>(reader, volume.samples);
-  if (info.type == SampleType::i16) append_slices<int16_t>(reader, volume.samples);
+  with_scanner_type(info.type,
+                    [&](auto type) { append_slices<decltype(type)>(reader, volume.samples); });
   return volume;
 }
 

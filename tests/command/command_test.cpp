@@ -45,6 +45,18 @@ void check_failure(const Result& result, int code, const std::vector<std::string
   for (const std::string& part : parts) CHECK(contains(result.error, part));
 }
 
+// The numbers of all lines that begin so.
+std::vector<double> numbers_after(const std::string& begin, const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(begin, 0) != 0) continue;
+    std::istringstream words(line.substr(begin.size()));
+    for (double number = 0; words >> number;) numbers.push_back(number);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 TEST_CASE("decode writes the same files from a stream as extract does from the volume") {
@@ -341,7 +353,7 @@ TEST_CASE("wrong usage exits with 2") {
                                 "extract v.raw --iso 1 --type u16",
                                 "extract v.raw --iso 1 --type u16 --dims 13,12",
                                 "extract v.nrrd --iso 1 --big-endian",
-                                "extract v.raw --iso 1 --type f32 --dims 13,12,11",
+                                "extract v.raw --iso 1 --type f16 --dims 13,12,11",
                                 "extract v.nrrd --iso 1 --spacing 1,1,1",
                                 "decode",
                                 "decode v.dmc",
@@ -360,27 +372,71 @@ TEST_CASE("wrong usage exits with 2") {
 
 TEST_CASE("a volume that cannot be read is told by its name, and nothing is written") {
   const Workshop workshop;
-  workshop.write("float.nrrd", volume_files::nrrd("type: float\nencoding: raw\n") + "\n");
+  workshop.write("block.nrrd", volume_files::nrrd("type: block\nencoding: raw\n") + "\n");
   workshop.write("empty.nrrd", "");
   workshop.write("v.raw", little_endian_u16.substr(0, little_endian_u16.size() - 1));
   const auto names = workshop.names();
   check_failure(workshop.run("extract none.nrrd --iso 1 -o v.dmc"), 1, {"none.nrrd", "check"});
   check_failure(workshop.run("extract . --iso 1 -o v.dmc"), 1, {".: "});
   check_failure(workshop.run("extract empty.nrrd --iso 1 -o v.dmc"), 1, {"empty.nrrd"});
-  check_failure(workshop.run("extract float.nrrd --iso 1 -o v.dmc"), 1,
-                {"float.nrrd", "'float'", "convert"});
+  check_failure(workshop.run("extract block.nrrd --iso 1 -o v.dmc"), 1,
+                {"block.nrrd", "'block'", "one number a voxel"});
   for (const std::string& format : all_formats)
     check_failure(workshop.run("extract v.raw " + layout + "-o v." + format), 1,
                   {"v.raw: slice 10 ", "1 bytes of it are missing"});
   CHECK(workshop.names() == names);
 }
 
+TEST_CASE("samples that are not a number are off, and told") {
+  const Workshop workshop;
+  std::string samples = volume_files::stored(volume_files::SampleType::f32);
+  const float nan = std::nanf("");
+  std::memcpy(&samples[samples.size() - sizeof nan], &nan, sizeof nan);
+  workshop.write("v.nrrd",
+                 volume_files::nrrd("type: float\nencoding: raw\nendian: little\n\n") + samples);
+  const Result result = workshop.run("extract v.nrrd --iso 7 -o v.dmc");
+  CHECK(result.code == 0);
+  CHECK(contains(result.error, "v.nrrd: 1 samples are not a number (NaN), and taken as off"));
+  workshop.done("extract v.nrrd --iso 7.25 -o none.dmc");
+  CHECK(contains(workshop.done("info v.dmc"), "regions 8\n"));
+  CHECK(contains(workshop.done("info none.dmc"), "regions 0\n"));
+}
+
+TEST_CASE("gradient normals are made of samples of every type, in streams and in meshes") {
+  const Workshop workshop;
+  const std::string dims = " --dims 5,3,4 --type ";
+  workshop.write("u8.raw", volume_files::stored(volume_files::SampleType::u8));
+  workshop.write("f64.raw", volume_files::stored(volume_files::SampleType::f64));
+  // Half way between two samples, the same two in both.
+  const auto normals_of = [&](const std::string& extension) {
+    for (const std::string& volume :
+         {"u8.raw --iso 122" + dims + "u8", "f64.raw --iso 0.05" + dims + "f64"})
+      workshop.done("extract " + volume + " --normals gradient -o " +
+                    volume.substr(0, volume.find('.')) + extension);
+    if (extension == ".dmc")
+      for (const std::string name : {"u8", "f64"})
+        workshop.done("decode " + name + ".dmc --normals gradient -o " + name + ".obj");
+    return std::pair(numbers_after("vn ", workshop.read("u8.obj")),
+                     numbers_after("vn ", workshop.read("f64.obj")));
+  };
+  for (const std::string extension : {".obj", ".dmc"}) {
+    const auto [of_bytes, of_floats] = normals_of(extension);
+    REQUIRE(of_bytes.size() > 30);
+    REQUIRE(of_bytes.size() == of_floats.size());
+    for (std::size_t i = 0; i < of_bytes.size(); ++i)
+      CHECK(of_bytes[i] == doctest::Approx(of_floats[i]).epsilon(0.01));
+  }
+  check_failure(
+      workshop.run("extract f64.raw --iso 0 --iso 1" + dims + "f64 --normals gradient -o two.dmc"),
+      1, {"f64", "one --iso"});
+}
+
 TEST_CASE("a wrong word is answered with those that are known") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
   check_failure(workshop.run("extract v.nrrd --iso 1 --border ajar"), 2, {"ajar", "closed,open"});
-  check_failure(workshop.run("extract v.nrrd --iso 1 --dims 1,1,1 --type f32"), 2,
-                {"f32", "u8,u16,i16"});
+  check_failure(workshop.run("extract v.nrrd --iso 1 --dims 1,1,1 --type f16"), 2,
+                {"f16", "u8,i8,u16,i16,u32,i32,u64,i64,f32,f64"});
 }
 
 TEST_CASE("a spacing that a stream cannot hold is refused") {

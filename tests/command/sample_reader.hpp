@@ -3,7 +3,6 @@
 #define DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
 
 #include <cstdint>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -41,14 +40,12 @@ class SampleReader final : public discmc::host::VolumeReader {
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override {
-    auto* bytes = static_cast<unsigned char*>(samples);
-    const std::size_t size = sample_bytes(info_.type);
-    for (std::size_t left = info_.slice_bytes() / size; left > 0; --left, bytes += size) {
-      const auto sample = static_cast<std::uint16_t>(samples_.at(next_++));
-      const auto narrow = static_cast<std::uint8_t>(sample);
-      if (size == 1) *bytes = narrow;
-      if (size == 2) std::memcpy(bytes, &sample, 2);
-    }
+    discmc::host::with_sample_type(info_.type, [&](auto type) {
+      using Sample = decltype(type);
+      auto* const slice = static_cast<Sample*>(samples);
+      for (std::size_t i = 0; i < info_.slice_bytes() / sizeof(Sample); ++i)
+        slice[i] = static_cast<Sample>(samples_.at(next_++));
+    });
   }
 
  private:

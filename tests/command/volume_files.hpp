@@ -77,23 +77,42 @@ inline std::string gzip(const std::string& bytes) {
 // The test volume: 5 by 3 by 4 samples, negative ones among them where the type has any.
 constexpr int voxels = 5 * 3 * 4;
 
-inline int sample_at(int voxel, SampleType type) {
-  return type == SampleType::u8    ? voxel * 4
-         : type == SampleType::u16 ? voxel * 1000 + 7
-                                   : voxel * 1000 - 30000;
+inline double sample_at(int voxel, SampleType type) {
+  switch (type) {
+    case SampleType::u8:
+      return voxel * 4;
+    case SampleType::i8:
+      return voxel * 2 - 60;
+    case SampleType::u16:
+      return voxel * 1000 + 7;
+    case SampleType::i16:
+      return voxel * 1000 - 30000;
+    case SampleType::u32:
+      return voxel * 7e7 + 1;
+    case SampleType::i32:
+      return voxel * 7e7 - 2e9;
+    case SampleType::u64:
+      return voxel * 3e17;
+    case SampleType::i64:
+      return voxel * 3e17 - 9e18;
+    case SampleType::f32:
+      return voxel * 0.25 - 7.5;
+    case SampleType::f64:
+      break;
+  }
+  return voxel * 0.1 - 3;
 }
 
 inline std::string stored(SampleType type, bool big_endian = false) {
   std::string bytes;
-  for (int voxel = 0; voxel < voxels; ++voxel) {
-    const auto sample = static_cast<std::uint16_t>(sample_at(voxel, type));
-    const auto low = static_cast<char>(sample & 0xff);
-    const auto high = static_cast<char>(sample >> 8);
-    if (type == SampleType::u8)
-      bytes += low;
-    else
-      bytes += big_endian ? std::string{high, low} : std::string{low, high};
-  }
+  for (int voxel = 0; voxel < voxels; ++voxel)
+    discmc::host::with_sample_type(type, [&](auto typed) {
+      typed = static_cast<decltype(typed)>(sample_at(voxel, type));
+      char sample[sizeof typed];
+      std::memcpy(sample, &typed, sizeof typed);
+      if (big_endian) std::reverse(sample, sample + sizeof typed);
+      bytes.append(sample, sizeof typed);
+    });
   return bytes;
 }
 
@@ -152,18 +171,18 @@ class Nifti {
   std::string bytes_ = std::string(352, '\0');
 };
 
-inline std::vector<int> read_all(VolumeReader& reader) {
+inline std::vector<double> read_all(VolumeReader& reader) {
   const VolumeInfo info = reader.info();
-  std::vector<int> samples;
+  std::vector<double> samples;
   std::vector<unsigned char> slice(info.slice_bytes());
   for (std::uint32_t k = 0; k < info.dims[2]; ++k) {
     reader.read_slice(slice.data());
-    const std::size_t step = sample_bytes(info.type);
-    for (std::size_t at = 0; at < slice.size(); at += step) {
-      std::uint16_t wide = slice[at];
-      if (step == 2) std::memcpy(&wide, &slice[at], 2);
-      samples.push_back(info.type == SampleType::i16 ? static_cast<std::int16_t>(wide) : wide);
-    }
+    discmc::host::with_sample_type(info.type, [&](auto sample) {
+      for (std::size_t at = 0; at < slice.size(); at += sizeof sample) {
+        std::memcpy(&sample, &slice[at], sizeof sample);
+        samples.push_back(static_cast<double>(sample));
+      }
+    });
   }
   return samples;
 }
@@ -175,7 +194,7 @@ inline void check_volume(const fs::path& file, SampleType type, const std::strin
   CHECK(reader->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
   CHECK(reader->info().type == type);
   CHECK(reader->info().format == format);
-  std::vector<int> expected;
+  std::vector<double> expected;
   for (int voxel = 0; voxel < voxels; ++voxel) expected.push_back(sample_at(voxel, type));
   CHECK(read_all(*reader) == expected);
 }

@@ -259,7 +259,7 @@ TEST_CASE("an end-stop between slices leaves a whole stream, one within a slice 
 TEST_CASE("samples of 16 bits have their low byte first") {
   for (const auto type : {host::SampleType::u16, host::SampleType::i16}) {
     ScanPlan plan = plan_of(2, 1, 1, type);
-    plan.options.threshold = 0x0100;
+    plan.options.selection = 0x0100;
     Recording recording(plan);
     const std::uint8_t row[] = {0xFF, 0x00, 0x00, 0x01};
     recording.scan.push(row);

@@ -15,7 +15,7 @@ inline device::ScanPlan plan_of(std::uint32_t width, std::uint32_t height, std::
   device::ScanPlan plan;
   plan.volume.dims = {width, height, depth};
   plan.volume.type = type;
-  plan.options.threshold = 130;
+  plan.options.selection = 130;
   plan.options.memory = 256 * 1024;
   return plan;
 }
@@ -38,7 +38,8 @@ inline Bytes expected_stream(const device::ScanPlan& plan, std::uint32_t row_cou
   Encoder encoder;
   Extractor16 extractor;
   reference::require_ok(encoder.start({dims[2], {1000000, 1000000, 1000000}}, line.output()));
-  reference::require_ok(extractor.start({dims[0], dims[1]}, plan.options.threshold,
+  reference::require_ok(extractor.start({dims[0], dims[1]},
+                                        stored_threshold(plan.volume, plan.options.selection.low),
                                         {memory.data(), memory.size()}, sink_to(encoder)));
   for (std::uint32_t i = 0; i < row_count; ++i)
     reference::require_ok(skipped.count(i) > 0 ? extractor.skip_row(Substitute::previous_row).status

@@ -43,17 +43,8 @@ BitVolume read(const fs::path& file, int32_t threshold) {
   const auto reader = host::open_volume(file);
   const host::VolumeInfo& info = reader->info();
   BitVolume volume({info.dims[0], info.dims[1], info.dims[2]});
-  switch (info.type) {
-    case host::SampleType::u8:
-      threshold_slices<uint8_t>(*reader, threshold, volume);
-      break;
-    case host::SampleType::u16:
-      threshold_slices<uint16_t>(*reader, threshold, volume);
-      break;
-    case host::SampleType::i16:
-      threshold_slices<int16_t>(*reader, threshold, volume);
-      break;
-  }
+  host::with_scanner_type(
+      info.type, [&](auto type) { threshold_slices<decltype(type)>(*reader, threshold, volume); });
   return volume;
 }
 
@@ -76,9 +67,8 @@ Collector sweep(const fs::path& file, int32_t threshold, Border border, uint64_t
   Extractor<Index> extractor;
   require_ok(extractor.start({info.dims[0], info.dims[1], border}, threshold, block.memory(),
                              collector.sink()));
-  if (info.type == host::SampleType::u8) push_slices<Index, uint8_t>(extractor, *reader);
-  if (info.type == host::SampleType::u16) push_slices<Index, uint16_t>(extractor, *reader);
-  if (info.type == host::SampleType::i16) push_slices<Index, int16_t>(extractor, *reader);
+  host::with_scanner_type(
+      info.type, [&](auto type) { push_slices<Index, decltype(type)>(extractor, *reader); });
   finish_all(extractor);
   CHECK(block.is_intact());
   return collector;

@@ -27,16 +27,13 @@ void add_volume(CLI::App& app, Options& options) {
                           ->delimiter(',')
                           ->expected(3)
                           ->option_text("X,Y,Z");
-  CLI::Option* type = app.add_option_function<std::string>(
-                             "--type",
-                             [layout](const std::string& name) {
-                               layout().type = name == "u8"    ? host::SampleType::u8
-                                               : name == "u16" ? host::SampleType::u16
-                                                               : host::SampleType::i16;
-                             },
-                             "samples of a headerless file")
-                          ->check(CLI::IsMember({"u8", "u16", "i16"}))
-                          ->option_text("u8|u16|i16");
+  CLI::Option* type =
+      app.add_option_function<std::string>(
+             "--type",
+             [layout](const std::string& name) { layout().type = *host::sample_type_called(name); },
+             "samples of a headerless file")
+          ->check(CLI::IsMember({"u8", "u16", "i16"}))
+          ->option_text("u8|u16|i16");
   dims->needs(type);
   type->needs(dims);
   host::add_memory_option(app, options.memory,

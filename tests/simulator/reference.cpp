@@ -28,14 +28,8 @@ void push(Extractor16& extractor, const Rows& rows, std::uint32_t number) {
 }
 
 void push_row(Extractor16& extractor, const Rows& rows, std::uint32_t number) {
-  switch (rows.info().type) {
-    case host::SampleType::u8:
-      return push<std::uint8_t>(extractor, rows, number);
-    case host::SampleType::u16:
-      return push<std::uint16_t>(extractor, rows, number);
-    case host::SampleType::i16:
-      return push<std::int16_t>(extractor, rows, number);
-  }
+  host::with_scanner_type(rows.info().type,
+                          [&](auto type) { push<decltype(type)>(extractor, rows, number); });
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "volume_options.hpp"
 
+#include <iterator>
+
 #include "named_values.hpp"
 #include "option_checks.hpp"
 #include "volumes/volume.hpp"
@@ -15,9 +17,8 @@ void add_layout_options(CLI::App& app, LayoutArguments& arguments) {
           ->option_text("X,Y,Z");
   CLI::Option* type = add_named_option(
       app, "--type", arguments.type,
-      NamedValues<SampleType>{
-          {"u8", SampleType::u8}, {"u16", SampleType::u16}, {"i16", SampleType::i16}},
-      "samples of a headerless file");
+      NamedValues<SampleType>(std::begin(sample_types), std::end(sample_types)),
+      "samples of a headerless file: whole numbers without or with sign, or floating point");
   dims->needs(type);
   type->needs(dims);
   app.add_flag("--big-endian", arguments.big_endian,

@@ -51,7 +51,8 @@ std::unique_ptr<VolumeReader> open_volume_of(const StreamHeader& header,
                                              const StreamArguments& arguments) {
   std::optional<RawLayout> layout = raw_layout(arguments.layout);
   if (layout) layout->spacing_mm = spacing_mm(header);
-  auto volume = open_volume(arguments.volume, layout);
+  // Where the values are counted from makes no difference to the directions that they fall in.
+  auto volume = open_for_gradient(arguments.volume, layout, header.threshold).reader;
   try {
     require_same_volume(volume->info(), header);
   } catch (const std::invalid_argument& error) {

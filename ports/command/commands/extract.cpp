@@ -8,6 +8,8 @@
 #include <iostream>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -55,20 +57,31 @@ class SliceWriter {
   SliceEncoder encoder_;
 };
 
+// Samples that are narrowed for the gradient are counted from one iso value.
+void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& info) {
+  if (arguments.isos.size() > 1)
+    throw std::invalid_argument(
+        "--normals gradient of several surfaces takes samples of u8, u16 "
+        "or i16, and these are " +
+        std::string(name(info.type)) + ": give one --iso");
+}
+
 void add_normals(const ExtractArguments& arguments, const Surface& surface, Mesh& mesh) {
   if (arguments.normals == Normals::none) return;
   set_polygon_normals(surface, mesh);
   if (arguments.normals == Normals::surface) return;
-  const auto again = open_volume(arguments.volume, raw_layout(arguments.reading.layout));
-  add_gradient_normals(*again, mesh);
+  const auto again = open_for_gradient(arguments.volume, raw_layout(arguments.reading.layout),
+                                       arguments.reading.isos[0]);
+  add_gradient_normals(*again.reader, mesh);
 }
 
 // The surfaces of a volume on their way to streams, and joined for the table or a mesh.
 class Surfaces {
  public:
-  Surfaces(const VolumeInfo& info, const ExtractArguments& arguments) {
-    for (const double iso : arguments.reading.isos) {
-      thresholds_.push_back(stored_threshold(info, iso));
+  Surfaces(const VolumeInfo& info, const std::vector<Selection>& selections)
+      : selections_(selections) {
+    for (const Selection& selection : selections) {
+      thresholds_.push_back(stored_threshold(info, selection.low));
       tees_.push_back(std::make_unique<Tee>());
     }
   }
@@ -90,7 +103,7 @@ class Surfaces {
   std::vector<SurfaceRequest> requests() {
     std::vector<SurfaceRequest> requests;
     for (std::size_t i = 0; i < tees_.size(); ++i)
-      requests.push_back({thresholds_[i], sink_to(*tees_[i])});
+      requests.push_back({selections_[i], sink_to(*tees_[i])});
     return requests;
   }
 
@@ -98,6 +111,7 @@ class Surfaces {
   Tee& operator[](std::size_t surface) { return *tees_[surface]; }
 
  private:
+  std::vector<Selection> selections_;
   std::vector<std::int32_t> thresholds_;
   std::vector<std::unique_ptr<Tee>> tees_;
   SharedOutput link_;
@@ -109,16 +123,24 @@ int run_extract(const ExtractArguments& arguments) {
   const Format format = format_of(arguments.output);
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
     throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
-  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
-  const VolumeInfo& info = volume->info();
+  auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const VolumeInfo info = volume->info();
   OutputFile file(arguments.output);
   StreamOutput output(format == Format::stream ? &file.stream() : nullptr);
   Progress progress("slice", info.dims[2]);
-  ExtractionOptions options = extraction_options(info, arguments.reading, progress);
-  options.normals = format == Format::stream && arguments.normals == Normals::gradient;
+  ExtractionOptions options = extraction_options(arguments.reading, progress);
   StreamHeader header = stream_header(info, options);
   header.scan = arguments.scan;
-  Surfaces surfaces(info, arguments);
+  std::vector<Selection> selections(arguments.reading.isos.begin(), arguments.reading.isos.end());
+  options.normals = format == Format::stream && arguments.normals == Normals::gradient;
+  if (options.normals && !is_scanner_type(info.type)) {
+    require_one_surface(arguments.reading, info);
+    GradientVolume narrow = open_for_gradient(
+        arguments.volume, raw_layout(arguments.reading.layout), arguments.reading.isos[0]);
+    volume = std::move(narrow.reader);
+    selections = {narrow.selection};
+  }
+  Surfaces surfaces(info, selections);
   const bool tells_slices = format == Format::stream && arguments.wire == Wire::slices;
   StreamOutput no_output(nullptr);
   surfaces.start(header.label(), (tells_slices ? no_output : output).byte_output());
@@ -136,6 +158,9 @@ int run_extract(const ExtractArguments& arguments) {
         [&](Mesh& mesh) { add_normals(arguments, surface, mesh); }, file);
   }
   file.commit();
+  if (extractions[0].not_numbers > 0)
+    std::cerr << "discmc: " << arguments.volume << ": " << extractions[0].not_numbers
+              << " samples are not a number (NaN), and taken as off\n";
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
   for (std::size_t i = 0; i < surfaces.count(); ++i) {

@@ -1,4 +1,6 @@
 // discmc render: a picture of a stream or a volume.
+#include <utility>
+
 #include "commands.hpp"
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
@@ -26,11 +28,17 @@ Mesh mesh_to_draw(const Surface& surface, bool smooth) {
 }
 
 Mesh volume_to_draw(const RenderArguments& arguments) {
-  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  auto volume = open_noted_volume(arguments.input, arguments.reading);
   Progress progress("slice", volume->info().dims[2]);
-  auto options = extraction_options(volume->info(), arguments.reading, progress);
-  options.normals = arguments.smooth;
+  auto options = extraction_options(arguments.reading, progress);
   if (arguments.classic) return classic_mesh(*volume, options);
+  options.normals = arguments.smooth;
+  if (arguments.smooth) {
+    GradientVolume again = open_for_gradient(arguments.input, raw_layout(arguments.reading.layout),
+                                             arguments.reading.isos[0]);
+    volume = std::move(again.reader);
+    options.selection = again.selection;
+  }
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
   extract(*volume, options, sink_to(joiner));

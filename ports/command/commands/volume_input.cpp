@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
+
+#include "extraction/narrowed_volume.hpp"
 
 namespace discmc::host {
 
@@ -24,10 +27,17 @@ std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
   return volume;
 }
 
-ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArguments& arguments,
-                                     Progress& progress) {
+GradientVolume open_for_gradient(const std::string& path, const std::optional<RawLayout>& layout,
+                                 double iso) {
+  auto volume = open_volume(path, layout);
+  if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
+  const SampleBounds bounds = sample_bounds(*volume);
+  return {narrowed(open_volume(path, layout), bounds, iso), 0};
+}
+
+ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress) {
   ExtractionOptions options;
-  options.threshold = stored_threshold(info, arguments.isos[0]);
+  options.selection = arguments.isos[0];
   options.border = arguments.border;
   options.memory = arguments.memory;
   if (!arguments.capacities.empty())

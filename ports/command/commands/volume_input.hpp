@@ -8,6 +8,7 @@
 
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
+#include "extraction/selection.hpp"
 #include "progress.hpp"
 #include "volumes/volume.hpp"
 
@@ -20,9 +21,19 @@ std::optional<RawLayout> raw_layout(const LayoutArguments& arguments);
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
                                                 const VolumeArguments& arguments);
 
+/// A volume that gradients can be made of, and what is on in it.
+struct GradientVolume {
+  std::unique_ptr<VolumeReader> reader;
+  Selection selection;
+};
+
+/// The volume in samples that the library takes (is_scanner_type()): itself, or else narrowed,
+/// which takes a pass over it.
+GradientVolume open_for_gradient(const std::string& path, const std::optional<RawLayout>& layout,
+                                 double iso);
+
 /// At the first threshold. progress: has to live as long as the options are in use.
-ExtractionOptions extraction_options(const VolumeInfo& info, const VolumeArguments& arguments,
-                                     Progress& progress);
+ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress);
 
 }  // namespace discmc::host
 

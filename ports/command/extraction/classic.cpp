@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <discmc/cell.hpp>
 #include <limits>
@@ -36,13 +37,25 @@ std::array<Loops, configurations> fans() {
 constexpr std::uint32_t no_vertex = 0xFFFFFFFFu;
 constexpr double halo = -std::numeric_limits<double>::infinity();
 
+// What the samples that are on exceed, and no other reaches: between whole numbers in the middle.
+double level_below(const VolumeInfo& info, const Selection& selection) {
+  return with_sample_type(info.type, [&](auto type) {
+    using Sample = decltype(type);
+    const SampleRange<Sample> range = selected_samples<Sample>(info, selection);
+    if (range.low > range.high) return std::numeric_limits<double>::infinity();
+    const auto low = static_cast<double>(range.low);
+    return is_floating(info.type) ? std::nextafter(low, -std::numeric_limits<double>::infinity())
+                                  : low - 0.5;
+  });
+}
+
 class Cubes {
  public:
   Cubes(const VolumeInfo& info, const ExtractionOptions& options)
       : border_(options.border == Border::closed ? 1 : 0),
         width_(info.dims[0] + 2 * border_),
         height_(info.dims[1] + 2 * border_),
-        level_(options.threshold - 0.5) {
+        level_(level_below(info, options.selection)) {
     mesh_.spacing_mm = info.spacing_mm;
     const Point& s = mesh_.spacing_mm;
     mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
@@ -52,19 +65,17 @@ class Cubes {
     }
   }
 
-  // null: a slice of the halo.
+  void add_halo_slice() {
+    next_slice();
+    add_cells();
+  }
   template <class Sample>
   void add_slice(const Sample* samples) {
-    std::swap(below_, above_);
-    for (auto& crossings : above_.crossings)
-      std::fill(crossings.begin(), crossings.end(), no_vertex);
-    std::fill(above_.value.begin(), above_.value.end(), halo);
-    for (std::size_t y = border_; samples != nullptr && y + border_ < height_; ++y)
+    next_slice();
+    for (std::size_t y = border_; y + border_ < height_; ++y)
       for (std::size_t x = border_; x + border_ < width_; ++x)
-        above_.value[y * width_ + x] = *samples++ - level_;
-    for (std::size_t y = 0; slices_ > 0 && y + 1 < height_; ++y)
-      for (std::size_t x = 0; x + 1 < width_; ++x) add_cell(x, y);
-    ++slices_;
+        above_.value[y * width_ + x] = value_of(static_cast<double>(*samples++));
+    add_cells();
   }
 
   Mesh take() { return std::move(mesh_); }
@@ -75,6 +86,27 @@ class Cubes {
     std::vector<double> value;  // above the level; a voxel is on where it is positive
     std::array<std::vector<std::uint32_t>, 3> crossings;  // along x, y, and z towards `above_`
   };
+
+  void next_slice() {
+    std::swap(below_, above_);
+    for (auto& crossings : above_.crossings)
+      std::fill(crossings.begin(), crossings.end(), no_vertex);
+    std::fill(above_.value.begin(), above_.value.end(), halo);
+  }
+
+  // What is no finite number, and off, is as far below as the halo.
+  double value_of(double sample) const {
+    const double value = sample - level_;
+    return value > 0    ? std::min(value, std::numeric_limits<double>::max())
+           : value <= 0 ? value
+                        : halo;
+  }
+
+  void add_cells() {
+    for (std::size_t y = 0; slices_ > 0 && y + 1 < height_; ++y)
+      for (std::size_t x = 0; x + 1 < width_; ++x) add_cell(x, y);
+    ++slices_;
+  }
 
   void add_cell(std::size_t x, std::size_t y) {
     unsigned configuration = 0;
@@ -132,34 +164,22 @@ class Cubes {
   Mesh mesh_;
 };
 
-template <class Sample>
-Mesh classic_mesh_of(VolumeReader& volume, const ExtractionOptions& options) {
-  const VolumeInfo& info = volume.info();
-  Cubes cubes(info, options);
-  const Sample* const halo_slice = nullptr;
-  if (options.border == Border::closed) cubes.add_slice(halo_slice);
-  std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
-  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
-    volume.read_slice(slice.data());
-    cubes.add_slice(slice.data());
-    if (options.progress) options.progress(z + 1);
-  }
-  if (options.border == Border::closed) cubes.add_slice(halo_slice);
-  return cubes.take();
-}
-
 }  // namespace
 
 Mesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options) {
-  switch (volume.info().type) {
-    case SampleType::u8:
-      return classic_mesh_of<std::uint8_t>(volume, options);
-    case SampleType::u16:
-      return classic_mesh_of<std::uint16_t>(volume, options);
-    case SampleType::i16:
-      break;
+  const VolumeInfo& info = volume.info();
+  Cubes cubes(info, options);
+  if (options.border == Border::closed) cubes.add_halo_slice();
+  std::vector<std::uint8_t> slice(info.slice_bytes());
+  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+    volume.read_slice(slice.data());
+    with_sample_type(info.type, [&](auto type) {
+      cubes.add_slice(reinterpret_cast<const decltype(type)*>(slice.data()));
+    });
+    if (options.progress) options.progress(z + 1);
   }
-  return classic_mesh_of<std::int16_t>(volume, options);
+  if (options.border == Border::closed) cubes.add_halo_slice();
+  return cubes.take();
 }
 
 }  // namespace discmc::host

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "crossing_counter.hpp"
 #include "require.hpp"
 #include "streams/stream_file.hpp"
 
@@ -17,52 +18,6 @@ namespace discmc::host {
 namespace {
 
 constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
-
-// Counts the lattice edges between an on and an off voxel: classic Marching Cubes puts a vertex on
-// each of them.
-class CrossingCounter {
- public:
-  CrossingCounter(const Limits& limits, std::int32_t threshold)
-      : width_(limits.width),
-        closed_(limits.border == Border::closed),
-        threshold_(threshold),
-        below_(std::size_t{limits.width} * limits.height, 0) {}
-
-  template <class Sample>
-  void add_slice(const Sample* samples) {
-    const bool has_below = closed_ || slices_ > 0;
-    std::vector<std::uint8_t> on(below_.size());
-    for (std::size_t i = 0; i < on.size(); ++i) {
-      on[i] = samples[i] >= threshold_ ? 1 : 0;
-      const std::size_t x = i % width_;
-      if (x > 0) add(on[i] != on[i - 1]);
-      if (i >= width_) add(on[i] != on[i - width_]);
-      if (has_below) add(on[i] != below_[i]);
-      if (!closed_ || on[i] == 0) continue;
-      add(x == 0);
-      add(x + 1 == width_);
-      add(i < width_);
-      add(i + width_ >= on.size());
-    }
-    below_ = std::move(on);
-    ++slices_;
-  }
-
-  std::uint64_t count() const {
-    const auto above = closed_ ? std::count(below_.begin(), below_.end(), 1) : 0;
-    return count_ + static_cast<std::uint64_t>(above);
-  }
-
- private:
-  void add(bool crosses) { count_ += crosses ? 1U : 0U; }
-
-  std::size_t width_;
-  bool closed_;
-  std::int32_t threshold_;
-  std::vector<std::uint8_t> below_;
-  std::uint32_t slices_ = 0;
-  std::uint64_t count_ = 0;
-};
 
 struct Arena {
   bool has_narrow_indices;
@@ -106,69 +61,135 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
 }
 
-template <class Sample>
-void tell_slice(SliceEncoder& encoder, const std::vector<Sample>& slice) {
-  const auto count = static_cast<std::uint32_t>(slice.size());
-  require(encoder.push(slice.data(), count).status);
-}
-
-template <class Index, class Sample, class Normals>
-std::vector<Extraction> extract_samples(VolumeReader& volume, const Limits& limits,
-                                        const ExtractionOptions& options, const Arena& arena,
-                                        const std::vector<SurfaceRequest>& surfaces) {
-  const VolumeInfo& info = volume.info();
-  std::vector<std::unique_ptr<std::uint8_t[]>> memory;
-  std::vector<Extractor<Index, Normals>> extractors(surfaces.size());
-  std::vector<CrossingCounter> crossings;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    // Left as it comes: what is never used costs nothing.
-    memory.emplace_back(new std::uint8_t[arena.bytes]);
-    if constexpr (Normals::holds_samples) {
-      const auto spacing = spacing_nm(info.spacing_mm);
-      extractors[i].set_spacing({spacing[0], spacing[1], spacing[2]});
+// Makes bits of a volume's slices: the rows of all surfaces side by side, as SurfaceGroup and
+// SliceEncoder take them.
+class BitSlice {
+ public:
+  BitSlice(const VolumeInfo& info, const Limits& limits,
+           const std::vector<SurfaceRequest>& surfaces)
+      : height_(limits.height),
+        row_bytes_(bit_row_bytes(limits.width)),
+        stride_(row_bytes_ * surfaces.size()),
+        bits_(stride_ * height_) {
+    for (const SurfaceRequest& surface : surfaces) {
+      selectors_.emplace_back(info, surface.selection);
+      crossings_.emplace_back(limits);
     }
-    const Status started = extractors[i].start(limits, arena.capacities, surfaces[i].threshold,
-                                               {memory[i].get(), arena.bytes}, surfaces[i].sink);
-    if (started != Status::ok) throw std::invalid_argument(text(started));
-    crossings.emplace_back(limits, surfaces[i].threshold);
   }
-  SurfaceGroup<Extractor<Index, Normals>> all(
-      extractors.data(), static_cast<std::uint32_t>(extractors.size()), limits.width);
-  std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
+
+  void select(const void* samples) {
+    for (std::size_t i = 0; i < selectors_.size(); ++i) {
+      std::uint8_t* const bits = bits_.data() + i * row_bytes_;
+      const std::uint64_t not_numbers = selectors_[i].select(samples, bits, stride_);
+      if (i == 0) not_numbers_ += not_numbers;
+      crossings_[i].add_slice(bits, stride_);
+    }
+  }
+
+  template <class Call>
+  void for_each_row(Call call) const {
+    for (std::uint32_t y = 0; y < height_; ++y) call(bits_.data() + y * stride_);
+  }
+
+  std::uint64_t crossings(std::size_t surface) const { return crossings_[surface].count(); }
+  std::uint64_t not_numbers() const { return not_numbers_; }
+
+ private:
+  std::uint32_t height_;
+  std::size_t row_bytes_;
+  std::size_t stride_;
+  std::vector<std::uint8_t> bits_;
+  std::vector<SliceSelector> selectors_;
+  std::vector<CrossingCounter> crossings_;
+  std::uint64_t not_numbers_ = 0;
+};
+
+// The extractors of all surfaces, in memory of their own.
+template <class Index, class Normals>
+class Scan {
+ public:
+  Scan(const VolumeInfo& info, const Limits& limits, const Arena& arena,
+       const std::vector<SurfaceRequest>& surfaces)
+      : arena_(arena), extractors_(surfaces.size()) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      // Left as it comes: what is never used costs nothing.
+      memory_.emplace_back(new std::uint8_t[arena.bytes]);
+      if constexpr (Normals::holds_samples) {
+        const auto spacing = spacing_nm(info.spacing_mm);
+        extractors_[i].set_spacing({spacing[0], spacing[1], spacing[2]});
+      }
+      const std::int32_t threshold = stored_threshold(info, surfaces[i].selection.low);
+      const Status started = extractors_[i].start(
+          limits, arena.capacities, threshold, {memory_[i].get(), arena.bytes}, surfaces[i].sink);
+      if (started != Status::ok) throw std::invalid_argument(text(started));
+    }
+  }
+
+  SurfaceGroup<Extractor<Index, Normals>> group() {
+    return {extractors_.data(), static_cast<std::uint32_t>(extractors_.size()),
+            extractors_[0].limits().width};
+  }
+
+  std::vector<Extraction> results(const VolumeInfo& info, const BitSlice& bits) const {
+    const std::uint64_t voxels = std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2];
+    std::vector<Extraction> results;
+    for (std::size_t i = 0; i < extractors_.size(); ++i)
+      results.push_back({extractors_[i].statistics(), voxels, bits.crossings(i), arena_.bytes,
+                         extractors_[i].bytes_used(), arena_.capacities,
+                         extractors_[i].high_water(), bits.not_numbers()});
+    return results;
+  }
+
+ private:
+  Arena arena_;
+  std::vector<std::unique_ptr<std::uint8_t[]>> memory_;
+  std::vector<Extractor<Index, Normals>> extractors_;
+};
+
+template <class Normals>
+struct SampleOf;
+template <class Sample>
+struct SampleOf<GradientNormals<Sample>> {
+  using Type = Sample;
+};
+
+template <class Index, class Normals>
+std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
+                             const ExtractionOptions& options, const Arena& arena,
+                             const std::vector<SurfaceRequest>& surfaces) {
+  const VolumeInfo& info = volume.info();
+  Scan<Index, Normals> scan(info, limits, arena, surfaces);
+  auto all = scan.group();
+  BitSlice bits(info, limits, surfaces);
+  std::vector<std::uint8_t> slice(info.slice_bytes());
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    require(all.push(slice.data(), static_cast<std::uint32_t>(slice.size())).status);
-    if (options.slices != nullptr) tell_slice(*options.slices, slice);
-    for (CrossingCounter& counter : crossings) counter.add_slice(slice.data());
+    bits.select(slice.data());
+    if constexpr (Normals::holds_samples) {
+      using Sample = typename SampleOf<Normals>::Type;
+      require(all.push(reinterpret_cast<const Sample*>(slice.data()), limits.width * limits.height)
+                  .status);
+    } else {
+      bits.for_each_row([&](const std::uint8_t* row) { require(all.push_bits(row).status); });
+    }
+    if (options.slices != nullptr)
+      bits.for_each_row(
+          [&](const std::uint8_t* row) { require(options.slices->push_bits(row).status); });
     if (options.progress) options.progress(z + 1);
   }
   require(all.finish());
   if (options.slices != nullptr) require(options.slices->finish());
-  std::vector<Extraction> result;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    result.push_back({extractors[i].statistics(),
-                      std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2],
-                      crossings[i].count(), arena.bytes, extractors[i].bytes_used(),
-                      arena.capacities, extractors[i].high_water()});
-  return result;
+  return scan.results(info, bits);
 }
 
-template <class Sample, class Normals>
-std::vector<Extraction> extract_in(VolumeReader& volume, const ExtractionOptions& options,
-                                   const std::vector<SurfaceRequest>& surfaces) {
+template <class Normals>
+std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptions& options,
+                                     const std::vector<SurfaceRequest>& surfaces) {
   const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
   const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
-  return arena.has_narrow_indices ? extract_samples<std::uint16_t, Sample, Normals>(
-                                        volume, limits, options, arena, surfaces)
-                                  : extract_samples<std::uint32_t, Sample, Normals>(
-                                        volume, limits, options, arena, surfaces);
-}
-
-template <class Sample>
-std::vector<Extraction> extract_as(VolumeReader& volume, const ExtractionOptions& options,
-                                   const std::vector<SurfaceRequest>& surfaces) {
-  return options.normals ? extract_in<Sample, GradientNormals<Sample>>(volume, options, surfaces)
-                         : extract_in<Sample, NoNormals>(volume, options, surfaces);
+  return arena.has_narrow_indices
+             ? scan<std::uint16_t, Normals>(volume, limits, options, arena, surfaces)
+             : scan<std::uint32_t, Normals>(volume, limits, options, arena, surfaces);
 }
 
 // Three numbers, for people.
@@ -189,7 +210,7 @@ StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& opti
   header.depth = info.dims[2];
   const auto spacing = spacing_nm(info.spacing_mm);
   std::copy(spacing.begin(), spacing.end(), header.spacing_nm);
-  header.threshold = options.threshold;
+  header.threshold = stored_threshold(info, options.selection.low);
   header.border = options.border;
   return header;
 }
@@ -215,20 +236,15 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
 }
 
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
-  return extract(volume, options, std::vector<SurfaceRequest>{{options.threshold, sink}})[0];
+  return extract(volume, options, std::vector<SurfaceRequest>{{options.selection, sink}})[0];
 }
 
 std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
                                 const std::vector<SurfaceRequest>& surfaces) {
-  switch (volume.info().type) {
-    case SampleType::u8:
-      return extract_as<std::uint8_t>(volume, options, surfaces);
-    case SampleType::u16:
-      return extract_as<std::uint16_t>(volume, options, surfaces);
-    case SampleType::i16:
-      break;
-  }
-  return extract_as<std::int16_t>(volume, options, surfaces);
+  if (!options.normals) return extract_with<NoNormals>(volume, options, surfaces);
+  return with_scanner_type(volume.info().type, [&](auto type) {
+    return extract_with<GradientNormals<decltype(type)>>(volume, options, surfaces);
+  });
 }
 
 }  // namespace discmc::host

@@ -11,20 +11,22 @@
 #include <discmc/slice_encoder.hpp>
 #include <discmc/stream/wire.hpp>
 
+#include "selection.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::host {
 
 struct ExtractionOptions {
-  std::int32_t threshold = 0;  ///< on stored samples
+  Selection selection;  ///< the voxels that are on
   Border border = Border::closed;
   /// The arena. 0 takes a generous default. Units: bytes
   std::uint64_t memory = 0;
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
   /// Whether the events tell gradient normals. The arena then also holds four slices.
+  /// Limit: samples of a type with is_scanner_type(), selections without an upper end.
   bool normals = false;
-  /// Is given the samples as well, and finished, if there is one; its output must take all.
+  /// Is given the bits as well, and finished, if there is one; its output must take all.
   SliceEncoder* slices = nullptr;
   /// In place of `memory`: the arena is as large as these need.
   std::optional<Capacities> capacities{};
@@ -38,12 +40,13 @@ struct Extraction {
   std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by records that were ever in use
   Capacities capacities{};             ///< that the arena had
   HighWater high_water{};              ///< of them, the most in use at once
+  std::uint64_t not_numbers = 0;       ///< samples that are not a number: off
 };
 
-/// A surface of a volume: where it lies, on stored samples, and who gets its events. The sink must
-/// not say "not now".
+/// A surface of a volume: the voxels inside, and who gets its events. The sink must not say "not
+/// now".
 struct SurfaceRequest {
-  std::int32_t threshold;
+  Selection selection;
   Sink sink;
 };
 
@@ -67,7 +70,7 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header);
 /// text names the minimum) or the capacities are not valid.
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink);
 
-/// The same for several surfaces in one pass, whatever the threshold of the options; each has an
+/// The same for several surfaces in one pass, whatever the selection of the options; each has an
 /// arena as the options say.
 std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
                                 const std::vector<SurfaceRequest>& surfaces);

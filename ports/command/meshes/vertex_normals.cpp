@@ -113,14 +113,8 @@ void set_told_normals(const Surface& surface, Mesh& mesh) {
 void set_gradient_normals(VolumeReader& volume, Mesh& mesh,
                           const std::function<void(std::uint32_t)>& progress) {
   mesh.normals.resize(mesh.vertices_mm.size());
-  switch (volume.info().type) {
-    case SampleType::u8:
-      return set_from_samples<std::uint8_t>(volume, mesh, progress);
-    case SampleType::u16:
-      return set_from_samples<std::uint16_t>(volume, mesh, progress);
-    case SampleType::i16:
-      return set_from_samples<std::int16_t>(volume, mesh, progress);
-  }
+  with_scanner_type(volume.info().type,
+                    [&](auto type) { set_from_samples<decltype(type)>(volume, mesh, progress); });
 }
 
 }  // namespace discmc::host

@@ -24,6 +24,7 @@ void set_told_normals(const Surface& surface, Mesh& mesh);
 /// the walls around the volume, it keeps the normal that it has. Reads the volume to its end, and
 /// holds four slices of it.
 /// mesh: from a volume of these extents; its spacing counts, not that of the volume.
+/// Limit: is_scanner_type() samples; extraction/narrowed_volume.hpp makes them of others.
 /// progress: called after every slice with how many are done.
 /// Throws as set_polygon_normals() does, and VolumeError as the reader does.
 void set_gradient_normals(VolumeReader& volume, Mesh& mesh,

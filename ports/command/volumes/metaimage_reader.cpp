@@ -93,9 +93,16 @@ void expect(const std::filesystem::path& file, std::string_view name, std::strin
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view text) {
-  if (text == "MET_UCHAR") return SampleType::u8;
-  if (text == "MET_USHORT") return SampleType::u16;
-  if (text == "MET_SHORT") return SampleType::i16;
+  // A "long" has four bytes in files, whatever it has in programs.
+  constexpr std::pair<std::string_view, SampleType> names[] = {
+      {"MET_UCHAR", SampleType::u8},       {"MET_CHAR", SampleType::i8},
+      {"MET_USHORT", SampleType::u16},     {"MET_SHORT", SampleType::i16},
+      {"MET_UINT", SampleType::u32},       {"MET_INT", SampleType::i32},
+      {"MET_ULONG", SampleType::u32},      {"MET_LONG", SampleType::i32},
+      {"MET_ULONG_LONG", SampleType::u64}, {"MET_LONG_LONG", SampleType::i64},
+      {"MET_FLOAT", SampleType::f32},      {"MET_DOUBLE", SampleType::f64}};
+  for (const auto& [name, type] : names)
+    if (text == name) return type;
   fail_type(file, text);
 }
 
@@ -180,7 +187,7 @@ std::unique_ptr<VolumeReader> open_metaimage(const std::filesystem::path& file) 
   set_geometry(info, file, header);
   set_values(info, file, header);
   const bool big_endian = header.flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false);
-  if (sample_bytes(info.type) == 2 &&
+  if (sample_bytes(info.type) > 1 &&
       header.text({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}).empty())
     info.notes.emplace_back("byte order not given, little-endian taken");
 

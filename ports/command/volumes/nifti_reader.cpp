@@ -18,13 +18,6 @@ namespace {
 
 static_assert(sizeof(nifti_1_header) == 348, "the bytes of the file");
 
-bool native_big_endian() {
-  const std::uint16_t one = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &one, 1);
-  return first == 0;
-}
-
 ByteStream open_content(const std::filesystem::path& file) {
   ByteStream stream(file);
   unsigned char magic[2] = {};
@@ -67,7 +60,7 @@ Header read_header(ByteStream& stream) {
          "the header has size " + std::to_string(header.fields.sizeof_hdr) + " and magic " +
              shown({header.fields.magic, 3}) + ", not those of NIfTI-1",
          "convert NIfTI-2 and Analyze files to NIfTI-1, e.g. with SimpleITK");
-  header.big_endian = native_big_endian() != turned;
+  header.big_endian = is_native_big_endian() != turned;
   return header;
 }
 
@@ -75,10 +68,24 @@ SampleType sample_type(const std::filesystem::path& file, int datatype) {
   switch (datatype) {
     case DT_UINT8:
       return SampleType::u8;
+    case DT_INT8:
+      return SampleType::i8;
     case DT_UINT16:
       return SampleType::u16;
     case DT_INT16:
       return SampleType::i16;
+    case DT_UINT32:
+      return SampleType::u32;
+    case DT_INT32:
+      return SampleType::i32;
+    case DT_UINT64:
+      return SampleType::u64;
+    case DT_INT64:
+      return SampleType::i64;
+    case DT_FLOAT32:
+      return SampleType::f32;
+    case DT_FLOAT64:
+      return SampleType::f64;
     default:
       fail_type(file, std::string(nifti_datatype_to_string(datatype)) + " (datatype " +
                           std::to_string(datatype) + ")");

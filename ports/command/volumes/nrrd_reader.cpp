@@ -85,10 +85,21 @@ std::string_view needed(const std::filesystem::path& file, const Fields& fields,
 SampleType sample_type(const std::filesystem::path& file, std::string_view text) {
   const std::string type = lower(text);
   if (one_of(type, {"uchar", "unsigned char", "uint8", "uint8_t"})) return SampleType::u8;
+  if (one_of(type, {"signed char", "int8", "int8_t"})) return SampleType::i8;
   if (one_of(type, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}))
     return SampleType::u16;
   if (one_of(type, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}))
     return SampleType::i16;
+  if (one_of(type, {"uint", "unsigned int", "uint32", "uint32_t"})) return SampleType::u32;
+  if (one_of(type, {"int", "signed int", "int32", "int32_t"})) return SampleType::i32;
+  if (one_of(type,
+             {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}))
+    return SampleType::u64;
+  if (one_of(type, {"longlong", "long long", "long long int", "signed long long",
+                    "signed long long int", "int64", "int64_t"}))
+    return SampleType::i64;
+  if (type == "float") return SampleType::f32;
+  if (type == "double") return SampleType::f64;
   fail_type(file, text);
 }
 

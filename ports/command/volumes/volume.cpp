@@ -51,14 +51,19 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
        "convert it to NRRD, NIfTI-1 or MetaImage, or give the layout of its samples");
 }
 
+double lowered_by_rounding(const VolumeInfo& info, double iso) {
+  // iso, slope and intercept are decimal numbers, each rounded once.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  if (info.slope == 1 && info.intercept == 0) return iso;
+  return iso - rounding * std::fabs(iso) - rounding * std::fabs(info.intercept);
+}
+
 std::int32_t stored_threshold(const VolumeInfo& info, double iso) {
   constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
   constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
   if (!std::isfinite(iso)) return static_cast<std::int32_t>(iso < 0 ? least : most);
 
-  // iso, slope and intercept are decimal numbers, each rounded once on its way here.
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-  const double reached = iso - rounding * std::fabs(iso) - rounding * std::fabs(info.intercept);
+  const double reached = lowered_by_rounding(info, iso);
   // Bisection, since it is exact where a quotient would be rounded, and saturates by itself.
   std::int64_t low = least;
   std::int64_t high = most;

@@ -15,15 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "sample_type.hpp"
+
 namespace discmc::host {
-
-/// How a sample is stored. Other types are refused.
-enum class SampleType : std::uint8_t { u8, u16, i16 };
-
-/// Units: bytes.
-constexpr std::size_t sample_bytes(SampleType type) {
-  return type == SampleType::u8 ? 1 : 2;
-}
 
 /// What cannot be read, and why.
 class VolumeError : public std::runtime_error {
@@ -95,10 +89,15 @@ bool is_volume_name(const std::filesystem::path& file);
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const std::optional<RawLayout>& layout = std::nullopt);
 
+/// The iso value, less what decimal numbers may have lost when they were rounded on their way here:
+/// what is not below this reaches iso.
+double lowered_by_rounding(const VolumeInfo& info, double iso);
+
 /// The threshold on stored samples that stands for an iso value in the file's declared units:
 /// stored >= threshold exactly where value >= iso. Values that differ from iso by no more than the
 /// rounding of the decimal numbers involved count as equal, so iso 0.9 at slope 0.3 is 3, not 4.
 /// Saturates: INT32_MIN when every value reaches iso, INT32_MAX when none does (or iso is NaN).
+/// Of samples that are not whole numbers it is the first whole one.
 std::int32_t stored_threshold(const VolumeInfo& info, double iso);
 
 }  // namespace discmc::host

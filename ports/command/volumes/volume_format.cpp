@@ -41,7 +41,7 @@ void fail(const std::filesystem::path& file, const std::string& what, const std:
 
 void fail_type(const std::filesystem::path& file, std::string_view type) {
   fail(file, "samples of type " + shown(type) + " are not read",
-       "convert to u8, u16 or i16, e.g. with SimpleITK: Cast(image, sitkInt16)");
+       "give a volume of one number a voxel: whole, or floating point of 32 or 64 bits");
 }
 
 std::string shown(std::string_view text) {

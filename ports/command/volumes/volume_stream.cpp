@@ -17,17 +17,27 @@ namespace {
 // Deflate cannot expand a byte of its stream to more than this.
 constexpr std::uint64_t most_inflation = 1032;
 
-// Samples arrive as two bytes in the file's order and leave in the machine's.
-void order_samples(unsigned char* bytes, std::uint64_t count, bool big_endian) {
-  const int first_shift = big_endian ? 8 : 0;
-  for (std::uint64_t i = 0; i < count; ++i, bytes += 2) {
-    const int joined = (bytes[0] << first_shift) | (bytes[1] << (8 - first_shift));
-    const auto sample = static_cast<std::uint16_t>(joined);
-    std::memcpy(bytes, &sample, sizeof sample);
-  }
+// Samples arrive in the file's byte order and leave in the machine's.
+template <std::size_t size>
+void swap_samples(unsigned char* bytes, std::uint64_t count) {
+  for (std::uint64_t i = 0; i < count; ++i, bytes += size) std::reverse(bytes, bytes + size);
+}
+
+void order_samples(unsigned char* bytes, std::uint64_t count, std::size_t size, bool big_endian) {
+  if (big_endian == is_native_big_endian()) return;
+  if (size == 2) swap_samples<2>(bytes, count);
+  if (size == 4) swap_samples<4>(bytes, count);
+  if (size == 8) swap_samples<8>(bytes, count);
 }
 
 }  // namespace
+
+bool is_native_big_endian() {
+  const std::uint16_t one = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
+}
 
 struct ByteStream::Inflater {
   z_stream state{};
@@ -184,8 +194,8 @@ void SliceStream::read_slice(void* samples) {
     stream_.read(&beyond, 1);
     if (!stream_.damage().empty()) fail_in_slice(0);
   }
-  if (sample_bytes(info_.type) == 2)
-    order_samples(static_cast<unsigned char*>(samples), bytes / 2, big_endian_);
+  const std::size_t size = sample_bytes(info_.type);
+  order_samples(static_cast<unsigned char*>(samples), bytes / size, size, big_endian_);
   ++slice_;
 }
 

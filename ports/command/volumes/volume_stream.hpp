@@ -13,6 +13,9 @@
 
 namespace discmc::host {
 
+/// The byte order of this machine.
+bool is_native_big_endian();
+
 /// Reads a regular file from front to back. Movable, not copyable.
 class ByteStream {
  public:

@@ -16,9 +16,8 @@ std::vector<Sample> read_all(host::VolumeReader& reader) {
 }
 
 Samples read_samples(host::VolumeReader& reader) {
-  if (reader.info().type == host::SampleType::u8) return read_all<uint8_t>(reader);
-  if (reader.info().type == host::SampleType::u16) return read_all<uint16_t>(reader);
-  return read_all<int16_t>(reader);
+  return host::with_scanner_type(
+      reader.info().type, [&](auto type) { return Samples(read_all<decltype(type)>(reader)); });
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+// What classic Marching Cubes would make of a surface: how many vertices.
+#ifndef DISCMC_COMMAND_EXTRACTION_CROSSING_COUNTER_HPP
+#define DISCMC_COMMAND_EXTRACTION_CROSSING_COUNTER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <discmc/limits.hpp>
+
+namespace discmc::host {
+
+/// Counts the lattice edges between an on and an off voxel: classic Marching Cubes puts a vertex on
+/// each of them.
+class CrossingCounter {
+ public:
+  explicit CrossingCounter(const Limits& limits);
+
+  /// Takes the next slice, rows of bits as Extractor::push_bits() does. stride: from one to the
+  /// next; Units: bytes.
+  void add_slice(const std::uint8_t* bits, std::size_t stride);
+
+  /// After the last slice.
+  std::uint64_t count() const;
+
+ private:
+  // Around a closed volume all is off; around an open one is what is at its side, so that nothing
+  // crosses there.
+  std::uint64_t changes_along(const std::uint8_t* row) const;
+
+  std::uint32_t width_;
+  std::uint32_t height_;
+  bool is_closed_;
+  std::vector<std::uint8_t> off_;    // a row
+  std::vector<std::uint8_t> below_;  // the rows of the slice before
+  bool has_below_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,85 @@
+#include "narrowed_volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "selection.hpp"
+
+namespace discmc::host {
+namespace {
+
+class NarrowedVolume final : public VolumeReader {
+ public:
+  NarrowedVolume(std::unique_ptr<VolumeReader> volume, const SampleBounds& bounds, double iso)
+      : volume_(std::move(volume)), info_(volume_->info()), slice_(info_.slice_bytes()) {
+    with_sample_type(info_.type, [&](auto type) {
+      using Sample = decltype(type);
+      const Sample low = selected_samples<Sample>(info_, {iso}).low;
+      const auto zero = static_cast<double>(low);
+      const double most = std::max(bounds.greatest - zero, zero - bounds.least);
+      const double scale = most > 0 ? greatest / most : 1;
+      narrow_ = [low, zero, scale](const void* wide, std::int16_t* narrow, std::size_t count) {
+        const auto* sample = static_cast<const Sample*>(wide);
+        for (std::size_t i = 0; i < count; ++i)
+          narrow[i] = counted(static_cast<double>(sample[i]), sample[i] >= low, zero, scale);
+      };
+    });
+    info_.type = SampleType::i16;
+    info_.slope = 1;
+    info_.intercept = 0;
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+  void read_slice(void* samples) override {
+    volume_->read_slice(slice_.data());
+    narrow_(slice_.data(), static_cast<std::int16_t*>(samples),
+            std::size_t{info_.dims[0]} * info_.dims[1]);
+  }
+
+ private:
+  static constexpr double greatest = std::numeric_limits<std::int16_t>::max();
+
+  static std::int16_t counted(double sample, bool is_on, double zero, double scale) {
+    const double distance = std::isnan(sample) ? -1 : std::round((sample - zero) * scale);
+    return static_cast<std::int16_t>(is_on ? std::clamp(distance, 0.0, greatest)
+                                           : std::clamp(distance, -greatest, -1.0));
+  }
+
+  std::unique_ptr<VolumeReader> volume_;
+  VolumeInfo info_;
+  std::vector<std::uint8_t> slice_;
+  std::function<void(const void*, std::int16_t*, std::size_t)> narrow_;
+};
+
+}  // namespace
+
+SampleBounds sample_bounds(VolumeReader& volume) {
+  const VolumeInfo& info = volume.info();
+  std::vector<std::uint8_t> slice(info.slice_bytes());
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+    volume.read_slice(slice.data());
+    with_sample_type(info.type, [&](auto type) {
+      using Sample = decltype(type);
+      const auto* samples = reinterpret_cast<const Sample*>(slice.data());
+      for (std::size_t i = 0; i < slice.size() / sizeof(Sample); ++i) {
+        const auto sample = static_cast<double>(samples[i]);
+        if (!std::isfinite(sample)) continue;
+        least = std::min(least, sample);
+        greatest = std::max(greatest, sample);
+      }
+    });
+  }
+  return least <= greatest ? SampleBounds{least, greatest} : SampleBounds{};
+}
+
+std::unique_ptr<VolumeReader> narrowed(std::unique_ptr<VolumeReader> volume,
+                                       const SampleBounds& bounds, double iso) {
+  return std::make_unique<NarrowedVolume>(std::move(volume), bounds, iso);
+}
+
+}  // namespace discmc::host

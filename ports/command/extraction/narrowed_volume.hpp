@@ -1,0 +1,30 @@
+// A volume of any sample type in 16 bits, for what takes no others: gradients.
+#ifndef DISCMC_COMMAND_EXTRACTION_NARROWED_VOLUME_HPP
+#define DISCMC_COMMAND_EXTRACTION_NARROWED_VOLUME_HPP
+
+#include <memory>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// The least and the greatest sample, infinities and what is not a number apart; 0 and 0 where
+/// there is none. Units: as stored.
+struct SampleBounds {
+  double least = 0;
+  double greatest = 0;
+};
+
+/// Reads the volume to its end.
+SampleBounds sample_bounds(VolumeReader& volume);
+
+/// The volume as 16-bit samples with sign, whose values are counted from iso: below zero exactly
+/// where the value is below iso, else zero or more, and in proportion as far as 16 bits tell it.
+/// So the surface at 0 is that of the volume at iso. What is not a number is just off.
+/// bounds: of the volume.
+std::unique_ptr<VolumeReader> narrowed(std::unique_ptr<VolumeReader> volume,
+                                       const SampleBounds& bounds, double iso);
+
+}  // namespace discmc::host
+
+#endif

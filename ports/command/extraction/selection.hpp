@@ -1,0 +1,67 @@
+// Which voxels of a volume are on, decided in the samples' own type.
+#ifndef DISCMC_COMMAND_EXTRACTION_SELECTION_HPP
+#define DISCMC_COMMAND_EXTRACTION_SELECTION_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// The values that are on: from low to high, both of them too. A sample that is not a number is
+/// off. Units: those that the file declares.
+struct Selection {
+  double low = 0;
+  double high = std::numeric_limits<double>::infinity();
+
+  Selection() = default;
+  /// A threshold alone: on means value >= low.
+  Selection(double lowest, double highest = std::numeric_limits<double>::infinity())
+      : low(lowest), high(highest) {}
+
+  bool has_upper_end() const { return high < std::numeric_limits<double>::infinity(); }
+};
+
+/// Samples from low to high, both of them too; none where low > high.
+template <class Sample>
+struct SampleRange {
+  Sample low;
+  Sample high;
+
+  bool holds(Sample sample) const { return low <= sample && sample <= high; }
+};
+
+/// The stored samples whose values are selected: exactly those, whole numbers as with
+/// stored_threshold(). For floating point the ends of the selection are rounded to the samples'
+/// own type first, so that 0.35 selects a sample stored as 0.35 of 32 bits. Sample: any of
+/// with_sample_type().
+template <class Sample>
+SampleRange<Sample> selected_samples(const VolumeInfo& info, const Selection& selection);
+
+/// Units: bytes that a row of so many bits takes.
+constexpr std::size_t bit_row_bytes(std::uint32_t width) {
+  return (std::size_t{width} + 7) / 8;
+}
+
+/// Makes bits of slices.
+class SliceSelector {
+ public:
+  SliceSelector(const VolumeInfo& info, const Selection& selection);
+
+  /// Writes the rows of a slice as Extractor::push_bits() takes them, unused bits off. samples: as
+  /// VolumeReader::read_slice() gives them. stride: from one row of bits to the next.
+  /// Units: stride in bytes. Returns how many samples are not a number.
+  std::uint64_t select(const void* samples, std::uint8_t* bits, std::size_t stride) const {
+    return select_(samples, bits, stride);
+  }
+
+ private:
+  std::function<std::uint64_t(const void*, std::uint8_t*, std::size_t)> select_;
+};
+
+}  // namespace discmc::host
+
+#endif

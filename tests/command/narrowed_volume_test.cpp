@@ -1,0 +1,79 @@
+// Volumes of any type in 16 bits.
+#include "extraction/narrowed_volume.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using discmc::host::narrowed;
+using discmc::host::SampleBounds;
+
+// The test volume as float, some samples of which are others.
+std::string floats(const std::vector<float>& first) {
+  std::string bytes = stored(SampleType::f32);
+  std::memcpy(bytes.data(), first.data(), first.size() * sizeof(float));
+  return bytes;
+}
+
+std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
+                                     const std::string& bytes) {
+  RawLayout layout;
+  layout.dims = {5, 3, 4};
+  layout.type = type;
+  return open_volume(folder.write("v.raw", bytes), layout);
+}
+
+}  // namespace
+
+TEST_CASE("the bounds are those of the finite samples") {
+  const Folder folder;
+  const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
+  const auto bounds = sample_bounds(
+      *opened(folder, SampleType::f32, floats({nan, infinity, -infinity, 1000, -2000})));
+  CHECK(bounds.least == -2000);
+  CHECK(bounds.greatest == 1000);
+}
+
+TEST_CASE("a narrowed volume is on where the volume is, and in proportion") {
+  const Folder folder;
+  for (const auto& [called, type] : discmc::host::sample_types) {
+    INFO(called);
+    const std::string bytes = stored(type);
+    const double iso = (sample_at(20, type) + sample_at(21, type)) / 2;
+    const SampleBounds bounds = sample_bounds(*opened(folder, type, bytes));
+    CHECK(bounds.least == doctest::Approx(sample_at(0, type)));
+    const auto volume = narrowed(opened(folder, type, bytes), bounds, iso);
+    CHECK(volume->info().type == SampleType::i16);
+    const std::vector<double> samples = read_all(*volume);
+    const double step = (samples.back() - samples.front()) / (voxels - 1);
+    CHECK(samples.back() > 30000);
+    for (int i = 0; i < voxels; ++i) {
+      const double sample = samples[static_cast<std::size_t>(i)];
+      CHECK((sample >= 0) == (i > 20));
+      CHECK(std::fabs(sample - samples.front() - i * step) <= 2);
+    }
+  }
+}
+
+TEST_CASE("what lies closer to iso than 16 bits tell is on its side all the same") {
+  const Folder folder;
+  const auto volume = narrowed(
+      opened(folder, SampleType::f32, floats({1e30F, -1e30F, 0.0F, -1e-30F, std::nanf("")})),
+      {-1e30, 1e30}, 0);
+  const std::vector<double> samples = read_all(*volume);
+  CHECK(samples[0] == 32767);
+  CHECK(samples[1] == -32767);
+  CHECK(samples[2] == 0);
+  CHECK(samples[3] == -1);
+  CHECK(samples[4] == -1);
+}
