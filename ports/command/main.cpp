@@ -26,7 +26,6 @@ int run(int argc, char** argv) {
   app.failure_message(usage_error);
   const std::vector<Command> commands = add_commands(app);
   app.footer(
-      "discmc COMMAND --help tells the options of a command.\n"
       "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
   try {
     app.parse(argc, argv);

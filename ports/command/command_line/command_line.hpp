@@ -16,12 +16,15 @@ struct Command {
 /// Adds all commands to a command line.
 std::vector<Command> add_commands(CLI::App& app);
 
-// One command each, in a file of its name.
+// One command each, in a file of its name; the last two, which tell of all commands, in
+// documents.cpp.
 
 Command add_extract(CLI::App& app);
 Command add_decode(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_render(CLI::App& app);
+Command add_completions(CLI::App& app);
+Command add_manual(CLI::App& app);
 
 }  // namespace discmc::host
 

@@ -58,7 +58,10 @@ std::string help(const CommandOutline& outline) {
     for (const OptionOutline& option : group.options)
       text += entry(term(option), option.description);
   }
-  return text + '\n' + outline.footer + '\n';
+  if (!outline.commands.empty())
+    text += '\n' + outline.name + " COMMAND --help tells the options of a command.\n";
+  if (!outline.footer.empty()) text += '\n' + outline.footer + '\n';
+  return text;
 }
 
 }  // namespace discmc::host

@@ -1,0 +1,104 @@
+// Completions of the command line, in the shells themselves.
+#include "command_line/completions.hpp"
+
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+
+// What bash offers at the end of a line.
+std::string bash_offers(const std::string& line) {
+  const Result result = Workshop().shell(
+      "\"$discmc\" completions bash > completions\n"
+      "bash --norc -c '. ./completions; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1))\n"
+      "function=$(complete -p discmc | sed \"s/.*-F \\([^ ]*\\) .*/\\1/\")\n"
+      "$function discmc \"${COMP_WORDS[COMP_CWORD]}\" \"${COMP_WORDS[COMP_CWORD - 1]}\"\n"
+      "echo ${COMPREPLY[*]}' bash discmc " +
+      line);
+  CHECK(result.code == 0);
+  CHECK(result.error.empty());
+  return result.out;
+}
+
+std::string fish_offers(const std::string& line) {
+  const Result result = Workshop().shell(
+      "\"$discmc\" completions fish > completions\n"
+      "HOME=. fish --no-config -c '. ./completions; complete -C \"discmc " +
+      line + "\"' | cut -f 1 | tr '\\n' ' '");
+  CHECK(result.code == 0);
+  return result.out;
+}
+
+bool has(const std::string& program) {
+  return Workshop().shell("command -v " + program).code == 0;
+}
+
+}  // namespace
+
+TEST_CASE("bash completes commands, options, and the words that a value can be") {
+  if (!has("bash")) return;
+  CHECK(bash_offers("ex") == "extract\n");
+  CHECK(contains(bash_offers("''"), "extract decode info render"));
+  CHECK(bash_offers("--ve") == "--version\n");
+  CHECK(bash_offers("extract v.nrrd --bor") == "--border\n");
+  CHECK(bash_offers("extract v.nrrd --border ''") == "closed open\n");
+  CHECK(bash_offers("render --border o") == "open\n");
+  CHECK(bash_offers("decode --conf") == "--conforming\n");
+  CHECK(bash_offers("completions ''") == "bash zsh fish\n");
+}
+
+TEST_CASE("bash leaves files to the shell") {
+  if (!has("bash")) return;
+  CHECK(bash_offers("extract v") == "\n");
+  CHECK(bash_offers("extract v.nrrd -o v") == "\n");
+  CHECK(bash_offers("extract v.nrrd --iso -") == "\n");
+  CHECK(contains(Workshop().done("completions bash"), "\ncomplete -o default -F "));
+}
+
+TEST_CASE("fish completes commands, options, and the words that a value can be") {
+  if (!has("fish")) return;
+  CHECK(fish_offers("ex") == "extract ");
+  CHECK(fish_offers("extract v.nrrd --bor") == "--border ");
+  CHECK(fish_offers("extract v.nrrd --border ") == "closed open ");
+  CHECK(fish_offers("completions ") == "bash fish zsh ");
+}
+
+TEST_CASE("the completions of each shell are a script that it takes") {
+  for (const std::string shell : {"bash", "zsh", "fish"}) {
+    if (!has(shell)) continue;
+    INFO(shell);
+    const Result result = Workshop().shell("\"$discmc\" completions " + shell +
+                                           " > completions && " + shell + " -n completions");
+    CHECK(result.code == 0);
+    CHECK(result.error.empty());
+  }
+}
+
+TEST_CASE("zsh is told the values, files and texts of options") {
+  const std::string script = Workshop().done("completions zsh");
+  CHECK(script.rfind("#compdef discmc\n", 0) == 0);
+  CHECK(contains(script, "'extract:Extract the surface of a volume'"));
+  CHECK(contains(script, "'(--border)--border["));
+  CHECK(contains(script, "]:closed|open:(closed open)'"));
+  CHECK(contains(script, "]:FILE:_files'"));
+  CHECK(contains(script, "'*--iso["));
+  CHECK(contains(script, "'1:FILE:_files'"));
+}
+
+TEST_CASE("no text of the command line is taken for a part of a script") {
+  const std::string text = "it's [a] volume: $HOME `ls`; and more";
+  discmc::host::CommandOutline program{"it", text, {}, {}, {}, "", ""};
+  program.groups = {{"Options", {{{"-o"}, "", {}, text, false, false}}}};
+  CHECK(contains(discmc::host::zsh_completions(program),
+                 "'(-o)-o[it'\\''s \\[a\\] volume\\: $HOME `ls`]'"));
+  CHECK(
+      contains(discmc::host::fish_completions(program), " -d 'it'\\''s [a] volume: $HOME `ls`'\n"));
+  CHECK(!contains(discmc::host::bash_completions(program), "HOME"));
+}
+
+TEST_CASE("completions of another shell are refused") {
+  const Result result = Workshop().run("completions csh");
+  CHECK(result.code == 2);
+  CHECK(contains(result.error, "csh not in {bash,zsh,fish}"));
+}
