@@ -1,17 +1,22 @@
-// Progress on standard error, when that is a terminal.
+// Progress of a job on standard error, when that is a terminal.
 #ifndef DISCMC_COMMAND_PROGRESS_HPP
 #define DISCMC_COMMAND_PROGRESS_HPP
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace discmc::host {
 
-/// Shows "what done/all" in place, a few times a second, and clears the line in the end.
+/// "extracting 45 %"; where all is not known (0), "row 45", or the phase alone.
+std::string progress_text(const std::string& phase, std::uint64_t done, std::uint64_t all);
+
+/// A phase of a job: shown in place from its beginning on, a few times a second, and cleared when
+/// all is done or the phase ends. One that begins within another takes its place.
 class Progress {
  public:
-  /// what: Owner: static storage. all: 0 when not known.
-  Progress(const char* what, std::uint64_t all);
+  /// all: 0 when not known.
+  explicit Progress(std::string phase, std::uint64_t all = 0);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
@@ -19,7 +24,10 @@ class Progress {
   void show(std::uint64_t done);
 
  private:
-  const char* what_;
+  void write(std::uint64_t done) const;
+  void clear();
+
+  std::string phase_;
   std::uint64_t all_;
   bool is_shown_;
   std::chrono::steady_clock::time_point next_;

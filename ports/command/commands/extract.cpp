@@ -127,7 +127,7 @@ int run_extract(const ExtractArguments& arguments) {
   const VolumeInfo info = volume->info();
   OutputFile file(arguments.output);
   StreamOutput output(format == Format::stream ? &file.stream() : nullptr);
-  Progress progress("slice", info.dims[2]);
+  Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress);
   StreamHeader header = stream_header(info, options);
   header.scan = arguments.scan;

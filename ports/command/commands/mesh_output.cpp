@@ -7,13 +7,22 @@
 #include "progress.hpp"
 
 namespace discmc::host {
+namespace {
+
+Mesh triangulated(const Surface& surface, const MeshOptions& options) {
+  const Progress triangulating("triangulating");
+  return build_mesh(surface, options);
+}
+
+}  // namespace
 
 void write_surface(const Surface& surface, Format format, const MeshOptions& options,
                    const std::function<void(Mesh&)>& add_normals, OutputFile& file) {
   try {
     if (format == Format::jsonl) return write_jsonl(surface, file.stream());
-    Mesh mesh = build_mesh(surface, options);
+    Mesh mesh = triangulated(surface, options);
     add_normals(mesh);
+    const Progress writing("writing");
     write_mesh(mesh, format, file.stream());
   } catch (const std::runtime_error&) {
     if (!file.stream()) file.commit();  // throws
@@ -22,7 +31,7 @@ void write_surface(const Surface& surface, Format format, const MeshOptions& opt
 }
 
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {
-  Progress progress("normals: slice", volume.info().dims[2]);
+  Progress progress("normals", volume.info().dims[2]);
   set_gradient_normals(volume, mesh, [&progress](std::uint32_t slices) { progress.show(slices); });
 }
 

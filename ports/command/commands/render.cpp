@@ -29,7 +29,7 @@ Mesh mesh_to_draw(const Surface& surface, bool smooth) {
 
 Mesh volume_to_draw(const RenderArguments& arguments) {
   auto volume = open_noted_volume(arguments.input, arguments.reading);
-  Progress progress("slice", volume->info().dims[2]);
+  Progress progress("extracting", volume->info().dims[2]);
   auto options = extraction_options(arguments.reading, progress);
   if (arguments.classic) return classic_mesh(*volume, options);
   options.normals = arguments.smooth;
@@ -71,6 +71,7 @@ int run_render(const RenderArguments& arguments) {
     code = completeness(arguments.input, decoded.report);
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
+  const Progress drawing("drawing");
   write_picture(mesh, picture_options(arguments), arguments.output);
   return code;
 }

@@ -51,7 +51,9 @@ void read_file(const std::string& path, StreamReader& reader) {
     if (!file.is_open())
       throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
   }
-  Progress progress("bytes", 0);
+  const std::uint64_t size =
+      std::filesystem::is_regular_file(path) ? std::filesystem::file_size(path) : 0;
+  Progress progress(size > 0 ? "reading" : "reading byte", size);
   try {
     reader.read(path == "-" ? std::cin : file,
                 [&progress](std::uint64_t bytes) { progress.show(bytes); });

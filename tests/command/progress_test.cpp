@@ -1,0 +1,68 @@
+// Progress of the command, on a terminal and elsewhere.
+#include "progress.hpp"
+
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::host::progress_text;
+using discmc::reference::box;
+
+const std::string clear_line = "\r\033[K";
+
+// Runs the command on a terminal; returns what that was sent, or nothing where there is none.
+std::string on_terminal(const Workshop& workshop, const std::string& arguments) {
+  const Result result = workshop.shell(
+      "command -v script >found || exit 0\n"
+      "script -qec \"$discmc " +
+      arguments + "\" /dev/null");
+  CHECK(result.code == 0);
+  return result.out;
+}
+
+// Whether the phases were shown in this order, each on a line that was cleared.
+void check_phases(const std::string& sent, const std::vector<std::string>& phases) {
+  INFO(sent);
+  std::size_t at = 0;
+  for (const std::string& phase : phases) {
+    INFO(phase);
+    at = sent.find(clear_line + phase, at);
+    REQUIRE(at != std::string::npos);
+    REQUIRE(sent.find(clear_line, at + 1) != std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("progress is a share of all, or a count where all is not known") {
+  CHECK(progress_text("extracting", 0, 113) == "extracting 0 %");
+  CHECK(progress_text("extracting", 51, 113) == "extracting 45 %");
+  CHECK(progress_text("extracting", 113, 113) == "extracting 100 %");
+  CHECK(progress_text("row", 51, 0) == "row 51");
+  CHECK(progress_text("writing", 0, 0) == "writing");
+}
+
+TEST_CASE("a terminal is shown the phases of the whole job, and a clean line after them") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
+  const std::string extracted = on_terminal(workshop, "extract v.nrrd --iso 100 -o v.ply");
+  if (extracted.empty()) return;  // no program that makes a terminal
+  check_phases(extracted, {"extracting 0 %", "triangulating", "writing"});
+  CHECK(contains(extracted, clear_line + "  voxels "));
+  check_phases(on_terminal(workshop, "extract v.nrrd --iso 100 --normals gradient -o v.ply"),
+               {"extracting 0 %", "triangulating", "normals 0 %", "writing"});
+
+  const std::string streamed = on_terminal(workshop, "extract v.nrrd --iso 100 -o v.dmc");
+  check_phases(streamed, {"extracting 0 %"});
+  CHECK(contains(streamed, clear_line + "  voxels "));
+  check_phases(on_terminal(workshop, "decode v.dmc -o v.obj"),
+               {"reading 0 %", "triangulating", "writing"});
+  check_phases(on_terminal(workshop, "render v.dmc -o v.png"), {"reading 0 %", "drawing"});
+}
+
+TEST_CASE("no progress is shown where there is no terminal") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
+  CHECK(workshop.run("extract v.nrrd --iso 100 -o v.ply").error.empty());
+}
