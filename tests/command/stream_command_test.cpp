@@ -317,6 +317,42 @@ TEST_CASE("info lists application records and a placement, in words") {
   CHECK(contains(info, "RAS"));
 }
 
+TEST_CASE("a polygon that is none costs that polygon, and is told") {
+  using Kind = discmc::Event::Kind;
+  discmc::test::Line line;
+  discmc::Encoder encoder;
+  const auto volume = discmc::reference::from_bits({3, 3, 3}, 1 << 13);
+  discmc::reference::require_ok(
+      discmc::test::begin_stream(encoder, discmc::test::header_of(volume), line.output()));
+  discmc::Event event{};
+  const auto tell = [&](Kind kind) {
+    event.kind = kind;
+    REQUIRE(encoder.take(event) == discmc::Answer::taken);
+  };
+  event.incidence = discmc::incidence_of({0, 0, 1});
+  event.start = {3, 2, 0};
+  tell(Kind::region);
+  for (const bool hole : {false, true}) {  // the same square twice
+    event.hole = hole;
+    tell(Kind::ring);
+    for (int side = 0; side < 4; ++side) {
+      event.run = discmc::Run::straight(static_cast<discmc::Direction>((6 + 2 * side) % 8), 1);
+      tell(Kind::run);
+    }
+  }
+  tell(Kind::region_end);
+  discmc::test::take_all(encoder, discmc::test::events_of(volume));
+  const Workshop workshop;
+  workshop.write("c.dmc", text_of(line.bytes));
+  for (const char* arguments : {"decode c.dmc -o c.stl", "render c.dmc -o c.png --size 16,16"}) {
+    const Result result = workshop.run(arguments);
+    CHECK(result.code == 3);  // the trailer counts eight regions
+    CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons left out"));
+    CHECK(contains(result.error, "in line 1\n"));
+  }
+  CHECK(workshop.read("c.stl").size() == 84 + 8 * 50);
+}
+
 TEST_CASE("two scans of one number that are mixed are told, with a remedy") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));

@@ -95,7 +95,11 @@ int run_decode(const StreamArguments& arguments) {
     const DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
     write_surface(
         decoded.surface, format, arguments.mesh,
-        [&](Mesh& mesh) { add_normals(arguments, decoded, mesh); }, file);
+        [&](Mesh& mesh) {
+          note_left_out(arguments.stream, decoded.surface, mesh);
+          add_normals(arguments, decoded, mesh);
+        },
+        file);
     report = decoded.report;
   }
   file.commit();

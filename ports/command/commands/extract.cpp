@@ -155,7 +155,11 @@ int run_extract(const ExtractArguments& arguments) {
     surface.spacing_mm = info.spacing_mm;
     write_surface(
         surface, format, arguments.mesh,
-        [&](Mesh& mesh) { add_normals(arguments, surface, mesh); }, file);
+        [&](Mesh& mesh) {
+          note_left_out(arguments.volume, surface, mesh);
+          add_normals(arguments, surface, mesh);
+        },
+        file);
   }
   file.commit();
   if (extractions[0].not_numbers > 0)

@@ -1,5 +1,6 @@
 #include "mesh_output.hpp"
 
+#include <iostream>
 #include <stdexcept>
 
 #include "mesh_files/mesh_files.hpp"
@@ -28,6 +29,15 @@ void write_surface(const Surface& surface, Format format, const MeshOptions& opt
     if (!file.stream()) file.commit();  // throws
     throw;
   }
+}
+
+void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {
+  if (mesh.left_out.empty()) return;
+  std::cerr << "discmc: " << input << ": " << mesh.left_out.size() << " of "
+            << surface.polygons.size()
+            << " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
+               "first in line "
+            << mesh.left_out[0] + 1 << '\n';
 }
 
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {

@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_COMMANDS_MESH_OUTPUT_HPP
 
 #include <functional>
+#include <string>
 
 #include "mesh_files/file_format.hpp"
 #include "meshes/mesh.hpp"
@@ -17,6 +18,9 @@ namespace discmc::host {
 /// Format::stream.
 void write_surface(const Surface& surface, Format format, const MeshOptions& options,
                    const std::function<void(Mesh&)>& add_normals, OutputFile& file);
+
+/// Says which polygons of the surface of this input the mesh has not, if there are any.
+void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);
 
 /// A second pass over the volume of a mesh.
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh);

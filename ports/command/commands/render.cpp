@@ -5,6 +5,7 @@
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/extraction.hpp"
+#include "mesh_output.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
@@ -19,8 +20,10 @@ namespace discmc::host {
 namespace {
 
 // A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
-Mesh mesh_to_draw(const Surface& surface, bool smooth) {
+Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
+  const bool smooth = arguments.smooth;
   Mesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+  note_left_out(arguments.input, surface, mesh);
   if (!smooth || surface.normals.empty()) return mesh;
   mesh.normals = surface_normals(mesh);
   set_told_normals(surface, mesh);
@@ -43,7 +46,7 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   GrowingJoiner joiner(sink_to(builder));
   extract(*volume, options, sink_to(joiner));
   builder.surface().spacing_mm = volume->info().spacing_mm;
-  return mesh_to_draw(builder.surface(), arguments.smooth);
+  return mesh_to_draw(arguments, builder.surface());
 }
 
 PictureOptions picture_options(const RenderArguments& arguments) {
@@ -67,7 +70,7 @@ int run_render(const RenderArguments& arguments) {
     mesh = volume_to_draw(arguments);
   } else {
     const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
-    mesh = mesh_to_draw(decoded.surface, arguments.smooth);
+    mesh = mesh_to_draw(arguments, decoded.surface);
     code = completeness(arguments.input, decoded.report);
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);

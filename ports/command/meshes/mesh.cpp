@@ -1,9 +1,9 @@
 #include "mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -96,12 +96,13 @@ class Builder {
     const std::uint32_t* number = numbering_.in_order().data();
     for (std::size_t i = 0; i < surface_.polygons.size(); ++i) {
       const Polygon& polygon = surface_.polygons[i];
-      std::vector<std::vector<std::uint32_t>> rings;
+      numbers_.clear();
+      ring_ends_.clear();
       for (const Ring& ring : polygon.rings) {
-        rings.push_back(kept(ring, number));
+        keep(ring, number);
         number += ring.size();
       }
-      add_polygon(static_cast<std::uint32_t>(i), polygon.incidence, rings);
+      add_polygon(static_cast<std::uint32_t>(i), polygon.incidence);
     }
     return std::move(mesh_);
   }
@@ -109,55 +110,37 @@ class Builder {
  private:
   static constexpr std::uint32_t not_in_mesh = 0xFFFFFFFFu;
 
-  std::vector<std::uint32_t> kept(const Ring& ring, const std::uint32_t* numbers) const {
-    std::vector<std::uint32_t> result;
+  void keep(const Ring& ring, const std::uint32_t* numbers) {
     for (std::size_t i = 0; i < ring.size(); ++i)
       if (turns(ring, i) || (options_.conforming && junctions_[numbers[i]]))
-        result.push_back(numbers[i]);
-    return result;
+        numbers_.push_back(numbers[i]);
+    ring_ends_.push_back(static_cast<std::uint32_t>(numbers_.size()));
   }
 
-  void add_polygon(std::uint32_t polygon, Incidence incidence,
-                   const std::vector<std::vector<std::uint32_t>>& rings) {
+  void add_polygon(std::uint32_t polygon, Incidence incidence) {
+    const bool is_whole = options_.faces == Faces::polygons && ring_ends_.size() == 1 &&
+                          numbers_.size() >= 3 && numbers_.size() <= max_face_corners;
+    if (is_whole) return add_face(polygon, incidence, numbers_);
     try {
-      if (rings.size() != 1 || rings[0].size() > max_face_corners ||
-          options_.faces == Faces::triangles)
-        add_triangles(polygon, incidence, rings);
-      else if (rings[0].size() < 3)
-        throw std::invalid_argument("ring of less than three corners");
-      else
-        add_face(polygon, incidence, rings[0].data(), rings[0].size());
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("polygon " + std::to_string(polygon) + ": " + error.what());
+      add_triangles(polygon, incidence);
+    } catch (const std::invalid_argument&) {
+      mesh_.left_out.push_back(polygon);
     }
   }
 
-  void add_triangles(std::uint32_t polygon, Incidence incidence,
-                     std::vector<std::vector<std::uint32_t>> rings) {
-    // The triangulator wants numbers from zero; touching rings share theirs.
-    std::vector<std::uint32_t> numbers;
-    for (const auto& ring : rings) numbers.insert(numbers.end(), ring.begin(), ring.end());
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-
-    std::vector<PlanePoint> points;
-    points.reserve(numbers.size());
-    for (const std::uint32_t number : numbers)
-      points.push_back(in_plane(numbering_.positions()[number], numbering_.positions()[numbers[0]],
-                                normal(incidence)));
-    for (auto& ring : rings)
-      for (std::uint32_t& number : ring)
-        number = static_cast<std::uint32_t>(
-            std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin());
-    for (const Triangle& triangle : triangulate(points, rings)) {
-      const std::uint32_t face[] = {numbers[triangle[0]], numbers[triangle[1]],
-                                    numbers[triangle[2]]};
-      add_face(polygon, incidence, face, 3);
-    }
+  void add_triangles(std::uint32_t polygon, Incidence incidence) {
+    const std::vector<Vertex>& positions = numbering_.positions();
+    points_.clear();
+    for (const std::uint32_t number : numbers_)
+      points_.push_back(in_plane(positions[number], positions[numbers_[0]], normal(incidence)));
+    for (const Triangle& triangle : triangulator_.triangulate(points_, ring_ends_))
+      add_face(polygon, incidence,
+               std::array{numbers_[triangle[0]], numbers_[triangle[1]], numbers_[triangle[2]]});
   }
 
-  void add_face(std::uint32_t polygon, Incidence incidence, const std::uint32_t* numbers,
-                std::size_t count) {
+  template <class Numbers>
+  void add_face(std::uint32_t polygon, Incidence incidence, const Numbers& numbers) {
+    const std::size_t count = numbers.size();
     for (std::size_t i = 0; i < count; ++i)
       mesh_.corners.push_back(mesh_number(numbers[mirrored_ ? count - 1 - i : i]));
     mesh_.face_begin.push_back(mesh_.corners.size());
@@ -184,6 +167,11 @@ class Builder {
   bool mirrored_;
   std::vector<bool> junctions_;
   std::vector<std::uint32_t> mesh_numbers_;
+  // Of the polygon under way: its kept vertices, ring after ring.
+  std::vector<std::uint32_t> numbers_;
+  std::vector<std::uint32_t> ring_ends_;
+  std::vector<PlanePoint> points_;
+  Triangulator triangulator_;
   Mesh mesh_;
 };
 

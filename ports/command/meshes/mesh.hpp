@@ -37,6 +37,9 @@ struct Mesh {
   std::vector<std::uint32_t> polygons;     ///< one a face: its place in Surface::polygons
   /// One a vertex, or none at all: unit vectors that point outside, zero where there is none.
   std::vector<Point> normals;
+  /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
+  /// Polygon) and cannot be triangulated.
+  std::vector<std::uint32_t> left_out{};
 
   std::size_t face_count() const { return face_begin.size() - 1; }
   std::size_t face_size(std::size_t face) const { return face_begin[face + 1] - face_begin[face]; }
@@ -44,8 +47,7 @@ struct Mesh {
 };
 
 /// Makes a mesh of all polygons. Voxel (i, j, k) lies at (i, j, k) times the spacing.
-/// Throws std::invalid_argument when a spacing is zero or not finite, or when a polygon is not
-/// valid (Ring, Polygon) and that keeps it from being triangulated; the text tells which one.
+/// Throws std::invalid_argument when a spacing is zero or not finite.
 Mesh build_mesh(const Surface& surface, const MeshOptions& options = {});
 
 /// The unit vector that points from on to off where the voxels have this spacing.

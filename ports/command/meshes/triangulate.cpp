@@ -1,166 +1,211 @@
 #include "triangulate.hpp"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
 #include <algorithm>
-#include <cstddef>
 #include <stdexcept>
-#include <utility>
 
 namespace discmc::host {
 namespace {
 
-using Rings = std::vector<std::vector<std::uint32_t>>;
-
-// The kernel's predicates are exact, and nothing is constructed: constraints only meet in points.
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-enum class Side : unsigned char { unknown, outside, inside };
-
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<Side, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
-using Located = std::pair<Kernel::Point_2, std::uint32_t>;
-
-std::int64_t doubled_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
-  return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+// The sweep is slanted against all sides that are usual on a lattice. Along them it would meet many
+// points at once, and make long fans that cost many flips.
+bool is_left_of(const PlanePoint& a, const PlanePoint& b) {
+  const std::int64_t distance = 5 * (b.u - a.u) + 2 * (b.v - a.v);
+  return distance != 0 ? distance > 0 : a.v < b.v;
 }
 
-std::int64_t doubled_area(const std::vector<PlanePoint>& points, const Rings& rings) {
-  std::int64_t sum = 0;
-  for (const auto& ring : rings)
-    for (std::size_t i = 2; i < ring.size(); ++i)
-      sum += doubled_area(points[ring[0]], points[ring[i - 1]], points[ring[i]]);
-  return sum;
-}
-
-// A longer ring is rarely convex, and a fan makes slivers of it.
-constexpr std::size_t max_fan = 8;
-
-bool strictly_convex(const std::vector<PlanePoint>& points,
-                     const std::vector<std::uint32_t>& ring) {
-  const std::size_t count = ring.size();
-  int descents = 0;  // a ring that winds once changes from rising to falling once
-  for (std::size_t i = 0; i < count; ++i) {
-    const PlanePoint& a = points[ring[i]];
-    const PlanePoint& b = points[ring[(i + 1) % count]];
-    const PlanePoint& c = points[ring[(i + 2) % count]];
-    if (doubled_area(a, b, c) <= 0) return false;
-    const bool rises = b.v > a.v || (b.v == a.v && b.u > a.u);
-    const bool falls = c.v < b.v || (c.v == b.v && c.u < b.u);
-    if (rises && falls) ++descents;
-  }
-  return descents == 1;
-}
-
-std::vector<Triangle> fan(const std::vector<std::uint32_t>& ring) {
-  std::vector<Triangle> triangles;
-  for (std::size_t i = 2; i < ring.size(); ++i)
-    triangles.push_back({ring[0], ring[i - 1], ring[i]});
-  return triangles;
-}
-
-void insert_points(Delaunay& delaunay, const std::vector<PlanePoint>& points, const Rings& rings,
-                   std::vector<Delaunay::Vertex_handle>& handles) {
-  std::vector<Located> located;
-  std::vector<bool> seen(points.size(), false);
-  for (const auto& ring : rings)
-    for (const std::uint32_t index : ring) {
-      if (seen[index]) continue;
-      seen[index] = true;
-      const PlanePoint& point = points[index];
-      located.emplace_back(
-          Kernel::Point_2(static_cast<double>(point.u), static_cast<double>(point.v)), index);
-    }
-  // In ring order long straight sides would make every insertion slow.
-  using ByPoint =
-      CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Located>>;
-  CGAL::spatial_sort(located.begin(), located.end(), ByPoint());
-  Delaunay::Face_handle near;
-  for (const auto& [point, index] : located) {
-    const Delaunay::Vertex_handle vertex = delaunay.insert(point, near);
-    vertex->info() = index;
-    handles[index] = vertex;
-    near = vertex->face();
-  }
-}
-
-// Outside and inside alternate across constraints, from the infinite face on.
-void mark_inside(Delaunay& delaunay) {
-  for (const auto face : delaunay.all_face_handles()) face->info() = Side::unknown;
-  std::vector<Delaunay::Face_handle> waiting{delaunay.infinite_face()};
-  waiting.front()->info() = Side::outside;
-  while (!waiting.empty()) {
-    const Delaunay::Face_handle face = waiting.back();
-    waiting.pop_back();
-    for (int i = 0; i < 3; ++i) {
-      const Delaunay::Face_handle next = face->neighbor(i);
-      if (next->info() != Side::unknown) continue;
-      const bool crosses = face->is_constrained(i);
-      next->info() = (face->info() == Side::inside) != crosses ? Side::inside : Side::outside;
-      waiting.push_back(next);
-    }
-  }
-}
-
-std::vector<Triangle> constrained_delaunay(const std::vector<PlanePoint>& points,
-                                           const Rings& rings) {
-  Delaunay delaunay;
-  std::vector<Delaunay::Vertex_handle> handles(points.size());
-  insert_points(delaunay, points, rings, handles);
-  try {
-    for (const auto& ring : rings)
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        delaunay.insert_constraint(handles[ring[i]], handles[ring[(i + 1) % ring.size()]]);
-  } catch (const Delaunay::Intersection_of_constraints_exception&) {
-    throw std::invalid_argument("rings cross");
-  }
-  if (delaunay.dimension() < 2) return {};
-  mark_inside(delaunay);
-  std::vector<Triangle> triangles;
-  for (const auto face : delaunay.finite_face_handles())
-    if (face->info() == Side::inside)
-      triangles.push_back(
-          {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-  return triangles;
-}
-
-void check(const std::vector<PlanePoint>& points, const Rings& rings) {
+void require_in_range(const std::vector<PlanePoint>& points) {
   for (const PlanePoint& point : points)
     if (std::max(point.u, point.v) > max_plane_coordinate ||
         std::min(point.u, point.v) < -max_plane_coordinate)
       throw std::invalid_argument("polygon too large to triangulate");
-  for (const auto& ring : rings) {
-    if (ring.size() < 3) throw std::invalid_argument("ring of less than three points");
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (ring[i] == ring[(i + 1) % ring.size()])
-        throw std::invalid_argument("ring stays on a point");
-  }
 }
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const std::vector<PlanePoint>& points, const Rings& rings) {
-  check(points, rings);
-  if (rings.size() == 1 && rings[0].size() <= max_fan && strictly_convex(points, rings[0]))
-    return fan(rings[0]);
+const std::vector<Triangle>& Triangulator::triangulate(
+    const std::vector<PlanePoint>& points, const std::vector<std::uint32_t>& ring_ends) {
+  require_in_range(points);
+  sort_points(points);
+  add_edges(ring_ends);
+  triangles_.clear();
+  nodes_.clear();
+  active_.clear();
+  for (Rank point = 0; point < at_.size(); ++point) pass(point);
+  if (triangles_.empty()) throw std::invalid_argument("rings do not bound a polygon");
+  flips_.improve(at_, triangles_);
+  for (Triangle& triangle : triangles_)
+    for (std::uint32_t& corner : triangle) corner = places_[corner];
+  return triangles_;
+}
 
-  std::vector<Triangle> triangles = constrained_delaunay(points, rings);
-  std::int64_t sum = 0;
-  for (const Triangle& triangle : triangles)
-    sum += doubled_area(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
-  if (sum <= 0 || sum != doubled_area(points, rings))
-    throw std::invalid_argument("rings do not bound a polygon");
-  return triangles;
+void Triangulator::sort_points(const std::vector<PlanePoint>& points) {
+  located_.clear();
+  for (std::uint32_t place = 0; place < points.size(); ++place)
+    located_.push_back({points[place], place});
+  std::sort(located_.begin(), located_.end(),
+            [](const Located& a, const Located& b) { return is_left_of(a.point, b.point); });
+  ranks_.resize(points.size());
+  at_.clear();
+  places_.clear();
+  for (const Located& located : located_) {
+    if (at_.empty() || is_left_of(at_.back(), located.point)) {
+      at_.push_back(located.point);
+      places_.push_back(located.place);
+    }
+    ranks_[located.place] = static_cast<Rank>(at_.size() - 1);
+  }
+}
+
+void Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
+  // The inside is to the left of a ring, so above an edge that goes from left to right.
+  edges_.clear();
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ring_ends) {
+    if (end - begin < 3) throw std::invalid_argument("ring of less than three points");
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Rank from = ranks_[i], to = ranks_[i + 1 < end ? i + 1 : begin];
+      if (from == to) throw std::invalid_argument("ring stays on a point");
+      edges_.push_back({std::min(from, to), std::max(from, to), from < to});
+    }
+    begin = end;
+  }
+  std::sort(edges_.begin(), edges_.end(),
+            [](const Edge& a, const Edge& b) { return a.left < b.left; });
+  edges_begin_.assign(at_.size() + 1, 0);
+  for (const Edge& edge : edges_) ++edges_begin_[edge.left + 1];
+  for (std::size_t i = 1; i < edges_begin_.size(); ++i) edges_begin_[i] += edges_begin_[i - 1];
+}
+
+// Floors and ceilings take turns from bottom to top: those at even places are floors. What the
+// point ends is cut off; what it goes on with begins at a chain that has it for its rightmost.
+void Triangulator::pass(Rank point) {
+  // The edges that end in the point or lead through it.
+  const auto side_of = [&](const ActiveEdge& active) {
+    return doubled_area(at_[active.edge.left], at_[active.edge.right], at_[point]);
+  };
+  const auto first =
+      std::partition_point(active_.begin(), active_.end(),
+                           [&](const ActiveEdge& active) { return side_of(active) > 0; });
+  const auto last = std::find_if(first, active_.end(),
+                                 [&](const ActiveEdge& active) { return side_of(active) < 0; });
+  const auto begin = static_cast<std::size_t>(first - active_.begin());
+  const auto end = static_cast<std::size_t>(last - active_.begin());
+  collect_leaving(point, begin, end);
+
+  const bool is_inside_below = begin % 2 == 1, is_inside_above = end % 2 == 1;
+  Chain lower{}, upper{};
+  if (is_inside_below) lower = active_[begin - 1].chain;
+  if (is_inside_above) upper = begin == end ? split_off_upper(lower) : active_[end - 1].chain;
+  for (std::size_t i = begin + begin % 2; i + 1 < end; i += 2) close(active_[i].chain, point);
+  if (is_inside_below) add_on_top(lower, point);
+  if (is_inside_above) add_at_bottom(upper, point);
+  if (is_inside_below && leaving_.empty()) lower = joined(lower, upper);
+  if (is_inside_below) active_[begin - 1].chain = lower;
+
+  const std::size_t new_end = begin + leaving_.size();
+  const auto at = [&](std::size_t place) {
+    return active_.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  if (new_end < end) active_.erase(at(new_end), at(end));
+  if (new_end > end) active_.insert(at(end), new_end - end, ActiveEdge{});
+  for (std::size_t i = begin; i < new_end; ++i) {
+    active_[i].edge = leaving_[i - begin];
+    if (i % 2 != 0) continue;
+    if (i + 1 == new_end) {
+      active_[i].chain = upper;
+    } else {
+      const std::uint32_t node = new_node(point);
+      active_[i].chain = {node, node, node};
+    }
+  }
+  if (begin > 0) require_order(begin - 1);
+  if (new_end > begin) require_order(new_end - 1);
+}
+
+void Triangulator::collect_leaving(Rank point, std::size_t begin, std::size_t end) {
+  leaving_.assign(edges_.begin() + edges_begin_[point], edges_.begin() + edges_begin_[point + 1]);
+  for (std::size_t i = begin; i < end; ++i)
+    if (active_[i].edge.right != point)
+      leaving_.push_back({point, active_[i].edge.right, active_[i].edge.is_floor});
+  const auto turn = [&](const Edge& a, const Edge& b) {
+    return doubled_area(at_[point], at_[a.right], at_[b.right]);
+  };
+  std::sort(leaving_.begin(), leaving_.end(),
+            [&](const Edge& a, const Edge& b) { return turn(a, b) > 0; });
+  for (std::size_t i = 0; i < leaving_.size(); ++i) {
+    if (i > 0 && turn(leaving_[i - 1], leaving_[i]) == 0)
+      throw std::invalid_argument("rings share a stretch");
+    if (leaving_[i].is_floor != ((begin + i) % 2 == 0))
+      throw std::invalid_argument("rings do not bound a polygon");
+  }
+}
+
+// Edges that have come to lie side by side must not cross: of two that do, and leftmost, none is
+// missed.
+void Triangulator::require_order(std::size_t lower) const {
+  if (lower + 1 == active_.size()) return;
+  const Edge &a = active_[lower].edge, &b = active_[lower + 1].edge;
+  const bool is_kept = a.right < b.right
+                           ? doubled_area(at_[b.left], at_[b.right], at_[a.right]) <= 0
+                           : doubled_area(at_[a.left], at_[a.right], at_[b.right]) >= 0;
+  if (!is_kept) throw std::invalid_argument("rings cross");
+}
+
+std::uint32_t Triangulator::new_node(Rank point) {
+  nodes_.push_back({point, 0, 0});
+  return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+bool Triangulator::cut(Rank a, Rank b, Rank c) {
+  if (doubled_area(at_[a], at_[b], at_[c]) <= 0) return false;
+  triangles_.push_back({a, b, c});
+  return true;
+}
+
+void Triangulator::add_on_top(Chain& chain, Rank point) {
+  for (; chain.top != chain.bottom; chain.top = nodes_[chain.top].below)
+    if (!cut(point, nodes_[chain.top].point, nodes_[nodes_[chain.top].below].point)) break;
+  const std::uint32_t node = new_node(point);
+  nodes_[node].below = chain.top;
+  nodes_[chain.top].above = node;
+  chain.top = chain.rightmost = node;
+}
+
+void Triangulator::add_at_bottom(Chain& chain, Rank point) {
+  for (; chain.bottom != chain.top; chain.bottom = nodes_[chain.bottom].above)
+    if (!cut(point, nodes_[nodes_[chain.bottom].above].point, nodes_[chain.bottom].point)) break;
+  const std::uint32_t node = new_node(point);
+  nodes_[node].above = chain.bottom;
+  nodes_[chain.bottom].below = node;
+  chain.bottom = chain.rightmost = node;
+}
+
+// Where the two edges meet, all that is left between them sees the point.
+void Triangulator::close(Chain chain, Rank point) {
+  for (; chain.bottom != chain.top; chain.bottom = nodes_[chain.bottom].above)
+    cut(point, nodes_[nodes_[chain.bottom].above].point, nodes_[chain.bottom].point);
+}
+
+// A point inside sees the rightmost one of the chain: both parts keep that.
+Triangulator::Chain Triangulator::split_off_upper(Chain& chain) {
+  const std::uint32_t node = new_node(nodes_[chain.rightmost].point);
+  Chain upper{node, node, node};
+  if (chain.rightmost != chain.top) {
+    const std::uint32_t above = nodes_[chain.rightmost].above;
+    nodes_[node].above = above;
+    nodes_[above].below = node;
+    upper.top = chain.top;
+  }
+  chain.top = chain.rightmost;
+  return upper;
+}
+
+// Both end in the same point.
+Triangulator::Chain Triangulator::joined(const Chain& lower, const Chain& upper) {
+  const std::uint32_t above = nodes_[upper.bottom].above;
+  nodes_[lower.top].above = above;
+  nodes_[above].below = lower.top;
+  return {lower.bottom, upper.top, lower.top};
 }
 
 }  // namespace discmc::host
