@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh_formats.hpp"
 #include "meshes/mesh.hpp"
 #include "oracle/volume.hpp"
 #include "volume_files.hpp"
@@ -207,7 +208,7 @@ inline Mesh mesh_of_ply(const std::string& bytes) {
     if (contains(header, normals)) mesh.normals.push_back(taker.point());
   }
   for (std::size_t left = count_after(header, "element face "); left > 0; --left) {
-    std::vector<std::uint32_t> face(taker.integer(contains(header, "list uchar") ? 1 : 4));
+    std::vector<std::uint32_t> face(taker.integer(1));
     for (std::uint32_t& number : face) number = taker.integer(4);
     add_face(mesh, face);
   }
@@ -219,6 +220,9 @@ inline Mesh mesh_of_ply(const std::string& bytes) {
 inline Mesh mesh_of(const std::string& name, const std::string& bytes) {
   const std::string extension = name.substr(name.size() - 4);
   if (extension == ".obj") return mesh_of_obj(bytes);
+  if (extension == ".glb") return mesh_of_glb(bytes);
+  if (extension == ".3mf") return mesh_of_3mf(bytes);
+  if (extension == ".vtp") return mesh_of_vtp(bytes);
   return extension == ".ply" ? mesh_of_ply(bytes) : mesh_of_stl(bytes);
 }
 

@@ -14,8 +14,9 @@ using discmc::reference::checkerboard;
 using discmc::reference::Size;
 using discmc::reference::surface_of_cells;
 
-const std::vector<std::string> all_formats = {"dmc", "obj", "ply", "stl", "jsonl"};
-const std::vector<std::string> meshes = {"obj", "ply", "stl"};
+const std::vector<std::string> all_formats = {"dmc", "stl", "ply", "obj",
+                                              "glb", "3mf", "vtp", "jsonl"};
+const std::vector<std::string> meshes = {"stl", "ply", "obj", "glb", "3mf", "vtp"};
 
 BitVolume small_ball() {
   return ball({13, 12, 11}, {12, 11, 10}, 24);
@@ -192,7 +193,7 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
     workshop.done("decode v.dmc --faces triangles -o v." + format);
     CHECK(workshop.read("v." + format) == triangles);
   }
-  for (const std::string format : {"obj", "ply"}) {
+  for (const std::string format : {"ply", "obj", "vtp"}) {
     workshop.done("decode v.dmc --faces polygons -o v." + format);
     const std::string polygons = workshop.read("v." + format);
     const Mesh mesh = mesh_of("v." + format, polygons);
@@ -203,9 +204,9 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
     CHECK(workshop.read("v." + format) == polygons);
   }
   for (const std::string command : {"extract v.nrrd --iso 100", "decode v.dmc"})
-    for (const std::string name : {"no.stl", "no.dmc"})
+    for (const std::string name : {"no.stl", "no.glb", "no.3mf", "no.dmc"})
       check_failure(workshop.run(command + " --faces polygons -o " + name), 2,
-                    {"--faces", name, ".obj, .ply or .jsonl"});
+                    {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
 }
 
 TEST_CASE("iso is in the units that the file declares") {

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "hand_made.hpp"
+#include "mesh_files/base64.hpp"
+#include "mesh_formats.hpp"
 
 namespace {
 
@@ -40,6 +42,9 @@ class Stuck : public std::streambuf {
   std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
   int sync() override { return -1; }
 };
+
+const Format mesh_formats[] = {Format::stl, Format::ply,      Format::obj,
+                               Format::glb, Format::three_mf, Format::vtp};
 
 class Bytes {
  public:
@@ -172,10 +177,51 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
   }
 }
 
-TEST_CASE("STL refuses anything but triangles") {
+TEST_CASE("formats without polygons refuse anything but triangles") {
+  for (const Format format : mesh_formats) {
+    if (traits_of(format).holds_polygons) continue;
+    std::ostringstream out;
+    CHECK_THROWS_AS(write_mesh(build_mesh(leaning_wall()), format, out), std::invalid_argument);
+    CHECK(out.str().empty());
+  }
   std::ostringstream out;
-  CHECK_THROWS_AS(write_stl(build_mesh(leaning_wall()), out), std::invalid_argument);
-  CHECK(out.str().empty());
+  for (const Format format : {Format::stream, Format::jsonl})
+    CHECK_THROWS_AS(write_mesh(build_mesh(octahedron()), format, out), std::invalid_argument);
+}
+
+TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
+  Mesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
+  mesh.normals.assign(mesh.vertices_mm.size(), {1, 0, 0});
+  mesh.normals[3] = {};
+  std::ostringstream out;
+  write_glb(mesh, out);
+  const Mesh read = command::mesh_of_glb(out.str());
+  REQUIRE(read.normals.size() == mesh.normals.size());
+  for (std::size_t i = 0; i < read.normals.size(); ++i)
+    CHECK(read.normals[i][i == 3 ? 2 : 0] == doctest::Approx(1));
+}
+
+TEST_CASE("base64 is that of RFC 4648, however the bytes come") {
+  const std::pair<const char*, const char*> vectors[] = {{"", ""},
+                                                         {"f", "Zg=="},
+                                                         {"fo", "Zm8="},
+                                                         {"foo", "Zm9v"},
+                                                         {"foob", "Zm9vYg=="},
+                                                         {"fooba", "Zm9vYmE="},
+                                                         {"foobar", "Zm9vYmFy"},
+                                                         {"\xff\xfe\xfb", "//77"}};
+  for (const auto& [bytes, expected] : vectors)
+    for (const bool at_once : {true, false}) {
+      std::ostringstream out;
+      Base64 base64(out);
+      std::ostream in(&base64);
+      const std::string text = bytes;
+      if (at_once) in << text;
+      if (!at_once)
+        for (const char byte : text) in.write(&byte, 1);
+      base64.finish();
+      CHECK(out.str() == expected);
+    }
 }
 
 TEST_CASE("lines of JSON hold the corners in half-steps") {
@@ -201,9 +247,8 @@ TEST_CASE("every writer reports a stream that fails, early or late") {
       std::ostream late(&stuck);
       CHECK_THROWS_AS(write(late), std::runtime_error);
     };
-    check_writer([&](std::ostream& out) { write_obj(mesh, out); });
-    check_writer([&](std::ostream& out) { write_ply(mesh, out); });
-    check_writer([&](std::ostream& out) { write_stl(mesh, out); });
+    for (const Format format : mesh_formats)
+      check_writer([&](std::ostream& out) { write_mesh(mesh, format, out); });
     check_writer([&](std::ostream& out) { write_jsonl(surface, out); });
   }
 }

@@ -16,7 +16,7 @@ using discmc::reference::degrees_between;
 constexpr std::uint32_t extent = 16;
 const std::string layout = " --dims 16,16,16 --type u16 --big-endian";
 const std::vector<std::string> sources = {"surface", "gradient"};
-const std::vector<std::string> formats = {"ply", "obj"};
+const std::vector<std::string> formats = {"ply", "obj", "glb", "vtp"};
 
 // A ball of radius 5 with a ramp of 100 a voxel about 1000.
 discmc::reference::SampleVolume<int> ball() {
@@ -106,15 +106,22 @@ TEST_CASE("decode gives the normals that extract gives") {
       }
 }
 
-TEST_CASE("both formats hold the same normals, and without a source there are none") {
+TEST_CASE("every format holds the same normals, and without a source there are none") {
   const Workshop workshop;
   write_ball(workshop);
   for (const std::string& source : sources) {
     for (const std::string& format : formats)
       workshop.done("extract v.nrrd --iso 1000 -q --normals " + source + " -o v." + format);
-    const Mesh ply = mesh_in(workshop, "v.ply"), obj = mesh_in(workshop, "v.obj");
-    CHECK(ply.normals == obj.normals);
-    CHECK(ply.corners == obj.corners);
+    const Mesh ply = mesh_in(workshop, "v.ply");
+    for (const std::string& format : formats) {
+      const Mesh mesh = mesh_in(workshop, "v." + format);
+      CHECK(mesh.corners == ply.corners);
+      REQUIRE(mesh.normals.size() == ply.normals.size());
+      for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const Point apart = discmc::host::difference(mesh.normals[i], ply.normals[i]);
+        CHECK(discmc::host::dot(apart, apart) < 1e-12);
+      }
+    }
   }
   for (const std::string& format : formats) {
     workshop.done("decode v.dmc -o plain." + format);
@@ -122,7 +129,7 @@ TEST_CASE("both formats hold the same normals, and without a source there are no
     CHECK(workshop.read("plain." + format) == workshop.read("none." + format));
     CHECK(mesh_in(workshop, "none." + format).normals.empty());
   }
-  for (const std::string format : {"stl", "jsonl", "dmc"})
+  for (const std::string format : {"stl", "3mf", "jsonl", "dmc"})
     workshop.done("decode v.dmc --normals none -o none." + format);
 }
 
@@ -163,15 +170,15 @@ TEST_CASE("what has no normals of vertices is refused before anything is read") 
     for (const std::string name : {"no.stl", "no.jsonl"}) {
       for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
         check_refusal(workshop, 2, command + " -o " + name + normals,
-                      {"--normals", name, ".obj or .ply"});
+                      {"--normals", name, ".ply, .obj, .glb or .vtp"});
     }
     for (const std::string output : {" -o no.dmc", " -o -"})
       check_refusal(workshop, 2, "decode no.dmc" + output + normals,
-                    {"--normals", "stream", ".obj or .ply"});
+                    {"--normals", "stream", ".ply, .obj, .glb or .vtp"});
   }
   for (const std::string output : {"", " -o no.dmc", " -o -"})
     check_refusal(workshop, 2, "extract no.nrrd --iso 1 --normals surface" + output,
-                  {"--normals", "stream", "--normals gradient", ".obj or .ply"});
+                  {"--normals", "stream", "--normals gradient", ".ply, .obj, .glb or .vtp"});
   for (const std::string command : {"extract no.nrrd --iso 1", "decode no.dmc"})
     check_refusal(workshop, 2, command + " -o no.ply --normals smooth", {"--normals", "smooth"});
 }

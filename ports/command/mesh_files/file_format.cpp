@@ -10,9 +10,10 @@ namespace {
 
 constexpr FormatTraits all_formats[] = {
     // extension, polygons, normals
-    {Format::stream, ".dmc", false, false}, {Format::obj, ".obj", true, true},
-    {Format::ply, ".ply", true, true},      {Format::stl, ".stl", false, false},
-    {Format::jsonl, ".jsonl", true, false},
+    {Format::stream, ".dmc", false, false}, {Format::stl, ".stl", false, false},
+    {Format::ply, ".ply", true, true},      {Format::obj, ".obj", true, true},
+    {Format::glb, ".glb", false, true},     {Format::three_mf, ".3mf", false, false},
+    {Format::vtp, ".vtp", true, true},      {Format::jsonl, ".jsonl", true, false},
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace discmc::host {
 
-enum class Format { stream, obj, ply, stl, jsonl };
+enum class Format { stream, stl, ply, obj, glb, three_mf, vtp, jsonl };
 
 /// What a format can hold.
 struct FormatTraits {

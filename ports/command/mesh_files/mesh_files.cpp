@@ -6,12 +6,18 @@ namespace discmc::host {
 
 void write_mesh(const Mesh& mesh, Format format, std::ostream& out) {
   switch (format) {
-    case Format::obj:
-      return write_obj(mesh, out);
-    case Format::ply:
-      return write_ply(mesh, out);
     case Format::stl:
       return write_stl(mesh, out);
+    case Format::ply:
+      return write_ply(mesh, out);
+    case Format::obj:
+      return write_obj(mesh, out);
+    case Format::glb:
+      return write_glb(mesh, out);
+    case Format::three_mf:
+      return write_3mf(mesh, out);
+    case Format::vtp:
+      return write_vtp(mesh, out);
     case Format::stream:
     case Format::jsonl:
       break;

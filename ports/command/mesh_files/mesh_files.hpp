@@ -1,4 +1,4 @@
-// Meshes as OBJ, PLY and STL files, and polygons as lines of JSON.
+// Meshes as STL, PLY, OBJ, GLB, 3MF and VTP files, and polygons as lines of JSON.
 //
 // All writers append to a stream that the caller opened (binary) and owns. They throw
 // std::runtime_error when the stream fails; what was written before that is worthless.
@@ -15,9 +15,9 @@ namespace discmc::host {
 /// By the writer of the format, of those below that take a mesh; otherwise std::invalid_argument.
 void write_mesh(const Mesh& mesh, Format format, std::ostream& out);
 
-/// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
-/// the mesh has normals.
-void write_obj(const Mesh& mesh, std::ostream& out);
+/// Binary STL, coordinates as 32-bit floats. Units: millimetres.
+/// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
+void write_stl(const Mesh& mesh, std::ostream& out);
 
 /// PLY, binary little endian, coordinates as 32-bit floats, and so are normals, where the mesh has
 /// them. Units: millimetres.
@@ -25,9 +25,23 @@ void write_obj(const Mesh& mesh, std::ostream& out);
 /// byte, as every reader takes it.
 void write_ply(const Mesh& mesh, std::ostream& out);
 
-/// Binary STL, coordinates as 32-bit floats. Units: millimetres.
-/// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
-void write_stl(const Mesh& mesh, std::ostream& out);
+/// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
+/// the mesh has normals.
+void write_obj(const Mesh& mesh, std::ostream& out);
+
+/// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, under a node that scales them to
+/// the metres of the format and turns z upwards, which there is y. Normals where the mesh has them;
+/// one material.
+/// Limit: triangles only, and 4 GiB; otherwise std::invalid_argument.
+void write_glb(const Mesh& mesh, std::ostream& out);
+
+/// 3MF, exact decimal coordinates. Units: millimetres, and the file says so.
+/// Limit: triangles only, otherwise std::invalid_argument.
+void write_3mf(const Mesh& mesh, std::ostream& out);
+
+/// VTK's XML PolyData, coordinates as 32-bit floats, and so are normals, where the mesh has them.
+/// Units: millimetres.
+void write_vtp(const Mesh& mesh, std::ostream& out);
 
 /// One polygon a line, `{"normal":[0,0,1],"rings":[[[1,0,0],...],...]}`: the corners of its simple
 /// rings, the outer one first. Units: half-steps.

@@ -8,8 +8,7 @@
 namespace discmc::host {
 
 void write_stl(const Mesh& mesh, std::ostream& out) {
-  for (std::size_t face = 0; face < mesh.face_count(); ++face)
-    if (mesh.face_size(face) != 3) throw std::invalid_argument("STL takes triangles only");
+  require_triangles(mesh, "STL");
   if (mesh.face_count() > 0xFFFFFFFFu) throw std::invalid_argument("too many triangles for STL");
   Writer writer(out);
   std::string header = "binary STL, ";  // "solid" would announce text

@@ -6,6 +6,11 @@
 
 namespace discmc::host {
 
+void require_triangles(const Mesh& mesh, const std::string& format) {
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    if (mesh.face_size(face) != 3) throw std::invalid_argument(format + " takes triangles only");
+}
+
 void Writer::bytes(std::uint64_t value, int count) {
   char little_endian[8];
   for (int i = 0; i < count; ++i) little_endian[i] = static_cast<char>(value >> (8 * i) & 0xFF);

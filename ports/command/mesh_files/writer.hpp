@@ -9,12 +9,22 @@
 #include <string>
 #include <string_view>
 
-#include "meshes/point.hpp"
+#include "meshes/mesh.hpp"
 
 namespace discmc::host {
 
 /// What every file says of itself, in a comment or where its format has a place for such text.
 constexpr std::string_view header_text = "discmc, millimetres";
+
+/// Throws std::invalid_argument where a face is no triangle. format: its name.
+void require_triangles(const Mesh& mesh, const std::string& format);
+
+/// The shortest decimal that reads back as the same value.
+template <typename Number>
+std::string decimal(Number value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
 
 /// Collects small writes, and makes a failing stream a std::runtime_error.
 class Writer {
@@ -26,12 +36,9 @@ class Writer {
     if (buffer_.size() >= full) flush();
   }
 
-  /// The shortest decimal that reads back as the same value.
   template <typename Number>
   void decimal(Number value) {
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    text({digits, static_cast<std::size_t>(end - digits)});
+    text(host::decimal(value));
   }
 
   /// The lowest bytes of a value, little endian.

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "mesh_files.hpp"
+#include "writer.hpp"
+
+namespace discmc::host {
+namespace {
+
+// Names of the format.
+constexpr std::uint32_t magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+constexpr int floats = 5126, unsigned_integers = 5125, vertex_buffer = 34962, index_buffer = 34963;
+
+// From millimetres with z upwards to metres with y upwards, as the format has them.
+constexpr const char* matrix = "[0.001,0,0,0,0,0,-0.001,0,0,0.001,0,0,0,0,0,1]";
+
+// Of plaster, seen from both sides: a surface may be open.
+constexpr const char* material =
+    R"({"doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[0.85,0.82,0.75,1],)"
+    R"("metallicFactor":0,"roughnessFactor":0.8}})";
+
+std::string decimals(const std::array<float, 3>& values) {
+  std::string list;
+  for (const float value : values) list += (list.empty() ? "[" : ",") + decimal(double{value});
+  return list + "]";
+}
+
+// What a viewer wants to know of positions: "min" and "max" of what is written.
+std::string extent_of(const std::vector<Point>& points) {
+  std::array<float, 3> low, high;
+  low.fill(std::numeric_limits<float>::infinity());
+  high.fill(-std::numeric_limits<float>::infinity());
+  for (const Point& point : points)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], static_cast<float>(point[axis]));
+      high[axis] = std::max(high[axis], static_cast<float>(point[axis]));
+    }
+  return ",\"min\":" + decimals(low) + ",\"max\":" + decimals(high);
+}
+
+// The arrays of the binary chunk, one after another, as JSON tells them.
+class Arrays {
+ public:
+  // Returns the number of the array.
+  std::string add(int type, const char* shape, std::uint64_t count, std::uint64_t bytes, int target,
+                  const std::string& more = {}) {
+    const std::string number = std::to_string(count_++);
+    const char* comma = number == "0" ? "" : ",";
+    accessors_ += comma + ("{\"bufferView\":" + number + ",\"componentType\":") +
+                  std::to_string(type) + ",\"count\":" + std::to_string(count) + ",\"type\":\"" +
+                  shape + "\"" + more + "}";
+    views_ += comma + ("{\"buffer\":0,\"byteOffset\":" + std::to_string(bytes_)) +
+              ",\"byteLength\":" + std::to_string(bytes) + ",\"target\":" + std::to_string(target) +
+              "}";
+    bytes_ += bytes;
+    return number;
+  }
+
+  std::uint64_t bytes() const { return bytes_; }
+  std::string json() const {
+    return "\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
+           "],\"buffers\":[{\"byteLength\":" + std::to_string(bytes_) + "}]";
+  }
+
+ private:
+  int count_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::string accessors_, views_;
+};
+
+// The format knows no empty arrays: a mesh without faces is a scene without nodes.
+std::string describe(const Mesh& mesh, Arrays& arrays) {
+  std::string json = R"({"asset":{"version":"2.0","generator":"discmc"},"scene":0,"scenes":[{)";
+  if (mesh.face_count() == 0) return json + "}]}";
+  const std::uint64_t vertices = mesh.vertices_mm.size(), corners = mesh.corners.size();
+  std::string attributes = "\"POSITION\":" + arrays.add(floats, "VEC3", vertices, 12 * vertices,
+                                                        vertex_buffer, extent_of(mesh.vertices_mm));
+  if (!mesh.normals.empty())
+    attributes +=
+        ",\"NORMAL\":" + arrays.add(floats, "VEC3", vertices, 12 * vertices, vertex_buffer);
+  const std::string indices =
+      arrays.add(unsigned_integers, "SCALAR", corners, 4 * corners, index_buffer);
+  json += "\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"matrix\":";
+  json += matrix;
+  json += "}],\"meshes\":[{\"extras\":{\"comment\":\"";
+  json += header_text;
+  json += "\"},\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" + indices +
+          ",\"material\":0}]}],\"materials\":[";
+  json += material;
+  return json + "]," + arrays.json() + "}";
+}
+
+}  // namespace
+
+void write_glb(const Mesh& mesh, std::ostream& out) {
+  require_triangles(mesh, "GLB");
+  Arrays arrays;
+  std::string json = describe(mesh, arrays);
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::uint64_t binary = arrays.bytes() > 0 ? 8 + arrays.bytes() : 0;
+  const std::uint64_t total = 12 + 8 + json.size() + binary;
+  if (total > 0xFFFFFFFFu)
+    throw std::invalid_argument("a GLB file takes 4 GiB at most: write .ply or .stl");
+  Writer writer(out);
+  writer.bytes(magic, 4);
+  writer.bytes(2, 4);
+  writer.bytes(total, 4);
+  writer.bytes(json.size(), 4);
+  writer.bytes(json_chunk, 4);
+  writer.text(json);
+  if (binary > 0) {
+    writer.bytes(arrays.bytes(), 4);
+    writer.bytes(binary_chunk, 4);
+    for (const Point& vertex : mesh.vertices_mm) writer.point(vertex);
+    // The format knows no vertex without a normal either.
+    for (const Point& normal : mesh.normals)
+      writer.point(normal == Point{} ? Point{0, 0, 1} : normal);
+    for (const std::uint32_t corner : mesh.corners) writer.bytes(corner, 4);
+  }
+  writer.finish();
+}
+
+}  // namespace discmc::host

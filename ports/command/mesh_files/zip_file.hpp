@@ -1,0 +1,32 @@
+// A ZIP archive, written from its first byte to its last.
+#ifndef DISCMC_COMMAND_MESH_FILES_ZIP_FILE_HPP
+#define DISCMC_COMMAND_MESH_FILES_ZIP_FILE_HPP
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+
+struct archive;
+
+namespace discmc::host {
+
+/// All that can fail throws std::runtime_error.
+class ZipFile {
+ public:
+  /// out: outlives this.
+  explicit ZipFile(std::ostream& out);
+
+  /// Adds a file of what write gives to the stream, compressed.
+  void add(const std::string& name, const std::function<void(std::ostream&)>& write);
+
+  /// Call last: writes the directory.
+  void finish();
+
+ private:
+  std::unique_ptr<archive, int (*)(archive*)> archive_;
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,255 @@
+#include "mesh_formats.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include "command.hpp"
+
+namespace command {
+namespace {
+
+using Json = nlohmann::json;
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+  return Taker(bytes, at).integer(4);
+}
+
+// ---- GLB ----
+
+class Glb {
+ public:
+  explicit Glb(const std::string& bytes) {
+    REQUIRE(bytes.substr(0, 4) == "glTF");
+    CHECK(word(bytes, 4) == 2);
+    CHECK(word(bytes, 8) == bytes.size());
+    CHECK(bytes.size() % 4 == 0);
+    const std::uint32_t json_size = word(bytes, 12);
+    CHECK(bytes.substr(16, 4) == "JSON");
+    json_ = Json::parse(bytes.substr(20, json_size));
+    CHECK(json_["asset"]["version"] == "2.0");
+    const std::size_t binary = 20 + json_size;
+    if (binary == bytes.size()) return;
+    CHECK(bytes.substr(binary + 4, 4) == std::string("BIN\0", 4));
+    binary_ = bytes.substr(binary + 8);
+    CHECK(word(bytes, binary) == binary_.size());
+    CHECK(json_["buffers"][0]["byteLength"] == binary_.size());
+  }
+
+  const Json& json() const { return json_; }
+
+  std::vector<Point> points(const Json& accessor_number) const {
+    const Json& accessor = json_["accessors"].at(accessor_number.get<std::size_t>());
+    CHECK(accessor["componentType"] == 5126);
+    CHECK(accessor["type"] == "VEC3");
+    Taker taker = bytes_of(accessor, 12);
+    std::vector<Point> points(accessor["count"].get<std::size_t>());
+    for (Point& point : points) point = taker.point();
+    return points;
+  }
+
+  std::vector<std::uint32_t> integers(const Json& accessor_number) const {
+    const Json& accessor = json_["accessors"].at(accessor_number.get<std::size_t>());
+    CHECK(accessor["componentType"] == 5125);
+    CHECK(accessor["type"] == "SCALAR");
+    Taker taker = bytes_of(accessor, 4);
+    std::vector<std::uint32_t> integers(accessor["count"].get<std::size_t>());
+    for (std::uint32_t& integer : integers) integer = taker.integer(4);
+    return integers;
+  }
+
+ private:
+  Taker bytes_of(const Json& accessor, std::size_t size) const {
+    const Json& view = json_["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
+    CHECK(view["byteLength"] == size * accessor["count"].get<std::size_t>());
+    return Taker(binary_, view["byteOffset"].get<std::size_t>());
+  }
+
+  Json json_;
+  std::string binary_;
+};
+
+void check_extent(const Json& accessor, const std::vector<Point>& points) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(),
+                            [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; });
+    CHECK(accessor["min"][axis] == (*low)[axis]);
+    CHECK(accessor["max"][axis] == (*high)[axis]);
+  }
+}
+
+// By a matrix in columns, as the format has it.
+Point transformed(const Json& matrix, const Point& point, double w) {
+  Point result{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column)
+      result[row] += matrix[4 * column + row].get<double>() * (column < 3 ? point[column] : w);
+  return result;
+}
+
+// From metres, y upwards, to millimetres, z upwards.
+Point in_millimetres(const Point& metres) {
+  return {1000 * metres[0], -1000 * metres[2], 1000 * metres[1]};
+}
+
+// ---- ZIP and XML ----
+
+std::map<std::string, std::string> files_in(const std::string& zip) {
+  std::map<std::string, std::string> files;
+  const std::unique_ptr<archive, int (*)(archive*)> reader(archive_read_new(), archive_read_free);
+  archive_read_support_format_zip(reader.get());
+  REQUIRE(archive_read_open_memory(reader.get(), zip.data(), zip.size()) == ARCHIVE_OK);
+  archive_entry* entry = nullptr;
+  while (archive_read_next_header(reader.get(), &entry) == ARCHIVE_OK) {
+    std::string& file = files[archive_entry_pathname(entry)];
+    char part[4096];
+    la_ssize_t count = 0;
+    while ((count = archive_read_data(reader.get(), part, sizeof part)) > 0)
+      file.append(part, static_cast<std::size_t>(count));
+    CHECK(count == 0);
+  }
+  CHECK(archive_read_has_encrypted_entries(reader.get()) <= 0);
+  return files;
+}
+
+pugi::xml_document document_of(const std::string& xml) {
+  pugi::xml_document document;
+  REQUIRE(document.load_string(xml.c_str()));
+  return document;
+}
+
+std::string decoded(const std::string& base64) {
+  const std::string characters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  REQUIRE(base64.size() % 4 == 0);
+  std::string bytes;
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < base64.size(); ++i) {
+    const std::size_t place = characters.find(base64[i]);
+    if (base64[i] != '=') REQUIRE(place != std::string::npos);
+    bits = bits << 6 | (base64[i] == '=' ? 0 : static_cast<std::uint32_t>(place));
+    if (i % 4 != 3) continue;
+    for (const int shift : {16, 8, 0}) bytes += static_cast<char>(bits >> shift & 0xFF);
+  }
+  bytes.resize(bytes.size() -
+               static_cast<std::size_t>(std::count(base64.begin(), base64.end(), '=')));
+  return bytes;
+}
+
+// The array of a name, without the number of bytes before it, which is checked.
+std::string array_of(const pugi::xml_node& parent, const char* name, const std::string& type) {
+  const pugi::xml_node array = parent.find_child_by_attribute("DataArray", "Name", name);
+  CHECK(array.attribute("format").value() == std::string("binary"));
+  CHECK(array.attribute("type").value() == type);
+  const std::string bytes = decoded(array.text().get());
+  REQUIRE(bytes.size() >= 8);
+  CHECK(word(bytes, 0) == bytes.size() - 8);
+  CHECK(word(bytes, 4) == 0);
+  return bytes.substr(8);
+}
+
+std::vector<Point> points_of(const pugi::xml_node& parent, const char* name) {
+  const std::string bytes = array_of(parent, name, "Float32");
+  std::vector<Point> points(bytes.size() / 12);
+  Taker taker(bytes);
+  for (Point& point : points) point = taker.point();
+  CHECK(taker.at_end());
+  return points;
+}
+
+std::vector<std::uint32_t> integers_of(const pugi::xml_node& parent, const char* name) {
+  const std::string bytes = array_of(parent, name, "Int64");
+  std::vector<std::uint32_t> integers;
+  for (std::size_t at = 0; at < bytes.size(); at += 8) {
+    integers.push_back(word(bytes, at));
+    CHECK(word(bytes, at + 4) == 0);
+  }
+  return integers;
+}
+
+}  // namespace
+
+Mesh mesh_of_glb(const std::string& bytes) {
+  const Glb glb(bytes);
+  const Json& json = glb.json();
+  Mesh mesh;
+  const Json& scene = json["scenes"].at(json["scene"].get<std::size_t>());
+  if (!scene.contains("nodes")) return mesh;
+  const Json& node = json["nodes"].at(scene["nodes"].at(0).get<std::size_t>());
+  const Json& primitive = json["meshes"].at(node["mesh"].get<std::size_t>())["primitives"].at(0);
+  CHECK(json["materials"].size() > primitive["material"].get<std::size_t>());
+  const Json& attributes = primitive["attributes"];
+  const std::vector<Point> positions = glb.points(attributes["POSITION"]);
+  check_extent(json["accessors"].at(attributes["POSITION"].get<std::size_t>()), positions);
+  for (const Point& position : positions)
+    mesh.vertices_mm.push_back(in_millimetres(transformed(node["matrix"], position, 1)));
+  if (attributes.contains("NORMAL"))
+    for (const Point& normal : glb.points(attributes["NORMAL"]))
+      mesh.normals.push_back(in_millimetres(transformed(node["matrix"], normal, 0)));
+  const std::vector<std::uint32_t> corners = glb.integers(primitive["indices"]);
+  CHECK(corners.size() % 3 == 0);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    add_face(mesh, {corners[i], corners[i + 1], corners[i + 2]});
+  return mesh;
+}
+
+Mesh mesh_of_3mf(const std::string& bytes) {
+  const auto files = files_in(bytes);
+  REQUIRE(files.count("[Content_Types].xml") == 1);
+  REQUIRE(files.count("_rels/.rels") == 1);
+  const auto relationships = document_of(files.at("_rels/.rels"));
+  const std::string target =
+      relationships.child("Relationships").child("Relationship").attribute("Target").value();
+  REQUIRE(files.count(target.substr(1)) == 1);
+  const auto types = document_of(files.at("[Content_Types].xml"));
+  for (const char* extension : {"rels", "model"})
+    CHECK(types.child("Types").find_child_by_attribute("Default", "Extension", extension));
+
+  const auto document = document_of(files.at(target.substr(1)));
+  const pugi::xml_node model = document.child("model");
+  CHECK(model.attribute("unit").value() == std::string("millimeter"));
+  const char* item = model.child("build").child("item").attribute("objectid").value();
+  const pugi::xml_node object =
+      model.child("resources").find_child_by_attribute("object", "id", item);
+  REQUIRE(object);
+  Mesh mesh;
+  for (const auto& vertex : object.child("mesh").child("vertices"))
+    mesh.vertices_mm.push_back({vertex.attribute("x").as_double(),
+                                vertex.attribute("y").as_double(),
+                                vertex.attribute("z").as_double()});
+  for (const auto& triangle : object.child("mesh").child("triangles"))
+    add_face(mesh, {triangle.attribute("v1").as_uint(), triangle.attribute("v2").as_uint(),
+                    triangle.attribute("v3").as_uint()});
+  return mesh;
+}
+
+Mesh mesh_of_vtp(const std::string& bytes) {
+  const auto document = document_of(bytes);
+  const pugi::xml_node file = document.child("VTKFile");
+  CHECK(file.attribute("type").value() == std::string("PolyData"));
+  CHECK(file.attribute("byte_order").value() == std::string("LittleEndian"));
+  CHECK(file.attribute("header_type").value() == std::string("UInt64"));
+  const pugi::xml_node piece = file.child("PolyData").child("Piece");
+  Mesh mesh;
+  mesh.vertices_mm = points_of(piece.child("Points"), "Points");
+  CHECK(piece.attribute("NumberOfPoints").as_uint() == mesh.vertices_mm.size());
+  const pugi::xml_node data = piece.child("PointData");
+  if (data) mesh.normals = points_of(data, data.attribute("Normals").value());
+  const auto connectivity = integers_of(piece.child("Polys"), "connectivity");
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : integers_of(piece.child("Polys"), "offsets")) {
+    REQUIRE(begin <= end);
+    REQUIRE(end <= connectivity.size());
+    add_face(mesh, {connectivity.begin() + begin, connectivity.begin() + end});
+    begin = end;
+  }
+  CHECK(begin == connectivity.size());
+  CHECK(piece.attribute("NumberOfPolys").as_uint() == mesh.face_count());
+  return mesh;
+}
+
+}  // namespace command

@@ -1,0 +1,22 @@
+// Meshes from GLB, 3MF and VTP files, read with libraries for their JSON, XML and ZIP. What a file
+// must have and lacks fails the test.
+#ifndef DISCMC_TESTS_COMMAND_MESH_FORMATS_HPP
+#define DISCMC_TESTS_COMMAND_MESH_FORMATS_HPP
+
+#include <string>
+
+#include "meshes/mesh.hpp"
+
+namespace command {
+
+/// Brought from the metres of the file, y upwards, to millimetres, z upwards.
+discmc::host::Mesh mesh_of_glb(const std::string& bytes);
+
+/// Also checks that the parts of the package find each other.
+discmc::host::Mesh mesh_of_3mf(const std::string& bytes);
+
+discmc::host::Mesh mesh_of_vtp(const std::string& bytes);
+
+}  // namespace command
+
+#endif
