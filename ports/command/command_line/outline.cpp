@@ -63,20 +63,19 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app, const std::strin
   });
 }
 
-std::string full_name(const CLI::App& app) {
-  return app.get_parent() == nullptr ? app.get_name()
-                                     : full_name(*app.get_parent()) + " " + app.get_name();
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
 std::string usage_of(const CommandOutline& outline, const CLI::App& app) {
-  std::string usage = full_name(app) + (outline.commands.empty() ? "" : " COMMAND") + " [OPTIONS]";
+  std::string usage = app.get_parent() != nullptr ? app.get_parent()->get_name() + " " : "";
+  usage += app.get_name() + (commands_of(app).empty() ? "" : " COMMAND") + " [OPTIONS]";
   for (const OptionOutline& argument : outline.arguments) usage += " " + argument.names.front();
   return usage;
 }
 
-}  // namespace
-
-CommandOutline outline_of(const CLI::App& app) {
+// But for the commands within.
+CommandOutline command_of(const CLI::App& app) {
   CommandOutline outline;
   outline.name = app.get_name();
   outline.description = app.get_description();
@@ -89,9 +88,15 @@ CommandOutline outline_of(const CLI::App& app) {
       group.options.push_back(outline_of(*option));
     if (!title.empty() && !group.options.empty()) outline.groups.push_back(group);
   }
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    outline.commands.push_back(outline_of(*command));
   outline.usage = usage_of(outline, app);
+  return outline;
+}
+
+}  // namespace
+
+CommandOutline outline_of(const CLI::App& app) {
+  CommandOutline outline = command_of(app);
+  for (const CLI::App* command : commands_of(app)) outline.commands.push_back(command_of(*command));
   return outline;
 }
 

@@ -36,6 +36,7 @@ struct CommandOutline {
   std::string usage;
 };
 
+/// Limit: commands have no commands.
 CommandOutline outline_of(const CLI::App& app);
 
 }  // namespace discmc::host
