@@ -110,9 +110,10 @@ struct Reading {
 
   bool operator==(const Reading& other) const {
     return info.dims == other.info.dims && info.type == other.info.type &&
-           info.spacing_mm == other.info.spacing_mm && info.slope == other.info.slope &&
-           info.intercept == other.info.intercept && info.format == other.info.format &&
-           info.notes == other.info.notes && samples == other.samples && error == other.error;
+           info.spacing_mm == other.info.spacing_mm && info.placement == other.info.placement &&
+           info.slope == other.info.slope && info.intercept == other.info.intercept &&
+           info.format == other.info.format && info.notes == other.info.notes &&
+           samples == other.samples && error == other.error;
   }
 };
 
@@ -122,6 +123,7 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.dims[2] >= 1 && info.dims[2] < 1U << 30, "a depth out of its limits");
   for (const double spacing : info.spacing_mm)
     require(std::fabs(spacing) >= 1e-6 && std::fabs(spacing) <= 1e6, "a spacing of no use");
+  if (info.placement) require(is_usable(*info.placement), "a placement of no use");
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");

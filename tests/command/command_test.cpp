@@ -236,18 +236,6 @@ TEST_CASE("headerless samples of either byte order give the same stream") {
   CHECK(workshop.info("big.dmc")["spacing"] == "-0.5 1 2.25");
 }
 
-TEST_CASE("what a file says of its place is dropped, and that is said") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", one_voxel(),
-                 "space: right-anterior-superior\nspace origin: (1,2,3)\n"
-                 "space directions: (0.8,0.6,0) (-0.6,0.8,0) (0,0,1)\n");
-  const Result result = workshop.run("extract v.nrrd --iso 100 -q -o v.dmc");
-  CHECK(result.code == 0);
-  CHECK(contains(result.error, "v.nrrd: rotation dropped"));
-  CHECK(contains(result.error, "v.nrrd: origin (1, 2, 3) dropped"));
-  CHECK(workshop.info("v.dmc").at("position") == "dropped");
-}
-
 TEST_CASE("a surface of nothing is valid in every format") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());

@@ -1,5 +1,7 @@
 // MetaImage, https://itk.org/Wiki/MetaIO/Documentation. The only libraries that read it come with
 // ITK or VTK, so its lines of "key = value" are parsed here.
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -119,6 +121,28 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Descri
   set_dims(info, file, sizes);
 }
 
+// Where the axes come from by their letters: RAI are axes along LPS. ITK writes them beside the
+// matrix and does not read them.
+std::string orientation_of(const Axes& axes) {
+  constexpr std::string_view from[] = {"RL", "AP", "IS"};
+  std::string letters;
+  for (const auto& axis : axes) {
+    std::size_t along = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::fabs(axis[i]) > std::fabs(axis[along])) along = i;
+    letters += from[along][axis[along] < 0 ? 1 : 0];
+  }
+  return letters;
+}
+
+void note_orientation(VolumeInfo& info, std::string_view told) {
+  if (told.empty() || told.find('?') != std::string_view::npos || !info.placement) return;
+  const std::string taken = orientation_of(info.placement->axes_mm);
+  if (told != taken)
+    info.notes.push_back("AnatomicalOrientation " + shown(told) +
+                         " dropped: by the TransformMatrix it is '" + taken + "'");
+}
+
 void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Description& header) {
   auto lengths = header.reals({"ElementSpacing", "ElementSize"});
   const std::size_t axes = words(header.needed("DimSize")).size();
@@ -130,17 +154,26 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Des
              std::to_string(axes) + " dimensions",
          "correct the header");
   lengths.resize(3, 1.0);
-  const std::array<double, 3> spacing{lengths[0], lengths[1], lengths[2]};
+  set_spacing(info, {lengths[0], lengths[1], lengths[2]});
   const auto matrix = header.reals({"TransformMatrix", "Rotation", "Orientation"});
-  if (matrix.size() == 9) {
-    Axes directions{};
-    for (std::size_t i = 0; i < 9; ++i) directions[i / 3][i % 3] = matrix[i];
-    set_axes(info, directions, spacing);
-  } else {
-    if (!matrix.empty()) info.notes.emplace_back("rotation dropped");
-    set_spacing(info, spacing);
+  const auto origin = header.reals({"Offset", "Position", "Origin"});
+  if (matrix.empty() && origin.empty()) return;
+
+  // A row an axis, of length 1. ITK, which the format is from, has the space of DICOM.
+  VolumePlacement placement = along_coordinates(info.spacing_mm);
+  placement.frame = Frame::lps;
+  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), placement.origin_mm.begin());
+  if (matrix.size() == axes * axes) {
+    for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
+      for (std::size_t i = 0; i < std::min<std::size_t>(axes, 3); ++i)
+        placement.axes_mm[axis][i] = matrix[axis * axes + i] * info.spacing_mm[axis];
+  } else if (!matrix.empty()) {
+    info.notes.push_back("TransformMatrix of " + std::to_string(matrix.size()) +
+                         " numbers dropped: " + std::to_string(axes) + " dimensions take " +
+                         std::to_string(axes * axes));
   }
-  note_origin(info, header.reals({"Offset", "Position", "Origin"}));
+  set_placement(info, placement);
+  note_orientation(info, header.text({"AnatomicalOrientation"}));
 }
 
 void set_values(VolumeInfo& info, const std::filesystem::path& file, const Description& header) {

@@ -106,6 +106,7 @@ void set_geometry(VolumeInfo& info, const nifti_1_header& header) {
   std::array<double, 3> spacing{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     spacing[axis] = unit_mm * std::fabs(static_cast<double>(header.pixdim[axis + 1]));
+  set_spacing(info, spacing);
 
   mat44 to_space{};
   if (header.sform_code > 0) {
@@ -116,21 +117,20 @@ void set_geometry(VolumeInfo& info, const nifti_1_header& header) {
     }
   } else if (header.qform_code > 0) {
     to_space = nifti_quatern_to_mat44(header.quatern_b, header.quatern_c, header.quatern_d,
-                                      header.qoffset_x, header.qoffset_y, header.qoffset_z, 1, 1, 1,
-                                      header.pixdim[0]);
+                                      header.qoffset_x, header.qoffset_y, header.qoffset_z,
+                                      std::fabs(header.pixdim[1]), std::fabs(header.pixdim[2]),
+                                      std::fabs(header.pixdim[3]), header.pixdim[0]);
   } else {
-    set_spacing(info, spacing);
     return;
   }
-  Axes directions{};
-  std::vector<double> origin;
+  VolumePlacement placement;
+  placement.frame = Frame::ras;
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      directions[axis][row] = static_cast<double>(to_space.m[row][axis]);
-    origin.push_back(static_cast<double>(to_space.m[row][3]));
+      placement.axes_mm[axis][row] = unit_mm * static_cast<double>(to_space.m[row][axis]);
+    placement.origin_mm[row] = unit_mm * static_cast<double>(to_space.m[row][3]);
   }
-  set_axes(info, directions, spacing);
-  note_origin(info, origin);
+  set_placement(info, placement);
 }
 
 // Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.

@@ -171,15 +171,9 @@ void expect_per_axis(const std::filesystem::path& file, const Fields& fields, st
          "correct the header");
 }
 
-void set_directions(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
+Axes directions_of(const std::filesystem::path& file, const Fields& fields) {
   std::string_view text = field(fields, "space directions");
-  const auto units = unit_lengths(info, field(fields, "space units"));
-  const std::string space = lower(field(fields, "space"));
-  const bool left_handed =
-      one_of(space, {"left-anterior-superior", "las", "left-anterior-superior-time", "last",
-                     "3d-left-handed", "3d-left-handed-time"});
   Axes directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::array<double, 3> spacing{1, 1, 1};
   std::size_t axis = 0;
   for (; axis < 3 && !trimmed(text).empty(); ++axis) {
     text = trimmed(text);
@@ -192,33 +186,82 @@ void set_directions(VolumeInfo& info, const std::filesystem::path& file, const F
     const auto numbers = vector_of(file, "space directions", trimmed(word));
     directions[axis] = {0, 0, 0};
     std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
-    // Units belong to the coordinates of space, not to the axes.
-    for (std::size_t i = 0; i < 3; ++i) directions[axis][i] *= units[i];
-    spacing[axis] = std::hypot(directions[axis][0], directions[axis][1], directions[axis][2]);
-    if (left_handed) directions[axis][0] = -directions[axis][0];
   }
   expect_per_axis(file, fields, "space directions", axis);
-  if (left_handed) info.notes.push_back("x of the left-handed space " + shown(space) + " negated");
-  set_axes(info, directions, spacing);
+  return directions;
+}
+
+std::array<double, 3> spacings_of(VolumeInfo& info, const std::filesystem::path& file,
+                                  const Fields& fields) {
+  const auto units = unit_lengths(info, field(fields, "units"));
+  const auto spacings = words(field(fields, "spacings"));
+  std::array<double, 3> spacing{1, 1, 1};
+  for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
+    spacing[axis] = units[axis] * real(file, "spacings", spacings[axis]);
+  if (spacings.empty())
+    info.notes.emplace_back("no spacing given, 1 mm taken");
+  else
+    expect_per_axis(file, fields, "spacings", spacings.size());
+  return spacing;
+}
+
+// What the coordinates of the file are. Left-handed ones are made right-handed by negating x.
+struct Space {
+  Frame frame = Frame::none;
+  bool is_left_handed = false;
+};
+
+Space space_of(VolumeInfo& info, std::string_view text) {
+  std::string name = lower(text);
+  constexpr std::string_view time = "-time";
+  if (name.size() > time.size() && name.substr(name.size() - time.size()) == time)
+    name.resize(name.size() - time.size());
+  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) return {Frame::lps, false};
+  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) return {Frame::ras, false};
+  if (one_of(name, {"left-anterior-superior", "las", "last"})) return {Frame::ras, true};
+  if (name != "3d-left-handed") return {};
+  info.notes.push_back("x of the left-handed space " + shown(text) + " negated");
+  return {Frame::none, true};
+}
+
+// Units belong to the coordinates of space, not to the axes.
+void multiply(std::array<double, 3>& vector, const std::array<double, 3>& units) {
+  for (std::size_t i = 0; i < 3; ++i) vector[i] *= units[i];
+}
+
+void set_axes(VolumeInfo& info, Axes& axes_mm, const std::filesystem::path& file,
+              const Fields& fields, const std::array<double, 3>& units) {
+  if (field(fields, "space directions").empty()) {
+    set_spacing(info, spacings_of(info, file, fields));
+    axes_mm = along_coordinates(info.spacing_mm).axes_mm;
+    return;
+  }
+  axes_mm = directions_of(file, fields);
+  std::array<double, 3> lengths{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    multiply(axes_mm[axis], units);
+    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
+  }
+  set_spacing(info, lengths);
 }
 
 void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
-  if (!field(fields, "space directions").empty()) {
-    set_directions(info, file, fields);
-  } else {
-    const auto units = unit_lengths(info, field(fields, "units"));
-    const auto spacings = words(field(fields, "spacings"));
-    std::array<double, 3> spacing{1, 1, 1};
-    for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
-      spacing[axis] = units[axis] * real(file, "spacings", spacings[axis]);
-    if (spacings.empty())
-      info.notes.emplace_back("no spacing given, 1 mm taken");
-    else
-      expect_per_axis(file, fields, "spacings", spacings.size());
-    set_spacing(info, spacing);
-  }
+  const auto units = unit_lengths(info, field(fields, "space units"));
+  const Space space = space_of(info, field(fields, "space"));
+  VolumePlacement placement;
+  placement.frame = space.frame;
+  set_axes(info, placement.axes_mm, file, fields, units);
   const std::string_view origin = field(fields, "space origin");
-  if (!origin.empty()) note_origin(info, vector_of(file, "space origin", origin));
+  if (!origin.empty()) {
+    const auto numbers = vector_of(file, "space origin", origin);
+    std::copy(numbers.begin(), numbers.end(), placement.origin_mm.begin());
+    multiply(placement.origin_mm, units);
+  }
+  if (space.is_left_handed) {
+    for (auto& axis : placement.axes_mm) axis[0] = -axis[0];
+    placement.origin_mm[0] = -placement.origin_mm[0];
+  }
+  set_placement(info, placement);
   if (fields.count("old min") + fields.count("oldmin") > 0)
     info.notes.emplace_back("old min and old max dropped: values are the stored ones");
 }

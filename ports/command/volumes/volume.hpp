@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "sample_type.hpp"
+#include "volume_placement.hpp"
 
 namespace discmc::host {
 
@@ -32,15 +33,19 @@ struct VolumeInfo {
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
   /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
-  /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored.
-  /// Units: millimetres. Limit: 1e-6 to 1e6 either way.
+  /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored, and the
+  /// placement only turns and moves it.
+  /// Units: millimetres. Limit: least_spacing_mm to most_spacing_mm either way.
   std::array<double, 3> spacing_mm{1, 1, 1};
+  /// Where the volume lies; nothing where the file tells no more of it than the spacing.
+  /// Limit: is_usable().
+  std::optional<VolumePlacement> placement;
   /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
   double slope = 1;
   double intercept = 0;
   /// The format and the way it is stored, for people: "NRRD, gzip".
   std::string format;
-  /// What the file says and the reader dropped: origin, rotation, a fourth dimension of size 1.
+  /// What the file says and the reader dropped or took otherwise: a fourth dimension of size 1.
   std::vector<std::string> notes;
 
   /// Units: bytes of one slice.

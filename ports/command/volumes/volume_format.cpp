@@ -15,22 +15,36 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 constexpr std::int64_t most_across = 32766;
 // The half-steps of the last slice must fit into 31 bits.
 constexpr std::int64_t most_slices = (std::int64_t{1} << 30) - 1;
-constexpr double least_spacing_mm = 1e-6;
-constexpr double most_spacing_mm = 1e6;
 
 bool is_control(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
 }
 
-double determinant(const Axes& a) {
-  return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
-         a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
-         a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
-}
-
 bool usable(double spacing_mm) {
   const double size = std::fabs(spacing_mm);
   return size >= least_spacing_mm && size <= most_spacing_mm;
+}
+
+// The signs of the axes where each is mostly along its coordinate; otherwise that of the whole.
+std::array<double, 3> signs_of(const Axes& axes) {
+  constexpr double mostly_along = 0.75;  // no other component can be larger
+  std::array<double, 3> signs{};
+  bool near = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double length = std::hypot(axes[i][0], axes[i][1], axes[i][2]);
+    signs[i] = std::copysign(1.0, axes[i][i]);
+    near = near && std::fabs(axes[i][i]) > mostly_along * length;
+  }
+  const double hand = std::copysign(1.0, determinant(axes));
+  if (near && signs[0] * signs[1] * signs[2] == hand) return signs;
+  return {1, 1, hand};
+}
+
+std::string list(const std::array<double, 3>& numbers) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << '(' << numbers[0] << ", " << numbers[1] << ", " << numbers[2] << ')';
+  return text.str();
 }
 
 }  // namespace
@@ -157,31 +171,6 @@ void set_dims(VolumeInfo& info, const std::filesystem::path& file,
   if (sizes.size() == 2) info.notes.emplace_back("two dimensions, taken as one slice");
 }
 
-void set_axes(VolumeInfo& info, const Axes& directions, const std::array<double, 3>& spacing_mm) {
-  constexpr double along = 1 - 1e-9;
-  constexpr double mostly_along = 0.75;  // no other component can be larger
-  Axes unit{};
-  std::array<double, 3> signs{};
-  bool straight = true;
-  bool near = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double size = std::hypot(directions[i][0], directions[i][1], directions[i][2]);
-    if (!usable(size)) {
-      info.notes.emplace_back("axis directions unusable, taken as along the coordinates");
-      set_spacing(info, spacing_mm);
-      return;
-    }
-    for (std::size_t j = 0; j < 3; ++j) unit[i][j] = directions[i][j] / size;
-    signs[i] = std::copysign(1.0, unit[i][i]);
-    straight = straight && std::fabs(unit[i][i]) > along;
-    near = near && std::fabs(unit[i][i]) > mostly_along;
-  }
-  const double hand = std::copysign(1.0, determinant(unit));
-  if (!near || signs[0] * signs[1] * signs[2] != hand) signs = {1, 1, hand};
-  if (!straight) info.notes.emplace_back("rotation dropped");
-  set_spacing(info, {signs[0] * spacing_mm[0], signs[1] * spacing_mm[1], signs[2] * spacing_mm[2]});
-}
-
 void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     info.spacing_mm[axis] = usable(spacing_mm[axis]) ? spacing_mm[axis] : 1;
@@ -191,6 +180,26 @@ void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm) {
     note << "spacing " << spacing_mm[axis] << " of axis " << axis + 1 << " unusable, 1 mm taken";
     info.notes.push_back(note.str());
   }
+}
+
+void set_placement(VolumeInfo& info, VolumePlacement placement) {
+  if (is_usable(placement.axes_mm)) {
+    const std::array<double, 3> signs = signs_of(placement.axes_mm);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      info.spacing_mm[axis] = std::copysign(info.spacing_mm[axis], signs[axis]);
+  } else {
+    info.notes.emplace_back("axis directions unusable, taken as along the coordinates");
+    placement.axes_mm = along_coordinates(info.spacing_mm).axes_mm;
+  }
+  if (!is_usable(placement)) {
+    info.notes.push_back("origin " + list(placement.origin_mm) + " unusable, 0 taken");
+    placement.origin_mm = {};
+  }
+  // Sums with zero have no negative zeros.
+  for (double& at : placement.origin_mm) at += 0.0;
+  for (auto& axis : placement.axes_mm)
+    for (double& along : axis) along += 0.0;
+  if (!(placement == along_coordinates(info.spacing_mm))) info.placement = placement;
 }
 
 void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope,
@@ -204,15 +213,6 @@ void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope
          "negate the samples and the slope");
   info.slope = slope == 0 ? 1 : slope;
   info.intercept = slope == 0 ? 0 : intercept;
-}
-
-void note_origin(VolumeInfo& info, const std::vector<double>& origin) {
-  if (std::all_of(origin.begin(), origin.end(), [](double v) { return v == 0; })) return;
-  std::ostringstream note;
-  note.imbue(std::locale::classic());
-  note << "origin (";
-  for (std::size_t i = 0; i < origin.size(); ++i) note << (i == 0 ? "" : ", ") << origin[i];
-  info.notes.push_back(note.str() + ") dropped");
 }
 
 }  // namespace discmc::host

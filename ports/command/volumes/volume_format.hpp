@@ -65,23 +65,19 @@ double real(const std::filesystem::path& file, std::string_view field, std::stri
 void set_dims(VolumeInfo& info, const std::filesystem::path& file,
               const std::vector<std::int64_t>& sizes);
 
-/// One vector an axis of the volume: the way to the next voxel along it, of any length.
-using Axes = std::array<std::array<double, 3>, 3>;
-
-/// Takes the spacing with the signs of the directions in right-handed coordinates, so that leaving
-/// out the rest of them only turns the volume and never mirrors it; says so in a note.
+/// Takes the spacing, along the coordinates.
 /// Units: millimetres. A value of no use becomes 1, with a note.
-void set_axes(VolumeInfo& info, const Axes& directions, const std::array<double, 3>& spacing_mm);
-
-/// As set_axes, for axes along the coordinates.
 void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm);
+
+/// Takes the placement, after set_spacing(), whose lengths stay and get the signs of the axes in
+/// right-handed coordinates: a surface by the spacing alone is turned and moved against the placed
+/// one, never mirrored. What is of no use becomes the coordinates and their origin, with a note.
+/// A placement that says no more than the spacing is none.
+void set_placement(VolumeInfo& info, VolumePlacement placement);
 
 /// Takes value = slope * stored + intercept; a slope of 0 stands for no scaling at all. Throws when
 /// slope is negative or either not finite.
 void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope, double intercept);
-
-/// Adds a note that the origin is dropped, unless it is zero.
-void note_origin(VolumeInfo& info, const std::vector<double>& origin);
 
 }  // namespace discmc::host
 

@@ -1,0 +1,45 @@
+// Where a volume lies in space: from voxels to millimetres.
+#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_PLACEMENT_HPP
+#define DISCMC_COMMAND_VOLUMES_VOLUME_PLACEMENT_HPP
+
+#include <array>
+
+#include <discmc/placement.hpp>
+
+namespace discmc::host {
+
+/// Of voxels.
+constexpr double least_spacing_mm = 1e-6;
+constexpr double most_spacing_mm = 1e6;
+
+/// One vector an axis of the volume: the way to the next voxel along x, y and z.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+/// An affine map: voxel (i, j, k) has its centre at origin + i axes[0] + j axes[1] + k axes[2].
+/// Units: millimetres.
+struct VolumePlacement {
+  Frame frame = Frame::none;
+  std::array<double, 3> origin_mm{};  ///< the centre of voxel (0, 0, 0)
+  Axes axes_mm{};
+
+  bool operator==(const VolumePlacement& other) const {
+    return frame == other.frame && origin_mm == other.origin_mm && axes_mm == other.axes_mm;
+  }
+};
+
+/// Volumes along the coordinates, with voxel (0, 0, 0) at their origin.
+constexpr VolumePlacement along_coordinates(const std::array<double, 3>& spacing_mm) {
+  return {Frame::none, {}, {{{spacing_mm[0], 0, 0}, {0, spacing_mm[1], 0}, {0, 0, spacing_mm[2]}}}};
+}
+
+/// The volume of the parallelepiped that the axes span: negative where they are left-handed.
+double determinant(const Axes& axes);
+
+/// Whether the axes are as long as spacings can be and span a space, and the origin is no farther
+/// than 1e9 mm away.
+bool is_usable(const Axes& axes_mm);
+bool is_usable(const VolumePlacement& placement);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,201 @@
+// Where a volume lies, as each format tells it.
+#include "volumes/volume_placement.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "volume_files.hpp"
+#include "volumes/volume.hpp"
+
+namespace {
+
+using namespace volume_files;
+using discmc::Frame;
+using discmc::host::Axes;
+using discmc::host::determinant;
+using discmc::host::VolumePlacement;
+using Vector = std::array<double, 3>;
+
+const std::string u8 = stored(SampleType::u8);
+
+VolumeInfo nrrd_info(const Folder& folder, const std::string& lines) {
+  return open_volume(folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8))->info();
+}
+
+VolumeInfo metaimage_info(const Folder& folder, const std::string& lines,
+                          const std::string& sizes = "5 3 4") {
+  const std::string header = metaimage(metaimage_u8 + lines + "ElementDataFile = LOCAL\n", sizes);
+  return open_volume(folder.write("v.mha", header + u8))->info();
+}
+
+// Of voxels 0.5, 2 and 3 mm apart.
+Nifti nifti_of_spacing() {
+  return Nifti().real(80, 0.5F).real(84, 2).real(88, 3);
+}
+
+VolumeInfo nifti_info(const Folder& folder, const Nifti& nifti) {
+  return open_volume(folder.write("v.nii", nifti.file(u8)))->info();
+}
+
+// srow_x, srow_y and srow_z, with the code that says they count.
+Nifti with_sform(Nifti nifti, const std::vector<float>& rows) {
+  nifti.integer(254, 2, 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) nifti.real(280 + 4 * i, rows[i]);
+  return nifti;
+}
+
+void check_placement(const VolumeInfo& info, Frame frame, const Vector& origin, const Axes& axes) {
+  REQUIRE(info.placement);
+  CHECK(info.placement->frame == frame);
+  constexpr double rounding = 1e-6;  // of numbers in 32 bits
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(std::fabs(info.placement->origin_mm[i] - origin[i]) < rounding);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(std::fabs(info.placement->axes_mm[axis][i] - axes[axis][i]) < rounding);
+  }
+  // Left out, the rest of the placement turns and moves the surface: it never mirrors it.
+  const Vector& s = info.spacing_mm;
+  CHECK((s[0] * s[1] * s[2] < 0) == (determinant(info.placement->axes_mm) < 0));
+}
+
+}  // namespace
+
+TEST_CASE("NRRD tells its directions and origin in the space that it names") {
+  const Folder folder;
+  const std::string turned =
+      "space directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n";
+  const Axes axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0.6, 0.8}}};
+  for (const auto& [space, frame] :
+       std::vector<std::pair<std::string, Frame>>{{"space: left-posterior-superior\n", Frame::lps},
+                                                  {"space: LPS\n", Frame::lps},
+                                                  {"space: right-anterior-superior\n", Frame::ras},
+                                                  {"space: RAS\n", Frame::ras},
+                                                  {"space: scanner-xyz\n", Frame::none},
+                                                  {"space: 3D-right-handed\n", Frame::none},
+                                                  {"space dimension: 3\n", Frame::none}}) {
+    INFO(space);
+    const VolumeInfo info = nrrd_info(folder, space + turned);
+    check_placement(info, frame, {10, -20, 30.5}, axes);
+    CHECK(info.notes.empty());
+  }
+}
+
+TEST_CASE("NRRD's left-handed spaces are told in right-handed ones") {
+  const Folder folder;
+  const std::string turned =
+      "space directions: (0,2,0) (-3,0,0) (0,0,4)\nspace origin: (10,-20,30)\n";
+  const Axes axes{{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}};
+  for (const std::string name : {"left-anterior-superior", "LAS"}) {
+    const VolumeInfo info = nrrd_info(folder, "space: " + name + "\n" + turned);
+    check_placement(info, Frame::ras, {-10, -20, 30}, axes);
+    CHECK(info.notes.empty());
+  }
+  const VolumeInfo info = nrrd_info(folder, "space: 3D-left-handed\n" + turned);
+  check_placement(info, Frame::none, {-10, -20, 30}, axes);
+  CHECK(noted(info, "x of the left-handed space '3D-left-handed' negated"));
+}
+
+TEST_CASE("NRRD's units are those of the coordinates of space") {
+  const Folder folder;
+  check_placement(nrrd_info(folder,
+                            "space: LPS\nspace units: \"cm\" \"mm\" \"um\"\n"
+                            "space directions: (0,2,0) (0.3,0,0) (0,0,4000)\n"
+                            "space origin: (1,2,5000)\n"),
+                  Frame::lps, {10, 2, 5}, {{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}});
+}
+
+TEST_CASE("NRRD with spacings alone lies along the coordinates of its space") {
+  const Folder folder;
+  CHECK_FALSE(nrrd_info(folder, "spacings: 0.5 2 3\n").placement);
+  CHECK_FALSE(nrrd_info(folder,
+                        "space dimension: 3\n"
+                        "space directions: (0.5,0,0) (0,-2,0) (0,0,3)\n")
+                  .placement);
+  check_placement(
+      nrrd_info(folder, "space dimension: 3\nspacings: 0.5 2 3\nspace origin: (1,2,3)\n"),
+      Frame::none, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+}
+
+TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
+  const Folder folder;
+  // Sheared, and longer than pixdim says.
+  const std::vector<float> rows = {0.4F, -1, 0.5F, -90, 0.3F, 1.5F, 0, 126.5F, 0, 0.25F, 3, -72};
+  const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
+  const VolumeInfo info = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
+  check_placement(info, Frame::ras, {-90, 126.5, -72}, axes);
+  CHECK(info.notes.empty());
+  // It comes before the qform; and units are those of the header.
+  Nifti both = with_sform(nifti_of_spacing(), rows).integer(252, 2, 1);
+  check_placement(nifti_info(folder, both.integer(123, 1, 3)), Frame::ras, {-0.09, 0.1265, -0.072},
+                  {{{0.0004, 0.0003, 0}, {-0.001, 0.0015, 0.00025}, {0.0005, 0, 0.003}}});
+}
+
+TEST_CASE("NIfTI's qform turns by its quaternion and flips z by qfac") {
+  const Folder folder;
+  Nifti nifti = nifti_of_spacing();
+  // Half of a right angle about z: b and c are 0.
+  nifti.integer(252, 2, 1).real(264, 0.70710678F).real(268, 7).real(272, -8).real(276, 9);
+  check_placement(nifti_info(folder, nifti), Frame::ras, {7, -8, 9},
+                  {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
+  check_placement(nifti_info(folder, nifti.real(76, -1)), Frame::ras, {7, -8, 9},
+                  {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, -3}}});
+  CHECK_FALSE(nifti_info(folder, nifti_of_spacing()).placement);
+}
+
+TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
+  const Folder folder;
+  const std::string spacing = "ElementSpacing = 0.5 2 3\n";
+  for (const std::string name : {"Offset", "Position", "Origin"}) {
+    const VolumeInfo info =
+        metaimage_info(folder, spacing + "TransformMatrix = 0 1 0 -0.6 0 0.8 0.8 0 0.6\n" + name +
+                                   " = 10 -20 30\n");
+    check_placement(info, Frame::lps, {10, -20, 30},
+                    {{{0, 0.5, 0}, {-1.2, 0, 1.6}, {2.4, 0, 1.8}}});
+    CHECK(info.notes.empty());
+  }
+  CHECK_FALSE(metaimage_info(folder, spacing).placement);
+  // Of two dimensions and of four the matrix has other sizes.
+  check_placement(metaimage_info(folder, "TransformMatrix = 0 1 -1 0\nOffset = 1 2\n", "5 12"),
+                  Frame::lps, {1, 2, 0}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
+  check_placement(metaimage_info(folder,
+                                 "TransformMatrix = 0 1 0 0 -1 0 0 0 0 0 1 0 0 0 0 1\n"
+                                 "Offset = 1 2 3 4\n",
+                                 "5 3 4 1"),
+                  Frame::lps, {1, 2, 3}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
+  CHECK(noted(metaimage_info(folder, "TransformMatrix = 1 0 0 1\n"),
+              "TransformMatrix of 4 numbers dropped"));
+}
+
+TEST_CASE("MetaImage's letters are noted where they contradict the matrix") {
+  const Folder folder;
+  const std::string matrix = "ElementSpacing = 1 1 1\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\n";
+  CHECK(metaimage_info(folder, matrix + "AnatomicalOrientation = RPI\n").notes.empty());
+  CHECK(metaimage_info(folder, matrix + "AnatomicalOrientation = ???\n").notes.empty());
+  CHECK(noted(metaimage_info(folder, matrix + "AnatomicalOrientation = RAI\n"),
+              "AnatomicalOrientation 'RAI' dropped: by the TransformMatrix it is 'RPI'"));
+}
+
+TEST_CASE("a placement of no use becomes the coordinates, with a note") {
+  const Folder folder;
+  const VolumeInfo flat = nrrd_info(folder,
+                                    "space: LPS\nspace directions: (1,0,0) (0,2,0) (1,1,0)\n"
+                                    "space origin: (1,2,3)\n");
+  check_placement(flat, Frame::lps, {1, 2, 3}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, std::sqrt(2.0)}}});
+  CHECK(noted(flat, "axis directions unusable"));
+  const VolumeInfo far = nrrd_info(folder,
+                                   "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n"
+                                   "space origin: (nan,0,1e10)\n");
+  check_placement(far, Frame::lps, {0, 0, 0}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  CHECK(noted(far, "origin (nan, 0, 1e+10) unusable, 0 taken"));
+  const float infinite = std::numeric_limits<float>::infinity();
+  const VolumeInfo nifti = nifti_info(
+      folder, with_sform(nifti_of_spacing(), {infinite, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0}));
+  check_placement(nifti, Frame::ras, {0, 0, 0}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  CHECK(noted(nifti, "axis directions unusable"));
+}
