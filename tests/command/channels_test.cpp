@@ -131,7 +131,7 @@ TEST_CASE("several surfaces are a stream, and no more than four") {
   workshop.write("v.raw", cone(16));
   const auto mesh = workshop.run("extract " + volume + "--iso 20 --iso 40 -o a.stl");
   CHECK(mesh.code == 2);
-  CHECK(contains(mesh.error, "give -o FILE.dmc"));
+  CHECK(contains(mesh.error, "{name}"));
   const auto five =
       workshop.run("extract " + volume + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o a.dmc");
   CHECK(five.code == 2);

@@ -240,6 +240,14 @@ inline double volume_of(const Mesh& mesh) {
   return sum / 6;
 }
 
+/// The command says all of these on standard error, and nothing on standard output.
+inline void check_failure(const Result& result, int code, const std::vector<std::string>& parts) {
+  INFO(result.error);
+  CHECK(result.code == code);
+  CHECK(result.out.empty());
+  for (const std::string& part : parts) CHECK(contains(result.error, part));
+}
+
 }  // namespace command
 
 #endif

@@ -39,13 +39,6 @@ const std::string little_endian_u16 = [] {
 
 const std::string layout = "--dims 13,12,11 --type u16 --iso 0x201 ";
 
-void check_failure(const Result& result, int code, const std::vector<std::string>& parts) {
-  INFO(result.error);
-  CHECK(result.code == code);
-  CHECK(result.out.empty());
-  for (const std::string& part : parts) CHECK(contains(result.error, part));
-}
-
 // The numbers of all lines that begin so.
 std::vector<double> numbers_after(const std::string& begin, const std::string& text) {
   std::vector<double> numbers;

@@ -3,6 +3,7 @@
 
 #include "command_line.hpp"
 #include "commands/commands.hpp"
+#include "file_pattern.hpp"
 #include "mesh_files/file_format.hpp"
 #include "mesh_options.hpp"
 #include "named_values.hpp"
@@ -13,15 +14,26 @@
 namespace discmc::host {
 namespace {
 
-void check_isos(const ExtractArguments& arguments) {
-  const std::size_t surfaces = arguments.reading.isos.size();
-  if (surfaces > StreamHeader::max_surfaces)
-    throw CLI::ValidationError("--iso", std::to_string(surfaces) + " surfaces are too many: give " +
-                                            std::to_string(StreamHeader::max_surfaces) +
-                                            " at most");
-  if (surfaces > 1 && format_of(arguments.output) != Format::stream)
+void check_selections(const ExtractArguments& arguments) {
+  const std::vector<NamedSelection>& selections = arguments.reading.selections;
+  const std::size_t surfaces = selections.size();
+  if (surfaces == 0)
+    throw CLI::ValidationError("--iso",
+                               "is missing: give --iso ISO, --range LOW..HIGH or --label N");
+  const bool is_stream = format_of(arguments.output) == Format::stream;
+  if (is_stream && surfaces > StreamHeader::max_surfaces)
     throw CLI::ValidationError(
-        "--iso", "several surfaces are a stream: give -o FILE.dmc, or one --iso for a mesh");
+        "--iso", std::to_string(surfaces) + " surfaces are too many for a stream: give " +
+                     std::to_string(StreamHeader::max_surfaces) + " at most");
+  if (!is_stream && surfaces > 1 && !FilePattern(arguments.output).has_name())
+    throw CLI::ValidationError("--output",
+                               "several surfaces are as many meshes: write {name} in "
+                               "the name, as in -o 'surface-{name}.stl'");
+  for (const NamedSelection& each : selections)
+    if (each.selection.has_upper_end() && arguments.normals == Normals::gradient)
+      throw CLI::ValidationError("--normals",
+                                 "the gradient points from on to off only where --iso divides "
+                                 "them: give --normals surface");
 }
 
 void check_wire(const ExtractArguments& arguments) {
@@ -42,7 +54,7 @@ void check_wire(const ExtractArguments& arguments) {
 void check(const ExtractArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
-  check_isos(arguments);
+  check_selections(arguments);
   check_wire(arguments);
 }
 
@@ -78,9 +90,11 @@ Command add_extract(CLI::App& app) {
   extract->add_flag("-q,--quiet", arguments->quiet, "print no table");
   add_volume_options(*extract, arguments->reading.layout);
   add_surface_options(*extract, arguments->reading);
-  extract->get_option("--iso")->required()->expected(1, -1)->allow_extra_args(false)->description(
-      "the threshold, in the units of the file: a voxel is on if its value is >= ISO; given up "
-      "to 4 times: a surface each, on channels of the stream");
+  for (const char* option : {"--iso", "--range", "--label"})
+    extract->get_option(option)->expected(1, -1)->allow_extra_args(false);
+  CLI::Option* iso = extract->get_option("--iso");
+  iso->description(iso->get_description() +
+                   "; given several times, as the next two: a surface each, up to 4 in a stream");
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
   add_mesh_options(*extract, arguments->mesh);
@@ -88,6 +102,7 @@ Command add_extract(CLI::App& app) {
   extract->footer(
       "Examples:\n"
       "  discmc extract head.nii.gz --iso 300 -o head.stl\n"
+      "  discmc extract head.nii.gz --iso 300 --iso=-300 -o 'head-{name}.stl'\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
   extract->callback([arguments] { check(*arguments); });
   return {extract, [arguments] { return run_extract(*arguments); }};

@@ -44,7 +44,7 @@ void check_kind(const CLI::App& render, const RenderArguments& arguments) {
                                : "is for volumes, and " + arguments.input + " is a stream") +
               ": leave it out");
   }
-  if (arguments.is_volume && arguments.reading.isos.empty())
+  if (arguments.is_volume && arguments.reading.selections.empty())
     throw CLI::ValidationError(arguments.input,
                                "a volume is drawn at a threshold: give --iso VALUE");
 }
@@ -113,7 +113,7 @@ Command add_render(CLI::App& app) {
       "  discmc render head.dmc --edges -o head.png\n"
       "  discmc render head.nii.gz --iso 300 --shade smooth -o head.png");
   render->callback([arguments, render] {
-    arguments->is_volume = is_volume(arguments->input, !arguments->reading.isos.empty());
+    arguments->is_volume = is_volume(arguments->input, !arguments->reading.selections.empty());
     check_kind(*render, *arguments);
     if (arguments->view == std::vector<double>{0, 0, 0})
       throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");

@@ -2,16 +2,12 @@
 
 #include "named_values.hpp"
 #include "option_checks.hpp"
+#include "selection_options.hpp"
 
 namespace discmc::host {
 
 void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
-  app.option_defaults()->group(surface_group);
-  app.add_option("--iso", arguments.isos,
-                 "the threshold, in the units of the file: a voxel is on if its value is >= ISO")
-      ->check(finite())
-      ->expected(1)
-      ->option_text("ISO");
+  add_selection_options(app, arguments.selections);
   add_named_option(
       app, "--border", arguments.border,
       NamedValues<Border>{{"closed", Border::closed}, {"open", Border::open}},

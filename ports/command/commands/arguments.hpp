@@ -9,6 +9,7 @@
 
 #include <discmc/limits.hpp>
 
+#include "extraction/selection.hpp"
 #include "meshes/mesh.hpp"
 #include "streams/stream_file.hpp"
 #include "volumes/volume.hpp"
@@ -23,9 +24,15 @@ struct LayoutArguments {
   std::vector<double> spacing;
 };
 
+/// What is on in a surface, and what the user calls it.
+struct NamedSelection {
+  Selection selection;
+  std::string name;  ///< as it was given: "300"
+};
+
 /// How a volume is read and its surface taken: of every command that takes one.
 struct VolumeArguments {
-  std::vector<double> isos;  ///< one a surface
+  std::vector<NamedSelection> selections;  ///< one a surface
   Border border = Border::closed;
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< records and holes, or none

@@ -38,7 +38,7 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   options.normals = arguments.smooth;
   if (arguments.smooth) {
     GradientVolume again = open_for_gradient(arguments.input, raw_layout(arguments.reading.layout),
-                                             arguments.reading.isos[0]);
+                                             arguments.reading.selections[0].selection.low);
     volume = std::move(again.reader);
     options.selection = again.selection;
   }

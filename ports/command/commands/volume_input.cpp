@@ -37,7 +37,7 @@ GradientVolume open_for_gradient(const std::string& path, const std::optional<Ra
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress) {
   ExtractionOptions options;
-  options.selection = arguments.isos[0];
+  options.selection = arguments.selections[0].selection;
   options.border = arguments.border;
   options.memory = arguments.memory;
   if (!arguments.capacities.empty())

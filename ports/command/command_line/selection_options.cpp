@@ -1,0 +1,84 @@
+#include "selection_options.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "surface_options.hpp"
+
+namespace discmc::host {
+namespace {
+
+std::optional<double> number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_number = !text.empty() && *end == '\0' && std::isfinite(value);
+  return is_number ? std::optional<double>(value) : std::nullopt;
+}
+
+std::optional<Selection> threshold(const std::string& text) {
+  const auto low = number(text);
+  return low ? std::optional<Selection>(*low) : std::nullopt;
+}
+
+// An end that is left out is infinite.
+std::optional<Selection> range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos || text.size() == 2) return std::nullopt;
+  const std::string low = text.substr(0, dots);
+  const std::string high = text.substr(dots + 2);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto lowest = low.empty() ? -infinity : number(low);
+  const auto highest = high.empty() ? infinity : number(high);
+  if (!lowest || !highest || *lowest > *highest) return std::nullopt;
+  return Selection(*lowest, *highest);
+}
+
+std::optional<Selection> label(const std::string& text) {
+  const auto value = number(text);
+  if (!value || *value != std::floor(*value)) return std::nullopt;
+  return Selection(*value, *value);
+}
+
+using Parse = std::optional<Selection> (*)(const std::string&);
+
+CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse parse,
+                                  const std::string& form, const std::string& wanted,
+                                  std::vector<NamedSelection>& selections,
+                                  const std::string& description) {
+  return app
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [&selections, parse](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) selections.push_back({*parse(text), text});
+          },
+          description)
+      ->check(CLI::Validator(
+          [parse, wanted](std::string& text) {
+            return parse(text) ? std::string() : "'" + text + "' is no " + wanted;
+          },
+          ""))
+      ->expected(1)
+      ->option_text(form);
+}
+
+}  // namespace
+
+void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections) {
+  app.option_defaults()->group(surface_group);
+  CLI::Option* iso = add_selection_option(
+      app, "--iso", threshold, "ISO", "finite number", selections,
+      "the threshold, in the units of the file: a voxel is on if its value is >= ISO");
+  CLI::Option* between = add_selection_option(
+      app, "--range", range, "LOW..HIGH", "range: give LOW..HIGH, one of which may be left out",
+      selections, "in place of --iso: a voxel is on if LOW <= value <= HIGH");
+  CLI::Option* label_option = add_selection_option(
+      app, "--label", label, "N", "whole number", selections,
+      "in place of --iso: a voxel is on if its value is N, as in a segmentation");
+  iso->excludes(between)->excludes(label_option);
+  between->excludes(label_option);
+}
+
+}  // namespace discmc::host

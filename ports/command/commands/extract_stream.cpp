@@ -1,0 +1,119 @@
+// discmc extract -o FILE.dmc: a volume to a stream of its surfaces, or of its slices.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <discmc/shared_output.hpp>
+#include <discmc/slice_encoder.hpp>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exit_codes.hpp"
+#include "extract.hpp"
+#include "output_file.hpp"
+#include "progress.hpp"
+#include "summary.hpp"
+#include "surface/counts.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::host {
+namespace {
+
+// Tells the bits of a volume, in memory of its own.
+class SliceWriter {
+ public:
+  void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
+    memory_.resize(
+        slice_encoder_bytes({header.width, header.height}, key_slices, header.surfaces()));
+    require(encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output));
+  }
+  SliceEncoder& encoder() { return encoder_; }
+  /// Units: bytes; 0 before a start.
+  std::size_t memory() const { return memory_.size(); }
+
+ private:
+  std::vector<std::uint8_t> memory_;
+  SliceEncoder encoder_;
+};
+
+// The header of a stream of slices that holds all surfaces. header: that of the first.
+StreamHeader header_of_all(StreamHeader header, const VolumeInfo& info,
+                           const std::vector<NamedSelection>& selections) {
+  header.further_surfaces = static_cast<std::uint8_t>(selections.size() - 1);
+  std::transform(selections.begin() + 1, selections.end(), header.further_thresholds,
+                 [&info](const NamedSelection& further) {
+                   return stored_threshold(info, further.selection.low);
+                 });
+  return header;
+}
+
+// Samples that are narrowed for the gradient are counted from one threshold.
+void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& info) {
+  if (arguments.selections.size() > 1)
+    throw std::invalid_argument(
+        "--normals gradient of several surfaces takes samples of u8, u16 or i16, and these are " +
+        std::string(name(info.type)) + ": give one --iso");
+}
+
+}  // namespace
+
+int extract_stream(const ExtractArguments& arguments) {
+  if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
+    throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
+  auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const VolumeInfo info = volume->info();
+  OutputFile file(arguments.output);
+  StreamOutput output(&file.stream());
+  Progress progress("extracting", info.dims[2]);
+  ExtractionOptions options = extraction_options(arguments.reading, progress);
+  StreamHeader header = stream_header(info, options);
+  header.scan = arguments.scan;
+  std::vector<NamedSelection> selections = arguments.reading.selections;
+  options.normals = arguments.normals == Normals::gradient;
+  if (options.normals && !is_scanner_type(info.type)) {
+    require_one_surface(arguments.reading, info);
+    GradientVolume narrow = open_for_gradient(
+        arguments.volume, raw_layout(arguments.reading.layout), selections[0].selection.low);
+    volume = std::move(narrow.reader);
+    selections[0].selection = narrow.selection;
+  }
+
+  const SurfaceReceivers receivers = receivers_for(selections);
+  SliceWriter slices;
+  SharedOutput link;
+  if (arguments.wire == Wire::slices) {
+    slices.start(header_of_all(header, info, selections), {arguments.key_slices},
+                 output.byte_output());
+    options.slices = &slices.encoder();
+  } else {
+    link.start(output.byte_output());
+    StreamLabel label = header.label();
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+      label.channel = static_cast<std::uint8_t>(i);
+      receivers[i]->start_stream(label, link.output());
+    }
+  }
+  if (!arguments.quiet)
+    for (const auto& receiver : receivers) receiver->start_surface();
+
+  const std::vector<Extraction> extractions =
+      extract(*volume, options, requests_of(selections, receivers));
+  file.commit();
+  note_not_numbers(arguments, extractions[0]);
+  if (arguments.quiet) return exit_ok;
+  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    if (receivers.size() > 1)
+      out << "channel " << i << ", at " << arguments.reading.selections[i].name << '\n';
+    write_table(extractions[i], count(receivers[i]->surface()),
+                arguments.wire == Wire::slices ? output.bytes() : receivers[i]->stream_bytes(),
+                slices.memory(), out);
+  }
+  require_written(out);
+  return exit_ok;
+}
+
+}  // namespace discmc::host

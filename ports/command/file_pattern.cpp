@@ -1,0 +1,43 @@
+#include "file_pattern.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+namespace discmc::host {
+namespace {
+
+// Without what would be a path, an option or a control character.
+std::string as_file_name(const std::string& name) {
+  constexpr std::string_view forbidden = "/\\:*?\"<>|";
+  std::string result;
+  for (const char c : name) {
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    const bool is_usable = !is_control && forbidden.find(c) == std::string_view::npos;
+    result += is_usable ? c : '_';
+  }
+  if (result.empty() || result.front() == '.') result.insert(0, "_");
+  return result;
+}
+
+}  // namespace
+
+std::string FilePattern::file_for(const std::string& name) const {
+  const std::string_view mark = placeholder;
+  std::string file = pattern_;
+  const std::string text = as_file_name(name);
+  for (std::size_t at = file.find(mark); at != std::string::npos;
+       at = file.find(mark, at + text.size()))
+    file.replace(at, mark.size(), text);
+  return file;
+}
+
+void FilePattern::require_folder() const {
+  const std::filesystem::path folder = std::filesystem::path(file_for("name")).parent_path();
+  std::error_code ignored;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    throw std::invalid_argument(folder.string() + ": there is no such folder; make it first");
+}
+
+}  // namespace discmc::host

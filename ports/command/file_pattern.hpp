@@ -1,0 +1,30 @@
+// Names of the files that a command writes where it writes several.
+#ifndef DISCMC_COMMAND_FILE_PATTERN_HPP
+#define DISCMC_COMMAND_FILE_PATTERN_HPP
+
+#include <string>
+
+namespace discmc::host {
+
+/// The name of an output in which {name} stands for a surface's own: "out/{name}.stl".
+class FilePattern {
+ public:
+  explicit FilePattern(std::string pattern) : pattern_(std::move(pattern)) {}
+
+  bool has_name() const { return pattern_.find(placeholder) != std::string::npos; }
+
+  /// What no name of a file can have becomes an underscore.
+  std::string file_for(const std::string& name) const;
+
+  /// Throws std::invalid_argument, before work is done, when there is no folder for the files.
+  void require_folder() const;
+
+ private:
+  static constexpr const char* placeholder = "{name}";
+
+  std::string pattern_;
+};
+
+}  // namespace discmc::host
+
+#endif
