@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -23,21 +22,22 @@ constexpr const char* material =
     R"({"doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[0.85,0.82,0.75,1],)"
     R"("metallicFactor":0,"roughnessFactor":0.8}})";
 
-std::string decimals(const std::array<float, 3>& values) {
+std::string decimals(const Point& point) {
   std::string list;
-  for (const float value : values) list += (list.empty() ? "[" : ",") + decimal(double{value});
+  for (const double value : point) list += (list.empty() ? "[" : ",") + decimal(value);
   return list + "]";
 }
 
 // What a viewer wants to know of positions: "min" and "max" of what is written.
 std::string extent_of(const std::vector<Point>& points) {
-  std::array<float, 3> low, high;
-  low.fill(std::numeric_limits<float>::infinity());
-  high.fill(-std::numeric_limits<float>::infinity());
+  Point low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
   for (const Point& point : points)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], static_cast<float>(point[axis]));
-      high[axis] = std::max(high[axis], static_cast<float>(point[axis]));
+      const double written = static_cast<double>(static_cast<float>(point[axis]));
+      low[axis] = std::min(low[axis], written);
+      high[axis] = std::max(high[axis], written);
     }
   return ",\"min\":" + decimals(low) + ",\"max\":" + decimals(high);
 }
@@ -48,7 +48,7 @@ class Arrays {
   // Returns the number of the array.
   std::string add(int type, const char* shape, std::uint64_t count, std::uint64_t bytes, int target,
                   const std::string& more = {}) {
-    const std::string number = std::to_string(count_++);
+    std::string number = std::to_string(count_++);
     const char* comma = number == "0" ? "" : ",";
     accessors_ += comma + ("{\"bufferView\":" + number + ",\"componentType\":") +
                   std::to_string(type) + ",\"count\":" + std::to_string(count) + ",\"type\":\"" +
