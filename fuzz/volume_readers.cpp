@@ -1,6 +1,6 @@
-// Fuzz target. The promise: any bytes as NRRD, NIfTI-1, MetaImage or headerless samples, in one
-// file or two, compressed or not, end in a VolumeError that names the file and the remedy, or in a
-// volume within the limits of volume.hpp, the same at every reading.
+// Fuzz target. The promise: any bytes as NRRD, NIfTI-1, MetaImage, DICOM or headerless samples, in
+// one file or two, compressed or not, end in a VolumeError that names the file and the remedy, or
+// in a volume within the limits of volume.hpp, the same at every reading.
 //
 //   fuzz_volume_readers -max_len=1500 -dict=volume_readers.dict corpus/volume_readers
 //   fuzz_volume_readers corpus/volume_readers                      with replay_main.cpp
@@ -70,12 +70,14 @@ struct Names {
   const char* opened;
   const char* other;
   bool is_raw;
+  bool is_of_one_piece = false;  ///< any byte may be in it, file separators too
 };
 constexpr Names names[] = {
-    {"v.nrrd", nullptr, false}, {"v.nhdr", "data", false}, {"v.mha", nullptr, false},
-    {"v.mhd", "data", false},   {"v.nii", nullptr, false}, {"v.nii.gz", nullptr, false},
-    {"v.hdr", "v.img", false},  {"v.img", "v.hdr", false}, {"v.hdr", "v.img.gz", false},
-    {"v", nullptr, false},      {"v.raw", nullptr, true},  {"v.raw.gz", nullptr, true},
+    {"v.nrrd", nullptr, false},      {"v.nhdr", "data", false}, {"v.mha", nullptr, false},
+    {"v.mhd", "data", false},        {"v.nii", nullptr, false}, {"v.nii.gz", nullptr, false},
+    {"v.hdr", "v.img", false},       {"v.img", "v.hdr", false}, {"v.hdr", "v.img.gz", false},
+    {"v", nullptr, false},           {"v.raw", nullptr, true},  {"v.raw.gz", nullptr, true},
+    {"v.dcm", nullptr, false, true},
 };
 
 enum class Packing : uint8_t { none, gzip, zlib };
@@ -127,7 +129,7 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
-  constexpr size_t most_inflation = 1032;
+  const size_t most_inflation = info.format.rfind("DICOM", 0) == 0 ? 16384 : 1032;
   require(info.slice_bytes() <= most_inflation * file_bytes, "a slice that no file can hold");
 }
 
@@ -138,11 +140,11 @@ void check_error(const std::string& text) {
   require(text.find("; ", colon) != std::string::npos, "an error without a remedy");
 }
 
-Reading read(const fs::path& file, const std::optional<RawLayout>& layout, size_t file_bytes) {
+Reading read(const fs::path& file, const VolumeOptions& options, size_t file_bytes) {
   constexpr uint32_t most_slices = 20;
   Reading reading;
   try {
-    const std::unique_ptr<VolumeReader> reader = open_volume(file, layout);
+    const std::unique_ptr<VolumeReader> reader = open_volume(file, options);
     reading.info = reader->info();
     check_info(reading.info, file_bytes);
     const uint32_t slices = std::min(reading.info.dims[2], most_slices);
@@ -178,14 +180,16 @@ void check_threshold(const VolumeInfo& info, double iso) {
     require(value(threshold - 1.0) < iso + rounding, "a threshold above the iso value");
 }
 
-RawLayout read_layout(Input& input) {
-  RawLayout layout;
+VolumeOptions read_options(Input& input) {
+  VolumeOptions options;
+  RawLayout& layout = options.layout.emplace();
   for (uint32_t& size : layout.dims) size = input.byte();
   const uint32_t flags = input.byte();
   layout.type = sample_types[(flags >> 4) % std::size(sample_types)].second;
   layout.big_endian = (flags & 4) != 0;
-  if ((flags & 8) != 0) layout.spacing_mm[1] = std::ldexp(-1, static_cast<int>(input.byte()) - 128);
-  return layout;
+  if ((flags & 8) != 0)
+    options.spacing_mm = {1, std::ldexp(-1, static_cast<int>(input.byte()) - 128), 1};
+  return options;
 }
 
 /// Headerless samples are what the file holds, in the machine's byte order.
@@ -208,13 +212,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Input input(data, size);
   const Names& name = names[input.below(std::size(names))];
   const auto packing = static_cast<Packing>(input.below(3));
-  std::optional<RawLayout> layout;
-  if (name.is_raw) layout = read_layout(input);
+  VolumeOptions options;
+  if (name.is_raw) options = read_options(input);
   const double iso = (input.byte() - 128.0) / 4;
 
   const Bytes all = input.bytes(size);
   constexpr uint8_t file_separator = 28;
-  auto separator = name.is_raw ? all.end() : std::find(all.begin(), all.end(), file_separator);
+  const bool is_of_one_piece = name.is_raw || name.is_of_one_piece;
+  auto separator = is_of_one_piece ? all.end() : std::find(all.begin(), all.end(), file_separator);
   Bytes head(all.begin(), separator);
   Bytes tail(separator == all.end() ? separator : separator + 1, all.end());
   if (separator == all.end() && name.other == nullptr) std::swap(head, tail);
@@ -230,9 +235,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (name.other != nullptr) second.emplace(folder.path() / name.other, tail);
 
   const size_t file_bytes = std::max(head.size(), tail.size());
-  const Reading reading = read(opened, layout, file_bytes);
-  require(read(opened, layout, file_bytes) == reading, "another reading of the same file");
+  const Reading reading = read(opened, options, file_bytes);
+  require(read(opened, options, file_bytes) == reading, "another reading of the same file");
   if (!reading.info.format.empty()) check_threshold(reading.info, iso);
-  if (name.is_raw && reading.info.format == "raw") check_raw(reading, *layout, head);
+  if (name.is_raw && reading.info.format == "raw") check_raw(reading, *options.layout, head);
   return 0;
 }

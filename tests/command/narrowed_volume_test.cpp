@@ -30,7 +30,7 @@ std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
   RawLayout layout;
   layout.dims = {5, 3, 4};
   layout.type = type;
-  return open_volume(folder.write("v.raw", bytes), layout);
+  return open_volume(folder.write("v.raw", bytes), {layout});
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <random>
 #include <string>
 #include <system_error>
@@ -28,6 +27,7 @@ using discmc::host::RawLayout;
 using discmc::host::SampleType;
 using discmc::host::VolumeError;
 using discmc::host::VolumeInfo;
+using discmc::host::VolumeOptions;
 using discmc::host::VolumeReader;
 
 /// A folder of its own for a test, removed at its end.
@@ -188,9 +188,9 @@ inline std::vector<double> read_all(VolumeReader& reader) {
 }
 
 inline void check_volume(const fs::path& file, SampleType type, const std::string& format,
-                         const std::optional<RawLayout>& layout = std::nullopt) {
+                         const VolumeOptions& options = {}) {
   INFO(file.filename().string(), " as ", format);
-  const auto reader = open_volume(file, layout);
+  const auto reader = open_volume(file, options);
   CHECK(reader->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
   CHECK(reader->info().type == type);
   CHECK(reader->info().format == format);
@@ -200,10 +200,9 @@ inline void check_volume(const fs::path& file, SampleType type, const std::strin
 }
 
 // Opens and reads a volume that should be refused, and returns the refusal.
-inline std::string refusal(const fs::path& file,
-                           const std::optional<RawLayout>& layout = std::nullopt) {
+inline std::string refusal(const fs::path& file, const VolumeOptions& options = {}) {
   try {
-    read_all(*open_volume(file, layout));
+    read_all(*open_volume(file, options));
   } catch (const VolumeError& error) {
     const std::string text = error.what();
     CHECK(text.find(file.stem().string()) != std::string::npos);

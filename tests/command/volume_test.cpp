@@ -23,6 +23,7 @@ namespace {
 
 using namespace volume_files;
 using discmc::host::stored_threshold;
+using Spacing = std::array<double, 3>;
 
 const std::string u8 = stored(SampleType::u8);
 const std::string i16 = stored(SampleType::i16);
@@ -38,8 +39,8 @@ TEST_CASE("raw samples of every type and byte order are read") {
       layout.type = type;
       layout.big_endian = big_endian;
       const std::string bytes = stored(type, big_endian);
-      check_volume(folder.write("v.raw", bytes), type, "raw", layout);
-      check_volume(folder.write("v.raw.gz", gzip(bytes)), type, "raw, gzip", layout);
+      check_volume(folder.write("v.raw", bytes), type, "raw", {layout});
+      check_volume(folder.write("v.raw.gz", gzip(bytes)), type, "raw, gzip", {layout});
     }
   }
 }
@@ -49,14 +50,30 @@ TEST_CASE("a raw layout keeps its spacing and is checked before anything is read
   const auto file = folder.write("v.raw", u8);
   RawLayout layout;
   layout.dims = {5, 3, 4};
-  layout.spacing_mm = {0.5, -0.25, 2};
-  CHECK(open_volume(file, layout)->info().spacing_mm == layout.spacing_mm);
+  const Spacing spacing = {0.5, -0.25, 2};
+  CHECK(open_volume(file, {layout})->info().spacing_mm == Spacing{1, 1, 1});
+  CHECK(open_volume(file, {layout, spacing})->info().spacing_mm == spacing);
   layout.dims = {32766, 32766, 4};
-  check_refusal(refusal(file, layout), "slice 0 (the first is 0) of 4: 1073610696 bytes of it are");
+  check_refusal(refusal(file, {layout}),
+                "slice 0 (the first is 0) of 4: 1073610696 bytes of it are");
   layout.dims = {32767, 1, 1};
-  check_refusal(refusal(file, layout), "dimension 1 has size 32767, outside 1 to 32766");
+  check_refusal(refusal(file, {layout}), "dimension 1 has size 32767, outside 1 to 32766");
   layout.dims = {1, 0, 1};
-  check_refusal(refusal(file, layout), "dimension 2 has size 0");
+  check_refusal(refusal(file, {layout}), "dimension 2 has size 0");
+}
+
+TEST_CASE(
+    "a spacing that is given stands in place of the file's, whose axes keep their directions") {
+  const Folder folder;
+  const auto file = folder.write(
+      "v.nrrd",
+      nrrd(nrrd_u8 + "space: LPS\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n") + "\n" + u8);
+  const auto reader = open_volume(file, {{}, Spacing{1, 1.5, 2}});
+  CHECK(reader->info().spacing_mm == Spacing{1, -1.5, 2});
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->axes_mm ==
+        discmc::host::Axes{{{1, 0, 0}, {0, -1.5, 0}, {0, 0, 2}}});
+  CHECK(read_all(*reader) == read_all(*open_volume(file)));
 }
 
 TEST_CASE("NRRD of every type, byte order, encoding and attachment is read") {
@@ -112,7 +129,6 @@ TEST_CASE("NRRD gives a signed spacing in millimetres") {
     return open_volume(folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8))->info();
   };
   const std::string directions = "space dimension: 3\nspace directions: ";
-  using Spacing = std::array<double, 3>;
   CHECK(info("spacings: 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
   CHECK(info("spacings: 1 2 3\nunits: \"cm\" \"\" \"um\"\n").spacing_mm == Spacing{10, 2, 0.003});
   CHECK(noted(info("spacings: 1 nan 0\n"), "spacing nan of axis 2 unusable"));
@@ -207,7 +223,6 @@ TEST_CASE("NIfTI gives scale and signed spacing") {
   const auto info = [&](const Nifti& nifti) {
     return open_volume(folder.write("v.nii", nifti.file(u8)))->info();
   };
-  using Spacing = std::array<double, 3>;
   CHECK(info(Nifti().scale(0.01F, -3)).slope == 0.01);
   CHECK(info(Nifti().scale(0.01F, -3)).intercept == -3);
   CHECK(info(Nifti().scale(0, -3)).slope == 1);
@@ -289,7 +304,6 @@ TEST_CASE("MetaImage gives signed spacing and scale") {
     const std::string header = metaimage(metaimage_u8 + lines + "ElementDataFile = LOCAL\n");
     return open_volume(folder.write("v.mha", header + u8))->info();
   };
-  using Spacing = std::array<double, 3>;
   CHECK(info("ElementSpacing = 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
   CHECK(info("ElementSpacing = 0.5 2 3\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\n").spacing_mm ==
         Spacing{0.5, -2, 3});
@@ -353,10 +367,11 @@ TEST_CASE("compressed data that ends early or is damaged is refused") {
 
 TEST_CASE("a file of no known format, a folder and a missing file are refused") {
   const Folder folder;
-  check_refusal(refusal(folder.write("v.dcm", "DICM")), "format is not known");
+  check_refusal(refusal(folder.write("v.dat", "DICM")), "format is not known");
   check_refusal(refusal(folder.path() / "absent.nii"), "no such file");
   fs::create_directory(folder.path() / "folder.nrrd");
-  check_refusal(refusal(folder.path() / "folder.nrrd"), "no regular file");
+  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM files");
+  check_refusal(refusal("/dev/null"), "no regular file");
 }
 
 TEST_CASE("the stored threshold is reached exactly where the value reaches iso") {

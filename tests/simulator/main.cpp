@@ -86,7 +86,7 @@ void write_stream(const ReceivedStream& stream, const std::string& path) {
 }
 
 int simulate(const Options& options) {
-  const auto volume = host::open_volume(options.volume, options.layout);
+  const auto volume = host::open_volume(options.volume, {options.layout});
   const Rows rows(*volume);
   require_in_scan(options, rows.count());
   const Device device(options);

@@ -29,11 +29,13 @@ Command add_decode(CLI::App& app) {
   add_normals_option(*decode, arguments->normals,
                      "those that the stream tells, or from the samples of --volume");
   add_mesh_options(*decode, arguments->mesh);
-  add_layout_options(*decode, arguments->layout);
+  add_volume_options(*decode, arguments->layout);
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the file that the stream was made of, for --normals "
                                            "gradient (default: the normals in the stream)");
   decode->get_option("--dims")->needs(volume);
+  decode->get_option("--spacing")->needs(volume);
+  decode->get_option("--series")->needs(volume);
   decode->footer(
       "Examples:\n"
       "  discmc decode head.dmc -o head.ply\n"

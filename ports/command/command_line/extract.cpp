@@ -84,7 +84,8 @@ Command add_extract(CLI::App& app) {
   CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
   extract
       ->add_option("VOLUME", arguments->volume,
-                   "NRRD, NIfTI-1 or MetaImage file, or headerless samples with --dims and --type")
+                   "NRRD, NIfTI-1 or MetaImage file, a folder or file of DICOM, or headerless "
+                   "samples with --dims and --type")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   extract->add_flag("-q,--quiet", arguments->quiet, "print no table");
@@ -103,6 +104,7 @@ Command add_extract(CLI::App& app) {
       "Examples:\n"
       "  discmc extract head.nii.gz --iso 300 -o head.stl\n"
       "  discmc extract head.nii.gz --iso 300 --iso=-300 -o 'head-{name}.stl'\n"
+      "  discmc extract series/ --iso 300 -o head.stl\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
   extract->callback([arguments] { check(*arguments); });
   return {extract, [arguments] { return run_extract(*arguments); }};

@@ -8,7 +8,7 @@
 
 namespace discmc::host {
 
-void add_layout_options(CLI::App& app, LayoutArguments& arguments) {
+void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
   app.option_defaults()->group(volume_group);
   CLI::Option* dims =
       app.add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
@@ -24,18 +24,17 @@ void add_layout_options(CLI::App& app, LayoutArguments& arguments) {
   app.add_flag("--big-endian", arguments.big_endian,
                "a headerless file has the high byte of a sample first")
       ->needs(dims);
-}
-
-void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
-  add_layout_options(app, arguments);
   app.add_option("--spacing", arguments.spacing,
-                 "distances of voxels in a headerless file, in millimetres")
+                 "distances of voxels in millimetres, in place of those of the file (default: "
+                 "those of the file, or 1 where it tells none)")
       ->delimiter(',')
       ->expected(3)
       ->option_text("X,Y,Z")
-      ->default_str("1,1,1")
-      ->check(usable_spacing())
-      ->needs("--dims");
+      ->check(usable_spacing());
+  app.add_option("--series", arguments.series,
+                 "of a folder of DICOM with several: its UID, or its number in the list that is "
+                 "shown without this")
+      ->option_text("SERIES");
 }
 
 }  // namespace discmc::host

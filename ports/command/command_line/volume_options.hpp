@@ -10,10 +10,7 @@ namespace discmc::host {
 
 constexpr const char* volume_group = "Volume";
 
-/// --dims, --type and --big-endian: the layout of a headerless file but for its spacing.
-void add_layout_options(CLI::App& app, LayoutArguments& arguments);
-
-/// The layout, and --spacing.
+/// --dims, --type and --big-endian, the layout of a headerless file; --spacing, and --series.
 void add_volume_options(CLI::App& app, LayoutArguments& arguments);
 
 }  // namespace discmc::host

@@ -16,12 +16,13 @@
 
 namespace discmc::host {
 
-/// How a headerless file is read; no dims where it has a header.
+/// How a file is read: a headerless one by its dims, which others have none of.
 struct LayoutArguments {
   std::vector<std::uint32_t> dims;
   std::optional<SampleType> type;
   bool big_endian = false;
   std::vector<double> spacing;
+  std::string series;
 };
 
 /// What is on in a surface, and what the user calls it.

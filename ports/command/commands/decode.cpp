@@ -1,6 +1,5 @@
 // discmc decode: a stream to a mesh, or to another stream.
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -46,13 +45,14 @@ class Recoder {
   bool is_started_ = false;
 };
 
-// Opens the volume that a stream was made of. A headerless one has the stream's spacing.
+// Opens the volume that a stream was made of. A headerless one has the stream's spacing, unless
+// another is given.
 std::unique_ptr<VolumeReader> open_volume_of(const StreamHeader& header,
                                              const StreamArguments& arguments) {
-  std::optional<RawLayout> layout = raw_layout(arguments.layout);
-  if (layout) layout->spacing_mm = spacing_mm(header);
+  VolumeOptions options = volume_options(arguments.layout);
+  if (options.layout && !options.spacing_mm) options.spacing_mm = spacing_mm(header);
   // Where the values are counted from makes no difference to the directions that they fall in.
-  auto volume = open_for_gradient(arguments.volume, layout, header.threshold).reader;
+  auto volume = open_for_gradient(arguments.volume, options, header.threshold).reader;
   try {
     require_same_volume(volume->info(), header);
   } catch (const std::invalid_argument& error) {

@@ -76,7 +76,7 @@ int extract_stream(const ExtractArguments& arguments) {
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);
     GradientVolume narrow = open_for_gradient(
-        arguments.volume, raw_layout(arguments.reading.layout), selections[0].selection.low);
+        arguments.volume, volume_options(arguments.reading.layout), selections[0].selection.low);
     volume = std::move(narrow.reader);
     selections[0].selection = narrow.selection;
   }

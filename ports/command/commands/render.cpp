@@ -37,8 +37,9 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   if (arguments.classic) return classic_mesh(*volume, options);
   options.normals = arguments.smooth;
   if (arguments.smooth) {
-    GradientVolume again = open_for_gradient(arguments.input, raw_layout(arguments.reading.layout),
-                                             arguments.reading.selections[0].selection.low);
+    GradientVolume again =
+        open_for_gradient(arguments.input, volume_options(arguments.reading.layout),
+                          arguments.reading.selections[0].selection.low);
     volume = std::move(again.reader);
     options.selection = again.selection;
   }

@@ -8,31 +8,34 @@
 
 namespace discmc::host {
 
-std::optional<RawLayout> raw_layout(const LayoutArguments& arguments) {
-  if (arguments.dims.empty()) return std::nullopt;
-  RawLayout layout;
-  std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
-  layout.type = *arguments.type;
-  layout.big_endian = arguments.big_endian;
+VolumeOptions volume_options(const LayoutArguments& arguments) {
+  VolumeOptions options;
+  if (!arguments.dims.empty()) {
+    RawLayout& layout = options.layout.emplace();
+    std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
+    layout.type = *arguments.type;
+    layout.big_endian = arguments.big_endian;
+  }
   if (!arguments.spacing.empty())
-    std::copy_n(arguments.spacing.begin(), 3, layout.spacing_mm.begin());
-  return layout;
+    std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
+  options.series = arguments.series;
+  return options;
 }
 
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
                                                 const VolumeArguments& arguments) {
-  auto volume = open_volume(path, raw_layout(arguments.layout));
+  auto volume = open_volume(path, volume_options(arguments.layout));
   for (const std::string& note : volume->info().notes)
     std::cerr << "discmc: " << path << ": " << note << '\n';
   return volume;
 }
 
-GradientVolume open_for_gradient(const std::string& path, const std::optional<RawLayout>& layout,
+GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
                                  double iso) {
-  auto volume = open_volume(path, layout);
+  auto volume = open_volume(path, options);
   if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
   const SampleBounds bounds = sample_bounds(*volume);
-  return {narrowed(open_volume(path, layout), bounds, iso), 0};
+  return {narrowed(open_volume(path, options), bounds, iso), 0};
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress) {

@@ -3,7 +3,6 @@
 #define DISCMC_COMMAND_COMMANDS_VOLUME_INPUT_HPP
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "arguments.hpp"
@@ -14,8 +13,7 @@
 
 namespace discmc::host {
 
-/// Nothing where the file has a header.
-std::optional<RawLayout> raw_layout(const LayoutArguments& arguments);
+VolumeOptions volume_options(const LayoutArguments& arguments);
 
 /// Opens the volume, and says what of its file is dropped.
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
@@ -29,8 +27,7 @@ struct GradientVolume {
 
 /// The volume in samples that the library takes (is_scanner_type()): itself, or else narrowed,
 /// which takes a pass over it.
-GradientVolume open_for_gradient(const std::string& path, const std::optional<RawLayout>& layout,
-                                 double iso);
+GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options, double iso);
 
 /// At the first threshold. progress: has to live as long as the options are in use.
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress);

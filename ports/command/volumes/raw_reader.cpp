@@ -10,7 +10,6 @@ std::unique_ptr<VolumeReader> open_raw(const std::filesystem::path& file, const 
   info.type = layout.type;
   info.format = "raw";
   set_dims(info, file, {layout.dims[0], layout.dims[1], layout.dims[2]});
-  set_spacing(info, layout.spacing_mm);
   if (lower(file.extension().string()) == ".gz") {
     info.format += ", gzip";
     stream.start_inflate();

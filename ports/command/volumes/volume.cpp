@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
+#include "dicom/files.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -25,20 +27,23 @@ bool ends_with_one_of(const std::filesystem::path& file, const std::string_view 
   });
 }
 
-}  // namespace
-
-bool is_volume_name(const std::filesystem::path& file) {
-  return ends_with_one_of(file, nrrd_names) || ends_with_one_of(file, metaimage_names) ||
-         ends_with_one_of(file, nifti_names) || ends_with_one_of(file, raw_names);
+std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
+                                          const VolumeOptions& options) {
+  const auto files = dicom_files(folder);
+  if (files.empty())
+    fail(folder, "the folder holds no DICOM files", "name a file, or a folder of a series");
+  return open_dicom(folder, files, options.series);
 }
 
-std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
-                                          const std::optional<RawLayout>& layout) {
-  if (layout) return open_raw(file, *layout);
+std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+                                           const VolumeOptions& options) {
+  if (options.layout) return open_raw(file, *options.layout);
+  if (std::filesystem::is_directory(file)) return open_folder(file, options);
 
   if (ends_with_one_of(file, nrrd_names)) return open_nrrd(file);
   if (ends_with_one_of(file, metaimage_names)) return open_metaimage(file);
   if (ends_with_one_of(file, nifti_names)) return open_nifti(file);
+  if (has_dicom_name(file)) return open_dicom(file, {file}, options.series);
 
   ByteStream stream(file);
   constexpr std::size_t nifti_magic = 344;
@@ -47,8 +52,48 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
   if (head.rfind("NRRD", 0) == 0) return open_nrrd(file);
   if (head.rfind("ObjectType", 0) == 0 || head.rfind("NDims", 0) == 0) return open_metaimage(file);
   if (head.find("n+1", nifti_magic) != std::string::npos) return open_nifti(file);
+  if (has_dicom_magic(head)) return open_dicom(file, {file}, options.series);
   fail(file, "the format is not known",
        "convert it to NRRD, NIfTI-1 or MetaImage, or give the layout of its samples");
+}
+
+// A volume whose spacing is said to be another than its file has it.
+class RespacedVolume final : public VolumeReader {
+ public:
+  RespacedVolume(std::unique_ptr<VolumeReader> volume, std::array<double, 3> spacing_mm)
+      : volume_(std::move(volume)), info_(volume_->info()) {
+    const std::array<double, 3> told = info_.spacing_mm;
+    for (std::size_t axis = 0; axis < 3; ++axis) spacing_mm[axis] *= std::copysign(1.0, told[axis]);
+    set_spacing(info_, spacing_mm);
+    if (!info_.placement) return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (double& along : info_.placement->axes_mm[axis])
+        along *= std::fabs(info_.spacing_mm[axis] / told[axis]);
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+  void read_slice(void* samples) override { volume_->read_slice(samples); }
+
+ private:
+  std::unique_ptr<VolumeReader> volume_;
+  VolumeInfo info_;
+};
+
+}  // namespace
+
+bool is_volume_name(const std::filesystem::path& file) {
+  return ends_with_one_of(file, nrrd_names) || ends_with_one_of(file, metaimage_names) ||
+         ends_with_one_of(file, nifti_names) || ends_with_one_of(file, raw_names) ||
+         has_dicom_name(file) || std::filesystem::is_directory(file);
+}
+
+std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
+                                          const VolumeOptions& options) {
+  auto volume = open_as_told(file, options);
+  if (!options.series.empty() && volume->info().format.rfind("DICOM", 0) != 0)
+    fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
+  if (!options.spacing_mm) return volume;
+  return std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
 }
 
 double lowered_by_rounding(const VolumeInfo& info, double iso) {

@@ -1,4 +1,4 @@
-// Volumes from files, slice by slice: NRRD, NIfTI-1, MetaImage and headerless samples.
+// Volumes from files, slice by slice: NRRD, NIfTI-1, MetaImage, DICOM and headerless samples.
 //
 // A reader holds one small buffer, never the volume. Any bytes given as a file end in a volume or
 // in a VolumeError. Every VolumeError names the file, the value at fault and the remedy.
@@ -60,8 +60,18 @@ struct RawLayout {
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
   bool big_endian = false;
-  /// Units: millimetres. Limit: as VolumeInfo.
-  std::array<double, 3> spacing_mm{1, 1, 1};
+};
+
+/// What is said of a volume beside its name.
+struct VolumeOptions {
+  /// The layout of headerless samples; nothing where the file has a header.
+  std::optional<RawLayout> layout = {};
+  /// Distances of voxels in place of those that the file tells; an axis that runs backwards keeps
+  /// doing so. Units: millimetres. Limit: as VolumeInfo.
+  std::optional<std::array<double, 3>> spacing_mm = {};
+  /// Of DICOM: the UID of the series, or its number in the list that the refusal shows where there
+  /// are several.
+  std::string series = {};
 };
 
 /// One pass over a volume, first slice to last.
@@ -86,13 +96,13 @@ class VolumeReader {
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
 
-/// Opens a volume. With a layout the file is taken as headerless samples, inflated first when its
-/// name ends in .gz; without one the format follows from the name, or else from the first bytes.
-/// Throws VolumeError when the file cannot be opened, is in no known format, or holds what the
-/// command does not take. Nothing is allocated that depends on the sizes a file claims, and a file
-/// too short for its first slice is refused here.
+/// Opens a volume: a file, or a folder of DICOM. With a layout the file is taken as headerless
+/// samples, inflated first when its name ends in .gz; without one the format follows from the name,
+/// or else from the first bytes. Throws VolumeError when the file cannot be opened, is in no known
+/// format, or holds what the command does not take. Nothing is allocated that depends on the sizes
+/// a file claims, and a file too short for its first slice is refused here.
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
-                                          const std::optional<RawLayout>& layout = std::nullopt);
+                                          const VolumeOptions& options = {});
 
 /// The iso value, less what decimal numbers may have lost when they were rounded on their way here:
 /// what is not below this reaches iso.

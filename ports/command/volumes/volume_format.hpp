@@ -21,6 +21,10 @@ std::unique_ptr<VolumeReader> open_nrrd(const std::filesystem::path& file);
 std::unique_ptr<VolumeReader> open_nifti(const std::filesystem::path& file);
 std::unique_ptr<VolumeReader> open_metaimage(const std::filesystem::path& file);
 std::unique_ptr<VolumeReader> open_raw(const std::filesystem::path& file, const RawLayout& layout);
+/// source: what was named, of which these are the DICOM files.
+std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
+                                         const std::vector<std::filesystem::path>& files,
+                                         const std::string& series);
 
 /// Throws a VolumeError that reads "file: what; remedy".
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what,

@@ -1,0 +1,25 @@
+// DCMTK, set up for the readers: with its decoders, and silent.
+//
+// DCMTK and not GDCM, which is lighter and knows JPEG 2000 itself: GDCM 3.0 allocates what a length
+// in a file claims, up to 4 GiB, and Debian's has assertions that end the program on damaged files.
+#ifndef DISCMC_COMMAND_VOLUMES_DICOM_TOOLKIT_HPP
+#define DISCMC_COMMAND_VOLUMES_DICOM_TOOLKIT_HPP
+
+#include <dcmtk/config/osconfig.h>
+// The first of all DCMTK headers.
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace discmc::host {
+
+enum class Pixels { left_out, included };
+
+/// Opens a file. Values of some size stay in it until they are asked for. Returns nothing where it
+/// is no DICOM file.
+std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels);
+
+}  // namespace discmc::host
+
+#endif

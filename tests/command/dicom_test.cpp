@@ -1,0 +1,281 @@
+// DICOM files of write_dicom.py, which other programs wrote: in order whatever their names,
+// decoded, and refused where they are no volume.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using command::contains;
+using command::contents;
+using Spacing = std::array<double, 3>;
+
+constexpr int width = 8;
+constexpr int height = 6;
+constexpr int depth = 5;
+
+const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/dicom";
+
+// The volume of write_dicom.py.
+std::vector<double> values() {
+  std::vector<double> values;
+  for (int z = 0; z < depth; ++z)
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        values.push_back((x * 7919 + y * 1047 + z * 12997) % 4001 - 2000);
+  return values;
+}
+
+template <class Change>
+std::vector<double> changed(std::vector<double> values, Change change) {
+  for (double& value : values) value = change(value);
+  return values;
+}
+
+std::string replaced(std::string bytes, const std::string& old, const std::string& value) {
+  REQUIRE(old.size() == value.size());
+  REQUIRE(contains(bytes, old));
+  return bytes.replace(bytes.find(old), old.size(), value);
+}
+
+// The bytes of a slice of the series.
+std::string slice(int z) {
+  const char* const names[] = {"IM3", "IM0", "IM4", "IM1", "IM2"};
+  return contents(files / "series" / names[z]);
+}
+
+// A folder with the series, to be changed.
+class Series : public Folder {
+ public:
+  Series() {
+    for (int z = 0; z < depth; ++z) put(z, slice(z));
+  }
+  void put(int z, const std::string& bytes) const { write(name(z), bytes); }
+  void drop(int z) const { fs::remove(path() / name(z)); }
+  /// Changes a text in every slice.
+  void replace(const std::string& old, const std::string& value) const {
+    for (int z = 0; z < depth; ++z) put(z, replaced(contents(path() / name(z)), old, value));
+  }
+  static std::string name(int z) { return "slice" + std::to_string(7 * z % 5); }
+};
+
+std::string place(int z) {
+  return std::vector<std::string>{"100.000", "102.500", "105.000", "107.500",
+                                  "110.000"}[static_cast<std::size_t>(z)];
+}
+
+const std::string orientation = "1.000\\0.000\\0.000\\0.000\\1.000\\0.000";
+
+TEST_CASE("slices of a folder are in the order of their positions, with spacing and scale") {
+  const auto reader = open_volume(files / "series");
+  const VolumeInfo& info = reader->info();
+  CHECK(info.dims == std::array<std::uint32_t, 3>{width, height, depth});
+  CHECK(info.type == SampleType::i16);
+  CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK(info.slope == 0.5);
+  CHECK(info.intercept == -1024);
+  CHECK(info.format == "DICOM");
+  const discmc::host::VolumePlacement placement = {
+      discmc::Frame::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
+  CHECK(info.placement == placement);
+  CHECK(read_all(*reader) == values());
+}
+
+TEST_CASE("frames of one file are in the order of their positions, in every transfer syntax") {
+  const auto unsigned_values = changed(values(), [](double v) { return v + 2000; });
+  const auto bytes =
+      changed(values(), [](double v) { return std::fmod(std::fmod(v, 251) + 251, 251); });
+  struct Case {
+    std::string name;
+    SampleType type;
+    std::vector<double> expected;
+    std::string format;
+  };
+  const std::vector<Case> cases = {
+      {"little", SampleType::i16, values(), "DICOM"},
+      {"implicit", SampleType::i16, values(), "DICOM"},
+      {"big", SampleType::i16, values(), "DICOM"},
+      {"u16", SampleType::u16, unsigned_values, "DICOM"},
+      {"u16-rle", SampleType::u16, unsigned_values, "DICOM, RLE Lossless"},
+      {"u16-jpeg", SampleType::u16, unsigned_values, "DICOM, JPEG Lossless"},
+      {"u16-jpegls", SampleType::u16, unsigned_values, "DICOM, JPEG-LS Lossless"},
+      {"u16-j2k", SampleType::u16, unsigned_values, "DICOM, JPEG 2000"},
+      {"u8", SampleType::u8, bytes, "DICOM"},
+      {"u8-rle", SampleType::u8, bytes, "DICOM, RLE Lossless"},
+      {"u8-jpeg", SampleType::u8, bytes, "DICOM, JPEG Lossless"},
+      {"u8-jpegls", SampleType::u8, bytes, "DICOM, JPEG-LS Lossless"},
+      {"i32", SampleType::i32, changed(values(), [](double v) { return v * 70000; }), "DICOM"},
+      {"f32", SampleType::f32, changed(values(), [](double v) { return v / 4; }), "DICOM"},
+  };
+  for (const Case& one : cases) {
+    INFO(one.name);
+    const auto reader = open_volume(files / (one.name + ".dcm"));
+    const VolumeInfo& info = reader->info();
+    CHECK(info.dims == std::array<std::uint32_t, 3>{width, height, depth});
+    CHECK(info.type == one.type);
+    CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2.5});
+    CHECK(info.slope == 0.5);
+    CHECK(info.format.rfind(one.format, 0) == 0);
+    CHECK(read_all(*reader) == one.expected);
+  }
+}
+
+TEST_CASE("bits above those of a sample are none of its value") {
+  CHECK(read_all(*open_volume(files / "packed")) == values());
+}
+
+TEST_CASE("where slope and intercept differ between slices, the values are read") {
+  const auto reader = open_volume(files / "scaled");
+  CHECK(reader->info().type == SampleType::f32);
+  CHECK(reader->info().slope == 1);
+  CHECK(reader->info().intercept == 0);
+  CHECK(noted(reader->info(), "differ from slice to slice"));
+  auto expected = values();
+  const double slopes[] = {1, 0.25, 2, 0.5, 1};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    expected[i] = slopes[i / (width * height)] * expected[i] - 1024;
+  CHECK(read_all(*reader) == expected);
+}
+
+TEST_CASE("a missing slice is refused with its place") {
+  const Series series;
+  series.drop(2);
+  check_refusal(refusal(series.path()),
+                "1 slice is missing between 102.5 mm (slice2) and 107.5 mm (slice1)");
+  series.drop(1);
+  // Two are left on one side, and one on the other.
+  check_refusal(refusal(series.path()),
+                "2 slices are missing between 100 mm (slice0) and 107.5 mm (slice1)");
+}
+
+TEST_CASE("slices at uneven distances are refused") {
+  const Series series;
+  series.put(4, replaced(slice(4), place(4), "111.000"));
+  check_refusal(refusal(series.path()), "2.5 mm apart, but 3.5 mm between 107.5 mm");
+}
+
+TEST_CASE("a slice that is there twice counts once, and another in its place is refused") {
+  const Series series;
+  series.write("copy", slice(1));
+  const std::string uid = "1.2.826.0.1.3680043.10.1.1.2";
+  series.write("sent-again", replaced(replaced(slice(1), uid, "1.2.826.0.1.3680043.10.1.1.8"), uid,
+                                      "1.2.826.0.1.3680043.10.1.1.8"));
+  const auto reader = open_volume(series.path());
+  CHECK(noted(reader->info(), "2 slices that are there twice dropped"));
+  CHECK(read_all(*reader) == values());
+  series.write("echo", replaced(replaced(slice(2), place(2), place(1)), "Head 2.5", "Echo two"));
+  check_refusal(refusal(series.path()), "two slices at 102.5 mm differ: ");
+}
+
+TEST_CASE("of several series one is chosen by its number or UID") {
+  const Series series;
+  const std::string uid = "1.2.826.0.1.3680043.10.1.1";
+  const std::string other = "1.2.826.0.1.3680043.10.1.2";
+  // The first time in the SOPInstanceUIDs: those go on behind.
+  for (int z = 0; z < depth; ++z) {
+    std::string bytes = slice(z);
+    for (std::size_t at = bytes.find(uid); at != std::string::npos; at = bytes.find(uid, at))
+      bytes.replace(at, uid.size(), other);
+    bytes = replaced(bytes, "Head 2.5", "Thin 1.5");
+    for (std::size_t i = bytes.size() - 2 * width * height; i < bytes.size(); ++i) bytes[i] = 1;
+    series.write("other" + std::to_string(z), bytes);
+  }
+  const std::string text = refusal(series.path());
+  check_refusal(text, "\n  1: 5 slices of 8 x 6, 'CT', 'Head 2.5', UID '" + uid + "'\n");
+  check_refusal(text, "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID '" + other + "'\n");
+  check_refusal(text, "--series N");
+  const auto ones = std::vector<double>(values().size(), 257);
+  const auto chosen = [&](const std::string& name) {
+    return read_all(*open_volume(series.path(), {{}, {}, name}));
+  };
+  CHECK(chosen("1") == values());
+  CHECK(chosen(uid) == values());
+  CHECK(chosen("2") == ones);
+  CHECK(chosen(other) == ones);
+  check_refusal(refusal(series.path(), {{}, {}, "3"}), "no series '3' among\n");
+  const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  check_refusal(refusal(nrrd_file, {{}, {}, "1"}), "leave out --series");
+}
+
+TEST_CASE("files that hold no image are skipped and counted") {
+  const Series series;
+  fs::create_directory(series.path() / "reports");
+  series.write("reports/a", contents(files / "report.dcm"));
+  series.write("reports/b.dcm", "not DICOM at all");
+  series.write("notes.txt", "of a colleague");
+  series.write("capture", contents(files / "colour.dcm"));
+  const auto reader = open_volume(series.path());
+  CHECK(noted(reader->info(), "3 files without a volume's image skipped"));
+  CHECK(read_all(*reader) == values());
+  check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without image");
+  check_refusal(refusal(files / "colour.dcm"), "this is a colour image");
+  check_refusal(refusal(series.path() / "reports"), "none of 2 DICOM files holds an image");
+  const Folder empty;
+  check_refusal(refusal(empty.path()), "holds no DICOM files");
+}
+
+TEST_CASE("one slice of a series is a volume, with a hint to its folder") {
+  const auto reader = open_volume(files / "series" / "IM3");
+  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, 1});
+  CHECK(noted(reader->info(), "give its folder"));
+}
+
+TEST_CASE("slices that are shifted or without positions are refused") {
+  const Series tilted;
+  for (int z = 0; z < depth; ++z)
+    tilted.put(z, replaced(slice(z), "-20.000", "-2" + std::to_string(z) + ".000"));
+  check_refusal(refusal(tilted.path()), "shifted aside by 1 mm");
+  const Series unplaced;
+  for (int z = 0; z < depth; ++z)
+    unplaced.put(z, replaced(slice(z), "-10.000\\-20.000\\" + place(z), "                       "));
+  check_refusal(refusal(unplaced.path()), "5 slices tell no position");
+}
+
+TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
+  const Series series;
+  series.replace(orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000");
+  // Seen from the other side: the order is that of decreasing z.
+  const auto reader = open_volume(series.path());
+  CHECK(reader->info().spacing_mm == Spacing{-0.5, 0.75, -2.5});
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->origin_mm == Spacing{-10, -20, 110});
+  CHECK(reader->info().placement->axes_mm ==
+        discmc::host::Axes{{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}});
+  const auto all = values();
+  std::vector<double> expected;
+  constexpr int of_slice = width * height;
+  for (auto end = all.end(); end != all.begin(); end -= of_slice)
+    expected.insert(expected.end(), end - of_slice, end);
+  CHECK(read_all(*reader) == expected);
+}
+
+TEST_CASE("damaged DICOM is refused, wherever it is cut") {
+  const Folder folder;
+  for (const std::string name : {"little.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-jpegls.dcm",
+                                 "u16-j2k.dcm", "series/IM3"}) {
+    const std::string bytes = contents(files / name);
+    for (std::size_t size = 0; size + 1 < bytes.size(); size += 41) {
+      INFO(name, " cut at ", size);
+      refusal(folder.write("cut.dcm", bytes.substr(0, size)));
+    }
+  }
+}
+
+TEST_CASE("a folder of DICOM is a mesh by one command") {
+  const command::Workshop workshop;
+  const std::string folder = "'" + (files / "series").string() + "'";
+  workshop.done("extract " + folder + " --iso -1000 -o v.stl");
+  CHECK(!command::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
+  workshop.done("extract '" + (files / "u16-j2k.dcm").string() + "' --iso -24 -o j.stl");
+  CHECK(workshop.run("extract " + folder + " --series 2 --iso 0 -o v.stl").code == 1);
+}
+
+}  // namespace
