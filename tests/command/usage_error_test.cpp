@@ -57,6 +57,14 @@ TEST_CASE("an option that is like none is answered without a guess") {
              "name\nSee discmc extract --help.\n");
 }
 
+TEST_CASE("a value that is missing or no value of its option is answered with the form of it") {
+  CHECK(contains(Workshop().run("extract v.raw --dims 1,2").error, "2; give --dims X,Y,Z\n"));
+  CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error, "; give --dims X,Y,Z\n"));
+  CHECK(contains(Workshop().run("extract v.raw --scan").error, "; give --scan N\n"));
+  CHECK(contains(Workshop().run("extract v.raw --iso much").error, "'much' is no finite number\n"));
+  CHECK(contains(Workshop().run("extract v.raw --iso 5x").error, "'5x' is no finite number\n"));
+}
+
 TEST_CASE("arguments too many and too few are told by name") {
   check_said("info a.dmc b.dmc",
              "discmc: 'b.dmc' is one argument too many; leave it out\nSee discmc info --help.\n");

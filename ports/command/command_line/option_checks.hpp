@@ -14,8 +14,10 @@ namespace discmc::host {
 inline CLI::Validator finite() {
   return CLI::Validator(
       [](std::string& text) {
-        const bool is_finite = !text.empty() && std::isfinite(std::strtod(text.c_str(), nullptr));
-        return is_finite ? std::string() : "'" + text + "' is no finite number";
+        char* end = nullptr;
+        const bool is_finite = std::isfinite(std::strtod(text.c_str(), &end));
+        return is_finite && !text.empty() && *end == '\0' ? std::string()
+                                                          : "'" + text + "' is no finite number";
       },
       "");
 }

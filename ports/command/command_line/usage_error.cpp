@@ -98,20 +98,34 @@ std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   return "'" + argument + "' is one argument too many; leave it out";
 }
 
+// How the option is given whose value is missing or of another kind.
+std::string remedy(const CLI::App& command, const CLI::Error& error) {
+  if (error.get_name() != "ArgumentMismatch" && error.get_name() != "ConversionError") return "";
+  const std::string what = error.what();
+  const std::size_t start = std::min(what.size(), what.find("--"));
+  const std::string name = what.substr(start, what.find_first_of(": ", start) - start);
+  const CLI::Option* option = command.get_option_no_throw(name);
+  return option == nullptr || option->get_option_text().empty()
+             ? ""
+             : "; give " + name + " " + option->get_option_text();
+}
+
 }  // namespace
 
 std::string usage_error(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> commands = app->get_subcommands();
   std::string what = unknown_argument(*app, error);
   std::string help = app->get_name();
-  if (!commands.empty()) {
-    if (what.empty()) what = unknown_argument(*commands.front(), error);
-    help += " " + commands.front()->get_name();
-  } else if (what.empty()) {
-    what = "no command is given; give one of " + CLI::detail::join(names_of_commands(*app), ", ");
+  if (commands.empty()) {
+    if (what.empty())
+      what = "no command is given; give one of " + CLI::detail::join(names_of_commands(*app), ", ");
+  } else {
+    const CLI::App& command = *commands.front();
+    if (what.empty()) what = unknown_argument(command, error);
+    if (what.empty()) what = error.what() + remedy(command, error);
+    help += " " + command.get_name();
   }
-  return app->get_name() + ": " + (what.empty() ? error.what() : what) + "\nSee " + help +
-         " --help.\n";
+  return app->get_name() + ": " + what + "\nSee " + help + " --help.\n";
 }
 
 }  // namespace discmc::host
