@@ -1,6 +1,6 @@
-// Fuzz target. The promise: any bytes as NRRD, NIfTI-1, MetaImage, DICOM or headerless samples, in
-// one file or two, compressed or not, end in a VolumeError that names the file and the remedy, or
-// in a volume within the limits of volume.hpp, the same at every reading.
+// Fuzz target. The promise: any bytes as NRRD, NIfTI-1, MetaImage, DICOM, PNG, TIFF or headerless
+// samples, in one file or two, compressed or not, end in a VolumeError that names the file and the
+// remedy, or in a volume within the limits of volume.hpp, the same at every reading.
 //
 //   fuzz_volume_readers -max_len=1500 -dict=volume_readers.dict corpus/volume_readers
 //   fuzz_volume_readers corpus/volume_readers                      with replay_main.cpp
@@ -73,11 +73,14 @@ struct Names {
   bool is_of_one_piece = false;  ///< any byte may be in it, file separators too
 };
 constexpr Names names[] = {
-    {"v.nrrd", nullptr, false},      {"v.nhdr", "data", false}, {"v.mha", nullptr, false},
-    {"v.mhd", "data", false},        {"v.nii", nullptr, false}, {"v.nii.gz", nullptr, false},
-    {"v.hdr", "v.img", false},       {"v.img", "v.hdr", false}, {"v.hdr", "v.img.gz", false},
-    {"v", nullptr, false},           {"v.raw", nullptr, true},  {"v.raw.gz", nullptr, true},
-    {"v.dcm", nullptr, false, true},
+    {"v.nrrd", nullptr, false},      {"v.nhdr", "data", false},
+    {"v.mha", nullptr, false},       {"v.mhd", "data", false},
+    {"v.nii", nullptr, false},       {"v.nii.gz", nullptr, false},
+    {"v.hdr", "v.img", false},       {"v.img", "v.hdr", false},
+    {"v.hdr", "v.img.gz", false},    {"v", nullptr, false},
+    {"v.raw", nullptr, true},        {"v.raw.gz", nullptr, true},
+    {"v.dcm", nullptr, false, true}, {"v.png", nullptr, false, true},
+    {"v.tif", nullptr, false, true},
 };
 
 enum class Packing : uint8_t { none, gzip, zlib };
@@ -129,7 +132,11 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
-  const size_t most_inflation = info.format.rfind("DICOM", 0) == 0 ? 16384 : 1032;
+  constexpr std::string_view deflated[] = {"NRRD", "NIfTI", "MetaImage", "raw"};
+  const bool is_deflated = std::any_of(std::begin(deflated), std::end(deflated), [&](auto format) {
+    return info.format.rfind(format, 0) == 0;
+  });
+  const size_t most_inflation = is_deflated ? 1032 : 16384;
   require(info.slice_bytes() <= most_inflation * file_bytes, "a slice that no file can hold");
 }
 

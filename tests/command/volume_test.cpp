@@ -370,7 +370,7 @@ TEST_CASE("a file of no known format, a folder and a missing file are refused") 
   check_refusal(refusal(folder.write("v.dat", "DICM")), "format is not known");
   check_refusal(refusal(folder.path() / "absent.nii"), "no such file");
   fs::create_directory(folder.path() / "folder.nrrd");
-  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM files");
+  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM, PNG or TIFF files");
   check_refusal(refusal("/dev/null"), "no regular file");
 }
 

@@ -84,8 +84,9 @@ Command add_extract(CLI::App& app) {
   CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
   extract
       ->add_option("VOLUME", arguments->volume,
-                   "NRRD, NIfTI-1 or MetaImage file, a folder or file of DICOM, or headerless "
-                   "samples with --dims and --type")
+                   "NRRD, NIfTI-1 or MetaImage file, a folder or file of DICOM, a folder, "
+                   "'pattern' or file of PNG or TIFF slices, or headerless samples with --dims "
+                   "and --type")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   extract->add_flag("-q,--quiet", arguments->quiet, "print no table");

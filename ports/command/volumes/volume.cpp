@@ -1,12 +1,16 @@
 #include "volume.hpp"
 
+#include <glob.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "dicom/files.hpp"
+#include "pictures/picture_names.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -30,19 +34,53 @@ bool ends_with_one_of(const std::filesystem::path& file, const std::string_view 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options) {
   const auto files = dicom_files(folder);
-  if (files.empty())
-    fail(folder, "the folder holds no DICOM files", "name a file, or a folder of a series");
-  return open_dicom(folder, files, options.series);
+  if (!files.empty()) return open_dicom(folder, files, options.series);
+  const auto pictures = picture_files(folder);
+  if (!pictures.empty()) return open_pictures(folder, pictures);
+  fail(folder, "the folder holds no DICOM, PNG or TIFF files",
+       "name a file, or the folder of a series");
+}
+
+// Files that a shell would find by the name, where it was quoted.
+std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path& pattern) {
+  glob_t found{};
+  std::vector<std::filesystem::path> files;
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0)
+    files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  globfree(&found);
+  if (files.empty()) fail(pattern, "no file has such a name", "check it");
+  return files;
+}
+
+std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
+                                           const VolumeOptions& options) {
+  const auto files = files_of_pattern(pattern);
+  if (std::all_of(files.begin(), files.end(), is_picture_name))
+    return open_pictures(pattern, files);
+  return open_dicom(pattern, files, options.series);
+}
+
+bool is_folder(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(file, ignored);
+}
+
+bool is_pattern(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return file.native().find_first_of("*?[") != std::string::npos &&
+         !std::filesystem::exists(file, ignored);
 }
 
 std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
   if (options.layout) return open_raw(file, *options.layout);
-  if (std::filesystem::is_directory(file)) return open_folder(file, options);
+  if (is_folder(file)) return open_folder(file, options);
+  if (is_pattern(file)) return open_pattern(file, options);
 
   if (ends_with_one_of(file, nrrd_names)) return open_nrrd(file);
   if (ends_with_one_of(file, metaimage_names)) return open_metaimage(file);
   if (ends_with_one_of(file, nifti_names)) return open_nifti(file);
+  if (is_picture_name(file)) return open_pictures(file, {file});
   if (has_dicom_name(file)) return open_dicom(file, {file}, options.series);
 
   ByteStream stream(file);
@@ -84,7 +122,7 @@ class RespacedVolume final : public VolumeReader {
 bool is_volume_name(const std::filesystem::path& file) {
   return ends_with_one_of(file, nrrd_names) || ends_with_one_of(file, metaimage_names) ||
          ends_with_one_of(file, nifti_names) || ends_with_one_of(file, raw_names) ||
-         has_dicom_name(file) || std::filesystem::is_directory(file);
+         has_dicom_name(file) || is_picture_name(file) || is_folder(file);
 }
 
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,

@@ -1,4 +1,5 @@
-// Volumes from files, slice by slice: NRRD, NIfTI-1, MetaImage, DICOM and headerless samples.
+// Volumes from files, slice by slice: NRRD, NIfTI-1, MetaImage, DICOM, stacks of PNG or
+// TIFF, and headerless samples.
 //
 // A reader holds one small buffer, never the volume. Any bytes given as a file end in a volume or
 // in a VolumeError. Every VolumeError names the file, the value at fault and the remedy.
@@ -96,7 +97,8 @@ class VolumeReader {
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
 
-/// Opens a volume: a file, or a folder of DICOM. With a layout the file is taken as headerless
+/// Opens a volume: a file, a folder of DICOM or of pictures, or files by a pattern with *, ? or
+/// [...]. With a layout the file is taken as headerless
 /// samples, inflated first when its name ends in .gz; without one the format follows from the name,
 /// or else from the first bytes. Throws VolumeError when the file cannot be opened, is in no known
 /// format, or holds what the command does not take. Nothing is allocated that depends on the sizes

@@ -26,6 +26,10 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
                                          const std::string& series);
 
+/// The same of pictures, a slice each.
+std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
+                                            std::vector<std::filesystem::path> files);
+
 /// Throws a VolumeError that reads "file: what; remedy".
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what,
                        const std::string& remedy);

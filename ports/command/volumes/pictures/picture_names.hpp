@@ -1,0 +1,23 @@
+// The names of picture files, and their order.
+#ifndef DISCMC_COMMAND_VOLUMES_PICTURES_PICTURE_NAMES_HPP
+#define DISCMC_COMMAND_VOLUMES_PICTURES_PICTURE_NAMES_HPP
+
+#include <filesystem>
+#include <vector>
+
+namespace discmc::host {
+
+bool is_png_name(const std::filesystem::path& file);
+
+/// Whether the name is that of a PNG or TIFF file.
+bool is_picture_name(const std::filesystem::path& file);
+
+/// Returns the pictures of a folder; what is in further folders in it is left.
+std::vector<std::filesystem::path> picture_files(const std::filesystem::path& folder);
+
+/// Orders by names in which numbers count as such: slice2 before slice10.
+void sort_naturally(std::vector<std::filesystem::path>& files);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,137 @@
+// Stacks of PNG and TIFF files, which write_pictures.py wrote by other programs.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using command::contents;
+using Spacing = std::array<double, 3>;
+
+constexpr int width = 8;
+constexpr int height = 6;
+
+const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pictures";
+
+// The values of the first slices of write_pictures.py.
+template <class Change>
+std::vector<double> values(int depth, Change change) {
+  std::vector<double> values;
+  for (int z = 0; z < depth; ++z)
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        values.push_back(change((x * 7919 + y * 1047 + z * 12997) % 4001 - 2000.0));
+  return values;
+}
+
+double in_u8(double value) {
+  return std::fmod(value + 251 * 8, 251);
+}
+double in_u16(double value) {
+  return value + 2000;
+}
+
+TEST_CASE("a folder of PNG is a volume in the natural order of names") {
+  for (const std::string name : {"stack", "stack/slice*.png", "stack/slice[0-9]*"}) {
+    INFO(name);
+    const auto reader = open_volume(files / name);
+    CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, 12});
+    CHECK(reader->info().type == SampleType::u16);
+    CHECK(reader->info().format == "PNG");
+    CHECK(noted(reader->info(), "no spacing given"));
+    CHECK(read_all(*reader) == values(12, in_u16));
+  }
+  const auto some = open_volume(files / "stack/slice?.png", {{}, Spacing{0.5, 0.5, 2}});
+  CHECK(some->info().dims[2] == 10);
+  CHECK(some->info().spacing_mm == Spacing{0.5, 0.5, 2});
+}
+
+TEST_CASE("pages of TIFF are slices, of every sample type and layout") {
+  struct Case {
+    std::string name;
+    SampleType type;
+    std::vector<double> expected;
+  };
+  const auto u16 = values(5, in_u16);
+  const std::vector<Case> cases = {
+      {"u8", SampleType::u8, values(5, in_u8)},
+      {"u16", SampleType::u16, u16},
+      {"i16", SampleType::i16, values(5, [](double v) { return v; })},
+      {"u32", SampleType::u32, values(5, [](double v) { return (v + 2000) * 70000; })},
+      {"i32", SampleType::i32, values(5, [](double v) { return v * 70000; })},
+      {"f32", SampleType::f32, values(5, [](double v) { return v / 4; })},
+      {"f64", SampleType::f64, values(5, [](double v) { return v / 10; })},
+      {"big-endian", SampleType::u16, u16},
+      {"tiles", SampleType::u16, u16},
+      {"deflate", SampleType::u16, u16},
+      {"imagej", SampleType::u16, u16},
+  };
+  for (const Case& one : cases) {
+    INFO(one.name);
+    const auto reader = open_volume(files / (one.name + ".tif"));
+    CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, 5});
+    CHECK(reader->info().type == one.type);
+    CHECK(reader->info().format == "TIFF");
+    CHECK(read_all(*reader) == one.expected);
+  }
+}
+
+TEST_CASE("spacing is that which ImageJ tells, and that which is given") {
+  CHECK(open_volume(files / "imagej.tif")->info().spacing_mm == Spacing{0.5, 0.25, 2.5});
+  CHECK(open_volume(files / "imagej.tif", {{}, Spacing{1, 2, 3}})->info().spacing_mm ==
+        Spacing{1, 2, 3});
+  CHECK(noted(open_volume(files / "u16.tif")->info(), "no spacing given"));
+}
+
+TEST_CASE("pictures of eight bits and less keep their values") {
+  CHECK(read_all(*open_volume(files / "u8.png")) == values(1, in_u8));
+  CHECK(read_all(*open_volume(files / "bits.png")) ==
+        values(1, [](double value) { return std::fmod(in_u8(value), 2); }));
+}
+
+TEST_CASE("what is not grey is refused with a remedy") {
+  check_refusal(refusal(files / "rgb.png"), "a colour picture");
+  check_refusal(refusal(files / "rgb.tif"), "a colour picture");
+  check_refusal(refusal(files / "alpha.png"), "with transparency");
+  check_refusal(refusal(files / "palette.png"), "an indexed picture");
+  check_refusal(refusal(files / "palette.png"), "convert it to grey");
+}
+
+TEST_CASE("a slice of another size or type is refused by its name") {
+  const Folder folder;
+  folder.write("a1.png", contents(files / "stack/slice0.png"));
+  folder.write("a2.png", contents(files / "u8.png"));
+  check_refusal(refusal(folder.path()),
+                "a2.png: page 0 has 8 x 6 samples of u8, and a1.png has 8 x 6 samples of u16");
+  check_refusal(refusal(folder.path() / "b*.png"), "no file has such a name");
+  const auto no_tiff = folder.write("v.tif", contents(files / "u8.png"));
+  check_refusal(refusal(no_tiff), "no TIFF file");
+}
+
+TEST_CASE("damaged pictures are refused, wherever they are cut") {
+  const Folder folder;
+  for (const std::string name : {"stack/slice0.png", "u16.tif", "tiles.tif", "deflate.tif"}) {
+    const std::string bytes = contents(files / name);
+    const std::string cut = "cut" + fs::path(name).extension().string();
+    // A cut table of pages would be one of fewer, where the last is what is lost.
+    for (std::size_t size = 0; size < 100; size += 7) {
+      INFO(name, " cut at ", size);
+      refusal(folder.write(cut, bytes.substr(0, size)));
+    }
+  }
+}
+
+TEST_CASE("a stack of pictures is a mesh by one command") {
+  const command::Workshop workshop;
+  workshop.done("extract '" + (files / "stack/*.png").string() +
+                "' --iso 2000 --spacing 0.5,0.5,2 -o v.stl");
+  CHECK(!command::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
+}
+
+}  // namespace
