@@ -39,7 +39,7 @@ TEST_CASE("help lists the commands, and of a command the options under headings"
 TEST_CASE("help tells what an option is when it is not given, and which are required") {
   const std::string extract = help_of("extract");
   CHECK(contains(extract, "(default: closed)"));
-  CHECK(contains(extract, "(default: 1,1,1)"));
+  CHECK(contains(extract, "(default: 0)"));
   CHECK(contains(help_of("render"), "(default: 1024,1024)"));
   CHECK(contains(help_of("info"), "--scan"));
   CHECK(!contains(help_of("info"), "(required)"));
