@@ -4,6 +4,7 @@
 //
 //   limits.hpp            how large a scan may be
 //   capacities.hpp        what memory it takes
+//   majority_filter.hpp   bits without noise, before the extractor
 //   row_input.hpp         what push() and skip_row() of all scanners have in common
 //   extractor.hpp         samples in, regions out: what firmware meets
 //     learning_extractor.hpp  the same for hosts, with memory to learn in; not included here

@@ -36,6 +36,18 @@ void check_selections(const ExtractArguments& arguments) {
                                  "them: give --normals surface");
 }
 
+void check_cleaning(const ExtractArguments& arguments) {
+  if (!arguments.components.is_any() && arguments.reading.border == Border::open)
+    throw CLI::ValidationError("--border",
+                               "an open surface encloses nothing: leave out --largest "
+                               "and --min-volume, or --border open");
+  const bool is_stream = format_of(arguments.output) == Format::stream;
+  if (arguments.reading.median > 0 && is_stream && arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--median",
+                               "a stream's normals are those of the samples, which are not "
+                               "filtered: leave out --normals");
+}
+
 void check_wire(const ExtractArguments& arguments) {
   const bool is_of_slices = arguments.wire == Wire::slices;
   if (is_of_slices && format_of(arguments.output) != Format::stream)
@@ -53,6 +65,8 @@ void check_wire(const ExtractArguments& arguments) {
 
 void check(const ExtractArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
+  check_components(arguments.components, arguments.output);
+  check_cleaning(arguments);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
   check_wire(arguments);
@@ -100,6 +114,7 @@ Command add_extract(CLI::App& app) {
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
   add_mesh_options(*extract, arguments->mesh);
+  add_component_options(*extract, arguments->components);
   add_wire_options(*extract, *arguments);
   extract->footer(
       "Examples:\n"

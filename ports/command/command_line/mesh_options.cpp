@@ -52,6 +52,25 @@ void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
                "a mesh without T-junctions (default), or with corners alone");
 }
 
+void add_component_options(CLI::App& app, ComponentChoice& components) {
+  app.option_defaults()->group(mesh_group);
+  app.add_option("--largest", components.largest,
+                 "keep the N bodies and cavities that enclose most (default: all)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("N");
+  app.add_option("--min-volume", components.min_volume_mm3,
+                 "drop bodies and cavities that enclose less, in cubic millimetres")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("MM3");
+}
+
+void check_components(const ComponentChoice& components, const std::string& output) {
+  if (components.is_any() || format_of(output) != Format::stream) return;
+  throw CLI::ValidationError(components.largest > 0 ? "--largest" : "--min-volume",
+                             "a stream is written before its surface is whole: give the name of a "
+                             "mesh, or leave it out");
+}
+
 void check_faces(Faces faces, const std::string& output) {
   if (faces == Faces::triangles || traits_of(format_of(output)).holds_polygons) return;
   throw CLI::ValidationError("--faces", output + " cannot hold polygons: leave it out, or give a " +

@@ -21,6 +21,12 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
 /// --faces and --conforming.
 void add_mesh_options(CLI::App& app, MeshOptions& mesh);
 
+/// --largest and --min-volume: what of the surface is kept.
+void add_component_options(CLI::App& app, ComponentChoice& components);
+
+/// Only what is written whole can be chosen from. Throws: CLI::ValidationError.
+void check_components(const ComponentChoice& components, const std::string& output);
+
 /// Only some formats hold polygons. Throws: CLI::ValidationError.
 void check_faces(Faces faces, const std::string& output);
 

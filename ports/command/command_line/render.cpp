@@ -87,7 +87,8 @@ void add_classic_option(CLI::App& app, bool& classic) {
   app.add_flag("--classic", classic,
                "triangles of classic Marching Cubes, with interpolated vertices, to compare")
       ->excludes("--memory")
-      ->excludes("--capacities");
+      ->excludes("--capacities")
+      ->excludes("--median");
 }
 
 }  // namespace

@@ -12,6 +12,11 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
       app, "--border", arguments.border,
       NamedValues<Border>{{"closed", Border::closed}, {"open", Border::open}},
       "closed: with off voxels all around; open: the surface ends at the outermost voxels");
+  app.add_option("--median", arguments.median,
+                 "filter the bits: a voxel is on where most of the N x N x N around it are; noise "
+                 "goes")
+      ->check(CLI::IsMember({3}))
+      ->option_text("3");
   CLI::Option* memory = add_memory_option(
       app, arguments.memory,
       "bytes that the extractor has, with K or M for 1024 and 1024^2 (default: plenty)");

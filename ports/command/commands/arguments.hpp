@@ -12,6 +12,7 @@
 #include "extraction/selection.hpp"
 #include "meshes/mesh.hpp"
 #include "streams/stream_file.hpp"
+#include "surface/components.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::host {
@@ -35,6 +36,7 @@ struct NamedSelection {
 struct VolumeArguments {
   std::vector<NamedSelection> selections;  ///< one a surface
   Border border = Border::closed;
+  std::uint32_t median = 0;  ///< voxels across the filter of bits; 0: none
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< records and holes, or none
   LayoutArguments layout;
@@ -56,6 +58,7 @@ struct ExtractArguments {
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
   std::uint16_t scan = 0;        ///< the number in a stream
   MeshOptions mesh{true, Faces::triangles};
+  ComponentChoice components;
   bool quiet = false;
 };
 
@@ -68,6 +71,7 @@ struct StreamArguments {
   std::string volume;  ///< whose gradient it is
   LayoutArguments layout;
   MeshOptions mesh{true, Faces::triangles};
+  ComponentChoice components;
 };
 
 /// Of `render`.

@@ -92,7 +92,8 @@ int run_decode(const StreamArguments& arguments) {
     recoder.flush();
     report = reader.report();
   } else {
-    const DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
+    DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
+    keep_chosen(arguments.stream, arguments.components, decoded.surface);
     write_surface(
         decoded.surface, format, arguments.mesh,
         [&](Mesh& mesh) {

@@ -53,6 +53,7 @@ int extract_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
+    keep_chosen(arguments.volume, arguments.components, surface);
     const std::string name = pattern.file_for(selections[i].name);
     OutputFile file(name);
     write_surface(

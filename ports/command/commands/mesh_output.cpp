@@ -40,6 +40,14 @@ void note_left_out(const std::string& input, const Surface& surface, const Mesh&
             << mesh.left_out[0] + 1 << '\n';
 }
 
+void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface) {
+  if (choice.is_any()) return;
+  const Progress progress("choosing");
+  const ComponentCounts counts = keep_components(surface, choice);
+  std::cerr << "discmc: " << name << ": " << counts.kept << " of " << counts.found
+            << " bodies and cavities kept\n";
+}
+
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {
   Progress progress("normals", volume.info().dims[2]);
   set_gradient_normals(volume, mesh, [&progress](std::uint32_t slices) { progress.show(slices); });

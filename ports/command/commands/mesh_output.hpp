@@ -8,6 +8,7 @@
 #include "mesh_files/file_format.hpp"
 #include "meshes/mesh.hpp"
 #include "output_file.hpp"
+#include "surface/components.hpp"
 #include "surface/surface.hpp"
 #include "volumes/volume.hpp"
 
@@ -21,6 +22,10 @@ void write_surface(const Surface& surface, Format format, const MeshOptions& opt
 
 /// Says which polygons of the surface of this input the mesh has not, if there are any.
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);
+
+/// Takes away what is not chosen, and says how much that was, unless all is. name: of the volume or
+/// stream.
+void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface);
 
 /// A second pass over the volume of a mesh.
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh);

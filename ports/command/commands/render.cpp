@@ -35,8 +35,8 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   Progress progress("extracting", volume->info().dims[2]);
   auto options = extraction_options(arguments.reading, progress);
   if (arguments.classic) return classic_mesh(*volume, options);
-  options.normals = arguments.smooth;
-  if (arguments.smooth) {
+  options.normals = arguments.smooth && arguments.reading.median == 0;
+  if (options.normals) {
     GradientVolume again =
         open_for_gradient(arguments.input, volume_options(arguments.reading.layout),
                           arguments.reading.selections[0].selection.low);

@@ -35,7 +35,7 @@ CrossingCounter::CrossingCounter(const Limits& limits)
       height_(limits.height),
       is_closed_(limits.border == Border::closed),
       off_(bit_row_bytes(width_), 0),
-      below_(off_.size() * height_, 0),
+      rows_(off_.size() * height_, 0),
       has_below_(is_closed_) {}
 
 std::uint64_t CrossingCounter::changes_along(const std::uint8_t* row) const {
@@ -52,26 +52,25 @@ std::uint64_t CrossingCounter::changes_along(const std::uint8_t* row) const {
   return count - (row[0] & 1U) - (row[end / 8] >> end % 8 & 1U);
 }
 
-void CrossingCounter::add_slice(const std::uint8_t* bits, std::size_t stride) {
+void CrossingCounter::add_row(const std::uint8_t* bits) {
   const std::size_t bytes = off_.size();
-  const std::uint8_t* before = is_closed_ ? off_.data() : nullptr;
-  for (std::uint32_t y = 0; y < height_; ++y, bits += stride) {
-    count_ += changes_along(bits);
-    if (before != nullptr) count_ += differences(bits, before, bytes);
-    std::uint8_t* const below = below_.data() + y * bytes;
-    if (has_below_) count_ += differences(bits, below, bytes);
-    std::copy(bits, bits + bytes, below);
-    before = bits;
-  }
-  if (is_closed_) count_ += differences(before, off_.data(), bytes);
+  std::uint8_t* const below = rows_.data() + y_ * bytes;
+  count_ += changes_along(bits);
+  if (y_ > 0) count_ += differences(bits, below - bytes, bytes);
+  if (y_ == 0 && is_closed_) count_ += differences(bits, off_.data(), bytes);
+  if (has_below_) count_ += differences(bits, below, bytes);
+  std::copy(bits, bits + bytes, below);
+  if (++y_ < height_) return;
+  if (is_closed_) count_ += differences(bits, off_.data(), bytes);
   has_below_ = true;
+  y_ = 0;
 }
 
 std::uint64_t CrossingCounter::count() const {
   if (!is_closed_) return count_;
   std::uint64_t count = count_;
   for (std::size_t y = 0; y < height_; ++y)
-    count += differences(below_.data() + y * off_.size(), off_.data(), off_.size());
+    count += differences(rows_.data() + y * off_.size(), off_.data(), off_.size());
   return count;
 }
 

@@ -16,11 +16,10 @@ class CrossingCounter {
  public:
   explicit CrossingCounter(const Limits& limits);
 
-  /// Takes the next slice, rows of bits as Extractor::push_bits() does. stride: from one to the
-  /// next; Units: bytes.
-  void add_slice(const std::uint8_t* bits, std::size_t stride);
+  /// Takes the next row, as Extractor::push_bits() does, but with unused bits off.
+  void add_row(const std::uint8_t* bits);
 
-  /// After the last slice.
+  /// After the last row.
   std::uint64_t count() const;
 
  private:
@@ -31,8 +30,9 @@ class CrossingCounter {
   std::uint32_t width_;
   std::uint32_t height_;
   bool is_closed_;
-  std::vector<std::uint8_t> off_;    // a row
-  std::vector<std::uint8_t> below_;  // the rows of the slice before
+  std::vector<std::uint8_t> off_;   // a row
+  std::vector<std::uint8_t> rows_;  // a slice of them: of this one so far, then of the one before
+  std::uint32_t y_ = 0;
   bool has_below_;
   std::uint64_t count_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "extraction.hpp"
 
+#include <discmc/majority_filter.hpp>
 #include <discmc/surface_group.hpp>
 
 #include <algorithm>
@@ -61,45 +62,82 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
 }
 
-// Makes bits of a volume's slices: the rows of all surfaces side by side, as SurfaceGroup and
-// SliceEncoder take them.
-class BitSlice {
+// Rows of bits from samples: those of all surfaces side by side, as SurfaceGroup and SliceEncoder
+// take them.
+class BitSource {
  public:
-  BitSlice(const VolumeInfo& info, const Limits& limits,
-           const std::vector<SurfaceRequest>& surfaces)
+  BitSource(const VolumeInfo& info, const Limits& limits, const ExtractionOptions& options,
+            const std::vector<SurfaceRequest>& surfaces)
       : height_(limits.height),
         row_bytes_(bit_row_bytes(limits.width)),
-        stride_(row_bytes_ * surfaces.size()),
-        bits_(stride_ * height_) {
+        bits_(row_bytes_ * surfaces.size() * height_),
+        filtered_(row_bytes_ * surfaces.size()) {
     for (const SurfaceRequest& surface : surfaces) {
       selectors_.emplace_back(info, surface.selection);
       crossings_.emplace_back(limits);
+      if (options.takes_majority) filters_.push_back(std::make_unique<OwnFilter>(limits));
     }
   }
 
-  void select(const void* samples) {
-    for (std::size_t i = 0; i < selectors_.size(); ++i) {
-      std::uint8_t* const bits = bits_.data() + i * row_bytes_;
-      const std::uint64_t not_numbers = selectors_[i].select(samples, bits, stride_);
-      if (i == 0) not_numbers_ += not_numbers;
-      crossings_[i].add_slice(bits, stride_);
-    }
-  }
-
+  /// Calls for every row that is due after this slice.
   template <class Call>
-  void for_each_row(Call call) const {
-    for (std::uint32_t y = 0; y < height_; ++y) call(bits_.data() + y * stride_);
+  void add_slice(const void* samples, Call call) {
+    const std::size_t stride = filtered_.size();
+    for (std::size_t i = 0; i < selectors_.size(); ++i) {
+      const auto not_numbers = selectors_[i].select(samples, bits_.data() + i * row_bytes_, stride);
+      if (i == 0) not_numbers_ += not_numbers;
+    }
+    for (std::uint32_t y = 0; y < height_; ++y) add_row(bits_.data() + y * stride, call);
+  }
+  /// Calls for the rows that are left.
+  template <class Call>
+  void finish(Call call) {
+    while (is_filtered([](OwnFilter& own, std::size_t) { return own.filter.drain(); }))
+      pass_on(filtered_.data(), call);
   }
 
   std::uint64_t crossings(std::size_t surface) const { return crossings_[surface].count(); }
   std::uint64_t not_numbers() const { return not_numbers_; }
 
  private:
+  struct OwnFilter {
+    explicit OwnFilter(const Limits& limits) : memory(MajorityFilter::bytes_for(limits)) {
+      require(filter.start(limits, {memory.data(), memory.size()}));
+    }
+    std::vector<std::uint8_t> memory;
+    MajorityFilter filter;
+  };
+
+  template <class Call>
+  void add_row(const std::uint8_t* row, Call call) {
+    if (filters_.empty()) return pass_on(row, call);
+    if (is_filtered(
+            [&](OwnFilter& own, std::size_t i) { return own.filter.push(row + i * row_bytes_); }))
+      pass_on(filtered_.data(), call);
+  }
+  // Whether the filters, which are all where the first one is, had a row each.
+  template <class Next>
+  bool is_filtered(Next next) {
+    bool has_row = false;
+    for (std::size_t i = 0; i < filters_.size(); ++i) {
+      const std::uint8_t* const row = next(*filters_[i], i);
+      has_row = row != nullptr;
+      if (has_row) std::copy(row, row + row_bytes_, filtered_.data() + i * row_bytes_);
+    }
+    return has_row;
+  }
+  template <class Call>
+  void pass_on(const std::uint8_t* row, Call call) {
+    for (std::size_t i = 0; i < crossings_.size(); ++i) crossings_[i].add_row(row + i * row_bytes_);
+    call(row);
+  }
+
   std::uint32_t height_;
   std::size_t row_bytes_;
-  std::size_t stride_;
-  std::vector<std::uint8_t> bits_;
+  std::vector<std::uint8_t> bits_;      // of a slice
+  std::vector<std::uint8_t> filtered_;  // a row
   std::vector<SliceSelector> selectors_;
+  std::vector<std::unique_ptr<OwnFilter>> filters_;
   std::vector<CrossingCounter> crossings_;
   std::uint64_t not_numbers_ = 0;
 };
@@ -130,7 +168,7 @@ class Scan {
             extractors_[0].limits().width};
   }
 
-  std::vector<Extraction> results(const VolumeInfo& info, const BitSlice& bits) const {
+  std::vector<Extraction> results(const VolumeInfo& info, const BitSource& bits) const {
     const std::uint64_t voxels = std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2];
     std::vector<Extraction> results;
     for (std::size_t i = 0; i < extractors_.size(); ++i)
@@ -160,23 +198,23 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
   const VolumeInfo& info = volume.info();
   Scan<Index, Normals> scan(info, limits, arena, surfaces);
   auto all = scan.group();
-  BitSlice bits(info, limits, surfaces);
+  BitSource bits(info, limits, options, surfaces);
+  const auto push_bits = [&](const std::uint8_t* row) {
+    if constexpr (!Normals::holds_samples) require(all.push_bits(row).status);
+    if (options.slices != nullptr) require(options.slices->push_bits(row).status);
+  };
   std::vector<std::uint8_t> slice(info.slice_bytes());
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    bits.select(slice.data());
+    bits.add_slice(slice.data(), push_bits);
     if constexpr (Normals::holds_samples) {
       using Sample = typename SampleOf<Normals>::Type;
       require(all.push(reinterpret_cast<const Sample*>(slice.data()), limits.width * limits.height)
                   .status);
-    } else {
-      bits.for_each_row([&](const std::uint8_t* row) { require(all.push_bits(row).status); });
     }
-    if (options.slices != nullptr)
-      bits.for_each_row(
-          [&](const std::uint8_t* row) { require(options.slices->push_bits(row).status); });
     if (options.progress) options.progress(z + 1);
   }
+  bits.finish(push_bits);
   require(all.finish());
   if (options.slices != nullptr) require(options.slices->finish());
   return scan.results(info, bits);

@@ -26,6 +26,8 @@ struct ExtractionOptions {
   /// Whether the events tell gradient normals. The arena then also holds four slices.
   /// Limit: samples of a type with is_scanner_type(), selections without an upper end.
   bool normals = false;
+  /// Whether bits pass a MajorityFilter first. Limit: not with normals.
+  bool takes_majority = false;
   /// Is given the bits as well, and finished, if there is one; its output must take all.
   SliceEncoder* slices = nullptr;
   /// In place of `memory`: the arena is as large as these need.

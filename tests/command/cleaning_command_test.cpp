@@ -1,0 +1,84 @@
+// discmc extract and decode without noise and specks.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "oracle/volume.hpp"
+
+namespace {
+
+using command::check_failure;
+using command::contains;
+using command::Workshop;
+using discmc::reference::BitVolume;
+
+// Two boxes and a voxel, 1 where on.
+std::string boxes() {
+  BitVolume volume = discmc::reference::box({20, 16, 12}, {2, 2, 2}, {9, 9, 9});
+  const BitVolume other = discmc::reference::box({20, 16, 12}, {13, 3, 3}, {16, 8, 8});
+  for (std::size_t i = 0; i < volume.on.size(); ++i) volume.on[i] |= other.on[i];
+  volume.on[19] = 1;
+  return {volume.on.begin(), volume.on.end()};
+}
+
+const std::string extract = "extract v.raw --dims 20,16,12 --type u8 --iso 1 ";
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
+  const Workshop workshop;
+  workshop.write("v.raw", boxes());
+  workshop.done(extract + "-o all.jsonl");
+  const auto kept = [&](const std::string& options) {
+    const auto result = workshop.run(extract + options + " -q -o kept.jsonl");
+    CHECK(result.code == 0);
+    workshop.done(extract + "-q -o v.dmc");
+    const auto decoded = workshop.run("decode v.dmc " + options + " -o decoded.jsonl");
+    CHECK(decoded.code == 0);
+    CHECK(lines(workshop.read("kept.jsonl")) == lines(workshop.read("decoded.jsonl")));
+    CHECK(contains(result.error, "v.raw: "));
+    CHECK(contains(decoded.error, result.error.substr(result.error.find("raw: ") + 5)));
+    return result.error;
+  };
+  constexpr std::size_t of_box = 26, of_voxel = 8;
+  CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities kept"));
+  CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box);
+  CHECK(contains(kept("--largest 1"), "1 of 3"));
+  CHECK(contains(kept("--largest 9"), "3 of 3"));
+  CHECK(workshop.read("kept.jsonl") == workshop.read("all.jsonl"));
+  CHECK(contains(kept("--min-volume 0.15"), "3 of 3"));
+  CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box + of_voxel);
+  CHECK(contains(kept("--min-volume 0.2"), "2 of 3"));
+  CHECK(contains(kept("--min-volume 200"), "1 of 3"));
+  CHECK(contains(kept("--min-volume 1e9"), "0 of 3"));
+}
+
+TEST_CASE("a median leaves boxes with rounded edges and no speck, in meshes and in both streams") {
+  const Workshop workshop;
+  workshop.write("v.raw", boxes());
+  CHECK(contains(workshop.run(extract + "--median 3 --largest 9 -o v.jsonl").error, "2 of 2"));
+  for (const std::string wire : {"regions", "slices"}) {
+    workshop.done(extract + "--median 3 --wire " + wire + " -o v.dmc");
+    workshop.done("decode v.dmc -o decoded.jsonl");
+    CHECK(lines(workshop.read("v.jsonl")) == lines(workshop.read("decoded.jsonl")));
+  }
+}
+
+TEST_CASE("cleaning that makes no sense is refused") {
+  const Workshop workshop;
+  workshop.write("v.raw", boxes());
+  check_failure(workshop.run(extract + "--largest 1 -o v.dmc"), 2, {"--largest", "a stream"});
+  check_failure(workshop.run(extract + "--min-volume 1 -o v.dmc"), 2, {"--min-volume"});
+  check_failure(workshop.run(extract + "--largest 0 -o v.stl"), 2, {"--largest"});
+  check_failure(workshop.run(extract + "--largest 1 --border open -o v.stl"), 2, {"--border"});
+  check_failure(workshop.run(extract + "--median 5 -o v.stl"), 2, {"--median"});
+  check_failure(workshop.run(extract + "--median 3 --normals gradient -o v.dmc"), 2,
+                {"--median", "--normals"});
+}

@@ -1,0 +1,101 @@
+// Components of surfaces, and the choice among them.
+#include "surface/components.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "sample_reader.hpp"
+
+namespace {
+
+using discmc::host::Component;
+using discmc::host::ComponentCounts;
+using discmc::host::Surface;
+using discmc::reference::BitVolume;
+
+const discmc::host::Point spacing_mm = {0.5, -2, 3};
+
+Surface surface_of(const BitVolume& volume) {
+  sample_reader::SampleReader reader(volume, spacing_mm);
+  discmc::host::SurfaceBuilder builder;
+  extract(reader, {sample_reader::bit_threshold, discmc::Border::closed, 0, {}},
+          discmc::sink_to(builder));
+  builder.surface().spacing_mm = spacing_mm;
+  return std::move(builder.surface());
+}
+
+void put_box(BitVolume& volume, discmc::Vertex first, discmc::Vertex last, std::uint8_t on) {
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x)
+        volume.on[(static_cast<std::size_t>(z) * volume.height + static_cast<std::size_t>(y)) *
+                      volume.width +
+                  static_cast<std::size_t>(x)] = on;
+}
+
+// What the midpoint surface of a box of voxels encloses: it has no corners and no edges. The sums
+// of its layers are those of the samples' bits less an eighth of each edge and some of each corner,
+// so it is taken from a box that is alone.
+double volume_of_box(int x, int y, int z) {
+  BitVolume volume({20, 20, 20});
+  put_box(volume, {1, 1, 1}, {x, y, z}, 1);
+  return components(surface_of(volume)).at(0).volume_mm3;
+}
+
+}  // namespace
+
+TEST_CASE("a voxel alone encloses an octahedron of a sixth of its volume") {
+  CHECK(volume_of_box(1, 1, 1) == doctest::Approx(0.5 * 2 * 3 / 6));
+}
+
+TEST_CASE("bodies apart are components, and a cavity is one that encloses less than nothing") {
+  BitVolume volume({20, 20, 20});
+  put_box(volume, {2, 2, 2}, {10, 10, 10}, 1);
+  put_box(volume, {5, 5, 5}, {6, 6, 6}, 0);
+  put_box(volume, {14, 14, 14}, {16, 15, 14}, 1);
+  const std::vector<Component> found = components(surface_of(volume));
+  REQUIRE(found.size() == 3);
+  double volumes[3] = {};
+  for (int i = 0; i < 3; ++i) volumes[i] = found[static_cast<std::size_t>(i)].volume_mm3;
+  std::sort(volumes, volumes + 3);
+  CHECK(volumes[0] < 0);
+  CHECK(volumes[1] == doctest::Approx(volume_of_box(3, 2, 1)));
+  CHECK(volumes[2] == doctest::Approx(volume_of_box(9, 9, 9)));
+  std::size_t polygons = 0;
+  for (const Component& component : found) polygons += component.polygons.size();
+  CHECK(polygons == surface_of(volume).polygons.size());
+}
+
+TEST_CASE("bodies that touch in the middle of a cell alone are apart") {
+  BitVolume volume({4, 4, 4});
+  put_box(volume, {1, 1, 1}, {1, 1, 1}, 1);
+  put_box(volume, {2, 2, 2}, {2, 2, 2}, 1);
+  CHECK(components(surface_of(volume)).size() == 2);
+}
+
+TEST_CASE("the largest are kept, and those that enclose enough") {
+  BitVolume volume({20, 20, 20});
+  put_box(volume, {1, 1, 1}, {4, 4, 4}, 1);
+  put_box(volume, {10, 10, 10}, {15, 15, 15}, 1);
+  put_box(volume, {18, 1, 1}, {18, 1, 1}, 1);
+  const auto kept = [&](std::uint64_t largest, double min_volume_mm3) {
+    Surface surface = surface_of(volume);
+    const ComponentCounts counts = keep_components(surface, {largest, min_volume_mm3});
+    CHECK(counts.found == 3);
+    CHECK(components(surface).size() == counts.kept);
+    double least = 1e9;
+    for (const Component& component : components(surface))
+      least = std::min(least, component.volume_mm3);
+    return std::pair(counts.kept, least);
+  };
+  const double middle = volume_of_box(4, 4, 4), large = volume_of_box(6, 6, 6);
+  CHECK(kept(0, 0) == std::pair(std::uint64_t{3}, volume_of_box(1, 1, 1)));
+  CHECK(kept(1, 0).first == 1);
+  CHECK(kept(1, 0).second == doctest::Approx(large));
+  CHECK(kept(2, 0).second == doctest::Approx(middle));
+  CHECK(kept(0, 1.001 * middle).first == 1);
+  CHECK(kept(0, 0.999 * middle).first == 2);
+  CHECK(kept(9, 1e6).first == 0);
+}
