@@ -53,6 +53,7 @@ void check_wire(const ExtractArguments& arguments) {
 
 void check(const ExtractArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
+  check_space(arguments.space, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
   check_wire(arguments);
@@ -100,6 +101,7 @@ Command add_extract(CLI::App& app) {
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
   add_mesh_options(*extract, arguments->mesh);
+  add_space_option(*extract, arguments->space);
   add_wire_options(*extract, *arguments);
   extract->footer(
       "Examples:\n"

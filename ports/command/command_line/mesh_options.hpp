@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_COMMAND_LINE_MESH_OPTIONS_HPP
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "commands/arguments.hpp"
@@ -20,6 +21,12 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
 
 /// --faces and --conforming.
 void add_mesh_options(CLI::App& app, MeshOptions& mesh);
+
+/// --space.
+void add_space_option(CLI::App& app, std::optional<MeshSpace>& space);
+
+/// Only meshes have coordinates to choose. Throws: CLI::ValidationError.
+void check_space(const std::optional<MeshSpace>& space, const std::string& output);
 
 /// Only some formats hold polygons. Throws: CLI::ValidationError.
 void check_faces(Faces faces, const std::string& output);

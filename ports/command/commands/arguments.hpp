@@ -43,6 +43,9 @@ struct VolumeArguments {
 /// Where the normals of a mesh's vertices come from: its polygons, or the samples.
 enum class Normals { none, surface, gradient };
 
+/// The coordinates of a mesh: of the patient, or index times spacing.
+enum class MeshSpace { lps, ras, voxel };
+
 /// What a stream holds.
 enum class Wire { regions, slices };
 
@@ -56,6 +59,7 @@ struct ExtractArguments {
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
   std::uint16_t scan = 0;        ///< the number in a stream
   MeshOptions mesh{true, Faces::triangles};
+  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
   bool quiet = false;
 };
 
@@ -68,6 +72,7 @@ struct StreamArguments {
   std::string volume;  ///< whose gradient it is
   LayoutArguments layout;
   MeshOptions mesh{true, Faces::triangles};
+  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
 };
 
 /// Of `render`.
