@@ -36,6 +36,33 @@ std::string shortage(const Extraction& extraction) {
   return std::string("memory ran short of records") + (lacked_holes ? " or holes" : "");
 }
 
+// In the words of --space where they fit.
+const char* space_name(Frame frame) {
+  switch (frame) {
+    case Frame::none:
+      break;
+    case Frame::lps:
+      return "lps";
+    case Frame::ras:
+      return "ras";
+  }
+  return "scanner";
+}
+
+void write_vector(const char* name, const std::array<double, 3>& vector, std::ostream& out) {
+  out << name << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2] << '\n';
+}
+
+void write_placement(const VolumePlacement& placement, bool is_told, std::ostream& out) {
+  const auto digits = out.precision(15);  // a nanometre of an origin as far away as can be
+  out << "space " << (is_told ? space_name(placement.frame) : "voxel") << '\n';
+  write_vector("origin", placement.origin_mm, out);
+  write_vector("axis_x", placement.axes_mm[0], out);
+  write_vector("axis_y", placement.axes_mm[1], out);
+  write_vector("axis_z", placement.axes_mm[2], out);
+  out.precision(digits);
+}
+
 }  // namespace
 
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
@@ -68,14 +95,15 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
 
 void write_info(const StreamHeader& header, std::uint8_t channel,
                 const std::vector<StreamHeader>& streams, const StreamReport& report,
-                const Counts& counts, std::ostream& out) {
+                const Counts& counts, const std::optional<VolumePlacement>& placement,
+                std::ostream& out) {
   const auto spacing = spacing_mm(header);
   const auto digits = out.precision(10);  // a nanometre of the largest spacing
   out << "dimensions " << header.width << ' ' << header.height << ' '
       << (report.has_trailer ? report.slices : header.depth) << '\n'
-      << "spacing " << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2] << '\n'
-      << "position dropped\n"
-      << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
+      << "spacing " << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2] << '\n';
+  write_placement(placement ? *placement : along_coordinates(spacing), placement.has_value(), out);
+  out << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
       << "scan " << header.scan << '\n'
       << "channel " << int{channel} << '\n'
       << "threshold " << header.threshold_of(static_cast<std::uint32_t>(channel - header.channel))

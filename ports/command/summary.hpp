@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_SUMMARY_HPP
 #define DISCMC_COMMAND_SUMMARY_HPP
 
+#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "extraction/extraction.hpp"
 #include "surface/counts.hpp"
+#include "volumes/volume_placement.hpp"
 
 namespace discmc::host {
 
@@ -18,10 +20,11 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
                  std::uint64_t slice_encoder_bytes, std::ostream& out);
 
 /// One `key value` a line, for people and programs. channel: of the surface that was counted.
-/// streams: all that share the link with it.
+/// streams: all that share the link with it. placement: where the stream tells one.
 void write_info(const StreamHeader& header, std::uint8_t channel,
                 const std::vector<StreamHeader>& streams, const StreamReport& report,
-                const Counts& counts, std::ostream& out);
+                const Counts& counts, const std::optional<VolumePlacement>& placement,
+                std::ostream& out);
 
 }  // namespace discmc::host
 

@@ -129,7 +129,12 @@ TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
   const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
   const VolumeInfo info = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
   check_placement(info, Frame::ras, {-90, 126.5, -72}, axes);
-  CHECK(info.notes.empty());
+  CHECK(noted(info, "pixdim contradicts the sform"));
+  CHECK(info.spacing_mm[2] == doctest::Approx(std::hypot(0.5, 0, 3)));
+  const VolumeInfo straight =
+      nifti_info(folder, with_sform(nifti_of_spacing(), {0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3}));
+  check_placement(straight, Frame::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  CHECK(straight.notes.empty());
   // It comes before the qform; and units are those of the header.
   Nifti both = with_sform(nifti_of_spacing(), rows).integer(252, 2, 1);
   check_placement(nifti_info(folder, both.integer(123, 1, 3)), Frame::ras, {-0.09, 0.1265, -0.072},

@@ -13,6 +13,7 @@ namespace {
 void check(const StreamArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
   check_components(arguments.components, arguments.output);
+  check_space(arguments.space, arguments.output);
   check_normals(arguments.normals, arguments.output, false);
   if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
     throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
@@ -31,6 +32,7 @@ Command add_decode(CLI::App& app) {
                      "those that the stream tells, or from the samples of --volume");
   add_mesh_options(*decode, arguments->mesh);
   add_component_options(*decode, arguments->components);
+  add_space_option(*decode, arguments->space);
   add_volume_options(*decode, arguments->layout);
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the file that the stream was made of, for --normals "

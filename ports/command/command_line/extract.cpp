@@ -67,6 +67,7 @@ void check(const ExtractArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
   check_components(arguments.components, arguments.output);
   check_cleaning(arguments);
+  check_space(arguments.space, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
   check_wire(arguments);
@@ -115,6 +116,7 @@ Command add_extract(CLI::App& app) {
                      "from the samples of the volume, and what a .dmc stream can hold");
   add_mesh_options(*extract, arguments->mesh);
   add_component_options(*extract, arguments->components);
+  add_space_option(*extract, arguments->space);
   add_wire_options(*extract, *arguments);
   extract->footer(
       "Examples:\n"

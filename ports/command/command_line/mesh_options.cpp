@@ -71,6 +71,28 @@ void check_components(const ComponentChoice& components, const std::string& outp
                              "mesh, or leave it out");
 }
 
+void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
+  app.option_defaults()->group(mesh_group);
+  add_named_option(
+      app, "--space", space,
+      NamedValues<MeshSpace>{
+          {"lps", MeshSpace::lps}, {"ras", MeshSpace::ras}, {"voxel", MeshSpace::voxel}},
+      "the coordinates of a mesh; lps, ras: the patient's, from the origin and directions of the "
+      "volume; voxel: index times spacing (default: lps where the frame is known, else those of "
+      "the volume)");
+}
+
+void check_space(const std::optional<MeshSpace>& space, const std::string& output) {
+  const Format format = format_of(output);
+  if (!space || (format != Format::stream && format != Format::jsonl)) return;
+  throw CLI::ValidationError(
+      "--space",
+      output +
+          (format == Format::stream ? " is a stream, which holds the placement beside the surface"
+                                    : " has half-steps of voxels") +
+          ": leave it out, or give the name of a mesh");
+}
+
 void check_faces(Faces faces, const std::string& output) {
   if (faces == Faces::triangles || traits_of(format_of(output)).holds_polygons) return;
   throw CLI::ValidationError("--faces", output + " cannot hold polygons: leave it out, or give a " +

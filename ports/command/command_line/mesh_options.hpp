@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_COMMAND_LINE_MESH_OPTIONS_HPP
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "commands/arguments.hpp"
@@ -26,6 +27,12 @@ void add_component_options(CLI::App& app, ComponentChoice& components);
 
 /// Only what is written whole can be chosen from. Throws: CLI::ValidationError.
 void check_components(const ComponentChoice& components, const std::string& output);
+
+/// --space.
+void add_space_option(CLI::App& app, std::optional<MeshSpace>& space);
+
+/// Only meshes have coordinates to choose. Throws: CLI::ValidationError.
+void check_space(const std::optional<MeshSpace>& space, const std::string& output);
 
 /// Only some formats hold polygons. Throws: CLI::ValidationError.
 void check_faces(Faces faces, const std::string& output);

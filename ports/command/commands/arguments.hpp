@@ -45,6 +45,9 @@ struct VolumeArguments {
 /// Where the normals of a mesh's vertices come from: its polygons, or the samples.
 enum class Normals { none, surface, gradient };
 
+/// The coordinates of a mesh: of the patient, or index times spacing.
+enum class MeshSpace { lps, ras, voxel };
+
 /// What a stream holds.
 enum class Wire { regions, slices };
 
@@ -59,6 +62,7 @@ struct ExtractArguments {
   std::uint16_t scan = 0;        ///< the number in a stream
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
+  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
   bool quiet = false;
 };
 
@@ -72,6 +76,7 @@ struct StreamArguments {
   LayoutArguments layout;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
+  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
 };
 
 /// Of `render`.

@@ -94,13 +94,14 @@ int run_decode(const StreamArguments& arguments) {
   } else {
     DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
     keep_chosen(arguments.stream, arguments.components, decoded.surface);
+    const auto placement = mesh_placement(arguments.stream, decoded.placement, arguments.space);
     write_surface(
         decoded.surface, format, arguments.mesh,
         [&](Mesh& mesh) {
           note_left_out(arguments.stream, decoded.surface, mesh);
           add_normals(arguments, decoded, mesh);
         },
-        file);
+        placement, file);
     report = decoded.report;
   }
   file.commit();

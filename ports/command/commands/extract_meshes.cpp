@@ -35,6 +35,7 @@ int extract_meshes(const ExtractArguments& arguments) {
   const FilePattern pattern(arguments.output);
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo& info = volume->info();
+  const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
   pattern.require_folder();
   Progress progress("extracting", info.dims[2]);
   const ExtractionOptions options = extraction_options(arguments.reading, progress);
@@ -44,7 +45,8 @@ int extract_meshes(const ExtractArguments& arguments) {
   for (const auto& receiver : receivers) {
     receiver->start_surface();
     if (!arguments.quiet)
-      receiver->start_stream(stream_header(info, options).label(), no_output.byte_output());
+      receiver->start_stream(stream_header(info, options).label(), info.placement,
+                             no_output.byte_output());
   }
   const std::vector<Extraction> extractions =
       extract(*volume, options, requests_of(selections, receivers));
@@ -62,7 +64,7 @@ int extract_meshes(const ExtractArguments& arguments) {
           note_left_out(arguments.volume, surface, mesh);
           add_normals(arguments, selections[i].selection, surface, mesh);
         },
-        file);
+        placement, file);
     file.commit();
     if (arguments.quiet) continue;
     if (receivers.size() > 1) std::cout << name << '\n';

@@ -87,13 +87,14 @@ int extract_stream(const ExtractArguments& arguments) {
   if (arguments.wire == Wire::slices) {
     slices.start(header_of_all(header, info, selections), {arguments.key_slices},
                  output.byte_output());
+    tell_placement(info.placement, slices.encoder());
     options.slices = &slices.encoder();
   } else {
     link.start(output.byte_output());
     StreamLabel label = header.label();
     for (std::size_t i = 0; i < receivers.size(); ++i) {
       label.channel = static_cast<std::uint8_t>(i);
-      receivers[i]->start_stream(label, link.output());
+      receivers[i]->start_stream(label, info.placement, link.output());
     }
   }
   if (!arguments.quiet)

@@ -13,7 +13,7 @@ namespace discmc::host {
 int run_info(const StreamArguments& arguments) {
   const DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
   write_info(decoded.header, decoded.channel, decoded.streams, decoded.report,
-             count(decoded.surface), std::cout);
+             count(decoded.surface), decoded.placement, std::cout);
   for (const std::string& record : decoded.records) std::cout << "record " << record << '\n';
   require_written(std::cout);
   return completeness(arguments.stream, decoded.report);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "mesh_files/mesh_files.hpp"
+#include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
 
@@ -17,12 +18,27 @@ Mesh triangulated(const Surface& surface, const MeshOptions& options) {
 
 }  // namespace
 
+std::optional<VolumePlacement> mesh_placement(const std::string& input,
+                                              const std::optional<VolumePlacement>& told,
+                                              const std::optional<MeshSpace>& asked) {
+  if (asked == MeshSpace::voxel) return std::nullopt;
+  if (!told || told->frame == Frame::none) {
+    if (!asked) return told;
+    throw std::invalid_argument(input +
+                                ": it does not tell where the patient is: leave out --space, or "
+                                "give --space voxel");
+  }
+  return in_frame(*told, asked == MeshSpace::ras ? Frame::ras : Frame::lps);
+}
+
 void write_surface(const Surface& surface, Format format, const MeshOptions& options,
-                   const std::function<void(Mesh&)>& add_normals, OutputFile& file) {
+                   const std::function<void(Mesh&)>& add_normals,
+                   const std::optional<VolumePlacement>& placement, OutputFile& file) {
   try {
     if (format == Format::jsonl) return write_jsonl(surface, file.stream());
     Mesh mesh = triangulated(surface, options);
     add_normals(mesh);
+    if (placement) place(mesh, *placement);
     const Progress writing("writing");
     write_mesh(mesh, format, file.stream());
   } catch (const std::runtime_error&) {

@@ -3,8 +3,10 @@
 #define DISCMC_COMMAND_COMMANDS_MESH_OUTPUT_HPP
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "arguments.hpp"
 #include "mesh_files/file_format.hpp"
 #include "meshes/mesh.hpp"
 #include "output_file.hpp"
@@ -14,11 +16,19 @@
 
 namespace discmc::host {
 
+/// Where the mesh of an input is to lie, which tells of its volume what `told` says; nothing:
+/// at index times spacing. Throws std::invalid_argument where a patient's space is asked for and
+/// none is known.
+std::optional<VolumePlacement> mesh_placement(const std::string& input,
+                                              const std::optional<VolumePlacement>& told,
+                                              const std::optional<MeshSpace>& asked);
+
 /// Writes a surface to the file, as a mesh or as lines of polygons; what goes wrong is told with
-/// the file's name. add_normals: called with a mesh before it is written. Limit: not
+/// the file's name. add_normals: called with a mesh before it is placed and written. Limit: not
 /// Format::stream.
 void write_surface(const Surface& surface, Format format, const MeshOptions& options,
-                   const std::function<void(Mesh&)>& add_normals, OutputFile& file);
+                   const std::function<void(Mesh&)>& add_normals,
+                   const std::optional<VolumePlacement>& placement, OutputFile& file);
 
 /// Says which polygons of the surface of this input the mesh has not, if there are any.
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);

@@ -1,5 +1,6 @@
 #include "stream_input.hpp"
 
+#include <discmc/placement.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -32,12 +33,18 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-// Notes the application records of a stream, and passes on what it is given.
+// Notes the application records of a stream, the placement of its volume among them, and passes on
+// what it is given.
 struct RecordNotes {
   GrowingJoiner& to;
   std::vector<std::string> records{};
+  std::optional<VolumePlacement> placement{};
   Answer take(const Event& event) {
-    if (event.kind == Event::Kind::application) records.push_back(text(*event.application));
+    if (event.kind == Event::Kind::application) {
+      records.push_back(text(*event.application));
+      Placement told;
+      if (read_placement(*event.application, told)) placement = in_millimetres(told);
+    }
     return to.take(event);
   }
 };
@@ -85,6 +92,10 @@ DecodedStream decode_surface(const std::string& path, const StreamChoice& choice
   note_others(path, choice, reader);
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
+  if (notes.placement && !is_usable(*notes.placement)) {
+    std::cerr << "discmc: " << path << ": its placement is unusable, and dropped\n";
+    notes.placement.reset();
+  }
   StreamReport report = reader.report();
   report.lost_pieces += builder.incomplete_regions();
   return {reader.header(),
@@ -92,7 +103,8 @@ DecodedStream decode_surface(const std::string& path, const StreamChoice& choice
           reader.headers(),
           report,
           std::move(builder.surface()),
-          std::move(notes.records)};
+          std::move(notes.records),
+          notes.placement};
 }
 
 int completeness(const std::string& path, const StreamReport& report) {

@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_COMMANDS_STREAM_INPUT_HPP
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "streams/stream_file.hpp"
 #include "surface/surface.hpp"
+#include "volumes/volume_placement.hpp"
 
 namespace discmc::host {
 
@@ -26,7 +28,8 @@ struct DecodedStream {
   std::vector<StreamHeader> streams;  ///< all of the link
   StreamReport report;
   Surface surface;
-  std::vector<std::string> records;  ///< the user's own, in words
+  std::vector<std::string> records;          ///< the user's own, in words
+  std::optional<VolumePlacement> placement;  ///< if it is told, and of use
 };
 
 DecodedStream decode_surface(const std::string& path, const StreamChoice& choice);

@@ -2,21 +2,36 @@
 #ifndef DISCMC_COMMAND_COMMANDS_SURFACE_RECEIVER_HPP
 #define DISCMC_COMMAND_COMMANDS_SURFACE_RECEIVER_HPP
 
+#include <cstdint>
 #include <discmc/encoder.hpp>
+#include <discmc/placement.hpp>
 #include <discmc/sink.hpp>
+#include <optional>
 
 #include "require.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
+#include "volumes/volume_placement.hpp"
 
 namespace discmc::host {
+
+/// Tells a stream where its volume lies, if that is known. encoder: started; its output must take
+/// all.
+template <class Encoder>
+void tell_placement(const std::optional<VolumePlacement>& placement, Encoder& encoder) {
+  if (!placement) return;
+  std::uint8_t bytes[Placement::record_bytes];
+  require(encoder.tell(record_of(in_nanometres(*placement), bytes)));
+}
 
 /// Gives every event to an encoder and, joined, to a surface: to either or both, as they are begun.
 class SurfaceReceiver {
  public:
   /// Begins a stream. output: must take all; Owner: the caller.
-  void start_stream(const StreamLabel& label, const ByteOutput& output) {
+  void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,
+                    const ByteOutput& output) {
     require(encoder_.start(label, output));
+    placement_ = placement;
     encodes_ = true;
   }
   /// Begins to keep polygons.
@@ -24,6 +39,7 @@ class SurfaceReceiver {
 
   Answer take(const Event& event) {
     if (encodes_ && encoder_.take(event) != Answer::taken) return Answer::not_now;
+    if (encodes_ && event.kind == Event::Kind::start) tell_placement(placement_, encoder_);
     return builds_ ? joiner_.take(event) : Answer::taken;
   }
 
@@ -34,6 +50,7 @@ class SurfaceReceiver {
 
  private:
   NormalEncoder encoder_;
+  std::optional<VolumePlacement> placement_;
   SurfaceBuilder builder_;
   GrowingJoiner joiner_{sink_to(builder_)};
   bool encodes_ = false;

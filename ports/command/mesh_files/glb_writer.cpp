@@ -87,7 +87,7 @@ std::string describe(const Mesh& mesh, Arrays& arrays) {
   json += "\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"matrix\":";
   json += matrix;
   json += "}],\"meshes\":[{\"extras\":{\"comment\":\"";
-  json += header_text;
+  json += header_text(mesh);
   json += "\"},\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" + indices +
           ",\"material\":0}]}],\"materials\":[";
   json += material;

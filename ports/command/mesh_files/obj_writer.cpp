@@ -21,7 +21,7 @@ void write_point(const char* key, const Point& point, Writer& writer) {
 void write_obj(const Mesh& mesh, std::ostream& out) {
   Writer writer(out);
   writer.text("# ");
-  writer.text(header_text);
+  writer.text(header_text(mesh));
   writer.text("\n");
   for (const Point& vertex : mesh.vertices_mm) write_point("v", vertex, writer);
   for (const Point& normal : mesh.normals) write_point("vn", normal, writer);

@@ -12,7 +12,7 @@ void write_ply(const Mesh& mesh, std::ostream& out) {
       throw std::invalid_argument("a face of more corners than PLY counts in a byte");
   Writer writer(out);
   writer.text("ply\nformat binary_little_endian 1.0\ncomment ");
-  writer.text(header_text);
+  writer.text(header_text(mesh));
   writer.text("\nelement vertex ");
   writer.decimal(mesh.vertices_mm.size());
   writer.text("\nproperty float x\nproperty float y\nproperty float z");

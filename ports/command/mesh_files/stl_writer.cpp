@@ -12,7 +12,7 @@ void write_stl(const Mesh& mesh, std::ostream& out) {
   if (mesh.face_count() > 0xFFFFFFFFu) throw std::invalid_argument("too many triangles for STL");
   Writer writer(out);
   std::string header = "binary STL, ";  // "solid" would announce text
-  header += header_text;
+  header += header_text(mesh);
   header.resize(80, ' ');
   writer.text(header);
   writer.bytes(mesh.face_count(), 4);

@@ -27,7 +27,7 @@ void write_model(const Mesh& mesh, std::ostream& out) {
       "<model unit=\"millimeter\" xml:lang=\"en-US\" "
       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
       "<metadata name=\"Application\">discmc</metadata>\n<metadata name=\"Description\">");
-  writer.text(header_text);
+  writer.text(header_text(mesh));
   writer.text("</metadata>\n<resources>\n<object id=\"1\" type=\"model\">\n<mesh>\n<vertices>\n");
   for (const Point& vertex : mesh.vertices_mm) {
     const char* before[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};

@@ -32,14 +32,30 @@ void write_points(const std::string& attributes, const std::vector<Point>& point
               });
 }
 
+// The frame as 3D Slicer reads it: a string, told by its characters and a zero.
+const char* field_data(Frame frame) {
+  switch (frame) {
+    case Frame::none:
+      break;
+    case Frame::lps:
+      return "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
+             "format=\"ascii\">76 80 83 0</Array>\n</FieldData>\n";
+    case Frame::ras:
+      return "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
+             "format=\"ascii\">82 65 83 0</Array>\n</FieldData>\n";
+  }
+  return "";
+}
+
 }  // namespace
 
 // The types of the arrays are those that VTK itself writes: some readers know no others.
 void write_vtp(const Mesh& mesh, std::ostream& out) {
-  out << "<?xml version=\"1.0\"?>\n<!-- " << header_text
+  out << "<?xml version=\"1.0\"?>\n<!-- " << header_text(mesh)
       << " -->\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-         "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
-      << mesh.vertices_mm.size() << "\" NumberOfPolys=\"" << mesh.face_count() << "\">\n";
+         "header_type=\"UInt64\">\n<PolyData>\n"
+      << field_data(mesh.frame) << "<Piece NumberOfPoints=\"" << mesh.vertices_mm.size()
+      << "\" NumberOfPolys=\"" << mesh.face_count() << "\">\n";
   if (!mesh.normals.empty()) {
     out << "<PointData Normals=\"Normals\">\n";
     write_points("Name=\"Normals\"", mesh.normals, out);

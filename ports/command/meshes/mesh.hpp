@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <discmc/placement.hpp>
+
 #include "point.hpp"
 #include "surface/surface.hpp"
 
@@ -33,10 +35,12 @@ struct Mesh {
   std::vector<Vertex> lattice;             ///< one a vertex: its position; none in other meshes
   std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
   std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
-  std::vector<Incidence> incidences;       ///< one a face; none where faces lie in any plane
-  std::vector<std::uint32_t> polygons;     ///< one a face: its place in Surface::polygons
+  /// One a face; none where faces lie in any plane, or the mesh has been placed.
+  std::vector<Incidence> incidences;
+  std::vector<std::uint32_t> polygons;  ///< one a face: its place in Surface::polygons
   /// One a vertex, or none at all: unit vectors that point outside, zero where there is none.
   std::vector<Point> normals;
+  Frame frame = Frame::none;  ///< of a mesh that has been placed: what its coordinates are
   /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
   /// Polygon) and cannot be triangulated.
   std::vector<std::uint32_t> left_out{};

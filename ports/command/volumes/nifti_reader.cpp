@@ -98,6 +98,21 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const short 
   set_dims(info, file, std::vector<std::int64_t>(dim + 1, dim + 1 + dim[0]));
 }
 
+// The sform needs no pixdim, and some programs leave it at 1.
+void prefer_sform(VolumeInfo& info, const Axes& axes_mm) {
+  constexpr double rounding = 1e-3;
+  std::array<double, 3> lengths{};
+  bool is_same = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
+    is_same =
+        is_same && std::fabs(lengths[axis] - info.spacing_mm[axis]) <= rounding * lengths[axis];
+  }
+  if (is_same || !is_usable(axes_mm)) return;
+  info.notes.emplace_back("pixdim contradicts the sform, whose spacing is taken");
+  set_spacing(info, lengths);
+}
+
 void set_geometry(VolumeInfo& info, const nifti_1_header& header) {
   const int unit = XYZT_TO_SPACE(header.xyzt_units);
   const double unit_mm = unit == NIFTI_UNITS_METER    ? 1000.0
@@ -130,6 +145,7 @@ void set_geometry(VolumeInfo& info, const nifti_1_header& header) {
       placement.axes_mm[axis][row] = unit_mm * static_cast<double>(to_space.m[row][axis]);
     placement.origin_mm[row] = unit_mm * static_cast<double>(to_space.m[row][3]);
   }
+  if (header.sform_code > 0) prefer_sform(info, placement.axes_mm);
   set_placement(info, placement);
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
 
 namespace discmc::host {
 
@@ -27,6 +30,47 @@ bool is_usable(const VolumePlacement& placement) {
   return is_usable(placement.axes_mm) &&
          std::all_of(placement.origin_mm.begin(), placement.origin_mm.end(),
                      [](double at) { return std::fabs(at) <= farthest_mm; });
+}
+
+VolumePlacement in_frame(VolumePlacement placement, Frame frame) {
+  if (placement.frame == frame) return placement;
+  // Between LPS and RAS: sums with zero have no negative zeros.
+  const auto turn = [](std::array<double, 3>& vector) {
+    vector = {0.0 - vector[0], 0.0 - vector[1], vector[2]};
+  };
+  turn(placement.origin_mm);
+  for (auto& axis : placement.axes_mm) turn(axis);
+  placement.frame = frame;
+  return placement;
+}
+
+Placement in_nanometres(const VolumePlacement& placement) {
+  constexpr double longest_mm = 2147;
+  Placement rounded;
+  rounded.frame = placement.frame;
+  for (std::size_t i = 0; i < 3; ++i) {
+    rounded.origin_nm[i] = std::llround(placement.origin_mm[i] * 1e6);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::fabs(placement.axes_mm[axis][i]) > longest_mm)
+        throw std::invalid_argument(
+            "voxels are more than the 2147 mm apart that the placement in a stream can hold: give "
+            "the volume a smaller unit");
+      rounded.axes_nm[axis][i] =
+          static_cast<std::int32_t>(std::lround(placement.axes_mm[axis][i] * 1e6));
+    }
+  }
+  return rounded;
+}
+
+VolumePlacement in_millimetres(const Placement& placement) {
+  VolumePlacement result;
+  result.frame = placement.frame;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.origin_mm[i] = static_cast<double>(placement.origin_nm[i]) * 1e-6;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result.axes_mm[axis][i] = placement.axes_nm[axis][i] * 1e-6;
+  }
+  return result;
 }
 
 }  // namespace discmc::host

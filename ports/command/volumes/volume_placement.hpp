@@ -40,6 +40,14 @@ double determinant(const Axes& axes);
 bool is_usable(const Axes& axes_mm);
 bool is_usable(const VolumePlacement& placement);
 
+/// The same place told in another frame. Limit: neither is Frame::none.
+VolumePlacement in_frame(VolumePlacement placement, Frame frame);
+
+/// As the record of a stream holds it, rounded to nanometres. Limit: is_usable(). Throws
+/// std::invalid_argument where an axis is longer than it holds.
+Placement in_nanometres(const VolumePlacement& placement);
+VolumePlacement in_millimetres(const Placement& placement);
+
 }  // namespace discmc::host
 
 #endif

@@ -1,0 +1,273 @@
+// Meshes where their volumes lie: in the patient's space, whatever the way of the placement there.
+#include "meshes/placing.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <discmc/placement.hpp>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.hpp"
+#include "hand_made.hpp"
+#include "oracle/sink.hpp"
+#include "oracle/stream.hpp"
+#include "oracle/volume.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::Frame;
+using discmc::host::Axes;
+using discmc::host::determinant;
+using discmc::host::dot;
+using discmc::host::VolumePlacement;
+
+using Vertices = std::vector<Point>;
+
+// Volumes of NiBabel with one voxel, and where it has the vertices: placed/make.py. In RAS.
+struct Placed {
+  std::string name;
+  double determinant;
+  Vertices vertices;
+};
+const std::vector<Placed> placed = {{"sform.nii",
+                                     -1.4,
+                                     {{92.274649, -129.142605, -67.884442},
+                                      {91.906070, -129.734767, -67.825326},
+                                      {92.341362, -129.620183, -68.107977},
+                                      {91.839357, -129.257188, -67.601791},
+                                      {91.448690, -129.142927, -68.893001},
+                                      {92.732029, -129.734445, -66.816767}}},
+                                    {"qform.nii",
+                                     -0.75,
+                                     {{-33.333766, 15.513275, 695.800071},
+                                      {-33.070495, 15.936247, 695.757846},
+                                      {-33.045254, 15.611325, 695.620775},
+                                      {-33.359007, 15.838197, 695.937142},
+                                      {-32.341766, 15.304511, 696.933585},
+                                      {-34.062495, 16.145011, 694.624332}}}};
+
+Vertices in_lps(Vertices vertices) {
+  for (Point& vertex : vertices) vertex = {-vertex[0], -vertex[1], vertex[2]};
+  return vertices;
+}
+
+// In any order.
+void check_vertices(const Mesh& mesh, const Vertices& expected) {
+  constexpr double rounding_mm = 1e-4;  // of 32 bits near 700
+  REQUIRE(mesh.vertices_mm.size() == expected.size());
+  for (const Point& vertex : expected)
+    CHECK(std::any_of(mesh.vertices_mm.begin(), mesh.vertices_mm.end(), [&](const Point& found) {
+      const Point apart = discmc::host::difference(found, vertex);
+      return dot(apart, apart) < rounding_mm * rounding_mm;
+    }));
+}
+
+// What an octahedron between the ends of half axes encloses, if it looks outside.
+void check_closed(const Mesh& mesh, double determinant) {
+  CHECK(check_mesh(mesh).closed());
+  CHECK(volume_of(mesh) == doctest::Approx(std::fabs(determinant) / 6).epsilon(1e-3));
+}
+
+Mesh mesh_in(const Workshop& workshop, const std::string& name) {
+  return mesh_of(name, workshop.read(name));
+}
+
+void copy_placed(const Workshop& workshop, const std::string& name) {
+  workshop.write(name, contents(DISCMC_SOURCE_DIR "/tests/command/placed/" + name));
+}
+
+// The stream of one voxel whose voxels are 1 mm apart, with a placement.
+std::string stream_with(const discmc::Placement& placement) {
+  discmc::test::Line line;
+  discmc::Encoder encoder;
+  const auto volume = discmc::reference::from_bits({1, 1, 1}, 1);
+  discmc::reference::require_ok(
+      discmc::test::begin_stream(encoder, discmc::test::header_of(volume), line.output()));
+  std::uint8_t bytes[discmc::Placement::record_bytes];
+  discmc::reference::require_ok(encoder.tell(discmc::record_of(placement, bytes)));
+  discmc::test::take_all(encoder, discmc::test::events_of(volume));
+  return std::string(line.bytes.begin(), line.bytes.end());
+}
+
+}  // namespace
+
+TEST_CASE("a mesh lies where NiBabel has the volume") {
+  for (const Placed& volume : placed) {
+    const Workshop workshop;
+    copy_placed(workshop, volume.name);
+    for (const std::string name : {"v.obj", "v.ply", "v.stl"}) {
+      INFO(volume.name, " as ", name);
+      workshop.done("extract " + volume.name + " --iso 500 -q -o " + name);
+      check_vertices(mesh_in(workshop, name), in_lps(volume.vertices));
+      check_closed(mesh_in(workshop, name), volume.determinant);
+      CHECK(contains(workshop.read(name).substr(0, 120), "SPACE=LPS"));
+      workshop.done("extract " + volume.name + " --iso 500 --space ras -q -o " + name);
+      check_vertices(mesh_in(workshop, name), volume.vertices);
+      check_closed(mesh_in(workshop, name), volume.determinant);
+      CHECK(contains(workshop.read(name).substr(0, 120), "SPACE=RAS"));
+    }
+  }
+}
+
+TEST_CASE("a stream of either kind carries the placement to the mesh, and to another stream") {
+  for (const Placed& volume : placed)
+    for (const std::string wire : {"regions", "slices"}) {
+      INFO(volume.name, " by ", wire);
+      const Workshop workshop;
+      copy_placed(workshop, volume.name);
+      workshop.done("extract " + volume.name + " --iso 500 --wire " + wire + " -o v.dmc");
+      workshop.done("decode v.dmc -o again.dmc");
+      for (const std::string stream : {"v.dmc", "again.dmc"}) {
+        workshop.done("decode " + stream + " -o v.obj");
+        check_vertices(mesh_in(workshop, "v.obj"), in_lps(volume.vertices));
+        check_closed(mesh_in(workshop, "v.obj"), volume.determinant);
+        workshop.done("decode " + stream + " --space ras -o v.obj");
+        check_vertices(mesh_in(workshop, "v.obj"), volume.vertices);
+      }
+    }
+}
+
+TEST_CASE("every surface of a stream has the placement") {
+  for (const std::string wire : {"regions", "slices"}) {
+    INFO(wire);
+    const Workshop workshop;
+    copy_placed(workshop, placed[0].name);
+    workshop.done("extract sform.nii --iso 400 --iso 500 --wire " + wire + " -o v.dmc");
+    for (const std::string channel : {"0", "1"}) {
+      workshop.done("decode v.dmc --channel " + channel + " -o v.obj");
+      check_vertices(mesh_in(workshop, "v.obj"), in_lps(placed[0].vertices));
+    }
+  }
+}
+
+TEST_CASE("in the space of voxels a mesh is at index times spacing") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
+                 "space: LPS\nspace origin: (10,20,30)\n"
+                 "space directions: (0,2,0) (-3,0,0) (0,0,4)\n");
+  const Vertices at_voxels = {{-1, 0, 0},  {1, 0, 0},  {0, -1.5, 0},
+                              {0, 1.5, 0}, {0, 0, -2}, {0, 0, 2}};
+  Vertices in_space;
+  for (const Point& v : at_voxels) in_space.push_back({10 - v[1], 20 + v[0], 30 + v[2]});
+  workshop.done("extract v.nrrd --iso 100 --space voxel -o v.ply");
+  check_vertices(mesh_in(workshop, "v.ply"), at_voxels);
+  CHECK_FALSE(contains(workshop.read("v.ply"), "SPACE"));
+  for (const std::string name : {"v.ply", "v.3mf", "v.glb", "v.vtp"}) {
+    workshop.done("extract v.nrrd --iso 100 -o " + name);
+    check_vertices(mesh_in(workshop, name), in_space);
+  }
+  // VTK's own way of writing LPS.
+  CHECK(contains(workshop.read("v.vtp"),
+                 "Name=\"SPACE\" NumberOfTuples=\"1\" "
+                 "format=\"ascii\">76 80 83 0<"));
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  workshop.done("decode v.dmc --space voxel -o v.ply");
+  check_vertices(mesh_in(workshop, "v.ply"), at_voxels);
+}
+
+TEST_CASE("a volume without a frame is placed as it says, and in no patient's space") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
+                 "space dimension: 3\nspace origin: (10,20,30)\n"
+                 "space directions: (2,0,0) (0,2,0) (0,0,2)\n");
+  workshop.done("extract v.nrrd --iso 100 -o v.ply");
+  check_vertices(
+      mesh_in(workshop, "v.ply"),
+      {{9, 20, 30}, {11, 20, 30}, {10, 19, 30}, {10, 21, 30}, {10, 20, 29}, {10, 20, 31}});
+  CHECK_FALSE(contains(workshop.read("v.ply"), "SPACE"));
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  for (const std::string command : {"extract v.nrrd --iso 100", "decode v.dmc"}) {
+    const Result result = workshop.run(command + " --space lps -o v.ply");
+    CHECK(result.code == 1);
+    CHECK(contains(result.error, "does not tell where the patient is: leave out --space"));
+  }
+  for (const std::string output : {"v2.dmc", "v.jsonl"})
+    CHECK(workshop.run("extract v.nrrd --iso 100 --space voxel -o " + output).code == 2);
+}
+
+TEST_CASE("info tells the placement") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
+                 "space: LAS\nspace origin: (10,-20.125,30)\n"
+                 "space directions: (0,2,0) (-3,0,0) (0,0,0.4)\n");
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  auto info = workshop.info("v.dmc");
+  CHECK(info["space"] == "ras");
+  CHECK(info["origin"] == "-10 -20.125 30");
+  CHECK(info["axis_x"] == "0 2 0");
+  CHECK(info["axis_y"] == "3 0 0");
+  CHECK(info["axis_z"] == "0 0 0.4");
+  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1), "spacings: 0.5 -2 3\n");
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  info = workshop.info("v.dmc");
+  CHECK(info["space"] == "voxel");
+  CHECK(info["origin"] == "0 0 0");
+  CHECK(info["axis_y"] == "0 -2 0");
+  CHECK(info.count("record") == 0);
+}
+
+TEST_CASE("a stream whose placement mirrors what its spacing does not looks outside") {
+  discmc::Placement placement;
+  placement.frame = Frame::lps;
+  placement.axes_nm[0][1] = placement.axes_nm[1][0] = placement.axes_nm[2][2] = 1000000;
+  placement.origin_nm[2] = 5000000;
+  const Workshop workshop;
+  workshop.write("v.dmc", stream_with(placement));
+  workshop.done("decode v.dmc --normals surface -o v.obj");
+  const Mesh mesh = mesh_in(workshop, "v.obj");
+  check_closed(mesh, -1);
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+    CHECK(dot(mesh.normals[i], discmc::host::difference(mesh.vertices_mm[i], {0, 0, 5})) ==
+          doctest::Approx(0.5));
+}
+
+TEST_CASE("a placement in a stream that spans no space is dropped, and that is said") {
+  const Workshop workshop;
+  workshop.write("v.dmc", stream_with({}));
+  const Result result = workshop.run("decode v.dmc -o v.obj");
+  CHECK(result.code == 0);
+  CHECK(contains(result.error, "v.dmc: its placement is unusable, and dropped"));
+  check_vertices(mesh_in(workshop, "v.obj"),
+                 {{-0.5, 0, 0}, {0.5, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, 0, -0.5}, {0, 0, 0.5}});
+}
+
+TEST_CASE("placed meshes are closed and look outside, and normals stay across their planes") {
+  const Axes oblique = {{{0.4, 0.3, 0.1}, {-1, 1.5, 0.2}, {0.5, -0.25, 3}}};
+  Axes mirrored = oblique;
+  std::swap(mirrored[0], mirrored[1]);
+  for (const Axes& axes : {oblique, mirrored})
+    for (const Point& spacing : {Point{1, 2, 3}, {-1, 2, 3}, {-1, -2, -3}}) {
+      const VolumePlacement placement{Frame::lps, {100, -200, 300}, axes};
+      for (const auto faces : {discmc::host::Faces::polygons, discmc::host::Faces::triangles}) {
+        Mesh mesh = build_mesh(hand_made::box_with_hole(spacing), {true, faces});
+        place(mesh, placement);
+        CHECK(check_mesh(mesh).closed());
+        // 8 x 8 x 8 half-steps less 4 x 4 x 8.
+        CHECK(volume_of(mesh) == doctest::Approx(48 * std::fabs(determinant(axes))));
+        CHECK(mesh.frame == Frame::lps);
+      }
+      // Every vertex of an octahedron lies on an axis: its plane there is that of the other two.
+      Mesh mesh = build_mesh(hand_made::octahedron(spacing));
+      for (const discmc::Vertex& v : mesh.lattice)
+        mesh.normals.push_back({std::copysign(double(v.x), v.x * spacing[0]),
+                                std::copysign(double(v.y), v.y * spacing[1]),
+                                std::copysign(double(v.z), v.z * spacing[2])});
+      place(mesh, placement);
+      for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const discmc::Vertex& v = mesh.lattice[i];
+        const int along[] = {v.x, v.y, v.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double projected = dot(mesh.normals[i], axes[axis]);
+          if (along[axis] == 0) CHECK(std::fabs(projected) < 1e-12);
+          if (along[axis] != 0) CHECK(projected * along[axis] > 0.1);
+        }
+        CHECK(dot(mesh.normals[i], mesh.normals[i]) == doctest::Approx(1));
+      }
+    }
+}
