@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "hand_made.hpp"
 #include "oracle/region.hpp"
 #include "oracle/stream.hpp"
 #include "sample_reader.hpp"
@@ -29,6 +30,7 @@ using discmc::reference::BitVolume;
 using discmc::reference::box;
 using discmc::reference::checkerboard;
 using discmc::reference::Size;
+using hand_made::regions_of;
 using sample_reader::SampleReader;
 
 constexpr std::int32_t threshold = 100;
@@ -56,13 +58,6 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
   CHECK(builder.incomplete_regions() == 0);
   builder.surface().spacing_mm = reader.info().spacing_mm;
   return {extraction, std::move(log.events), std::move(builder.surface())};
-}
-
-std::vector<discmc::reference::Region> regions_of(const discmc::host::Surface& surface) {
-  std::vector<discmc::reference::Region> regions;
-  for (const auto& polygon : surface.polygons)
-    regions.push_back({polygon.incidence, polygon.rings});
-  return discmc::reference::canonical(std::move(regions));
 }
 
 // The lattice edges between an on and an off voxel, one by one.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hand_made.hpp"
 #include "oracle/region.hpp"
 #include "oracle/stream.hpp"
 #include "surface/surface_builder.hpp"
@@ -52,10 +53,7 @@ std::vector<discmc::reference::Region> regions_of(const Events& events) {
   SurfaceBuilder builder;
   for (const auto& one : events) builder.take(one.event());
   CHECK(builder.incomplete_regions() == 0);
-  std::vector<discmc::reference::Region> regions;
-  for (const auto& polygon : builder.surface().polygons)
-    regions.push_back({polygon.incidence, polygon.rings});
-  return discmc::reference::canonical(std::move(regions));
+  return hand_made::regions_of(builder.surface());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meshes/mesh.hpp"
+#include "oracle/region.hpp"
 #include "surface/surface.hpp"
 
 namespace hand_made {
@@ -22,8 +23,8 @@ using discmc::host::Ring;
 using discmc::host::Surface;
 
 // The ring through these corners in unit steps. Axis links are two half-steps long.
-inline Ring ring(const std::vector<Vertex>& corners) {
-  Ring result;
+inline std::vector<Vertex> every_vertex(const Ring& corners) {
+  std::vector<Vertex> result;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vertex side = corners[(i + 1) % corners.size()] - corners[i];
     std::int32_t steps = std::gcd(std::gcd(side.x, side.y), side.z);
@@ -49,11 +50,21 @@ inline std::int64_t six_volumes(const Surface& surface) {
   return sum;
 }
 
+// The polygons of a surface as the oracle has them.
+inline std::vector<discmc::reference::Region> regions_of(const Surface& surface) {
+  std::vector<discmc::reference::Region> regions;
+  for (const Polygon& polygon : surface.polygons) {
+    regions.push_back({polygon.incidence, {}});
+    for (const Ring& ring : polygon.rings) regions.back().rings.push_back(every_vertex(ring));
+  }
+  return discmc::reference::canonical(std::move(regions));
+}
+
 // A polygon of these rings by their corners, turned as the normal wants it.
 inline Polygon polygon(const Vertex& normal, const std::vector<std::vector<Vertex>>& rings) {
   Polygon result{discmc::incidence_of(normal), {}};
   for (const auto& corners : rings) {
-    Ring next = ring(corners);
+    Ring next = corners;
     std::int64_t area = 0;
     for (std::size_t i = 2; i < next.size(); ++i)
       area += dot(normal, cross(next[i - 1] - next[0], next[i] - next[0]));

@@ -176,16 +176,6 @@ TEST_CASE("without conforming a hole may touch the inside of a straight side") {
   CHECK(six_volumes(mesh) == static_cast<double>(hand_made::six_volumes(surface)));
 }
 
-TEST_CASE("corners are where a ring turns, also at its start") {
-  const Ring square = ring({{1, 0, 0}, {9, 0, 0}, {9, 8, 0}, {1, 8, 0}});
-  CHECK(square.size() == 16);
-  Ring turned = square;
-  std::rotate(turned.begin(), turned.begin() + 1, turned.end());
-  CHECK(corners_of(square).size() == 4);
-  CHECK(corners_of(turned).size() == 4);
-  CHECK(corners_of(turned)[0] == Vertex{9, 0, 0});
-}
-
 TEST_CASE("polygons that are none are left out, and the others are not") {
   const auto check = [](const Surface& surface, std::uint32_t polygon) {
     const Mesh mesh = build_mesh(surface, {true, Faces::triangles});

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "hand_made.hpp"
 #include "oracle/stream.hpp"
 
 namespace {
@@ -82,9 +83,10 @@ std::vector<Run> rectangle() {
 }
 
 bool is_simple(const Ring& ring) {
+  const std::vector<Vertex> all = hand_made::every_vertex(ring);
   std::set<std::tuple<int, int, int>> vertices;
-  for (const Vertex& vertex : ring) vertices.emplace(vertex.x, vertex.y, vertex.z);
-  return vertices.size() == ring.size();
+  for (const Vertex& vertex : all) vertices.emplace(vertex.x, vertex.y, vertex.z);
+  return vertices.size() == all.size();
 }
 
 std::int64_t area(const Polygon& polygon, const Ring& ring) {
@@ -108,7 +110,7 @@ void check_same(const SurfaceBuilder& a, const SurfaceBuilder& b) {
 
 }  // namespace
 
-TEST_CASE("a region becomes a polygon with every vertex of its rings") {
+TEST_CASE("a region becomes a polygon with the corners of its rings") {
   Events events;
   add_region(events, {rectangle()});
   const SurfaceBuilder builder = build(events);
@@ -116,9 +118,7 @@ TEST_CASE("a region becomes a polygon with every vertex of its rings") {
   const Polygon& polygon = builder.surface().polygons[0];
   REQUIRE(polygon.rings.size() == 1);
   CHECK(polygon.incidence == up);
-  CHECK(polygon.rings[0].size() == 10);
-  CHECK(polygon.rings[0][0] == Vertex{1, 0, 0});
-  CHECK(polygon.rings[0][3] == Vertex{7, 0, 0});
+  CHECK(polygon.rings[0] == Ring{{1, 0, 0}, {7, 0, 0}, {7, 4, 0}, {1, 4, 0}});
   CHECK(area(polygon) == 2 * 6 * 4);
 }
 
@@ -146,6 +146,27 @@ TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {
   CHECK(build(slit).surface().polygons.empty());
 }
 
+TEST_CASE(
+    "a side has its two corners, however many runs it comes in and wherever the ring starts") {
+  Events events;
+  add_region(events,
+             {{run(east), run(east), run(north, 2), run(west, 3), run(south, 2), run(east)}});
+  const SurfaceBuilder builder = build(events);
+  REQUIRE(builder.surface().polygons.size() == 1);
+  CHECK(builder.surface().polygons[0].rings[0] ==
+        Ring{{5, 0, 0}, {5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}});
+}
+
+TEST_CASE("a ring that turns to the left alone but goes round twice is no polygon of its own") {
+  Events events;
+  std::vector<Run> twice = rectangle();
+  for (const Run& run : rectangle()) twice.push_back(run);
+  add_region(events, {twice});
+  const SurfaceBuilder builder = build(events);
+  for (const Polygon& polygon : builder.surface().polygons)
+    for (const Ring& ring : polygon.rings) CHECK(is_simple(ring));
+}
+
 TEST_CASE("a ring that touches itself is split into simple rings, the outer one first") {
   Events events;
   // Once around a square of 4 by 4 links, and on the way, from the middle of its first side, around
@@ -157,7 +178,7 @@ TEST_CASE("a ring that touches itself is split into simple rings, the outer one 
   REQUIRE(builder.surface().polygons.size() == 1);
   const Polygon& polygon = builder.surface().polygons[0];
   REQUIRE(polygon.rings.size() == 2);
-  CHECK(polygon.rings[0].size() == 16);
+  CHECK(polygon.rings[0].size() == 4);
   CHECK(polygon.rings[1].size() == 4);
   CHECK(area(polygon, polygon.rings[0]) > 0);
   CHECK(area(polygon, polygon.rings[1]) < 0);

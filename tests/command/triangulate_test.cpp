@@ -94,8 +94,8 @@ std::set<Edge> boundary(const Rings& rings) {
 }
 
 // Whether d lies in the circle around a, b and c. Limit: coordinates up to 2^13.
-bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
-                  const PlanePoint& d) {
+bool is_inside_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
+                      const PlanePoint& d) {
   const auto term = [&d](const PlanePoint& lifted, const PlanePoint& from, const PlanePoint& to) {
     const std::int64_t u = lifted.u - d.u, v = lifted.v - d.v;
     return (u * u + v * v) * doubled_area(d, from, to);
@@ -136,7 +136,7 @@ void check_contract(const Rings& rings, const std::vector<Triangle>& triangles) 
     }
     const PlanePoint a = {edge.first.first, edge.first.second};
     const PlanePoint b = {edge.second.first, edge.second.second};
-    not_delaunay += is_in_circle(a, b, apex, twin->second) ? 1 : 0;
+    not_delaunay += is_inside_circle(a, b, apex, twin->second) ? 1 : 0;
   }
   CHECK(open == boundary(rings));
   CHECK(not_delaunay == 0);

@@ -17,7 +17,7 @@ void write_vertex(const Vertex& vertex, Writer& writer) {
 void write_ring(const Ring& ring, Writer& writer) {
   writer.text("[");
   const char* separator = "";
-  for (const Vertex& vertex : corners_of(ring)) {
+  for (const Vertex& vertex : ring) {
     writer.text(separator);
     write_vertex(vertex, writer);
     separator = ",";

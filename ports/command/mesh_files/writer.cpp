@@ -18,13 +18,16 @@ void Writer::bytes(std::uint64_t value, int count) {
 }
 
 void Writer::point(const Point& point) {
+  char little_endian[12];
+  char* next = little_endian;
   for (const double coordinate : point) {
     const auto value = static_cast<float>(coordinate);
     static_assert(std::numeric_limits<float>::is_iec559 && sizeof value == 4);
     std::uint32_t bits;
     std::memcpy(&bits, &value, sizeof bits);
-    bytes(bits, 4);
+    for (int i = 0; i < 4; ++i) *next++ = static_cast<char>(bits >> (8 * i) & 0xFF);
   }
+  text({little_endian, sizeof little_endian});
 }
 
 void Writer::finish() {

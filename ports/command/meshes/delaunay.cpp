@@ -21,11 +21,11 @@ std::uint32_t& start_of(std::vector<Triangle>& triangles, std::uint32_t side) {
   return triangles[side / 3][side % 3];
 }
 
-// Whether d lies inside the circle around a, b and c, by more than what rounding could make of it.
-// Whoever is in doubt flips nothing, so that flips come to an end.
-bool is_surely_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
-                         const PlanePoint& d) {
-  constexpr double doubt = 1e-14;
+}  // namespace
+
+bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
+                  const PlanePoint& d) {
+  constexpr double doubt = 1e-14;  // more than what rounding could make of it
   double determinant = 0, magnitude = 0;
   const auto add = [&](const PlanePoint& lifted, const PlanePoint& from, const PlanePoint& to) {
     const auto u = static_cast<double>(lifted.u - d.u), v = static_cast<double>(lifted.v - d.v);
@@ -39,8 +39,6 @@ bool is_surely_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePo
   add(c, a, b);
   return determinant > doubt * magnitude;
 }
-
-}  // namespace
 
 void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
                             std::vector<Triangle>& triangles) {
@@ -56,8 +54,8 @@ void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
     const Side twin = twins_[side];
     if (twin == no_side) continue;
     const Triangle& triangle = triangles[side / 3];
-    if (is_surely_in_circle(points[triangle[0]], points[triangle[1]], points[triangle[2]],
-                            points[start_of(triangles, previous(twin))])) {
+    if (is_in_circle(points[triangle[0]], points[triangle[1]], points[triangle[2]],
+                     points[start_of(triangles, previous(twin))])) {
       flip(triangles, side);
       --flips;
     }

@@ -4,71 +4,13 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
 #include "triangulate.hpp"
+#include "vertex_numbers.hpp"
 
 namespace discmc::host {
 namespace {
-
-// The lattice positions of a surface, numbered, and the number at every place of every ring.
-class Numbering {
- public:
-  explicit Numbering(const Surface& surface) {
-    for (const Polygon& polygon : surface.polygons)
-      for (const Ring& ring : polygon.rings)
-        for (const Vertex& vertex : ring) {
-          const auto next = static_cast<std::uint32_t>(positions_.size());
-          const auto [entry, is_new] = numbers_.try_emplace(vertex, next);
-          if (is_new) positions_.push_back(vertex);
-          in_order_.push_back(entry->second);
-        }
-  }
-
-  const std::vector<Vertex>& positions() const { return positions_; }
-  const std::vector<std::uint32_t>& in_order() const { return in_order_; }
-
- private:
-  std::unordered_map<Vertex, std::uint32_t, VertexHash> numbers_;
-  std::vector<Vertex> positions_;
-  std::vector<std::uint32_t> in_order_;
-};
-
-std::uint64_t undirected(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
-
-// Where three or more boundary links end, some side ends as well, in whichever ring it is.
-std::vector<bool> junctions(const Surface& surface, const Numbering& numbering) {
-  std::vector<std::uint64_t> ends;
-  ends.reserve(numbering.in_order().size());
-  const std::uint32_t* number = numbering.in_order().data();
-  for (const Polygon& polygon : surface.polygons)
-    for (const Ring& ring : polygon.rings) {
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        ends.push_back(undirected(number[i], number[(i + 1) % ring.size()]));
-      number += ring.size();
-    }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-
-  std::vector<std::uint32_t> degrees(numbering.positions().size(), 0);
-  for (const std::uint64_t end : ends) {
-    ++degrees[end >> 32];
-    ++degrees[end & 0xFFFFFFFFu];
-  }
-  std::vector<bool> result(degrees.size());
-  std::transform(degrees.begin(), degrees.end(), result.begin(),
-                 [](std::uint32_t degree) { return degree >= 3; });
-  return result;
-}
-
-bool turns(const Ring& ring, std::size_t i) {
-  const std::size_t count = ring.size();
-  const Vertex& here = ring[i];
-  return here - ring[(i + count - 1) % count] != ring[(i + 1) % count] - here;
-}
 
 // Two coordinates of the plane, chosen and ordered so that counter-clockwise seen from the tip of
 // the normal stays so. Leaving a coordinate out changes shapes but neither order nor sides.
@@ -84,22 +26,23 @@ PlanePoint in_plane(const Vertex& vertex, const Vertex& origin, const Vertex& n)
 class Builder {
  public:
   Builder(const Surface& surface, const MeshOptions& options)
-      : surface_(surface), options_(options), numbering_(surface) {
-    mesh_.spacing_mm = surface.spacing_mm;
+      : surface_(surface), options_(options) {
     const Point& s = surface.spacing_mm;
     mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
-    if (options.conforming) junctions_ = junctions(surface, numbering_);
-    mesh_numbers_.assign(numbering_.positions().size(), not_in_mesh);
+    for (const Polygon& polygon : surface.polygons)
+      for (const Ring& ring : polygon.rings)
+        for (const Vertex& corner : ring) corner_numbers_.push_back(all_numbers_.add(corner));
   }
 
   Mesh build() {
-    const std::uint32_t* number = numbering_.in_order().data();
+    place_vertices();
+    const std::uint32_t* number = corner_numbers_.data();
     for (std::size_t i = 0; i < surface_.polygons.size(); ++i) {
       const Polygon& polygon = surface_.polygons[i];
       numbers_.clear();
       ring_ends_.clear();
       for (const Ring& ring : polygon.rings) {
-        keep(ring, number);
+        add_ring(ring, number);
         number += ring.size();
       }
       add_polygon(static_cast<std::uint32_t>(i), polygon.incidence);
@@ -108,13 +51,34 @@ class Builder {
   }
 
  private:
-  static constexpr std::uint32_t not_in_mesh = 0xFFFFFFFFu;
+  void place_vertices() {
+    const Point& s = surface_.spacing_mm;
+    mesh_.spacing_mm = s;
+    mesh_.lattice = all_numbers_.positions();
+    mesh_.vertices_mm.reserve(mesh_.lattice.size());
+    for (const Vertex& position : mesh_.lattice)
+      mesh_.vertices_mm.push_back(
+          {position.x * s[0] / 2, position.y * s[1] / 2, position.z * s[2] / 2});
+  }
 
-  void keep(const Ring& ring, const std::uint32_t* numbers) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (turns(ring, i) || (options_.conforming && junctions_[numbers[i]]))
-        numbers_.push_back(numbers[i]);
+  void add_ring(const Ring& ring, const std::uint32_t* numbers) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      numbers_.push_back(numbers[i]);
+      if (options_.conforming) add_junctions(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    }
     ring_ends_.push_back(static_cast<std::uint32_t>(numbers_.size()));
+  }
+
+  // Where three or more boundary links end, some side ends as well, in whichever ring it is: what
+  // is a corner of no ring is no junction.
+  void add_junctions(const Vertex& from, const Vertex& to) {
+    const Side side = side_between(from, to);
+    Vertex vertex = from;
+    for (std::int32_t i = 1; i < side.links; ++i) {
+      vertex = vertex + side.link;
+      const std::uint32_t number = all_numbers_.find(vertex);
+      if (number != VertexNumbers::none) numbers_.push_back(number);
+    }
   }
 
   void add_polygon(std::uint32_t polygon, Incidence incidence) {
@@ -129,7 +93,7 @@ class Builder {
   }
 
   void add_triangles(std::uint32_t polygon, Incidence incidence) {
-    const std::vector<Vertex>& positions = numbering_.positions();
+    const std::vector<Vertex>& positions = mesh_.lattice;
     points_.clear();
     for (const std::uint32_t number : numbers_)
       points_.push_back(in_plane(positions[number], positions[numbers_[0]], normal(incidence)));
@@ -142,32 +106,18 @@ class Builder {
   void add_face(std::uint32_t polygon, Incidence incidence, const Numbers& numbers) {
     const std::size_t count = numbers.size();
     for (std::size_t i = 0; i < count; ++i)
-      mesh_.corners.push_back(mesh_number(numbers[mirrored_ ? count - 1 - i : i]));
+      mesh_.corners.push_back(numbers[mirrored_ ? count - 1 - i : i]);
     mesh_.face_begin.push_back(mesh_.corners.size());
     mesh_.incidences.push_back(incidence);
     mesh_.polygons.push_back(polygon);
   }
 
-  std::uint32_t mesh_number(std::uint32_t number) {
-    std::uint32_t& result = mesh_numbers_[number];
-    if (result == not_in_mesh) {
-      result = static_cast<std::uint32_t>(mesh_.vertices_mm.size());
-      const Vertex& position = numbering_.positions()[number];
-      const Point& s = surface_.spacing_mm;
-      mesh_.lattice.push_back(position);
-      mesh_.vertices_mm.push_back(
-          {position.x * s[0] / 2, position.y * s[1] / 2, position.z * s[2] / 2});
-    }
-    return result;
-  }
-
   const Surface& surface_;
   const MeshOptions options_;
-  const Numbering numbering_;
   bool mirrored_;
-  std::vector<bool> junctions_;
-  std::vector<std::uint32_t> mesh_numbers_;
-  // Of the polygon under way: its kept vertices, ring after ring.
+  VertexNumbers all_numbers_;
+  std::vector<std::uint32_t> corner_numbers_;  // of every corner of every ring
+  // Of the polygon under way: its corners and junctions, ring after ring.
   std::vector<std::uint32_t> numbers_;
   std::vector<std::uint32_t> ring_ends_;
   std::vector<PlanePoint> points_;
@@ -207,13 +157,6 @@ Point area_vector(const Mesh& mesh, std::size_t face) {
 Point face_normal(const Mesh& mesh, std::size_t face) {
   return mesh.incidences.empty() ? unit_or_zero(area_vector(mesh, face))
                                  : outward_normal(mesh.incidences[face], mesh.spacing_mm);
-}
-
-Ring corners_of(const Ring& ring) {
-  Ring result;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (turns(ring, i)) result.push_back(ring[i]);
-  return result;
 }
 
 }  // namespace discmc::host

@@ -31,7 +31,7 @@ struct MeshOptions {
 /// Faces over shared vertices. Faces are counter-clockwise seen from outside.
 struct Mesh {
   Point spacing_mm{};                      ///< as in Surface
-  std::vector<Point> vertices_mm;          ///< one for each lattice position in use
+  std::vector<Point> vertices_mm;          ///< one for each corner of the surface
   std::vector<Vertex> lattice;             ///< one a vertex: its position; none in other meshes
   std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
   std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
@@ -63,9 +63,6 @@ Point area_vector(const Mesh& mesh, std::size_t face);
 
 /// The unit normal of a face, by its incidence where it has one; zero where it has no area.
 Point face_normal(const Mesh& mesh, std::size_t face);
-
-/// Drops the vertices at which a ring goes straight on. Units: half-steps.
-Ring corners_of(const Ring& ring);
 
 /// What is wrong with a mesh. A closed mesh has zero everywhere but in `edges`.
 struct MeshReport {

@@ -25,9 +25,10 @@ void require_in_range(const std::vector<PlanePoint>& points) {
 const std::vector<Triangle>& Triangulator::triangulate(
     const std::vector<PlanePoint>& points, const std::vector<std::uint32_t>& ring_ends) {
   require_in_range(points);
+  triangles_.clear();
+  if (ring_ends.size() == 1 && cut_small(points)) return triangles_;
   sort_points(points);
   add_edges(ring_ends);
-  triangles_.clear();
   nodes_.clear();
   active_.clear();
   for (Rank point = 0; point < at_.size(); ++point) pass(point);
@@ -36,6 +37,25 @@ const std::vector<Triangle>& Triangulator::triangulate(
   for (Triangle& triangle : triangles_)
     for (std::uint32_t& corner : triangle) corner = places_[corner];
   return triangles_;
+}
+
+// Most polygons of a surface have three corners or four: cut along either diagonal, the one that is
+// Delaunay's if both are inside.
+bool Triangulator::cut_small(const std::vector<PlanePoint>& points) {
+  const auto is_triangle = [&points](std::size_t a, std::size_t b, std::size_t c) {
+    return doubled_area(points[a], points[b], points[c]) > 0;
+  };
+  if (points.size() == 3 && is_triangle(0, 1, 2)) {
+    triangles_ = {{0, 1, 2}};
+  } else if (points.size() == 4) {
+    const bool is_first = is_triangle(0, 1, 2) && is_triangle(0, 2, 3);
+    const bool is_second = is_triangle(0, 1, 3) && is_triangle(1, 2, 3);
+    if (is_first && !(is_second && is_in_circle(points[0], points[1], points[2], points[3])))
+      triangles_ = {{0, 1, 2}, {0, 2, 3}};
+    else if (is_second)
+      triangles_ = {{0, 1, 3}, {1, 2, 3}};
+  }
+  return !triangles_.empty();
 }
 
 void Triangulator::sort_points(const std::vector<PlanePoint>& points) {

@@ -54,6 +54,7 @@ class Triangulator {
     Chain chain;  // of what is above a floor
   };
 
+  bool cut_small(const std::vector<PlanePoint>& points);
   void sort_points(const std::vector<PlanePoint>& points);
   void add_edges(const std::vector<std::uint32_t>& ring_ends);
   void pass(Rank point);

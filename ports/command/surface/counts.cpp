@@ -1,6 +1,6 @@
 #include "counts.hpp"
 
-#include <discmc/polygon.hpp>
+#include <cstddef>
 
 namespace discmc::host {
 
@@ -10,9 +10,10 @@ Counts count(const Surface& surface) {
   for (const Polygon& polygon : surface.polygons) {
     std::uint64_t corners = 0;
     for (const Ring& ring : polygon.rings) {
-      const auto vertices = static_cast<std::uint32_t>(ring.size());
-      for (std::uint32_t i = 0; i < vertices; ++i) corners += is_corner(ring.data(), vertices, i);
-      counts.links += vertices;
+      corners += ring.size();
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        counts.links += static_cast<std::uint64_t>(
+            side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]).links);
     }
     ++counts.regions;
     counts.rings += polygon.rings.size();

@@ -3,6 +3,14 @@
 #include <stdexcept>
 
 namespace discmc::host {
+namespace {
+
+bool is_of_region(Event::Kind kind) {
+  return kind == Event::Kind::region || kind == Event::Kind::ring || kind == Event::Kind::run ||
+         kind == Event::Kind::region_end;
+}
+
+}  // namespace
 
 GrowingJoiner::GrowingJoiner(const Sink& sink, std::uint64_t bytes)
     : sink_(sink), bytes_(bytes), memory_(new std::uint8_t[bytes]) {
@@ -11,6 +19,12 @@ GrowingJoiner::GrowingJoiner(const Sink& sink, std::uint64_t bytes)
                     }};
   const Status started = joiner_.start({memory_.get(), bytes_}, joined, InputOrder::sweep);
   if (started != Status::ok) throw std::invalid_argument(text(started));
+}
+
+Answer GrowingJoiner::take(const Event& event) {
+  has_fragments_ = has_fragments_ || event.kind == Event::Kind::fragment;
+  return has_fragments_ || !is_of_region(event.kind) ? joiner_.take(event)
+                                                     : sink_.take(sink_.context, event);
 }
 
 void GrowingJoiner::finish() {

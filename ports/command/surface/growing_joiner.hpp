@@ -22,7 +22,7 @@ class GrowingJoiner {
   GrowingJoiner(const GrowingJoiner&) = delete;
   GrowingJoiner& operator=(const GrowingJoiner&) = delete;
 
-  Answer take(const Event& event) { return joiner_.take(event); }
+  Answer take(const Event& event);
 
   /// Tells that no event follows: a stream may break off before its `finish`.
   void finish();
@@ -35,6 +35,7 @@ class GrowingJoiner {
   std::uint64_t bytes_;
   std::unique_ptr<std::uint8_t[]> memory_;
   Joiner joiner_;
+  bool has_fragments_ = false;   // before any a region is whole, and the joiner need not see it
   std::uint64_t unmatched_ = 0;  // fragments that came out so
   std::unique_ptr<GrowingJoiner> next_;
 };

@@ -2,9 +2,11 @@
 #ifndef DISCMC_COMMAND_SURFACE_SURFACE_HPP
 #define DISCMC_COMMAND_SURFACE_SURFACE_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <unordered_map>
 #include <vector>
 
@@ -21,9 +23,27 @@ struct VertexHash {
   }
 };
 
-/// A simple ring: no vertex twice, every unit-step vertex present, closed implicitly (the last
-/// vertex is one link away from the first). Units: half-steps.
+/// A simple ring by its corners: from each a straight side of links leads to the next, and from the
+/// last to the first. No vertex of a link is there twice. Units: half-steps.
 using Ring = std::vector<discmc::Vertex>;
+
+/// A straight side as the link that it repeats.
+struct Side {
+  discmc::Vertex link;
+  std::int32_t links;
+};
+
+/// The side from one corner to another.
+inline Side side_between(const discmc::Vertex& from, const discmc::Vertex& to) {
+  const discmc::Vertex way = to - from;
+  const std::int32_t x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
+  const std::int32_t longest = std::max({x, y, z});
+  // A link along an axis takes two half-steps, any other takes one along two axes.
+  const bool is_axial = (x == 0) + (y == 0) + (z == 0) == 2;
+  const std::int32_t links = is_axial ? longest / 2 : longest;
+  if (links == 0) return {};
+  return {{way.x / links, way.y / links, way.z / links}, links};
+}
 
 /// A region as rings in the plane of its incidence: the outer ring first, counter-clockwise seen
 /// from the tip of the normal, then the holes, clockwise. Rings may touch in a vertex; they never

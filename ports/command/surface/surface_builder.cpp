@@ -14,12 +14,13 @@ Answer SurfaceBuilder::take(const Event& event) {
     case Event::Kind::region:
       incidence_ = event.incidence;
       rings_.clear();
+      runs_.clear();
       break;
     case Event::Kind::ring:
-      rings_.push_back({event.start, {}});
+      rings_.push_back({event.start, runs_.size()});
       break;
     case Event::Kind::run:
-      if (!rings_.empty()) rings_.back().sides.push_back({event.run, event.normal});
+      if (!rings_.empty()) runs_.push_back({event.run, event.normal});
       break;
     case Event::Kind::region_end:
       end_region();
@@ -41,26 +42,31 @@ Answer SurfaceBuilder::take(const Event& event) {
   return Answer::taken;
 }
 
+SurfaceBuilder::Chain SurfaceBuilder::chain(std::size_t ring) const {
+  const std::size_t end = ring + 1 < rings_.size() ? rings_[ring + 1].first_run : runs_.size();
+  return {rings_[ring].start, runs_.data() + rings_[ring].first_run, runs_.data() + end};
+}
+
 // Whether a chain closes, and within the coordinates that a scan can have: rings are unfolded in
 // 32 bits.
-bool SurfaceBuilder::is_sound(const Vertex& start, const std::vector<Side>& sides) {
+bool SurfaceBuilder::is_sound(const Chain& chain) {
   constexpr std::int64_t least = -1, most = (std::int64_t{1} << 31) - 3;
-  std::int64_t x = start.x, y = start.y, z = start.z;
+  std::int64_t x = chain.start.x, y = chain.start.y, z = chain.start.z;
   const auto is_inside = [&] {
     return std::min({x, y, z}) >= least && std::max({x, y, z}) <= most;
   };
   std::uint64_t links = 0;
   bool is_always_inside = is_inside();
-  for (const Side& side : sides) {
-    const Vertex step = direction_vector(incidence_, side.run.direction());
-    const std::int64_t length = side.run.length();
+  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
+    const Vertex step = direction_vector(incidence_, told->run.direction());
+    const std::int64_t length = told->run.length();
     x += step.x * length;
     y += step.y * length;
     z += step.z * length;
-    links += side.run.length();
+    links += told->run.length();
     is_always_inside = is_always_inside && is_inside();
   }
-  const bool is_closed = x == start.x && y == start.y && z == start.z;
+  const bool is_closed = x == chain.start.x && y == chain.start.y && z == chain.start.z;
   if (!is_always_inside || !is_closed) return false;
   links_ += links;
   if (links_ > max_links)
@@ -69,38 +75,78 @@ bool SurfaceBuilder::is_sound(const Vertex& start, const std::vector<Side>& side
   return true;
 }
 
-void SurfaceBuilder::add_normals(const Vertex& start, const std::vector<Side>& sides) {
-  Vertex vertex = start;
-  for (const Side& side : sides) {
-    if (!side.normal.is_none()) surface_.normals.emplace(vertex, side.normal);
-    vertex = vertex + displacement(incidence_, &side.run, 1);
+// Whether a closed chain turns to one side only, and once round. Most do, and are simple.
+bool SurfaceBuilder::is_convex(const Chain& chain) const {
+  if (chain.begin == chain.end) return false;
+  const int round = direction_count(incidence_);
+  int left = 0, right = 0;
+  Direction before = chain.end[-1].run.direction();
+  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
+    const Direction direction = told->run.direction();
+    const int turn = direction - before + (direction < before ? round : 0);
+    if (2 * turn == round) return false;
+    if (2 * turn < round)
+      left += turn;
+    else
+      right += round - turn;
+    before = direction;
   }
+  return left + right == round && (left == 0 || right == 0);
 }
 
-void SurfaceBuilder::add_simple_rings(const Vertex& start, const std::vector<Side>& sides,
-                                      Polygon& polygon) {
-  std::vector<Run> runs;
-  runs.reserve(sides.size());
-  for (const Side& side : sides) runs.push_back(side.run);
-  const auto run_count = static_cast<std::uint32_t>(runs.size());
-  std::vector<Vertex> vertices(link_count(runs.data(), run_count));
-  std::vector<std::uint32_t> scratch(2 * vertices.size());
-  unfold(polygon.incidence, start, runs.data(), run_count, vertices.data());
-  const auto add = [](void* rings, const Vertex* begin, std::uint32_t count) {
-    static_cast<std::vector<Ring>*>(rings)->emplace_back(begin, begin + count);
+Ring SurfaceBuilder::corners(const Chain& chain) const {
+  Ring ring;
+  ring.reserve(static_cast<std::size_t>(chain.end - chain.begin));
+  Vertex vertex = chain.start;
+  Direction before = chain.end[-1].run.direction();
+  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
+    if (told->run.direction() != before) ring.push_back(vertex);
+    before = told->run.direction();
+    move(vertex, incidence_, before, told->run.length());
+  }
+  return ring;
+}
+
+void SurfaceBuilder::add_simple_rings(const Chain& chain, Polygon& polygon) {
+  if (is_convex(chain)) {
+    polygon.rings.push_back(corners(chain));
+    return;
+  }
+  ring_runs_.clear();
+  for (const ToldRun* told = chain.begin; told != chain.end; ++told)
+    ring_runs_.push_back(told->run);
+  const auto run_count = static_cast<std::uint32_t>(ring_runs_.size());
+  vertices_.resize(link_count(ring_runs_.data(), run_count));
+  scratch_.resize(2 * vertices_.size());
+  unfold(incidence_, chain.start, ring_runs_.data(), run_count, vertices_.data());
+  const auto add = [](void* rings, const Vertex* vertices, std::uint32_t count) {
+    Ring ring;
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (is_corner(vertices, count, i)) ring.push_back(vertices[i]);
+    static_cast<std::vector<Ring>*>(rings)->push_back(std::move(ring));
   };
-  split_ring(vertices.data(), static_cast<std::uint32_t>(vertices.size()), scratch.data(),
+  split_ring(vertices_.data(), static_cast<std::uint32_t>(vertices_.size()), scratch_.data(),
              {&polygon.rings, add});
+}
+
+void SurfaceBuilder::add_normals(const Chain& chain) {
+  Vertex vertex = chain.start;
+  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
+    if (!told->normal.is_none()) surface_.normals.emplace(vertex, told->normal);
+    move(vertex, incidence_, told->run.direction(), told->run.length());
+  }
 }
 
 void SurfaceBuilder::end_region() {
   Polygon polygon{incidence_, {}};
+  polygon.rings.reserve(rings_.size());
   bool is_whole = true;
-  for (const OpenRing& ring : rings_) {
-    is_whole = is_whole && is_sound(ring.start, ring.sides);
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const Chain ring = chain(i);
+    is_whole = is_whole && is_sound(ring);
     if (!is_whole) continue;
-    add_simple_rings(ring.start, ring.sides, polygon);
-    add_normals(ring.start, ring.sides);
+    add_simple_rings(ring, polygon);
+    add_normals(ring);
   }
   const auto is_outer = [&](const Ring& ring) {
     return twice_area(incidence_, ring.data(), static_cast<std::uint32_t>(ring.size())) > 0;

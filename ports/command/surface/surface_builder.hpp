@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_SURFACE_SURFACE_BUILDER_HPP
 #define DISCMC_COMMAND_SURFACE_SURFACE_BUILDER_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,25 +31,40 @@ class SurfaceBuilder {
 
  private:
   // A run and the normal where it starts.
-  struct Side {
+  struct ToldRun {
     Run run;
     OctahedralNormal normal;
   };
   struct OpenRing {
     Vertex start;
-    std::vector<Side> sides;
+    std::size_t first_run;
+  };
+  // A ring of the region under way, by its runs.
+  struct Chain {
+    Vertex start;
+    const ToldRun* begin;
+    const ToldRun* end;
   };
 
   void end_region();
-  bool is_sound(const Vertex& start, const std::vector<Side>& sides);
-  void add_simple_rings(const Vertex& start, const std::vector<Side>& sides, Polygon& polygon);
-  void add_normals(const Vertex& start, const std::vector<Side>& sides);
+  Chain chain(std::size_t ring) const;
+  bool is_sound(const Chain& chain);
+  bool is_convex(const Chain& chain) const;
+  Ring corners(const Chain& chain) const;
+  void add_simple_rings(const Chain& chain, Polygon& polygon);
+  void add_normals(const Chain& chain);
 
   Surface surface_;
   std::uint64_t incomplete_regions_ = 0;
   std::uint64_t links_ = 0;  // unfolded so far
   Incidence incidence_ = no_incidence;
-  std::vector<OpenRing> rings_;  // of the region under way
+  // Of the region under way.
+  std::vector<OpenRing> rings_;
+  std::vector<ToldRun> runs_;
+  // Of one ring; here to keep the memory.
+  std::vector<Run> ring_runs_;
+  std::vector<Vertex> vertices_;
+  std::vector<std::uint32_t> scratch_;
 };
 
 }  // namespace discmc::host
