@@ -1,3 +1,5 @@
+#include <cstdint>
+
 #include "mesh_files.hpp"
 #include "writer.hpp"
 #include "zip_file.hpp"
@@ -56,7 +58,9 @@ void write_model(const Mesh& mesh, std::ostream& out) {
 
 void write_3mf(const Mesh& mesh, std::ostream& out) {
   require_triangles(mesh, "3MF");
-  ZipFile zip(out);
+  constexpr std::uint64_t vertex_line = 100, triangle_line = 70, the_rest = 1000;  // at most
+  ZipFile zip(out,
+              vertex_line * mesh.vertices_mm.size() + triangle_line * mesh.face_count() + the_rest);
   zip.add("[Content_Types].xml", [](std::ostream& part) { part << content_types; });
   zip.add("_rels/.rels", [](std::ostream& part) { part << relationships; });
   zip.add("3D/3dmodel.model", [&mesh](std::ostream& part) { write_model(mesh, part); });

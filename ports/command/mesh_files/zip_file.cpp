@@ -35,9 +35,12 @@ class EntryBuffer : public std::streambuf {
 
 }  // namespace
 
-ZipFile::ZipFile(std::ostream& out) : archive_(archive_write_new(), archive_write_free) {
+ZipFile::ZipFile(std::ostream& out, std::uint64_t largest)
+    : archive_(archive_write_new(), archive_write_free) {
   if (!archive_) throw std::bad_alloc();
   require_ok(archive_write_set_format_zip(archive_.get()));
+  if (largest <= 0xFFFFFFFFu)
+    require_ok(archive_write_set_format_option(archive_.get(), "zip", "zip64", nullptr));
   require_ok(archive_write_set_bytes_in_last_block(archive_.get(), 1));
   require_ok(archive_write_open(archive_.get(), &out, nullptr, write_to_stream, nullptr));
 }

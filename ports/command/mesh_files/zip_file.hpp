@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_MESH_FILES_ZIP_FILE_HPP
 #define DISCMC_COMMAND_MESH_FILES_ZIP_FILE_HPP
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -14,8 +15,9 @@ namespace discmc::host {
 /// All that can fail throws std::runtime_error.
 class ZipFile {
  public:
-  /// out: outlives this.
-  explicit ZipFile(std::ostream& out);
+  /// out: outlives this. largest: no file in the archive has more bytes. Beyond 4 GiB it is of the
+  /// extended kind (Zip64), which some readers do not know.
+  ZipFile(std::ostream& out, std::uint64_t largest);
 
   /// Adds a file of what write gives to the stream, compressed.
   void add(const std::string& name, const std::function<void(std::ostream&)>& write);
