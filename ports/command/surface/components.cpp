@@ -12,22 +12,22 @@ namespace {
 
 // A link of whichever direction, and a polygon that has it: twice its middle, and on which of the
 // diagonals through it it lies.
-struct Side {
+struct Link {
   std::array<std::int64_t, 3> doubled_middle;
   unsigned diagonal;
   std::uint32_t polygon;
 
-  bool is_same_link(const Side& other) const {
+  bool is_same_link(const Link& other) const {
     return doubled_middle == other.doubled_middle && diagonal == other.diagonal;
   }
-  bool operator<(const Side& other) const {
+  bool operator<(const Link& other) const {
     return doubled_middle != other.doubled_middle ? doubled_middle < other.doubled_middle
                                                   : diagonal < other.diagonal;
   }
 };
 
-Side side_of(const Vertex& a, const Vertex& b, std::uint32_t polygon) {
-  const Vertex step = b - a;
+Link link_from(const Vertex& a, const Vertex& step, std::uint32_t polygon) {
+  const Vertex b = a + step;
   // The signs of two steps beside the third, which are the same from both ends.
   const unsigned diagonal = (step.x * step.y < 0 ? 1U : 0U) | (step.x * step.z < 0 ? 2U : 0U) |
                             (step.y * step.z < 0 ? 4U : 0U);
@@ -36,15 +36,18 @@ Side side_of(const Vertex& a, const Vertex& b, std::uint32_t polygon) {
           polygon};
 }
 
-std::vector<Side> sorted_sides(const Surface& surface) {
-  std::vector<Side> sides;
+std::vector<Link> sorted_links(const Surface& surface) {
+  std::vector<Link> links;
   for (std::size_t i = 0; i < surface.polygons.size(); ++i)
     for (const Ring& ring : surface.polygons[i].rings)
-      for (std::size_t k = 0; k < ring.size(); ++k)
-        sides.push_back(
-            side_of(ring[k], ring[(k + 1) % ring.size()], static_cast<std::uint32_t>(i)));
-  std::sort(sides.begin(), sides.end());
-  return sides;
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Side side = side_between(ring[k], ring[(k + 1) % ring.size()]);
+        Vertex at = ring[k];
+        for (std::int32_t link = 0; link < side.links; ++link, at = at + side.link)
+          links.push_back(link_from(at, side.link, static_cast<std::uint32_t>(i)));
+      }
+  std::sort(links.begin(), links.end());
+  return links;
 }
 
 // Sets of polygons; each is named by its lowest.
@@ -90,10 +93,10 @@ double six_volumes(const Polygon& polygon, const Vertex& origin) {
 }  // namespace
 
 std::vector<Component> components(const Surface& surface) {
-  const std::vector<Side> sides = sorted_sides(surface);
+  const std::vector<Link> links = sorted_links(surface);
   Sets sets(surface.polygons.size());
-  for (std::size_t i = 1; i < sides.size(); ++i)
-    if (sides[i].is_same_link(sides[i - 1])) sets.join(sides[i].polygon, sides[i - 1].polygon);
+  for (std::size_t i = 1; i < links.size(); ++i)
+    if (links[i].is_same_link(links[i - 1])) sets.join(links[i].polygon, links[i - 1].polygon);
 
   std::vector<Component> found;
   std::vector<std::uint32_t> place(surface.polygons.size());
