@@ -36,6 +36,15 @@ void check_selections(const ExtractArguments& arguments) {
                                  "them: give --normals surface");
 }
 
+void check_surface(const ExtractArguments& arguments) {
+  if (!arguments.interpolates) return;
+  check_interpolation(arguments.mesh, arguments.output);
+  for (const NamedSelection& each : arguments.reading.selections)
+    if (each.selection.low == each.selection.high)
+      throw CLI::ValidationError("--surface",
+                                 "there is nothing to interpolate between labels: leave it out");
+}
+
 void check_wire(const ExtractArguments& arguments) {
   const bool is_of_slices = arguments.wire == Wire::slices;
   if (is_of_slices && format_of(arguments.output) != Format::stream)
@@ -55,6 +64,7 @@ void check(const ExtractArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
+  check_surface(arguments);
   check_wire(arguments);
 }
 
@@ -99,6 +109,7 @@ Command add_extract(CLI::App& app) {
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
   add_mesh_options(*extract, arguments->mesh);
+  add_interpolation_options(*extract, arguments->interpolates, arguments->mesh.tolerance);
   add_wire_options(*extract, *arguments);
   extract->footer(
       "Examples:\n"

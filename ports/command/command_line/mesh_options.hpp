@@ -21,6 +21,13 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
 /// --faces and --conforming.
 void add_mesh_options(CLI::App& app, MeshOptions& mesh);
 
+/// --surface and --tolerance.
+void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance);
+
+/// Interpolated vertices are those of conforming triangles, in a mesh. Throws:
+/// CLI::ValidationError.
+void check_interpolation(const MeshOptions& mesh, const std::string& output);
+
 /// Only some formats hold polygons. Throws: CLI::ValidationError.
 void check_faces(Faces faces, const std::string& output);
 

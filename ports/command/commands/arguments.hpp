@@ -56,6 +56,7 @@ struct ExtractArguments {
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
   std::uint16_t scan = 0;        ///< the number in a stream
   MeshOptions mesh{true, Faces::triangles};
+  bool interpolates = false;  ///< the vertices of a mesh
   bool quiet = false;
 };
 

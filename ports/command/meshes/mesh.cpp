@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
+#include "lattice_plane.hpp"
+#include "refinement.hpp"
 #include "triangulate.hpp"
 
 namespace discmc::host {
@@ -70,25 +73,16 @@ bool turns(const Ring& ring, std::size_t i) {
   return here - ring[(i + count - 1) % count] != ring[(i + 1) % count] - here;
 }
 
-// Two coordinates of the plane, chosen and ordered so that counter-clockwise seen from the tip of
-// the normal stays so. Leaving a coordinate out changes shapes but neither order nor sides.
-PlanePoint in_plane(const Vertex& vertex, const Vertex& origin, const Vertex& n) {
-  const std::int64_t x = std::int64_t{vertex.x} - origin.x;
-  const std::int64_t y = std::int64_t{vertex.y} - origin.y;
-  const std::int64_t z = std::int64_t{vertex.z} - origin.z;
-  if (n.z != 0) return n.z > 0 ? PlanePoint{x, y} : PlanePoint{y, x};
-  if (n.y != 0) return n.y > 0 ? PlanePoint{z, x} : PlanePoint{x, z};
-  return n.x > 0 ? PlanePoint{y, z} : PlanePoint{z, y};
-}
-
 class Builder {
  public:
   Builder(const Surface& surface, const MeshOptions& options)
       : surface_(surface), options_(options), numbering_(surface) {
+    if (options.crossings != nullptr) refinement_.emplace(*options.crossings, options.tolerance);
     mesh_.spacing_mm = surface.spacing_mm;
     const Point& s = surface.spacing_mm;
     mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
     if (options.conforming) junctions_ = junctions(surface, numbering_);
+    if (refinement_) keep_what_sides_need();
     mesh_numbers_.assign(numbering_.positions().size(), not_in_mesh);
   }
 
@@ -110,11 +104,44 @@ class Builder {
  private:
   static constexpr std::uint32_t not_in_mesh = 0xFFFFFFFFu;
 
+  bool is_kept(const Ring& ring, const std::uint32_t* numbers, std::size_t i) const {
+    return turns(ring, i) || (options_.conforming && junctions_[numbers[i]]);
+  }
+
   void keep(const Ring& ring, const std::uint32_t* numbers) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      if (turns(ring, i) || (options_.conforming && junctions_[numbers[i]]))
-        numbers_.push_back(numbers[i]);
+      if (is_kept(ring, numbers, i)) numbers_.push_back(numbers[i]);
     ring_ends_.push_back(static_cast<std::uint32_t>(numbers_.size()));
+  }
+
+  // What an interpolated side needs is kept as junctions are, by both polygons that have it.
+  void keep_what_sides_need() {
+    std::vector<bool> kept = junctions_;
+    const std::uint32_t* numbers = numbering_.in_order().data();
+    for (const Polygon& polygon : surface_.polygons)
+      for (const Ring& ring : polygon.rings) {
+        std::size_t begin = 0;
+        while (begin < ring.size() && !is_kept(ring, numbers, begin)) ++begin;
+        const std::size_t around = begin + ring.size();
+        for (std::size_t end = begin + 1; end <= around; ++end) {
+          if (!is_kept(ring, numbers, end % ring.size())) continue;
+          keep_what_side_needs(ring, numbers, begin, end, kept);
+          begin = end;
+        }
+        numbers += ring.size();
+      }
+    junctions_ = std::move(kept);
+  }
+
+  void keep_what_side_needs(const Ring& ring, const std::uint32_t* numbers, std::size_t begin,
+                            std::size_t end, std::vector<bool>& kept) {
+    if (end - begin < 2) return;
+    side_.clear();
+    for (std::size_t i = begin; i <= end; ++i) side_.push_back(ring[i % ring.size()]);
+    const bool is_reversed = precedes(side_.back(), side_.front());
+    if (is_reversed) std::reverse(side_.begin(), side_.end());
+    for (const std::size_t i : refinement_->needed(side_))
+      kept[numbers[(is_reversed ? end - i : begin + i) % ring.size()]] = true;
   }
 
   void add_polygon(std::uint32_t polygon, Incidence incidence) {
@@ -130,12 +157,33 @@ class Builder {
 
   void add_triangles(std::uint32_t polygon, Incidence incidence) {
     const std::vector<Vertex>& positions = numbering_.positions();
+    if (numbers_.empty()) throw std::invalid_argument("no corners");
+    const LatticePlane plane(positions[numbers_[0]], incidence);
     points_.clear();
-    for (const std::uint32_t number : numbers_)
-      points_.push_back(in_plane(positions[number], positions[numbers_[0]], normal(incidence)));
-    for (const Triangle& triangle : triangulator_.triangulate(points_, ring_ends_))
+    for (const std::uint32_t number : numbers_) points_.push_back(plane.at(positions[number]));
+    const std::vector<Triangle>& triangles = triangulator_.triangulate(points_, ring_ends_);
+    if (refinement_) return add_refined(polygon, plane, triangles);
+    for (const Triangle& triangle : triangles)
       add_face(polygon, incidence,
                std::array{numbers_[triangle[0]], numbers_[triangle[1]], numbers_[triangle[2]]});
+  }
+
+  void add_refined(std::uint32_t polygon, const LatticePlane& plane,
+                   const std::vector<Triangle>& triangles) {
+    for (std::uint32_t& number : numbers_) number = mesh_number(number);
+    refined_.points = points_;
+    refined_.moved.clear();
+    for (const std::uint32_t number : numbers_) refined_.moved.push_back(moved_[number]);
+    refined_.triangles = triangles;
+    refinement_->refine(plane, refined_);
+    for (std::size_t i = numbers_.size(); i < refined_.points.size(); ++i)
+      numbers_.push_back(add_vertex(plane.vertex(refined_.points[i]), refined_.moved[i]));
+    for (const Triangle& triangle : refined_.triangles) {
+      for (std::size_t i = 0; i < 3; ++i)
+        mesh_.corners.push_back(numbers_[triangle[mirrored_ ? 2 - i : i]]);
+      mesh_.face_begin.push_back(mesh_.corners.size());
+      mesh_.polygons.push_back(polygon);
+    }
   }
 
   template <class Numbers>
@@ -150,20 +198,27 @@ class Builder {
 
   std::uint32_t mesh_number(std::uint32_t number) {
     std::uint32_t& result = mesh_numbers_[number];
-    if (result == not_in_mesh) {
-      result = static_cast<std::uint32_t>(mesh_.vertices_mm.size());
-      const Vertex& position = numbering_.positions()[number];
-      const Point& s = surface_.spacing_mm;
-      mesh_.lattice.push_back(position);
-      mesh_.vertices_mm.push_back(
-          {position.x * s[0] / 2, position.y * s[1] / 2, position.z * s[2] / 2});
-    }
-    return result;
+    if (result != not_in_mesh) return result;
+    const Vertex& vertex = numbering_.positions()[number];
+    if (refinement_) return result = add_vertex(vertex, refinement_->moved(vertex));
+    const auto x = static_cast<double>(vertex.x), y = static_cast<double>(vertex.y),
+               z = static_cast<double>(vertex.z);
+    return result = add_vertex(vertex, {x, y, z});
+  }
+
+  // at: in half-steps.
+  std::uint32_t add_vertex(const Vertex& vertex, const Point& at) {
+    const Point& s = surface_.spacing_mm;
+    mesh_.lattice.push_back(vertex);
+    if (refinement_) moved_.push_back(at);
+    mesh_.vertices_mm.push_back({at[0] * s[0] / 2, at[1] * s[1] / 2, at[2] * s[2] / 2});
+    return static_cast<std::uint32_t>(mesh_.vertices_mm.size() - 1);
   }
 
   const Surface& surface_;
   const MeshOptions options_;
   const Numbering numbering_;
+  std::optional<Refinement> refinement_;  // of an interpolated mesh
   bool mirrored_;
   std::vector<bool> junctions_;
   std::vector<std::uint32_t> mesh_numbers_;
@@ -172,6 +227,10 @@ class Builder {
   std::vector<std::uint32_t> ring_ends_;
   std::vector<PlanePoint> points_;
   Triangulator triangulator_;
+  // Of an interpolated mesh: the side under way.
+  std::vector<Vertex> side_;
+  MovedTriangles refined_;
+  std::vector<Point> moved_;  // of every vertex of the mesh; Units: half-steps
   Mesh mesh_;
 };
 
@@ -181,6 +240,9 @@ Mesh build_mesh(const Surface& surface, const MeshOptions& options) {
   for (const double spacing : surface.spacing_mm)
     if (spacing == 0 || !std::isfinite(spacing))
       throw std::invalid_argument("spacing is zero or not finite");
+  const bool are_conforming_triangles = options.conforming && options.faces == Faces::triangles;
+  if (options.crossings != nullptr && !are_conforming_triangles)
+    throw std::invalid_argument("an interpolated mesh is one of conforming triangles");
   return Builder(surface, options).build();
 }
 
