@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
 #define DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -85,6 +86,20 @@ struct RenderArguments {
   std::vector<double> at;
   bool smooth = false;
   bool outlines = false;
+};
+
+/// A surface of `compare`.
+struct ComparedInput {
+  enum class Kind { mesh, stream, volume };
+  std::string name;
+  Kind kind = Kind::mesh;
+};
+
+/// Of `compare`.
+struct CompareArguments {
+  std::array<ComparedInput, 2> inputs;
+  StreamChoice choice;
+  VolumeArguments reading;
 };
 
 }  // namespace discmc::host
