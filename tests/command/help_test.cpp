@@ -5,7 +5,7 @@ namespace {
 
 using namespace command;
 
-const std::vector<std::string> commands = {"extract", "decode", "info", "render"};
+const std::vector<std::string> commands = {"extract", "decode", "info", "render", "compare"};
 
 std::string help_of(const std::string& command) {
   return Workshop().done(command + " --help");

@@ -48,6 +48,19 @@ void check_cleaning(const ExtractArguments& arguments) {
                                "filtered: leave out --normals");
 }
 
+void check_surface(const ExtractArguments& arguments) {
+  if (!arguments.interpolates) return;
+  check_interpolation(arguments.mesh, arguments.output);
+  if (arguments.reading.median > 0)
+    throw CLI::ValidationError("--median",
+                               "the crossings are those of the samples, which are not filtered: "
+                               "leave out --surface interpolated");
+  for (const NamedSelection& each : arguments.reading.selections)
+    if (each.selection.low == each.selection.high)
+      throw CLI::ValidationError("--surface",
+                                 "there is nothing to interpolate between labels: leave it out");
+}
+
 void check_wire(const ExtractArguments& arguments) {
   const bool is_of_slices = arguments.wire == Wire::slices;
   if (is_of_slices && format_of(arguments.output) != Format::stream)
@@ -70,6 +83,7 @@ void check(const ExtractArguments& arguments) {
   check_space(arguments.space, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
+  check_surface(arguments);
   check_wire(arguments);
 }
 
@@ -117,6 +131,7 @@ Command add_extract(CLI::App& app) {
   add_mesh_options(*extract, arguments->mesh);
   add_component_options(*extract, arguments->components);
   add_space_option(*extract, arguments->space);
+  add_interpolation_options(*extract, arguments->interpolates, arguments->mesh.tolerance);
   add_wire_options(*extract, *arguments);
   extract->footer(
       "Examples:\n"

@@ -4,6 +4,7 @@
 
 #include "mesh_files/file_format.hpp"
 #include "named_values.hpp"
+#include "option_checks.hpp"
 
 namespace discmc::host {
 namespace {
@@ -91,6 +92,35 @@ void check_space(const std::optional<MeshSpace>& space, const std::string& outpu
           (format == Format::stream ? " is a stream, which holds the placement beside the surface"
                                     : " has half-steps of voxels") +
           ": leave it out, or give the name of a mesh");
+}
+
+void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance) {
+  app.option_defaults()->group(mesh_group);
+  add_named_option(
+      app, "--surface", interpolates, NamedValues<bool>{{"merged", false}, {"interpolated", true}},
+      "merged: flat polygons halfway between voxels; interpolated: where the samples cross the "
+      "threshold, as Marching Cubes has it");
+  app.add_option("--tolerance", tolerance,
+                 "how far these crossings may be from an interpolated surface, in voxels: less "
+                 "takes more triangles")
+      ->check(finite())
+      ->check(not_negative())
+      ->option_text("VOXELS")
+      ->capture_default_str();
+}
+
+void check_interpolation(const MeshOptions& mesh, const std::string& output) {
+  const Format format = format_of(output);
+  if (format == Format::stream || format == Format::jsonl)
+    throw CLI::ValidationError("--surface", output +
+                                                " has its vertices halfway between voxels: leave "
+                                                "out --surface interpolated, or name a mesh");
+  if (mesh.faces == Faces::polygons)
+    throw CLI::ValidationError("--faces",
+                               "polygons of an interpolated surface are not flat: leave it out");
+  if (!mesh.conforming)
+    throw CLI::ValidationError("--no-conforming",
+                               "an interpolated surface has no T-junctions: leave it out");
 }
 
 void check_faces(Faces faces, const std::string& output) {

@@ -34,6 +34,13 @@ void add_space_option(CLI::App& app, std::optional<MeshSpace>& space);
 /// Only meshes have coordinates to choose. Throws: CLI::ValidationError.
 void check_space(const std::optional<MeshSpace>& space, const std::string& output);
 
+/// --surface and --tolerance.
+void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance);
+
+/// Interpolated vertices are those of conforming triangles, in a mesh. Throws:
+/// CLI::ValidationError.
+void check_interpolation(const MeshOptions& mesh, const std::string& output);
+
 /// Only some formats hold polygons. Throws: CLI::ValidationError.
 void check_faces(Faces faces, const std::string& output);
 

@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
 #define DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -63,6 +64,7 @@ struct ExtractArguments {
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+  bool interpolates = false;  ///< the vertices of a mesh
   bool quiet = false;
 };
 
@@ -93,6 +95,20 @@ struct RenderArguments {
   std::vector<double> at;
   bool smooth = false;
   bool outlines = false;
+};
+
+/// A surface of `compare`.
+struct ComparedInput {
+  enum class Kind { mesh, stream, volume };
+  std::string name;
+  Kind kind = Kind::mesh;
+};
+
+/// Of `compare`.
+struct CompareArguments {
+  std::array<ComparedInput, 2> inputs;
+  StreamChoice choice;
+  VolumeArguments reading;
 };
 
 }  // namespace discmc::host

@@ -8,6 +8,7 @@
 #include "file_pattern.hpp"
 #include "mesh_files/file_format.hpp"
 #include "mesh_output.hpp"
+#include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "output_file.hpp"
 #include "progress.hpp"
@@ -21,7 +22,10 @@ namespace {
 void add_normals(const ExtractArguments& arguments, const Selection& selection,
                  const Surface& surface, Mesh& mesh) {
   if (arguments.normals == Normals::none) return;
-  set_polygon_normals(surface, mesh);
+  if (arguments.interpolates)
+    mesh.normals = surface_normals(mesh);
+  else
+    set_polygon_normals(surface, mesh);
   if (arguments.normals == Normals::surface) return;
   const auto again =
       open_for_gradient(arguments.volume, volume_options(arguments.reading.layout), selection.low);
@@ -48,8 +52,12 @@ int extract_meshes(const ExtractArguments& arguments) {
       receiver->start_stream(stream_header(info, options).label(), info.placement,
                              no_output.byte_output());
   }
-  const std::vector<Extraction> extractions =
-      extract(*volume, options, requests_of(selections, receivers));
+  std::vector<SurfaceRequest> requests = requests_of(selections, receivers);
+  std::vector<CrossingFinder> finders;
+  if (arguments.interpolates)
+    for (const NamedSelection& each : selections) finders.emplace_back(info, each.selection);
+  for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
+  const std::vector<Extraction> extractions = extract(*volume, options, requests);
   note_not_numbers(arguments, extractions[0]);
 
   for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -58,8 +66,10 @@ int extract_meshes(const ExtractArguments& arguments) {
     keep_chosen(arguments.volume, arguments.components, surface);
     const std::string name = pattern.file_for(selections[i].name);
     OutputFile file(name);
+    MeshOptions mesh_options = arguments.mesh;
+    if (arguments.interpolates) mesh_options.crossings = &finders[i].crossings();
     write_surface(
-        surface, format_of(name), arguments.mesh,
+        surface, format_of(name), mesh_options,
         [&](Mesh& mesh) {
           note_left_out(arguments.volume, surface, mesh);
           add_normals(arguments, selections[i].selection, surface, mesh);

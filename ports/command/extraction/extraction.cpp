@@ -207,6 +207,8 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
     bits.add_slice(slice.data(), push_bits);
+    for (const SurfaceRequest& surface : surfaces)
+      if (surface.crossings != nullptr) surface.crossings->add_slice(slice.data());
     if constexpr (Normals::holds_samples) {
       using Sample = typename SampleOf<Normals>::Type;
       require(all.push(reinterpret_cast<const Sample*>(slice.data()), limits.width * limits.height)

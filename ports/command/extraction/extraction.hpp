@@ -11,6 +11,7 @@
 #include <discmc/slice_encoder.hpp>
 #include <discmc/stream/wire.hpp>
 
+#include "crossings.hpp"
 #include "selection.hpp"
 #include "volumes/volume.hpp"
 
@@ -50,6 +51,8 @@ struct Extraction {
 struct SurfaceRequest {
   Selection selection;
   Sink sink;
+  /// Is given the samples, if there is one. Owner: the caller.
+  CrossingFinder* crossings = nullptr;
 };
 
 /// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to

@@ -43,9 +43,50 @@ bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
 void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
                             std::vector<Triangle>& triangles) {
   pair_sides(triangles);
+  changed_.clear();
   waiting_.clear();
   for (Side side = 0; side < twins_.size(); ++side)
     if (twins_[side] != no_side && side < twins_[side]) waiting_.push_back(side);
+  flip_waiting(points, triangles);
+}
+
+// The point cuts the triangle in three. Where it lies on an edge, one of them has no area, until
+// the edge is flipped.
+void DelaunayFlips::insert(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
+                           std::uint32_t triangle) {
+  const auto point = static_cast<std::uint32_t>(points.size() - 1);
+  const auto is_on = [&](Side side) {
+    return doubled_area(points[start_of(triangles, side)], points[start_of(triangles, next(side))],
+                        points[point]) == 0;
+  };
+  Side side = 3 * triangle;
+  while (side < 3 * triangle + 2 && !is_on(side)) ++side;
+  const bool is_on_edge = is_on(side);
+  const std::uint32_t a = start_of(triangles, side), b = start_of(triangles, next(side)),
+                      c = start_of(triangles, previous(side));
+  const Side outer[] = {twins_[side], twins_[next(side)], twins_[previous(side)]};
+  const auto second = static_cast<std::uint32_t>(triangles.size()), third = second + 1;
+  triangles[triangle] = {a, b, point};
+  triangles.push_back({b, c, point});
+  triangles.push_back({c, a, point});
+  twins_.resize(3 * triangles.size(), no_side);
+  link(3 * triangle, outer[0]);
+  link(3 * second, outer[1]);
+  link(3 * third, outer[2]);
+  link(3 * triangle + 1, 3 * second + 2);
+  link(3 * second + 1, 3 * third + 2);
+  link(3 * third + 1, 3 * triangle + 2);
+  changed_ = {triangle, second, third};
+  waiting_ = {3 * third, 3 * second};
+  if (is_on_edge)
+    flip(triangles, 3 * triangle);
+  else
+    waiting_.push_back(3 * triangle);
+  flip_waiting(points, triangles);
+}
+
+void DelaunayFlips::flip_waiting(const std::vector<PlanePoint>& points,
+                                 std::vector<Triangle>& triangles) {
   // From triangles that are nearly Delaunay's there are few flips; hostile ones must come to an
   // end.
   for (std::size_t flips = max_flips * triangles.size(); flips > 0 && !waiting_.empty();) {
@@ -101,6 +142,7 @@ void DelaunayFlips::flip(std::vector<Triangle>& triangles, Side side) {
   link(first + 2, outer[3]);
   link(first + 1, second + 2);
   for (const Side changed : {first, second, second + 1, first + 2}) waiting_.push_back(changed);
+  changed_.insert(changed_.end(), {first / 3, second / 3});
 }
 
 }  // namespace discmc::host

@@ -37,12 +37,26 @@ class DelaunayFlips {
   /// points there.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
 
+  /// Adds the last of the points to the triangles, as the last call left them. triangle: the place
+  /// of one that the point lies in, or on an edge that it shares.
+  void insert(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
+              std::uint32_t triangle);
+
+  /// The places of the triangles that the last insert() made or changed, some of them repeatedly.
+  const std::vector<std::uint32_t>& changed() const { return changed_; }
+
+  /// Whether another triangle has the edge from this corner of a triangle to the next one.
+  bool is_shared(std::uint32_t triangle, std::uint32_t corner) const {
+    return twins_[3 * triangle + corner] != no_side;
+  }
+
  private:
   // Side i of triangle t goes from its corner i to the next one and has the number 3 t + i.
   using Side = std::uint32_t;
   static constexpr Side no_side = 0xFFFFFFFFu;
 
   void pair_sides(const std::vector<Triangle>& triangles);
+  void flip_waiting(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
   void link(Side a, Side b);
   void flip(std::vector<Triangle>& triangles, Side side);
 
@@ -53,6 +67,7 @@ class DelaunayFlips {
   std::vector<Ends> ends_;
   std::vector<Side> twins_;    // of every side the other one between the same points
   std::vector<Side> waiting_;  // to be looked at
+  std::vector<std::uint32_t> changed_;
 };
 
 }  // namespace discmc::host

@@ -3,25 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "lattice_plane.hpp"
+#include "refinement.hpp"
 #include "triangulate.hpp"
 #include "vertex_numbers.hpp"
 
 namespace discmc::host {
 namespace {
-
-// Two coordinates of the plane, chosen and ordered so that counter-clockwise seen from the tip of
-// the normal stays so. Leaving a coordinate out changes shapes but neither order nor sides.
-PlanePoint in_plane(const Vertex& vertex, const Vertex& origin, const Vertex& n) {
-  const std::int64_t x = std::int64_t{vertex.x} - origin.x;
-  const std::int64_t y = std::int64_t{vertex.y} - origin.y;
-  const std::int64_t z = std::int64_t{vertex.z} - origin.z;
-  if (n.z != 0) return n.z > 0 ? PlanePoint{x, y} : PlanePoint{y, x};
-  if (n.y != 0) return n.y > 0 ? PlanePoint{z, x} : PlanePoint{x, z};
-  return n.x > 0 ? PlanePoint{y, z} : PlanePoint{z, y};
-}
 
 class Builder {
  public:
@@ -32,6 +24,9 @@ class Builder {
     for (const Polygon& polygon : surface.polygons)
       for (const Ring& ring : polygon.rings)
         for (const Vertex& corner : ring) corner_numbers_.push_back(all_numbers_.add(corner));
+    if (options.crossings == nullptr) return;
+    refinement_.emplace(*options.crossings, options.tolerance);
+    number_what_sides_need();
   }
 
   Mesh build() {
@@ -56,9 +51,46 @@ class Builder {
     mesh_.spacing_mm = s;
     mesh_.lattice = all_numbers_.positions();
     mesh_.vertices_mm.reserve(mesh_.lattice.size());
-    for (const Vertex& position : mesh_.lattice)
-      mesh_.vertices_mm.push_back(
-          {position.x * s[0] / 2, position.y * s[1] / 2, position.z * s[2] / 2});
+    for (const Vertex& position : mesh_.lattice) {
+      if (refinement_) moved_.push_back(refinement_->moved(position));
+      mesh_.vertices_mm.push_back(in_mm(refinement_ ? moved_.back() : point_of(position)));
+    }
+  }
+
+  static Point point_of(const Vertex& vertex) {
+    return {static_cast<double>(vertex.x), static_cast<double>(vertex.y),
+            static_cast<double>(vertex.z)};
+  }
+
+  // at: in half-steps.
+  Point in_mm(const Point& at) const {
+    const Point& s = surface_.spacing_mm;
+    return {at[0] * s[0] / 2, at[1] * s[1] / 2, at[2] * s[2] / 2};
+  }
+
+  // What an interpolated side needs between its ends becomes a junction, for both polygons that
+  // have it.
+  void number_what_sides_need() {
+    std::vector<Vertex> needed;
+    for (const Polygon& polygon : surface_.polygons)
+      for (const Ring& ring : polygon.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          add_what_sides_need(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], needed);
+    for (const Vertex& vertex : needed) all_numbers_.add(vertex);
+  }
+
+  // Between two corners: from each junction to the next.
+  void add_what_sides_need(const Vertex& from, const Vertex& to, std::vector<Vertex>& needed) {
+    const Side side = side_between(from, to);
+    side_ = {from};
+    for (std::int32_t i = 1; i <= side.links; ++i) {
+      const Vertex vertex = side_.back() + side.link;
+      side_.push_back(vertex);
+      if (all_numbers_.find(vertex) == VertexNumbers::none) continue;
+      if (precedes(side_.back(), side_.front())) std::reverse(side_.begin(), side_.end());
+      for (const std::size_t place : refinement_->needed(side_)) needed.push_back(side_[place]);
+      side_ = {vertex};
+    }
   }
 
   void add_ring(const Ring& ring, const std::uint32_t* numbers) {
@@ -93,13 +125,35 @@ class Builder {
   }
 
   void add_triangles(std::uint32_t polygon, Incidence incidence) {
-    const std::vector<Vertex>& positions = mesh_.lattice;
+    if (numbers_.empty()) throw std::invalid_argument("no corners");
+    const LatticePlane plane(mesh_.lattice[numbers_[0]], incidence);
     points_.clear();
-    for (const std::uint32_t number : numbers_)
-      points_.push_back(in_plane(positions[number], positions[numbers_[0]], normal(incidence)));
-    for (const Triangle& triangle : triangulator_.triangulate(points_, ring_ends_))
+    for (const std::uint32_t number : numbers_) points_.push_back(plane.at(mesh_.lattice[number]));
+    const std::vector<Triangle>& triangles = triangulator_.triangulate(points_, ring_ends_);
+    if (refinement_) return add_refined(polygon, plane, triangles);
+    for (const Triangle& triangle : triangles)
       add_face(polygon, incidence,
                std::array{numbers_[triangle[0]], numbers_[triangle[1]], numbers_[triangle[2]]});
+  }
+
+  void add_refined(std::uint32_t polygon, const LatticePlane& plane,
+                   const std::vector<Triangle>& triangles) {
+    refined_.points = points_;
+    refined_.moved.clear();
+    for (const std::uint32_t number : numbers_) refined_.moved.push_back(moved_[number]);
+    refined_.triangles = triangles;
+    refinement_->refine(plane, refined_);
+    for (std::size_t i = numbers_.size(); i < refined_.points.size(); ++i) {
+      numbers_.push_back(static_cast<std::uint32_t>(mesh_.vertices_mm.size()));
+      mesh_.lattice.push_back(plane.vertex(refined_.points[i]));
+      mesh_.vertices_mm.push_back(in_mm(refined_.moved[i]));
+    }
+    for (const Triangle& triangle : refined_.triangles) {
+      for (std::size_t i = 0; i < 3; ++i)
+        mesh_.corners.push_back(numbers_[triangle[mirrored_ ? 2 - i : i]]);
+      mesh_.face_begin.push_back(mesh_.corners.size());
+      mesh_.polygons.push_back(polygon);
+    }
   }
 
   template <class Numbers>
@@ -122,6 +176,11 @@ class Builder {
   std::vector<std::uint32_t> ring_ends_;
   std::vector<PlanePoint> points_;
   Triangulator triangulator_;
+  // Of an interpolated mesh.
+  std::optional<Refinement> refinement_;
+  std::vector<Vertex> side_;  // under way
+  MovedTriangles refined_;
+  std::vector<Point> moved_;  // where the corners and junctions are moved to; Units: half-steps
   Mesh mesh_;
 };
 
@@ -131,6 +190,9 @@ Mesh build_mesh(const Surface& surface, const MeshOptions& options) {
   for (const double spacing : surface.spacing_mm)
     if (spacing == 0 || !std::isfinite(spacing))
       throw std::invalid_argument("spacing is zero or not finite");
+  const bool are_conforming_triangles = options.conforming && options.faces == Faces::triangles;
+  if (options.crossings != nullptr && !are_conforming_triangles)
+    throw std::invalid_argument("an interpolated mesh is one of conforming triangles");
   return Builder(surface, options).build();
 }
 

@@ -13,6 +13,8 @@
 
 namespace discmc::host {
 
+class Crossings;
+
 /// What a byte can count, as in PLY files.
 constexpr std::size_t max_face_corners = 255;
 
@@ -26,13 +28,21 @@ struct MeshOptions {
   /// has no T-junctions. Without them it is smaller and only looks closed.
   bool conforming = true;
   Faces faces = Faces::polygons;
+  /// Moves the vertices to where the samples cross the threshold: Crossings::interpolated(). Limit:
+  /// triangles, conforming. Owner: the caller.
+  const Crossings* crossings = nullptr;
+  /// How far a crossing may be from the mesh then: where it would be farther, sides and triangles
+  /// are split. Units: voxels.
+  double tolerance = 0.05;
 };
 
 /// Faces over shared vertices. Faces are counter-clockwise seen from outside.
 struct Mesh {
   Point spacing_mm{};                      ///< as in Surface
-  std::vector<Point> vertices_mm;          ///< one for each corner of the surface
-  std::vector<Vertex> lattice;             ///< one a vertex: its position; none in other meshes
+  std::vector<Point> vertices_mm;          ///< one for each corner of the surface, and more of an
+                                           ///< interpolated one
+  std::vector<Vertex> lattice;             ///< one a vertex: its position before it was moved, if
+                                           ///< it was; none in other meshes
   std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
   std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
   /// One a face; none where faces lie in any plane, or the mesh has been placed.
@@ -51,7 +61,8 @@ struct Mesh {
 };
 
 /// Makes a mesh of all polygons. Voxel (i, j, k) lies at (i, j, k) times the spacing.
-/// Throws std::invalid_argument when a spacing is zero or not finite.
+/// Throws std::invalid_argument when a spacing is zero or not finite, or beyond the limits of the
+/// options.
 Mesh build_mesh(const Surface& surface, const MeshOptions& options = {});
 
 /// The unit vector that points from on to off where the voxels have this spacing.

@@ -1,0 +1,75 @@
+// discmc compare: how far two surfaces are from each other.
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "commands.hpp"
+#include "exit_codes.hpp"
+#include "extraction/classic.hpp"
+#include "mesh_files/mesh_reader.hpp"
+#include "meshes/mesh.hpp"
+#include "meshes/surface_distance.hpp"
+#include "progress.hpp"
+#include "require.hpp"
+#include "stream_input.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::host {
+namespace {
+
+struct Compared {
+  Mesh mesh;
+  bool has_voxels;
+  int code;
+};
+
+Compared surface_of(const ComparedInput& input, const CompareArguments& arguments) {
+  if (input.kind == ComparedInput::Kind::mesh) return {read_mesh(input.name), false, exit_ok};
+  if (input.kind == ComparedInput::Kind::stream) {
+    const DecodedStream decoded = decode_surface(input.name, arguments.choice);
+    return {build_mesh(decoded.surface, {true, Faces::triangles}), true,
+            completeness(input.name, decoded.report)};
+  }
+  const auto volume = open_noted_volume(input.name, arguments.reading);
+  Progress progress("extracting", volume->info().dims[2]);
+  return {classic_mesh(*volume, extraction_options(arguments.reading, progress)), true, exit_ok};
+}
+
+void write_row(const char* name, const Distances& distances) {
+  std::cout << "  " << std::left << std::setw(20) << name << std::right << std::fixed
+            << std::setprecision(4);
+  for (const double distance : {distances.mean, distances.percentile_99, distances.largest})
+    std::cout << std::setw(12) << distance;
+  std::cout << '\n';
+}
+
+void write_distances(const Compared& a, const Compared& b, const Point& unit,
+                     const std::string& unit_name) {
+  write_row(("A to B, " + unit_name).c_str(), distances(a.mesh, b.mesh, unit));
+  write_row(("B to A, " + unit_name).c_str(), distances(b.mesh, a.mesh, unit));
+}
+
+}  // namespace
+
+int run_compare(const CompareArguments& arguments) {
+  const Compared a = surface_of(arguments.inputs[0], arguments);
+  const Compared b = surface_of(arguments.inputs[1], arguments);
+  const Compared* const compared[] = {&a, &b};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (compared[i]->mesh.face_count() == 0)
+      throw std::invalid_argument(arguments.inputs[i].name +
+                                  ": the surface is empty: there is no distance from it");
+  const Progress measuring("measuring");
+  std::cout << "  " << std::left << std::setw(20) << "distances" << std::right << std::setw(12)
+            << "mean" << std::setw(12) << "99 % within" << std::setw(12) << "largest" << '\n';
+  write_distances(a, b, {1, 1, 1}, "mm");
+  if (a.has_voxels || b.has_voxels)
+    write_distances(a, b, (b.has_voxels ? b : a).mesh.spacing_mm, "voxels");
+  require_written(std::cout);
+  return a.code != exit_ok ? a.code : b.code;
+}
+
+}  // namespace discmc::host

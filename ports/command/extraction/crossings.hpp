@@ -1,0 +1,79 @@
+// Where the surface crosses the edges of the lattice, interpolated between the samples.
+#ifndef DISCMC_COMMAND_EXTRACTION_CROSSINGS_HPP
+#define DISCMC_COMMAND_EXTRACTION_CROSSINGS_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <discmc/cell.hpp>
+
+#include "meshes/point.hpp"
+#include "selection.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// The crossings of a volume. Memory: eight bytes for each, and four for a row of an axis.
+class Crossings {
+ public:
+  /// How near a crossing comes to a voxel. So two of them never meet there. Units: half-steps.
+  static constexpr double margin = 1.0 / 64;
+
+  explicit Crossings(const std::array<std::uint32_t, 3>& dims) : dims_(dims) {}
+
+  /// The point of the interpolated surface that a vertex of the merged one stands for: the crossing
+  /// of an edge for its middle, the mean of the crossings around it for a centroid. Where there is
+  /// nothing to interpolate, because a voxel is outside the volume or a sample is not finite, the
+  /// crossing is in the middle. Units: half-steps.
+  Point interpolated(const Vertex& vertex) const;
+
+ private:
+  friend class CrossingFinder;
+
+  // On the edge that begins at voxel x of its row.
+  struct Crossing {
+    std::uint16_t x;
+    bool falls;  // begins on, and ends off
+    float at;    // from the voxel; Units: half-steps
+  };
+  // Row i, of all slices, has crossings[begin[i]] to crossings[begin[i + 1]].
+  struct Rows {
+    std::vector<std::uint32_t> begin{0};
+    std::vector<Crossing> crossings;
+  };
+
+  bool is_inside(const Vertex& voxel) const;
+  const Crossing* crossing_of(const Vertex& middle) const;
+  Configuration configuration_around(const Vertex& centroid) const;
+
+  std::array<std::uint32_t, 3> dims_;
+  std::array<Rows, 3> along_;
+};
+
+/// Finds the crossings, slice by slice. Holds one slice.
+class CrossingFinder {
+ public:
+  CrossingFinder(const VolumeInfo& info, const Selection& selection);
+  CrossingFinder(CrossingFinder&&) noexcept;
+  CrossingFinder& operator=(CrossingFinder&&) noexcept;
+  ~CrossingFinder();
+
+  /// Takes the next slice, as VolumeReader::read_slice() gives it.
+  void add_slice(const void* samples);
+
+  /// What was found, after the last slice. Owner: the finder.
+  const Crossings& crossings() const;
+
+ private:
+  class Slices;
+  template <class Sample>
+  class SlicesOf;
+  std::unique_ptr<Slices> slices_;
+};
+
+}  // namespace discmc::host
+
+#endif

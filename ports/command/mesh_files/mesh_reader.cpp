@@ -1,0 +1,48 @@
+#include "mesh_reader.hpp"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+namespace discmc::host {
+namespace {
+
+void add(const aiMesh& part, const std::string& file, Mesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices_mm.size());
+  for (unsigned i = 0; i < part.mNumVertices; ++i) {
+    const aiVector3D& at = part.mVertices[i];
+    if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
+      throw std::runtime_error(file + ": vertex " + std::to_string(first + i) +
+                               " is not finite: write the mesh anew");
+    mesh.vertices_mm.push_back(
+        {static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)});
+  }
+  for (unsigned i = 0; i < part.mNumFaces; ++i) {
+    const aiFace& face = part.mFaces[i];
+    if (face.mNumIndices != 3) continue;  // points and lines have no area
+    for (unsigned corner = 0; corner < 3; ++corner)
+      mesh.corners.push_back(first + face.mIndices[corner]);
+    mesh.face_begin.push_back(mesh.corners.size());
+  }
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::string& file) {
+  Assimp::Importer importer;
+  const aiScene* scene =
+      importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  if (scene == nullptr)
+    throw std::runtime_error(file + ": cannot be read as a mesh: " + importer.GetErrorString());
+  Mesh mesh;
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) add(*scene->mMeshes[i], file, mesh);
+  if (mesh.face_count() == 0)
+    throw std::runtime_error(file + ": holds no triangle: give a mesh with faces");
+  return mesh;
+}
+
+}  // namespace discmc::host

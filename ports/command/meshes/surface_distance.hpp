@@ -1,0 +1,31 @@
+// How far two meshes are from each other.
+#ifndef DISCMC_COMMAND_MESHES_SURFACE_DISTANCE_HPP
+#define DISCMC_COMMAND_MESHES_SURFACE_DISTANCE_HPP
+
+#include <cstddef>
+
+#include "mesh.hpp"
+
+namespace discmc::host {
+
+/// Of points of one mesh from the nearest points of another.
+struct Distances {
+  double mean = 0;
+  double percentile_99 = 0;
+  double largest = 0;
+};
+
+/// How many points of a mesh are measured, beside its vertices.
+constexpr std::size_t default_distance_samples = 200'000;
+
+/// The distances of the points of `from` from the faces of `to`. The mean and the percentile are
+/// of points spread evenly over the area, always the same ones; the largest is of these and of all
+/// vertices. unit: coordinates are divided by it, the spacing of a volume to measure in voxels.
+/// Limit: both have faces, otherwise std::invalid_argument. Faces are taken as fans.
+/// Time: n log n for n faces, and so much for each point as there are faces near to it.
+Distances distances(const Mesh& from, const Mesh& to, const Point& unit = {1, 1, 1},
+                    std::size_t samples = default_distance_samples);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,109 @@
+// discmc compare.
+#include <doctest/doctest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "oracle/volume.hpp"
+
+namespace {
+
+using command::check_failure;
+using command::contains;
+using command::Result;
+using command::Workshop;
+
+// The three distances of every row by its name, "A to B, mm".
+std::map<std::string, std::vector<double>> rows(const std::string& table) {
+  std::map<std::string, std::vector<double>> result;
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);  // the names of the columns
+  while (std::getline(lines, line)) {
+    std::istringstream numbers(line.substr(22));
+    std::vector<double>& row = result[line.substr(2, line.find("  ", 2) - 2)];
+    for (double number; numbers >> number;) row.push_back(number);
+  }
+  return result;
+}
+
+// Two triangles at a height, of whom nothing but the mesh is known.
+std::string square(int height) {
+  const std::string z = " " + std::to_string(height) + "\n";
+  return "v 0 0" + z + "v 9 0" + z + "v 9 9" + z + "v 0 9" + z + "f 1 2 3\nf 1 3 4\n";
+}
+
+bool lacks_assimp(const Result& result) {
+  const bool lacks = contains(result.error, "built without Assimp");
+  if (lacks) MESSAGE("no Assimp: meshes are not compared");
+  return lacks;
+}
+
+}  // namespace
+
+TEST_CASE("a stream is compared with its volume, in millimetres and in voxels") {
+  const Workshop workshop;
+  const auto ball = discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 100);
+  workshop.write("v.nrrd", ball, "spacings: 2 2 2\n");
+  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+  const auto distances = rows(workshop.done("compare v.dmc v.nrrd --iso 100"));
+  REQUIRE(distances.size() == 4);
+  for (const std::string way : {"A to B", "B to A"}) {
+    const auto& in_mm = distances.at(way + ", mm");
+    const auto& in_voxels = distances.at(way + ", voxels");
+    REQUIRE(in_mm.size() == 3);
+    REQUIRE(in_voxels.size() == 3);
+    CHECK(in_mm[0] > 0);
+    CHECK(in_mm[0] < in_mm[1]);
+    CHECK(in_mm[1] <= in_mm[2]);
+    CHECK(in_mm[2] < 1);
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(in_mm[i] == doctest::Approx(2 * in_voxels[i]).epsilon(0.01));
+  }
+  for (const auto& [name, row] : rows(workshop.done("compare v.dmc v.dmc")))
+    CHECK(row == std::vector<double>{0, 0, 0});
+}
+
+TEST_CASE("meshes are compared in millimetres") {
+  const Workshop workshop;
+  workshop.write("low.obj", square(0));
+  workshop.write("high.obj", square(3));
+  const Result result = workshop.run("compare low.obj high.obj");
+  if (lacks_assimp(result)) return;
+  REQUIRE(result.code == 0);
+  const auto distances = rows(result.out);
+  REQUIRE(distances.size() == 2);
+  for (const auto& [name, row] : distances) CHECK(row == std::vector<double>{3, 3, 3});
+}
+
+TEST_CASE("meshes that discmc writes are those that it reads") {
+  const Workshop workshop;
+  const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
+  workshop.write("v.nrrd", ball, "spacings: 1 1 2\n");
+  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+  for (const std::string name : {"v.ply", "v.obj", "v.stl"}) {
+    workshop.done("extract v.nrrd --iso 100 -q -o " + name);
+    const Result result = workshop.run("compare " + name + " v.dmc");
+    if (lacks_assimp(result)) return;
+    REQUIRE(result.code == 0);
+    for (const auto& [called, row] : rows(result.out)) CHECK(row == std::vector<double>{0, 0, 0});
+  }
+}
+
+TEST_CASE("what cannot be compared is refused by its name") {
+  const Workshop workshop;
+  const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
+  workshop.write("v.nrrd", ball);
+  workshop.write("broken.obj", "v 0 0 0\nf 1 1");
+  workshop.write("empty.stl", "");
+  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+  check_failure(workshop.run("compare v.dmc v.nrrd"), 2, {"v.nrrd", "--iso"});
+  check_failure(workshop.run("compare v.dmc v.nrrd --iso 300"), 1, {"v.nrrd", "empty"});
+  check_failure(workshop.run("compare v.dmc broken.obj"), 1, {"broken.obj"});
+  check_failure(workshop.run("compare v.dmc empty.stl"), 1, {"empty.stl"});
+  check_failure(workshop.run("compare v.dmc none.ply"), 1, {"none.ply"});
+  check_failure(workshop.run("compare v.dmc"), 2, {"B"});
+}

@@ -1,0 +1,76 @@
+// discmc extract --surface interpolated.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "command.hpp"
+#include "sampled_field.hpp"
+
+namespace {
+
+using command::check_failure;
+using command::mesh_of_obj;
+using command::Workshop;
+using discmc::host::Mesh;
+
+const std::string extract = "extract v.raw --dims 14,14,14 --type u8 -q --iso 50 ";
+
+const sampled_field::Field ball = sampled_field::ball(14, 5.3);
+
+void write_ball(const Workshop& workshop) {
+  std::string bytes;
+  for (const int sample : ball.samples) bytes += static_cast<char>(sample);
+  workshop.write("v.raw", bytes);
+}
+
+}  // namespace
+
+TEST_CASE("an interpolated surface is written as the mesh that it is") {
+  const Workshop workshop;
+  write_ball(workshop);
+  for (const double tolerance : {0.05, 0.2}) {
+    workshop.done(extract + "--surface interpolated --tolerance " + std::to_string(tolerance) +
+                  " -o v.obj");
+    const Mesh written = mesh_of_obj(workshop.read("v.obj"));
+    const Mesh made = sampled_field::interpolated(sampled_field::extracted(ball), tolerance);
+    CHECK(written.vertices_mm == made.vertices_mm);
+    CHECK(written.corners == made.corners);
+  }
+  workshop.done(extract + "--surface interpolated -o default.obj");
+  workshop.done(extract + "--surface interpolated --tolerance 0.05 -o v.obj");
+  CHECK(workshop.read("default.obj") == workshop.read("v.obj"));
+  workshop.done(extract + "--surface merged -o merged.obj");
+  workshop.done(extract + "-o default.obj");
+  CHECK(workshop.read("default.obj") == workshop.read("merged.obj"));
+}
+
+TEST_CASE("the normals of an interpolated ball are its radii") {
+  const Workshop workshop;
+  write_ball(workshop);
+  for (const std::string normals : {"surface", "gradient"}) {
+    workshop.done(extract + "--surface interpolated --normals " + normals + " -o v.obj");
+    const Mesh mesh = mesh_of_obj(workshop.read("v.obj"));
+    REQUIRE(mesh.normals.size() == mesh.vertices_mm.size());
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+      const auto radius = discmc::host::difference(mesh.vertices_mm[i], {6.5, 6.5, 6.5});
+      CHECK(discmc::host::dot(mesh.normals[i], discmc::host::unit_or_zero(radius)) > 0.9);
+    }
+  }
+}
+
+TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mesh, of no label") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const auto names = workshop.names();
+  const std::string interpolated = extract + "--surface interpolated ";
+  check_failure(workshop.run(interpolated + "-o v.dmc"), 2, {"--surface", "v.dmc"});
+  check_failure(workshop.run(interpolated + "-o v.jsonl"), 2, {"--surface", "v.jsonl"});
+  check_failure(workshop.run(interpolated + "--faces polygons -o v.ply"), 2, {"--faces", "flat"});
+  check_failure(workshop.run(interpolated + "--no-conforming -o v.ply"), 2, {"--no-conforming"});
+  check_failure(workshop.run(interpolated + "--tolerance=-1 -o v.ply"), 2, {"'-1' is negative"});
+  check_failure(workshop.run(interpolated + "--tolerance inf -o v.ply"), 2, {"'inf'"});
+  check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --label 1 --surface "
+                             "interpolated -o v.ply"),
+                2, {"--surface", "labels"});
+  CHECK(workshop.names() == names);
+}

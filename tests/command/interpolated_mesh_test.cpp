@@ -1,0 +1,132 @@
+// Merged polygons with their vertices moved to the crossings of the samples.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "meshes/mesh.hpp"
+#include "meshes/point_distance.hpp"
+#include "sampled_field.hpp"
+
+namespace {
+
+using namespace sampled_field;
+
+double distance_to(const Mesh& mesh, const Point& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    std::array<Point, 3> triangle;
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = mesh.vertices_mm[mesh.face(face)[i]];
+    nearest = std::min(nearest, squared_distance(point, triangle));
+  }
+  return std::sqrt(nearest);
+}
+
+// The farthest that a crossing of the samples is from the mesh.
+double farthest_crossing(const Field& field, const Mesh& mesh) {
+  double farthest = 0;
+  for (const Point& vertex : classic(field).vertices_mm)
+    farthest = std::max(farthest, distance_to(mesh, vertex));
+  return farthest;
+}
+
+double enclosed_volume(const Mesh& mesh) {
+  double volume = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    volume += dot(area_vector(mesh, face), mesh.vertices_mm[mesh.face(face)[0]]) / 3;
+  return volume;
+}
+
+// A crossing next to a voxel keeps off it.
+constexpr double margin = Crossings::margin / 2 + 1e-6;
+
+}  // namespace
+
+TEST_CASE("no crossing is farther from an interpolated mesh than the tolerance, whatever it is") {
+  for (const Field& field : {ball(13, 5.3), ball(14, 6, 3), noise({8, 7, 6}, 4)}) {
+    const Extracted of = extracted(field);
+    std::size_t faces = std::numeric_limits<std::size_t>::max();
+    for (const double tolerance : {0.0, 0.02, 0.1, 0.3}) {
+      const Mesh mesh = interpolated(of, tolerance);
+      CHECK(farthest_crossing(field, mesh) <= tolerance + margin);
+      CHECK(mesh.face_count() <= faces);
+      faces = mesh.face_count();
+    }
+    const Mesh merged = build_mesh(of.surface, {true, Faces::triangles});
+    CHECK(farthest_crossing(field, merged) > 0.2);
+    CHECK(faces >= merged.face_count());
+    CHECK(interpolated(of, 2).face_count() == merged.face_count());
+  }
+}
+
+TEST_CASE("an interpolated mesh is closed and has its outside outside, whichever way axes run") {
+  for (const Field& field : {ball(14, 5.2), ball(9, 5), noise({9, 8, 7}, 5)})
+    for (const Point& spacing : {Point{1, 1, 1}, Point{0.5, -2, 3}, Point{-1, -1, -1}})
+      for (const double tolerance : {0.0, 0.05, 0.25, 2.0}) {
+        const Mesh mesh = interpolated(extracted(field, SampleType::u8, spacing), tolerance);
+        CHECK(check_mesh(mesh).closed());
+        CHECK(enclosed_volume(mesh) > 0);
+        CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
+        CHECK(mesh.polygons.size() == mesh.face_count());
+      }
+}
+
+TEST_CASE("a ball gets its volume, from fewer triangles than Marching Cubes takes") {
+  const Field field = ball(40, 16, 4);
+  const Mesh mesh = interpolated(extracted(field), 0.05);
+  const double volume = 4.0 / 3 * std::acos(-1.0) * 16 * 16 * 16;
+  CHECK(enclosed_volume(mesh) == doctest::Approx(volume).epsilon(0.005));
+  CHECK(mesh.face_count() < classic(field).face_count() / 2);
+}
+
+TEST_CASE("a slope is exact, from the triangles of its terraces") {
+  // Steps of whole samples, so that nothing is rounded.
+  const Field field = field_of(
+      {12, 10, 9}, [](double x, double y, double z) { return 45 + 2 * x - 2 * y + 8 * (4 - z); });
+  const Extracted of = extracted(field);
+  const Mesh mesh = interpolated(of, 1e-4);
+  std::size_t on_slope = 0;
+  for (const Point& at : mesh.vertices_mm) {
+    const bool is_on_wall =
+        std::min({at[0], at[1], at[2]}) < 0 || at[0] > 11 || at[1] > 9 || at[2] > 8;
+    if (is_on_wall) continue;
+    CHECK(45 + 2 * at[0] - 2 * at[1] + 8 * (4 - at[2]) == doctest::Approx(level).epsilon(1e-6));
+    ++on_slope;
+  }
+  CHECK(on_slope > 20);
+}
+
+TEST_CASE("on the walls around a volume vertices stay where they are") {
+  const Extracted of = extracted(ball(9, 6));
+  const Mesh mesh = interpolated(of, 0.05);
+  std::size_t on_walls = 0;
+  for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
+    const std::array<int, 3> lattice = {mesh.lattice[i].x, mesh.lattice[i].y, mesh.lattice[i].z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t across = (axis + 1) % 3, along = (axis + 2) % 3;
+      const bool is_on_wall = (lattice[axis] == -1 || lattice[axis] == 17) &&
+                              lattice[across] % 2 == 0 && lattice[along] % 2 == 0;
+      if (!is_on_wall) continue;
+      CHECK(mesh.vertices_mm[i][axis] == lattice[axis] / 2.0);
+      ++on_walls;
+    }
+  }
+  CHECK(on_walls > 20);
+}
+
+TEST_CASE("an open surface ends where the volume does, and its sides match all the same") {
+  const Field field = ball(12, 7);
+  const Mesh mesh = interpolated(extracted(field, SampleType::u8, {1, 1, 1}, Border::open), 0.02);
+  const MeshReport report = check_mesh(mesh);
+  CHECK(report.open_edges > 0);
+  CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);
+  for (const Point& at : mesh.vertices_mm)
+    for (const double coordinate : at) CHECK((coordinate >= 0 && coordinate <= 11));
+}
+
+TEST_CASE("a volume in which nothing is on has no interpolated surface") {
+  const Extracted of = extracted(field_of({3, 3, 3}, [](double, double, double) { return 0; }));
+  CHECK(interpolated(of, 0.05).face_count() == 0);
+}

@@ -1,0 +1,110 @@
+// Distances between meshes, where they are known.
+#include "meshes/surface_distance.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "meshes/point_distance.hpp"
+#include "oracle/stream.hpp"
+#include "oracle/volume.hpp"
+#include "sample_reader.hpp"
+
+namespace {
+
+using discmc::host::distances;
+using discmc::host::Distances;
+using discmc::host::Mesh;
+using discmc::host::Point;
+using discmc::host::squared_distance;
+
+// A square of this size at a height, in two triangles.
+Mesh square(double size, double height) {
+  Mesh mesh;
+  mesh.vertices_mm = {{0, 0, height}, {size, 0, height}, {size, size, height}, {0, size, height}};
+  mesh.corners = {0, 1, 2, 0, 2, 3};
+  mesh.face_begin = {0, 3, 6};
+  return mesh;
+}
+
+Mesh moved(Mesh mesh, const Point& by) {
+  for (Point& vertex : mesh.vertices_mm)
+    for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] += by[axis];
+  return mesh;
+}
+
+Mesh ball() {
+  return sample_reader::merged_mesh(discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 30),
+                                    discmc::host::Faces::triangles);
+}
+
+}  // namespace
+
+TEST_CASE("a point is as far from a triangle as from its inside, its nearest side or corner") {
+  const std::array<Point, 3> triangle = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  CHECK(squared_distance({1, 1, 3}, triangle) == doctest::Approx(9));
+  CHECK(squared_distance({1, 1, 0}, triangle) == doctest::Approx(0));
+  CHECK(squared_distance({2, -2, 1}, triangle) == doctest::Approx(5));
+  CHECK(squared_distance({4, 4, 0}, triangle) == doctest::Approx(8));
+  CHECK(squared_distance({-3, -4, 0}, triangle) == doctest::Approx(25));
+  CHECK(squared_distance({7, -4, 0}, triangle) == doctest::Approx(25));
+  // Beyond an obtuse corner, where two sides have it on their far side.
+  CHECK(squared_distance({-3, -1, 0}, {{{0, 0, 0}, {9, 0, 0}, {-8, 1, 0}}}) ==
+        doctest::Approx(121.0 / 65));
+  CHECK(squared_distance({1, 1, 0}, {{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}}) == doctest::Approx(1));
+  CHECK(squared_distance({3, 4, 0}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) == doctest::Approx(25));
+}
+
+TEST_CASE("a mesh is nowhere away from itself, and a moved square is as far as it was moved") {
+  const Distances none = distances(ball(), ball());
+  CHECK(none.largest < 1e-7);
+  const Distances lifted = distances(square(10, 0), square(10, 0.25));
+  CHECK(lifted.mean == doctest::Approx(0.25));
+  CHECK(lifted.percentile_99 == doctest::Approx(0.25));
+  CHECK(lifted.largest == doctest::Approx(0.25));
+}
+
+TEST_CASE("distances are from one mesh to the other, and may differ the other way") {
+  // A quarter of the large one lies below the small one.
+  const Distances small_to_large = distances(square(10, 0), square(20, 0));
+  CHECK(small_to_large.largest < 1e-9);
+  const Distances large_to_small = distances(square(20, 0), square(10, 0));
+  CHECK(large_to_small.largest == doctest::Approx(std::sqrt(200)));
+  // Half of the area is beside, 5 away in the mean; a quarter beyond the corner.
+  const double beyond_corner = 10 * (std::sqrt(2) + std::asinh(1)) / 3;
+  CHECK(large_to_small.mean == doctest::Approx(0.5 * 5 + 0.25 * beyond_corner).epsilon(0.001));
+  CHECK(large_to_small.percentile_99 < large_to_small.largest);
+  CHECK(large_to_small.percentile_99 > 12);
+}
+
+TEST_CASE("distances are in units of their own along each axis") {
+  const Distances in_voxels = distances(square(10, 0), square(10, 3), {1, 1, 2});
+  CHECK(in_voxels.mean == doctest::Approx(1.5));
+}
+
+TEST_CASE("the nearest triangle is found, wherever it is") {
+  const Mesh to = ball();
+  discmc::test::Chance chance(9);
+  for (int i = 0; i < 30; ++i) {
+    Point by{};
+    for (double& coordinate : by) coordinate = chance.below(2000) / 100.0 - 10;
+    Mesh from = moved(square(0.01, 0), by);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t face = 0; face < to.face_count(); ++face)
+      nearest = std::min(nearest,
+                         squared_distance(from.vertices_mm[0], {to.vertices_mm[to.face(face)[0]],
+                                                                to.vertices_mm[to.face(face)[1]],
+                                                                to.vertices_mm[to.face(face)[2]]}));
+    CHECK(distances(from, to, {1, 1, 1}, 10).largest ==
+          doctest::Approx(std::sqrt(nearest)).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a mesh without faces or without area has no distance") {
+  CHECK_THROWS_AS(distances(Mesh{}, square(1, 0)), std::invalid_argument);
+  CHECK_THROWS_AS(distances(square(1, 0), Mesh{}), std::invalid_argument);
+  CHECK_THROWS_AS(distances(square(0, 0), square(1, 0)), std::invalid_argument);
+}
