@@ -269,6 +269,40 @@ TEST_CASE("damaged DICOM is refused, wherever it is cut") {
   }
 }
 
+// The bytes of a slice with sequences in sequences.
+std::string nested(int levels, bool has_lengths) {
+  const std::string start = has_lengths ? "" : std::string("\xff\xff\xff\xff");
+  const auto length = [&](std::size_t bytes) {
+    std::string text = start;
+    for (unsigned shift = 0; has_lengths && shift < 32; shift += 8)
+      text += static_cast<char>(bytes >> shift & 0xff);
+    return text;
+  };
+  std::string inner;
+  for (int i = 0; i < levels; ++i) {
+    // Within lengths the outermost comes last.
+    const std::string item = std::string("\xfe\xff\x00\xe0", 4) + length(inner.size());
+    const std::string sequence =
+        std::string("\x40\x00\x75\x02SQ\0\0", 8) + length(item.size() + inner.size());
+    const std::string ends =
+        has_lengths ? "" : std::string("\xfe\xff\x0d\xe0\0\0\0\0\xfe\xff\xdd\xe0\0\0\0\0", 16);
+    inner.insert(0, sequence + item);
+    inner += ends;
+  }
+  const std::string before = std::string("\x20\x00\x32\x00", 4);
+  std::string bytes = slice(0);
+  REQUIRE(contains(bytes, before));
+  return bytes.insert(bytes.find(before), inner);
+}
+
+TEST_CASE("sequences that are nested without end are refused") {
+  const Folder folder;
+  for (const bool has_lengths : {false, true}) {
+    CHECK(open_volume(folder.write("v.dcm", nested(30, has_lengths)))->info().dims[0] == width);
+    check_refusal(refusal(folder.write("v.dcm", nested(20000, has_lengths))), "a damaged one");
+  }
+}
+
 TEST_CASE("a folder of DICOM is a mesh by one command") {
   const command::Workshop workshop;
   const std::string folder = "'" + (files / "series").string() + "'";

@@ -1,5 +1,7 @@
 #include "toolkit.hpp"
 
+#include "nesting.hpp"
+
 #include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
@@ -15,11 +17,22 @@ void set_up() {
   DJLSDecoderRegistration::registerCodecs();
 }
 
+// What is deflated is not seen by is_nested_within().
+bool is_deflated(const std::filesystem::path& file) {
+  DcmFileFormat header;
+  if (header.loadFile(file.c_str(), EXS_Unknown, EGL_noChange, 0, ERM_metaOnly).bad()) return false;
+  OFString syntax;
+  header.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax);
+  return DcmXfer(syntax.c_str()).getStreamCompression() != ESC_none;
+}
+
 }  // namespace
 
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {
   static const bool is_set_up = (set_up(), true);
   static_cast<void>(is_set_up);
+  constexpr std::uint32_t most_nested = 64;
+  if (!is_nested_within(most_nested, file) || is_deflated(file)) return nullptr;
   constexpr Uint32 most_read_at_once = 4096;
   const DcmTagKey first_of_pixels(0x7fe0, 0);
   auto opened = std::make_unique<DcmFileFormat>();

@@ -17,7 +17,7 @@ namespace discmc::host {
 enum class Pixels { left_out, included };
 
 /// Opens a file. Values of some size stay in it until they are asked for. Returns nothing where it
-/// is no DICOM file.
+/// is no DICOM file, a damaged one, or deflated as a whole.
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels);
 
 }  // namespace discmc::host
