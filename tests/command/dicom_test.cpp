@@ -189,8 +189,8 @@ TEST_CASE("of several series one is chosen by its number or UID") {
     series.write("other" + std::to_string(z), bytes);
   }
   const std::string text = refusal(series.path());
-  check_refusal(text, "\n  1: 5 slices of 8 x 6, 'CT', 'Head 2.5', UID '" + uid + "'\n");
-  check_refusal(text, "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID '" + other + "'\n");
+  check_refusal(text, "\n  1: 5 slices of 8 x 6, 'CT', 'Head 2.5', UID " + uid + "\n");
+  check_refusal(text, "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID " + other + "\n");
   check_refusal(text, "--series N");
   const auto ones = std::vector<double>(values().size(), 257);
   const auto chosen = [&](const std::string& name) {
@@ -203,6 +203,21 @@ TEST_CASE("of several series one is chosen by its number or UID") {
   check_refusal(refusal(series.path(), {{}, {}, "3"}), "no series '3' among\n");
   const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
   check_refusal(refusal(nrrd_file, {{}, {}, "1"}), "leave out --series");
+}
+
+TEST_CASE("the longest UID of a series is listed whole") {
+  const Series series;
+  const std::string uid = "2.25." + std::string(59, '7');
+  std::string bytes = slice(0);
+  const std::size_t at = bytes.find(std::string("\x20\x00\x0e\x00UI", 6));
+  REQUIRE(at != std::string::npos);
+  constexpr std::size_t header = 8;
+  const auto old_length = static_cast<unsigned char>(bytes[at + header - 2]);
+  bytes.replace(at + header, old_length, uid);
+  bytes[at + header - 2] = static_cast<char>(uid.size());
+  series.write("other", bytes);
+  check_refusal(refusal(series.path()), "UID " + uid + "\n");
+  CHECK(open_volume(series.path(), {{}, {}, uid})->info().dims[2] == 1);
 }
 
 TEST_CASE("files that hold no image are skipped and counted") {

@@ -48,13 +48,22 @@ bool are_of_one_stack(const DicomFrame& a, const DicomFrame& b) {
   return kind(*a.image) == kind(*b.image) && have_one_direction(a, b);
 }
 
+// Whole, to be copied: without what is of no UID.
+std::string shown_uid(const std::string& uid) {
+  constexpr std::size_t most = 64;
+  std::string text;
+  for (const char c : uid.substr(0, most))
+    if ((c >= '0' && c <= '9') || c == '.') text += c;
+  return text;
+}
+
 std::string description(const DicomStack& stack) {
   const DicomImage& image = *stack[0].image;
   std::string text = std::to_string(stack.size()) + (stack.size() == 1 ? " slice" : " slices") +
                      " of " + std::to_string(image.columns) + " x " + std::to_string(image.rows);
   if (!image.modality.empty()) text += ", " + shown(image.modality);
   if (!image.description.empty()) text += ", " + shown(image.description);
-  return text + ", UID " + shown(image.series);
+  return text + ", UID " + shown_uid(image.series);
 }
 
 std::string list(const std::vector<DicomStack>& stacks) {
