@@ -107,3 +107,23 @@ TEST_CASE("what cannot be compared is refused by its name") {
   check_failure(workshop.run("compare v.dmc none.ply"), 1, {"none.ply"});
   check_failure(workshop.run("compare v.dmc"), 2, {"B"});
 }
+
+TEST_CASE("a volume is compared where it lies in space, as its mesh is") {
+  const Workshop workshop;
+  const auto ball = discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 100);
+  const auto distances_of = [&](const std::string& directions) {
+    workshop.write("v.nrrd", ball,
+                   "space: left-posterior-superior\nspace directions: " + directions +
+                       "\nspace origin: (100,-50,7)\n");
+    workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+    workshop.done("extract v.nrrd --iso 100 -q -o v.ply");
+    return workshop.run("compare v.ply v.dmc");
+  };
+  const Result straight = distances_of("(2,0,0) (0,-2,0) (0,0,2)");
+  if (lacks_assimp(straight)) return;
+  CHECK(rows(straight.out).at("A to B, mm")[2] < 1e-3);
+  CHECK(rows(straight.out).size() == 4);
+  const Result turned = distances_of("(0,2,0) (-2,0,0) (0,0,2)");
+  CHECK(rows(turned.out).at("B to A, mm")[2] < 1e-3);
+  CHECK(rows(turned.out).size() == 2);
+}

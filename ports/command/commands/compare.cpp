@@ -5,12 +5,15 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
 #include "mesh_files/mesh_reader.hpp"
+#include "mesh_output.hpp"
 #include "meshes/mesh.hpp"
+#include "meshes/placing.hpp"
 #include "meshes/surface_distance.hpp"
 #include "progress.hpp"
 #include "require.hpp"
@@ -22,20 +25,37 @@ namespace {
 
 struct Compared {
   Mesh mesh;
-  bool has_voxels;
+  bool has_voxels;  ///< whether distances can be told in voxels
   int code;
 };
+
+// Where axes are turned, distances along them are no voxels.
+bool lies_along_coordinates(const VolumePlacement& placement) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t other = 0; other < 3; ++other)
+      if (axis != other && placement.axes_mm[axis][other] != 0) return false;
+  return true;
+}
+
+// A surface where extract and decode would put its mesh.
+Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePlacement>& told,
+                int code) {
+  const auto placement = mesh_placement(name, told, std::nullopt);
+  if (placement) place(mesh, *placement);
+  return {std::move(mesh), !placement || lies_along_coordinates(*placement), code};
+}
 
 Compared surface_of(const ComparedInput& input, const CompareArguments& arguments) {
   if (input.kind == ComparedInput::Kind::mesh) return {read_mesh(input.name), false, exit_ok};
   if (input.kind == ComparedInput::Kind::stream) {
     const DecodedStream decoded = decode_surface(input.name, arguments.choice);
-    return {build_mesh(decoded.surface, {true, Faces::triangles}), true,
-            completeness(input.name, decoded.report)};
+    return placed(build_mesh(decoded.surface, {true, Faces::triangles}), input.name,
+                  decoded.placement, completeness(input.name, decoded.report));
   }
   const auto volume = open_noted_volume(input.name, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
-  return {classic_mesh(*volume, extraction_options(arguments.reading, progress)), true, exit_ok};
+  return placed(classic_mesh(*volume, extraction_options(arguments.reading, progress)), input.name,
+                volume->info().placement, exit_ok);
 }
 
 void write_row(const char* name, const Distances& distances) {

@@ -85,25 +85,29 @@ Configuration Crossings::configuration_around(const Vertex& centroid) const {
   return static_cast<Configuration>(configuration);
 }
 
+Point Crossings::on_edge(const Vertex& middle) const {
+  Point point = {static_cast<double>(middle.x), static_cast<double>(middle.y),
+                 static_cast<double>(middle.z)};
+  const std::size_t axis = (middle.x & 1) != 0 ? 0 : (middle.y & 1) != 0 ? 1 : 2;
+  if (const Crossing* const crossing = crossing_of(middle))
+    point[axis] += static_cast<double>(crossing->at) - 1;
+  return point;
+}
+
 Point Crossings::interpolated(const Vertex& vertex) const {
-  Point point = {static_cast<double>(vertex.x), static_cast<double>(vertex.y),
-                 static_cast<double>(vertex.z)};
   const bool is_centroid = (vertex.x & vertex.y & vertex.z & 1) != 0;
-  if (!is_centroid) {
-    const std::size_t axis = (vertex.x & 1) != 0 ? 0 : (vertex.y & 1) != 0 ? 1 : 2;
-    if (const Crossing* const crossing = crossing_of(vertex))
-      point[axis] += static_cast<double>(crossing->at) - 1;
-    return point;
-  }
+  if (!is_centroid) return on_edge(vertex);
   static const std::array<Loop, configurations> loops = fan_loops();
   const Loop& loop = loops[configuration_around(vertex)];
-  if (loop.count == 0) return point;
-  point = {};
+  if (loop.count == 0)
+    return {static_cast<double>(vertex.x), static_cast<double>(vertex.y),
+            static_cast<double>(vertex.z)};
+  Point mean{};
   for (int i = 0; i < loop.count; ++i) {
-    const Point crossing = interpolated(vertex - Vertex{1, 1, 1} + position(loop.point[i]));
-    for (std::size_t axis = 0; axis < 3; ++axis) point[axis] += crossing[axis] / loop.count;
+    const Point crossing = on_edge(vertex - Vertex{1, 1, 1} + position(loop.point[i]));
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += crossing[axis] / loop.count;
   }
-  return point;
+  return mean;
 }
 
 // What is on, and the samples, of one slice after the other.

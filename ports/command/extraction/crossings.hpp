@@ -47,6 +47,7 @@ class Crossings {
 
   bool is_inside(const Vertex& voxel) const;
   const Crossing* crossing_of(const Vertex& middle) const;
+  Point on_edge(const Vertex& middle) const;
   Configuration configuration_around(const Vertex& centroid) const;
 
   std::array<std::uint32_t, 3> dims_;

@@ -77,8 +77,8 @@ const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& si
     }
     if (farthest == begin) continue;
     needed_.push_back(farthest);
-    spans_.push_back({begin, farthest});
-    spans_.push_back({farthest, end});
+    spans_.emplace_back(begin, farthest);
+    spans_.emplace_back(farthest, end);
   }
   return needed_;
 }
