@@ -54,8 +54,7 @@ TEST_CASE("a raw layout keeps its spacing and is checked before anything is read
   CHECK(open_volume(file, {layout})->info().spacing_mm == Spacing{1, 1, 1});
   CHECK(open_volume(file, {layout, spacing})->info().spacing_mm == spacing);
   layout.dims = {32766, 32766, 4};
-  check_refusal(refusal(file, {layout}),
-                "slice 0 (the first is 0) of 4: 1073610696 bytes of it are");
+  check_refusal(refusal(file, {layout}), "has 60 bytes, but a volume of 32766 x 32766 x 4 u8");
   layout.dims = {32767, 1, 1};
   check_refusal(refusal(file, {layout}), "dimension 1 has size 32767, outside 1 to 32766");
   layout.dims = {1, 0, 1};
@@ -120,7 +119,7 @@ TEST_CASE("NRRD skips lines of the file and bytes of its content") {
                 "of 99 bytes to skip 39 are not there");
   check_refusal(
       refusal(folder.write("g.nrrd", nrrd(nrrd_u8 + "byte skip: 9223372036854775807\n\n") + u8)),
-      "the data should begin at byte");
+      "of 9223372036854775807 bytes to skip");
 }
 
 TEST_CASE("NRRD gives a signed spacing in millimetres") {
@@ -145,7 +144,7 @@ TEST_CASE("NRRD refuses by name what it does not take") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {nrrd("type: block\nencoding: raw\n\n"), "type 'block'"},
       {nrrd("type: char\nencoding: raw\n\n"), "one number a voxel"},
-      {nrrd("type: uchar\nencoding: bzip2\n\n"), "encoding 'bzip2'"},
+      {nrrd("type: uchar\nencoding: hex\n\n"), "encoding 'hex'"},
       {nrrd("type: short\nencoding: raw\n\n"), "'endian' is missing"},
       {nrrd("type: short\nencoding: raw\nendian: pdp\n\n"), "endian is 'pdp'"},
       {nrrd(nrrd_u8 + "endain: big\n\n"), "'endain' is not known"},
@@ -155,14 +154,14 @@ TEST_CASE("NRRD refuses by name what it does not take") {
       {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "no vector of up to"},
       {nrrd(nrrd_u8 + "space directions: (1,0,0) (0,1,0)\n\n"), "2 entries for 3 dimensions"},
       {nrrd(nrrd_u8 + "spacings: 1\n\n"), "1 entries for 3 dimensions"},
-      {nrrd(nrrd_u8 + "data file: LIST\na\nb\n"), "no colon"},
-      {nrrd(nrrd_u8 + "data file: LIST\n"), "several files"},
-      {nrrd(nrrd_u8 + "data file: %99999d.raw 1 4 1\n"), "several files"},
+      {nrrd(nrrd_u8 + "data file: LIST\nabsent\nb\n"), "absent: there is no such file"},
+      {nrrd(nrrd_u8 + "data file: LIST\n"), "list of data files is empty"},
+      {nrrd(nrrd_u8 + "data file: %99999d.raw 1 4 1\n"), "no pattern with a range"},
       {nrrd(nrrd_u8 + "data file: absent.raw\n"), "no such file"},
-      {nrrd(nrrd_u8 + "data file: .\n"), "no regular file"},
+      {nrrd(nrrd_u8 + "data file: .\n"), "no file or pipe"},
       {nrrd(nrrd_u8), "no end"},
       {nrrd(nrrd_u8 + "\n", "5 3"), "slice 0 (the first is 0) of 1: 15 bytes"},
-      {nrrd(nrrd_u8 + "\n", "5 3 4 2"), "dimension 4 has size 2"},
+      {nrrd(nrrd_u8 + "\n", "5 3 4 2"), "holds 2 volumes"},
       {nrrd(nrrd_u8 + "\n", "5 0 4"), "dimension 2 has size 0"},
       {nrrd(nrrd_u8 + "\n", "5 -3 4"), "dimension 2 has size -3"},
       {nrrd(nrrd_u8 + "\n", "5 3 99999999999999999999"), "no whole number in range"},
@@ -252,16 +251,17 @@ TEST_CASE("NIfTI refuses by name what it does not take") {
   check(Nifti().type(128).file(u8), "RGB24");
   check(Nifti().scale(-2, 0).file(u8), "negative slope");
   check(Nifti().scale(std::numeric_limits<float>::infinity(), 0).file(u8), "not finite");
-  check(Nifti().dims({4, 5, 3, 4, 2}).file(u8), "dimension 4 has size 2");
+  check(Nifti().dims({4, 5, 3, 4, 2}).file(u8), "holds 2 volumes");
   check(Nifti().dims({3, 5, 0, 4}).file(u8), "dimension 2 has size 0");
   check(Nifti().dims({3, -5, 3, 4}).file(u8), "dimension 1 has size -5");
   check(Nifti().dims({9, 5, 3, 4}).file(u8), "9 dimensions");
-  check(Nifti().integer(0, 4, 540).file(u8), "size 540");
-  check(Nifti().integer(344, 4, 0).file(u8), "Analyze");
+  check(Nifti().integer(0, 4, 540).file(u8 + u8 + u8 + u8), "magic of NIfTI-2");
+  check(Nifti().integer(0, 4, 541).file(u8), "size 541");
+  check(Nifti().integer(344, 4, 0).file(u8), "no .img or .img.gz beside it");
   check(Nifti().real(108, -1).file(u8), "vox_offset");
-  check(Nifti().real(108, 1000).file(u8), "byte 1000");
+  check(Nifti().real(108, 1000).file(u8), "of 652 bytes to skip 588 are not there");
   check(Nifti().pair().file(u8), "no .img or .img.gz beside it");
-  check("short", "348 bytes");
+  check(Nifti().file(u8).substr(0, 347), "348 bytes");
   check_refusal(refusal(folder.write("v.img", u8)), "no .hdr or .hdr.gz beside it");
 }
 
@@ -321,15 +321,15 @@ TEST_CASE("MetaImage refuses by name what it does not take") {
   };
   const std::string local = "ElementDataFile = LOCAL\n";
   check("ElementType = MET_UCHAR_ARRAY\n" + local, "'MET_UCHAR_ARRAY'");
-  check(metaimage_u8 + "BinaryData = False\n" + local, "BinaryData is 'False'");
+  check(metaimage_u8 + "BinaryData = False\n" + local, "no sample of type u8");
   check(metaimage_u8 + "ElementNumberOfChannels = 3\n" + local, "ElementNumberOfChannels is '3'");
   check(metaimage_u8 + "ElementToIntensityFunctionSlope = -1\n" + local, "negative slope");
   check(metaimage_u8 + "ElementSpacing = 1 one 1\n" + local, "'one'");
   check(metaimage_u8 + "ElementSpacing = 1 1\n" + local, "2 numbers for 3 dimensions");
   check(metaimage_u8 + "CompressedData = maybe\n" + local, "CompressedData is 'maybe'");
   check(metaimage_u8 + "HeaderSize = -2\n" + local, "HeaderSize is -2");
-  check(metaimage_u8 + "ElementDataFile = v%03d.raw 1 4 1\n", "several files");
-  check(metaimage_u8 + local, "dimension 4 has size 2", "5 3 4 2");
+  check(metaimage_u8 + "ElementDataFile = v%03d.raw 1 4 1\n", "there is no such file");
+  check(metaimage_u8 + local, "holds 2 volumes", "5 3 4 2");
   check(metaimage_u8 + local, "dimension 3 has size 0", "5 3 0");
   check(metaimage_u8, "no equals sign");
   check("ObjectType = Tube\n", "'ObjectType' is there twice");
@@ -371,7 +371,6 @@ TEST_CASE("a file of no known format, a folder and a missing file are refused") 
   check_refusal(refusal(folder.path() / "absent.nii"), "no such file");
   fs::create_directory(folder.path() / "folder.nrrd");
   check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM, PNG or TIFF files");
-  check_refusal(refusal("/dev/null"), "no regular file");
 }
 
 TEST_CASE("the stored threshold is reached exactly where the value reaches iso") {

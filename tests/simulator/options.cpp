@@ -15,7 +15,7 @@ void add_volume(CLI::App& app, Options& options) {
     return *options.layout;
   };
   app.add_option("VOLUME", options.volume,
-                 "what is scanned: NRRD, NIfTI-1 or MetaImage file, or headerless samples with "
+                 "what is scanned: a volume as discmc extract takes it, or headerless samples with "
                  "--dims and --type")
       ->required();
   CLI::Option* dims = app.add_option_function<std::vector<std::uint32_t>>(

@@ -84,10 +84,11 @@ Command add_extract(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
   CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
   extract
-      ->add_option("VOLUME", arguments->volume,
-                   "NRRD, NIfTI-1 or MetaImage file, a folder or file of DICOM, a folder, "
-                   "'pattern' or file of PNG or TIFF slices, or headerless samples with --dims "
-                   "and --type")
+      ->add_option(
+          "VOLUME", arguments->volume,
+          "file of NRRD, NIfTI, Analyze, MetaImage, VTK, NumPy or InVesalius, a folder or "
+          "file of DICOM, a folder, 'pattern' or file of PNG or TIFF slices, or headerless "
+          "samples with --dims and --type; - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   extract->add_flag("-q,--quiet", arguments->quiet, "print no table");

@@ -27,7 +27,7 @@ CLI::Validator png_name() {
 
 // By the name; but what is given a threshold must be a volume.
 bool is_volume(const std::string& input, bool has_iso) {
-  const bool is_stream = input == "-" || std::filesystem::path(input).extension() == ".dmc";
+  const bool is_stream = std::filesystem::path(input).extension() == ".dmc";
   return is_volume_name(input) || (has_iso && !is_stream);
 }
 
@@ -97,7 +97,7 @@ Command add_render(CLI::App& app) {
   CLI::App* render = app.add_subcommand("render", "Draw a stream or a volume as a PNG picture");
   render
       ->add_option("INPUT", arguments->input,
-                   "a .dmc stream (- reads standard input), or a volume as extract takes it")
+                   "a .dmc stream, or a volume as extract takes it; - reads standard input")
       ->required();
   render
       ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")

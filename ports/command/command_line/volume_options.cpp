@@ -24,6 +24,13 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
   app.add_flag("--big-endian", arguments.big_endian,
                "a headerless file has the high byte of a sample first")
       ->needs(dims);
+  app.add_option("--skip-bytes", arguments.skipped_bytes,
+                 "what stands before the samples of a headerless file")
+      ->option_text("N")
+      ->needs(dims);
+  app.add_option("--frame", arguments.frame,
+                 "the volume to read of a file that holds several (4D), the first is 0")
+      ->option_text("N");
   app.add_option("--spacing", arguments.spacing,
                  "distances of voxels in millimetres, in place of those of the file (default: "
                  "those of the file, or 1 where it tells none)")

@@ -10,7 +10,8 @@ namespace discmc::host {
 
 constexpr const char* volume_group = "Volume";
 
-/// --dims, --type and --big-endian, the layout of a headerless file; --spacing, and --series.
+/// --dims, --type, --big-endian and --skip-bytes, the layout of a headerless file; --spacing, --frame
+/// and --series.
 void add_volume_options(CLI::App& app, LayoutArguments& arguments);
 
 }  // namespace discmc::host

@@ -22,7 +22,9 @@ struct LayoutArguments {
   std::optional<SampleType> type;
   bool big_endian = false;
   std::vector<double> spacing;
+  std::uint64_t skipped_bytes = 0;
   std::string series;
+  std::optional<std::uint32_t> frame;
 };
 
 /// What is on in a surface, and what the user calls it.

@@ -31,6 +31,7 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
 }  // namespace
 
 int extract_meshes(const ExtractArguments& arguments) {
+  if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume);
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const FilePattern pattern(arguments.output);
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);

@@ -31,6 +31,7 @@ Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
 }
 
 Mesh volume_to_draw(const RenderArguments& arguments) {
+  if (arguments.smooth) require_second_pass(arguments.input);
   auto volume = open_noted_volume(arguments.input, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
   auto options = extraction_options(arguments.reading, progress);

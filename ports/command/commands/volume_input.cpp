@@ -15,11 +15,20 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
     std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
     layout.type = *arguments.type;
     layout.big_endian = arguments.big_endian;
+    layout.skipped_bytes = arguments.skipped_bytes;
   }
   if (!arguments.spacing.empty())
     std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
   options.series = arguments.series;
+  options.frame = arguments.frame;
   return options;
+}
+
+void require_second_pass(const std::string& path) {
+  if (is_read_once(path))
+    throw VolumeError((path == "-" ? "standard input" : path) +
+                      ": normals of the gradient take a second pass, and this can be read once; "
+                      "store the volume in a file first");
 }
 
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
@@ -32,6 +41,7 @@ std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
 
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
                                  double iso) {
+  require_second_pass(path);
   auto volume = open_volume(path, options);
   if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
   const SampleBounds bounds = sample_bounds(*volume);

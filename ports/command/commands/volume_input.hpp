@@ -15,6 +15,9 @@ namespace discmc::host {
 
 VolumeOptions volume_options(const LayoutArguments& arguments);
 
+/// Throws when the file can be read once only.
+void require_second_pass(const std::string& path);
+
 /// Opens the volume, and says what of its file is dropped.
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
                                                 const VolumeArguments& arguments);
@@ -25,8 +28,8 @@ struct GradientVolume {
   Selection selection;
 };
 
-/// The volume in samples that the library takes (is_scanner_type()): itself, or else narrowed,
-/// which takes a pass over it.
+/// The volume once more, in samples that the library takes (is_scanner_type()): itself, or else
+/// narrowed, which takes a pass over it. Throws as require_second_pass().
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options, double iso);
 
 /// At the first threshold. progress: has to live as long as the options are in use.

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "data_files.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -12,31 +13,24 @@ namespace {
 
 using Fields = std::map<std::string, std::string, std::less<>>;
 
-struct Header {
+Fields parse(const std::filesystem::path& file, ByteStream& stream) {
   Fields fields;
-  std::uint64_t bytes = 0;
-};
-
-Header parse(const std::filesystem::path& file, ByteStream& stream) {
-  const std::string all = header_text(stream);
-  std::string_view rest = all;
-  Header header;
-  while (header.fields.count("ElementDataFile") == 0) {
-    const auto line = take_line(rest);
+  while (fields.count("ElementDataFile") == 0) {
+    const auto line = stream.read_line();
     if (!line)
       fail(file, "the header field ElementDataFile is missing",
            "end the header with it: LOCAL, or the name of the data file");
     if (trimmed(*line).empty()) continue;
-    const std::size_t equals = line->find('=');
+    const std::string_view text = *line;
+    const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos)
       fail(file, "the header line " + shown(*line) + " has no equals sign",
            "check that it is a MetaImage file");
-    const std::string name(trimmed(line->substr(0, equals)));
-    if (!header.fields.emplace(name, trimmed(line->substr(equals + 1))).second)
+    const std::string name(trimmed(text.substr(0, equals)));
+    if (!fields.emplace(name, trimmed(text.substr(equals + 1))).second)
       fail(file, "the header field " + shown(name) + " is there twice", "delete one of the lines");
   }
-  header.bytes = all.size() - rest.size();
-  return header;
+  return fields;
 }
 
 // One header with the file for its refusals.
@@ -86,6 +80,20 @@ class Description {
   const Fields& fields_;
 };
 
+// How samples are stored.
+struct Storage {
+  SampleType type;
+  bool is_compressed;
+  bool is_text;
+
+  bool is_raw() const { return !is_compressed && !is_text; }
+  std::string name() const { return is_compressed ? "zlib" : is_text ? "text" : "raw"; }
+};
+
+bool is_local(std::string_view data_file) {
+  return lower(data_file) == "local";
+}
+
 // What the command reads has one value for this field.
 void expect(const std::filesystem::path& file, std::string_view name, std::string_view found,
             std::string_view expected) {
@@ -108,7 +116,8 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
   fail_type(file, text);
 }
 
-void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Description& header) {
+void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Description& header,
+               const VolumeOptions& options) {
   const auto dimensions = integer(file, "NDims", header.needed("NDims"));
   std::vector<std::int64_t> sizes;
   for (const auto word : words(header.needed("DimSize")))
@@ -118,7 +127,7 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Descri
          "NDims is " + std::to_string(dimensions) + " but DimSize holds " +
              std::to_string(sizes.size()),
          "correct the header");
-  set_dims(info, file, sizes);
+  set_dims(info, file, sizes, options);
 }
 
 // Where the axes come from by their letters: RAI are axes along LPS. ITK writes them beside the
@@ -182,54 +191,69 @@ void set_values(VolumeInfo& info, const std::filesystem::path& file, const Descr
   set_scale(info, file, slope.empty() ? 1 : slope[0], intercept.empty() ? 0 : intercept[0]);
 }
 
-std::filesystem::path data_file(const std::filesystem::path& file, std::string_view name) {
-  if (name.substr(0, 4) == "LIST" || name.find('%') != std::string_view::npos)
-    fail(file, "ElementDataFile is " + shown(name) + ", but data in several files is not read",
-         "write it to one file, e.g. with ITK or SimpleITK");
-  return beside(file, name);
+// Leaves a data file at its first sample. HeaderSize counts from the beginning of the file that
+// holds the data, and -1 says that the data is its end.
+ByteStream at_data(ByteStream data, std::int64_t header_bytes, const Storage& storage,
+                   std::uint64_t bytes_in_file) {
+  if (header_bytes < (storage.is_raw() ? -1 : 0))
+    fail(data.file(), "HeaderSize is " + std::to_string(header_bytes), "give a number from 0");
+  const auto offset = static_cast<std::uint64_t>(header_bytes);
+  if (header_bytes > 0 && offset < data.position())
+    fail(data.file(),
+         "HeaderSize is " + std::to_string(header_bytes) + ", within the header itself",
+         "leave it out");
+  if (header_bytes > 0) data.skip(offset - data.position());
+  if (header_bytes == -1) skip_to_end(data, bytes_in_file);
+  if (storage.is_compressed) data.decode(inflated);
+  if (storage.is_text)
+    data.decode([&storage](auto in) { return samples_of_text(std::move(in), storage.type); });
+  return data;
 }
 
-// Leaves the stream at the first sample. HeaderSize counts from the beginning of the file that
-// holds the data, and -1 says that the data is its end.
-void go_to_data(VolumeInfo& info, ByteStream& data, const Description& header) {
-  const auto bytes = header.whole("HeaderSize", 0);
-  const bool compressed = header.flag({"CompressedData"}, false);
-  if (bytes < (compressed ? 0 : -1))
-    fail(data.file(), "HeaderSize is " + std::to_string(bytes), "give a number from 0");
-  if (bytes > 0) data.seek(static_cast<std::uint64_t>(bytes));
-  if (bytes == -1) seek_volume_at_end(data, info);
-  info.format = compressed ? "MetaImage, zlib" : "MetaImage, raw";
-  if (compressed) data.start_inflate();
+// Takes the samples from behind the header, or from the files that it names.
+ByteStream open_data(ByteStream& stream, const Description& header, const Storage& storage,
+                     const VolumeInfo& info) {
+  const std::string_view name = header.needed("ElementDataFile");
+  const std::int64_t header_bytes = header.whole("HeaderSize", 0);
+  const std::uint64_t bytes = bytes_of_all(info);
+  if (is_local(name)) return at_data(std::move(stream), header_bytes, storage, bytes);
+  if (!names_several_files(name))
+    return at_data(ByteStream(beside(stream.file(), name)), header_bytes, storage, bytes);
+  const DataFiles files = data_files(stream, "ElementDataFile", name);
+  const auto open = [storage, header_bytes, each = bytes / files.count](const auto& path) {
+    return at_data(ByteStream(path), header_bytes, storage, each);
+  };
+  return joined(stream.file(), files, bytes, open);
 }
 
 }  // namespace
 
-std::unique_ptr<VolumeReader> open_metaimage(const std::filesystem::path& file) {
-  ByteStream stream(file);
-  const Header parsed = parse(file, stream);
-  const Description header(file, parsed.fields);
+std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
+  const Fields fields = parse(file, stream);
+  const Description header(file, fields);
   const std::string_view object = header.text({"ObjectType"});
   if (!object.empty()) expect(file, "ObjectType", object, "Image");
-  if (!header.flag({"BinaryData"}, true)) expect(file, "BinaryData", "False", "True");
   if (header.whole("ElementNumberOfChannels", 1) != 1)
     expect(file, "ElementNumberOfChannels", header.text({"ElementNumberOfChannels"}), "1");
 
   VolumeInfo info;
   info.type = sample_type(file, header.needed("ElementType"));
-  set_sizes(info, file, header);
+  set_sizes(info, file, header, options);
   set_geometry(info, file, header);
   set_values(info, file, header);
-  const bool big_endian = header.flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false);
-  if (sample_bytes(info.type) > 1 &&
-      header.text({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}).empty())
+  const Storage storage{info.type, header.flag({"CompressedData"}, false),
+                        !header.flag({"BinaryData"}, true)};
+  const std::initializer_list<std::string_view> order = {"BinaryDataByteOrderMSB",
+                                                         "ElementByteOrderMSB"};
+  const bool big_endian = storage.is_text ? is_native_big_endian() : header.flag(order, false);
+  if (!storage.is_text && sample_bytes(info.type) > 1 && header.text(order).empty())
     info.notes.emplace_back("byte order not given, little-endian taken");
 
-  const std::string_view name = header.needed("ElementDataFile");
-  const bool local = lower(name) == "local";
-  ByteStream data = local ? std::move(stream) : ByteStream(data_file(file, name));
-  if (local) data.seek(parsed.bytes);
-  go_to_data(info, data, header);
-  if (!local) info.format += ", detached";
+  ByteStream data = open_data(stream, header, storage, info);
+  skip_to_frame(data, info, options);
+  info.format = "MetaImage, " + storage.name() +
+                (is_local(header.needed("ElementDataFile")) ? "" : ", detached");
   return std::make_unique<SliceStream>(std::move(info), std::move(data), big_endian);
 }
 

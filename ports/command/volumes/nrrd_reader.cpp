@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "data_files.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -17,7 +18,6 @@ using Fields = std::map<std::string, std::string, std::less<>>;
 
 struct Header {
   Fields fields;
-  std::uint64_t bytes = 0;
   bool closed = false;  // by the empty line that data may follow
 };
 
@@ -45,27 +45,28 @@ std::string field_name(const std::filesystem::path& file, std::string_view text)
 }
 
 Header parse(const std::filesystem::path& file, ByteStream& stream) {
-  const std::string all = header_text(stream);
-  std::string_view rest = all;
-  const std::string_view magic = take_line(rest).value_or("");
+  const std::string magic = stream.read_line().value_or("");
   if (magic.size() != 8 || magic.substr(0, 7) != "NRRD000" || magic[7] < '1' || magic[7] > '5')
     fail(file, "the file begins with " + shown(magic) + " and not with NRRD0001 to NRRD0005",
          "check that it is an NRRD file");
   Header header;
-  while (const auto line = take_line(rest)) {
+  while (const auto line = stream.read_line()) {
     header.closed = line->empty();
     if (header.closed) break;
     if (line->front() == '#') continue;
     const std::size_t colon = line->find(':');
-    if (colon == std::string_view::npos)
+    if (colon == std::string::npos)
       fail(file, "the header line " + shown(*line) + " has no colon",
            "end the header with an empty line");
     if (line->substr(colon, 2) == ":=") continue;  // a key of some program, with its value
-    const std::string name = field_name(file, line->substr(0, colon));
-    if (!header.fields.emplace(name, trimmed(line->substr(colon + 1))).second)
+    const std::string_view text = *line;
+    const std::string name = field_name(file, text.substr(0, colon));
+    const auto [entry, is_new] = header.fields.emplace(name, trimmed(text.substr(colon + 1)));
+    if (!is_new)
       fail(file, "the header field " + shown(name) + " is there twice", "delete one of the lines");
+    // The rest of the header is the list.
+    if (name == "data file" && entry->second.rfind("LIST", 0) == 0) break;
   }
-  header.bytes = all.size() - rest.size();
   return header;
 }
 
@@ -103,7 +104,8 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
   fail_type(file, text);
 }
 
-void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
+void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
+               const VolumeOptions& options) {
   const auto dimension = integer(file, "dimension", needed(file, fields, "dimension"));
   std::vector<std::int64_t> sizes;
   for (const auto word : words(needed(file, fields, "sizes")))
@@ -113,7 +115,7 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields
          "dimension is " + std::to_string(dimension) + " but there are " +
              std::to_string(sizes.size()) + " sizes",
          "correct the header");
-  set_dims(info, file, sizes);
+  set_dims(info, file, sizes, options);
 
   const auto kinds = words(field(fields, "kinds"));
   for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
@@ -266,7 +268,19 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fie
     info.notes.emplace_back("old min and old max dropped: values are the stored ones");
 }
 
+// Returns the encoding by the first of its names.
+std::string encoding_of(const std::filesystem::path& file, const Fields& fields) {
+  const std::string encoding = lower(needed(file, fields, "encoding"));
+  if (encoding == "raw") return encoding;
+  if (one_of(encoding, {"gzip", "gz"})) return "gzip";
+  if (one_of(encoding, {"bzip2", "bz2"})) return "bzip2";
+  if (one_of(encoding, {"text", "txt", "ascii"})) return "text";
+  fail(file, "encoding " + shown(encoding) + " is not read",
+       "use raw, gzip, bzip2 or text, e.g. with: unu save -f nrrd -e gzip -i in.nrrd -o out.nrrd");
+}
+
 bool big_endian(const std::filesystem::path& file, const Fields& fields, SampleType type) {
+  if (encoding_of(file, fields) == "text") return is_native_big_endian();
   if (sample_bytes(type) == 1) return false;
   const std::string endian = lower(needed(file, fields, "endian"));
   if (endian != "big" && endian != "little")
@@ -274,61 +288,67 @@ bool big_endian(const std::filesystem::path& file, const Fields& fields, SampleT
   return endian == "big";
 }
 
-std::filesystem::path data_file(const std::filesystem::path& file, std::string_view name) {
-  if (name.substr(0, 4) == "LIST" || name.find('%') != std::string_view::npos)
-    fail(file, "data file is " + shown(name) + ", but data in several files is not read",
-         "join it, e.g. with: unu save -f nrrd -i in.nhdr -o out.nrrd");
-  return beside(file, name);
-}
-
-// Leaves the stream at the first sample. Lines are skipped in the file, bytes in its content.
-void go_to_data(VolumeInfo& info, ByteStream& data, const Fields& fields) {
+// Leaves a data file at its first sample. Lines are skipped in the file, bytes in its content.
+ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
+                   std::uint64_t bytes_in_file) {
   const auto& file = data.file();
-  const std::string encoding = lower(needed(file, fields, "encoding"));
-  const bool gzip = encoding == "gzip" || encoding == "gz";
-  if (!gzip && encoding != "raw")
-    fail(file, "encoding " + shown(encoding) + " is not read",
-         "use raw or gzip, e.g. with: unu save -f nrrd -e gzip -i in.nrrd -o out.nrrd");
+  const std::string encoding = encoding_of(file, fields);
   const auto skip_of = [&](const char* name) {
-    const std::string_view text = field(fields, name);
-    return text.empty() ? 0 : integer(file, name, text);
+    const std::string_view number = field(fields, name);
+    return number.empty() ? 0 : integer(file, name, number);
   };
   const auto lines = skip_of("line skip");
   const auto bytes = skip_of("byte skip");
-  if (lines < 0 || bytes < (gzip ? 0 : -1))
+  if (lines < 0 || bytes < (encoding == "raw" ? -1 : 0))
     fail(file,
          "line skip " + std::to_string(lines) + ", byte skip " + std::to_string(bytes) +
              " is not read with encoding " + encoding,
          "give the bytes to skip as a number from 0");
-  info.format = std::string("NRRD, ") + (gzip ? "gzip" : "raw");
   data.skip_lines(static_cast<std::uint64_t>(lines));
-  if (gzip) data.start_inflate();
-  if (bytes >= 0) {
+  if (encoding == "gzip") data.decode(inflated);
+  if (encoding == "bzip2" && !has_bzip2())
+    fail(file, "this discmc was built without bzip2", "store the volume with gzip, or raw");
+  if (encoding == "bzip2") data.decode(bunzipped);
+  if (bytes >= 0)
     data.skip(static_cast<std::uint64_t>(bytes));
-  } else {
-    seek_volume_at_end(data, info);
-  }
+  else
+    skip_to_end(data, bytes_in_file);
+  if (encoding == "text")
+    data.decode([type](auto in) { return samples_of_text(std::move(in), type); });
+  return data;
+}
+
+// Takes the samples from behind the header, or from the files that it names.
+ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fields,
+                     const VolumeInfo& info) {
+  const std::uint64_t bytes = bytes_of_all(info);
+  if (name.empty()) return at_data(std::move(header), fields, info.type, bytes);
+  if (!names_several_files(name))
+    return at_data(ByteStream(beside(header.file(), name)), fields, info.type, bytes);
+  const DataFiles files = data_files(header, "data file", name);
+  const auto open = [fields, type = info.type, each = bytes / files.count](const auto& path) {
+    return at_data(ByteStream(path), fields, type, each);
+  };
+  return joined(header.file(), files, bytes, open);
 }
 
 }  // namespace
 
-std::unique_ptr<VolumeReader> open_nrrd(const std::filesystem::path& file) {
-  ByteStream stream(file);
+std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
   const Header header = parse(file, stream);
   VolumeInfo info;
   info.type = sample_type(file, needed(file, header.fields, "type"));
-  set_sizes(info, file, header.fields);
+  set_sizes(info, file, header.fields, options);
   set_geometry(info, file, header.fields);
   const bool is_big_endian = big_endian(file, header.fields, info.type);
 
   const std::string_view name = field(header.fields, "data file");
   if (name.empty() && !header.closed)
-    fail(file, "the header has no end in its first " + std::to_string(header.bytes) + " bytes",
-         "end it with an empty line, or name a data file in it");
-  ByteStream data = name.empty() ? std::move(stream) : ByteStream(data_file(file, name));
-  if (name.empty()) data.seek(header.bytes);
-  go_to_data(info, data, header.fields);
-  if (!name.empty()) info.format += ", detached";
+    fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
+  ByteStream data = open_data(stream, name, header.fields, info);
+  skip_to_frame(data, info, options);
+  info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
   return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian);
 }
 

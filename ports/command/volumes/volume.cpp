@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <system_error>
@@ -16,17 +18,32 @@
 namespace discmc::host {
 namespace {
 
-constexpr std::string_view nrrd_names[] = {".nrrd", ".nhdr"};
-constexpr std::string_view metaimage_names[] = {".mha", ".mhd"};
-constexpr std::string_view nifti_names[] = {".nii",    ".nii.gz", ".hdr",
-                                            ".hdr.gz", ".img",    ".img.gz"};
-constexpr std::string_view raw_names[] = {".raw", ".raw.gz"};
+using Ends = std::initializer_list<std::string_view>;
 
-template <std::size_t count>
-bool ends_with_one_of(const std::filesystem::path& file, const std::string_view (&ends)[count]) {
+// By the names that format_of_magic() has for them.
+struct Format {
+  std::string_view name;
+  Ends ends;
+  std::unique_ptr<VolumeReader> (*open)(ByteStream stream, const VolumeOptions& options);
+};
+const Format formats[] = {
+    {"NRRD", {".nrrd", ".nhdr"}, open_nrrd},
+    {"MetaImage", {".mha", ".mhd"}, open_metaimage},
+    {"NIfTI", {".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"}, open_nifti},
+    {"VTK", {".vtk"}, open_vtk},
+    {"VTK XML", {".vti"}, open_vti},
+    {"NumPy", {".npy"}, open_numpy},
+    {"InVesalius", {".inv3"}, open_invesalius},
+};
+
+// Headerless samples, and what they may be called though others have a header.
+const Ends raw_ends = {".raw", ".raw.gz"};
+const Ends headerless_ends = {".raw", ".raw.gz", ".img", ".img.gz"};
+
+bool ends_with_one_of(const std::filesystem::path& file, Ends ends) {
   const std::string name = lower(file.filename().string());
   const std::string_view text = name;
-  return std::any_of(ends, ends + count, [text](std::string_view end) {
+  return std::any_of(ends.begin(), ends.end(), [text](std::string_view end) {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
   });
 }
@@ -71,28 +88,35 @@ bool is_pattern(const std::filesystem::path& file) {
          !std::filesystem::exists(file, ignored);
 }
 
+void require_headerless_name(const std::filesystem::path& file) {
+  if (is_volume_name(file) && !ends_with_one_of(file, headerless_ends))
+    fail(file, "the name is that of a format with a header, which --dims and --type are not for",
+         "leave them out, or name headerless samples .raw");
+}
+
 std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
-  if (options.layout) return open_raw(file, *options.layout);
+  if (options.layout) {
+    require_headerless_name(file);
+    return open_raw(ByteStream(file), *options.layout);
+  }
   if (is_folder(file)) return open_folder(file, options);
   if (is_pattern(file)) return open_pattern(file, options);
-
-  if (ends_with_one_of(file, nrrd_names)) return open_nrrd(file);
-  if (ends_with_one_of(file, metaimage_names)) return open_metaimage(file);
-  if (ends_with_one_of(file, nifti_names)) return open_nifti(file);
   if (is_picture_name(file)) return open_pictures(file, {file});
   if (has_dicom_name(file)) return open_dicom(file, {file}, options.series);
 
-  ByteStream stream(file);
-  constexpr std::size_t nifti_magic = 344;
-  std::string head(nifti_magic + 3, '\0');
-  head.resize(stream.read(head.data(), head.size()));
-  if (head.rfind("NRRD", 0) == 0) return open_nrrd(file);
-  if (head.rfind("ObjectType", 0) == 0 || head.rfind("NDims", 0) == 0) return open_metaimage(file);
-  if (head.find("n+1", nifti_magic) != std::string::npos) return open_nifti(file);
-  if (has_dicom_magic(head)) return open_dicom(file, {file}, options.series);
-  fail(file, "the format is not known",
-       "convert it to NRRD, NIfTI-1 or MetaImage, or give the layout of its samples");
+  ByteStream stream = open_content(file);
+  for (const Format& format : formats)
+    if (ends_with_one_of(file, format.ends)) return format.open(std::move(stream), options);
+  const auto found = format_of_magic(stream);
+  for (const Format& format : formats)
+    if (found == format.name) return format.open(std::move(stream), options);
+  if (found == "DICOM" && !stream.is_decoded() && !stream.is_read_once())
+    return open_dicom(file, {file}, options.series);
+  fail(
+      stream.file(), found ? std::string(*found) + " is not read" : "the format is not known",
+      "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims and "
+      "--type");
 }
 
 // A volume whose spacing is said to be another than its file has it.
@@ -120,14 +144,18 @@ class RespacedVolume final : public VolumeReader {
 }  // namespace
 
 bool is_volume_name(const std::filesystem::path& file) {
-  return ends_with_one_of(file, nrrd_names) || ends_with_one_of(file, metaimage_names) ||
-         ends_with_one_of(file, nifti_names) || ends_with_one_of(file, raw_names) ||
-         has_dicom_name(file) || is_picture_name(file) || is_folder(file);
+  return ends_with_one_of(file, raw_ends) || has_dicom_name(file) || is_picture_name(file) ||
+         is_folder(file) ||
+         std::any_of(std::begin(formats), std::end(formats),
+                     [&file](const Format& format) { return ends_with_one_of(file, format.ends); });
 }
 
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_as_told(file, options);
+  if (options.frame.value_or(0) >= volume->info().frames)
+    fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
+         "leave out --frame");
   if (!options.series.empty() && volume->info().format.rfind("DICOM", 0) != 0)
     fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
   if (!options.spacing_mm) return volume;

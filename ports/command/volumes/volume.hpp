@@ -1,7 +1,7 @@
-// Volumes from files, slice by slice: NRRD, NIfTI-1, MetaImage, DICOM, stacks of PNG or
-// TIFF, and headerless samples.
+// Volumes from files and pipes, slice by slice: the formats of README.md, and headerless samples.
 //
-// A reader holds one small buffer, never the volume. Any bytes given as a file end in a volume or
+// A reader holds one small buffer, never the volume; of a file whose size does not bound a slice,
+// the first slice. Any bytes given as a file end in a volume or
 // in a VolumeError. Every VolumeError names the file, the value at fault and the remedy.
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_HPP
 #define DISCMC_COMMAND_VOLUMES_VOLUME_HPP
@@ -33,6 +33,8 @@ struct VolumeInfo {
   /// in z.
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
+  /// The number of volumes in the file, of which this is one: 3D volumes of a 4D one.
+  std::uint64_t frames = 1;
   /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
   /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored, and the
   /// placement only turns and moves it.
@@ -61,6 +63,8 @@ struct RawLayout {
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
   bool big_endian = false;
+  /// What stands before the samples. Units: bytes.
+  std::uint64_t skipped_bytes = 0;
 };
 
 /// What is said of a volume beside its name.
@@ -73,6 +77,8 @@ struct VolumeOptions {
   /// Of DICOM: the UID of the series, or its number in the list that the refusal shows where there
   /// are several.
   std::string series = {};
+  /// Which of the volumes of a file, the first is 0. Without it, a file of several is refused.
+  std::optional<std::uint32_t> frame = {};
 };
 
 /// One pass over a volume, first slice to last.
@@ -97,12 +103,16 @@ class VolumeReader {
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
 
-/// Opens a volume: a file, a folder of DICOM or of pictures, or files by a pattern with *, ? or
-/// [...]. With a layout the file is taken as headerless
-/// samples, inflated first when its name ends in .gz; without one the format follows from the name,
-/// or else from the first bytes. Throws VolumeError when the file cannot be opened, is in no known
-/// format, or holds what the command does not take. Nothing is allocated that depends on the sizes
-/// a file claims, and a file too short for its first slice is refused here.
+/// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
+bool is_read_once(const std::filesystem::path& file);
+
+/// Opens a volume: a file, a folder of DICOM or of pictures, files by a pattern with *, ? or [...],
+/// a pipe, or standard input by the name "-". With a layout the file is taken as headerless
+/// samples, inflated first when its name ends in .gz, and must hold the volume and nothing else;
+/// without one the format follows from the name, or else from the first bytes, inflated first where
+/// they are gzip. Throws VolumeError when the file cannot be opened, is in no known format, or
+/// holds what the command does not take. Nothing is allocated that depends on the sizes a file
+/// claims, and a file too short for its first slice is refused here.
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options = {});
 

@@ -53,6 +53,12 @@ void fail(const std::filesystem::path& file, const std::string& what, const std:
   throw VolumeError(file.string() + ": " + what + "; " + remedy);
 }
 
+ByteStream open_content(const std::filesystem::path& file) {
+  ByteStream stream(file);
+  if (stream.peek(2) == "\x1f\x8b") stream.decode(inflated);
+  return stream;
+}
+
 void fail_type(const std::filesystem::path& file, std::string_view type) {
   fail(file, "samples of type " + shown(type) + " are not read",
        "give a volume of one number a voxel: whole, or floating point of 32 or 64 bits");
@@ -65,22 +71,25 @@ std::string shown(std::string_view text) {
   return result + (text.size() > most_shown ? "...'" : "'");
 }
 
-std::string header_text(ByteStream& stream) {
-  constexpr std::uint64_t most_header_bytes = 1U << 20;
-  std::string text(static_cast<std::size_t>(std::min(stream.file_bytes(), most_header_bytes)), ' ');
-  text.resize(stream.read(text.data(), text.size()));
-  stream.seek(0);
-  return text;
+std::uint64_t bytes_of_all(const VolumeInfo& info) {
+  return info.slice_bytes() * info.dims[2] * info.frames;
 }
 
-void seek_volume_at_end(ByteStream& stream, const VolumeInfo& info) {
-  const std::uint64_t volume = info.slice_bytes() * info.dims[2];
-  if (volume > stream.file_bytes())
+void skip_to_end(ByteStream& stream, std::uint64_t bytes) {
+  const auto left = stream.left();
+  if (!left)
+    fail(stream.file(), "the data is the end of a file, and this has no known end",
+         "store it in a file, not compressed");
+  if (bytes > *left)
     fail(stream.file(),
-         "the volume has " + std::to_string(volume) + " bytes but the file has only " +
-             std::to_string(stream.file_bytes()),
+         "the last " + std::to_string(bytes) + " bytes are data, but the file has only " +
+             std::to_string(*left),
          "copy or export the file again");
-  stream.seek(stream.file_bytes() - volume);
+  stream.skip(*left - bytes);
+}
+
+void skip_to_frame(ByteStream& stream, const VolumeInfo& info, const VolumeOptions& options) {
+  stream.skip(info.slice_bytes() * info.dims[2] * options.frame.value_or(0));
 }
 
 std::optional<std::string_view> take_line(std::string_view& text) {
@@ -147,28 +156,38 @@ double real(const std::filesystem::path& file, std::string_view field, std::stri
 }
 
 void set_dims(VolumeInfo& info, const std::filesystem::path& file,
-              const std::vector<std::int64_t>& sizes) {
+              const std::vector<std::int64_t>& sizes, const VolumeOptions& options) {
   if (sizes.size() < 2)
     fail(file, "the data has " + std::to_string(sizes.size()) + " dimensions",
          "give a volume of three");
   info.dims = {1, 1, 1};
+  info.frames = 1;
   for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
-    const std::string name = "dimension " + std::to_string(axis + 1);
-    const std::string value = std::to_string(sizes[axis]);
-    if (axis >= 3 && sizes[axis] != 1)
-      fail(file, name + " has size " + value + " but one volume is read at a time",
-           "extract one volume");
-    if (axis >= 3) {
-      info.notes.push_back(name + " of size 1 dropped");
-      continue;
-    }
-    const std::int64_t most = axis == 2 ? most_slices : most_across;
-    if (sizes[axis] < 1 || sizes[axis] > most)
-      fail(file, name + " has size " + value + ", outside 1 to " + std::to_string(most),
+    const std::int64_t most = axis == 0 || axis == 1 ? most_across : most_slices;
+    if (sizes[axis] < 1 || sizes[axis] > most / static_cast<std::int64_t>(info.frames))
+      fail(file,
+           "dimension " + std::to_string(axis + 1) + " has size " + std::to_string(sizes[axis]) +
+               ", outside 1 to " + std::to_string(most / static_cast<std::int64_t>(info.frames)),
            "crop or resample the volume");
-    info.dims[axis] = static_cast<std::uint32_t>(sizes[axis]);
+    if (axis < 3)
+      info.dims[axis] = static_cast<std::uint32_t>(sizes[axis]);
+    else
+      info.frames *= static_cast<std::uint64_t>(sizes[axis]);
+    if (axis >= 3 && sizes[axis] == 1)
+      info.notes.push_back("dimension " + std::to_string(axis + 1) + " of size 1 dropped");
   }
+  // All bytes can be counted.
+  if (info.frames > std::numeric_limits<std::uint64_t>::max() / info.dims[2] / info.slice_bytes())
+    fail(file, "the sizes are beyond any file", "correct the header");
   if (sizes.size() == 2) info.notes.emplace_back("two dimensions, taken as one slice");
+  const std::string frames = std::to_string(info.frames);
+  if (info.frames > 1 && !options.frame)
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time",
+         "choose one with --frame N, the first is 0");
+  if (options.frame && *options.frame >= info.frames)
+    fail(file,
+         "there is no volume " + std::to_string(*options.frame) + ": the file holds " + frames,
+         "choose one with --frame 0 to " + std::to_string(info.frames - 1));
 }
 
 void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm) {

@@ -17,10 +17,14 @@
 
 namespace discmc::host {
 
-std::unique_ptr<VolumeReader> open_nrrd(const std::filesystem::path& file);
-std::unique_ptr<VolumeReader> open_nifti(const std::filesystem::path& file);
-std::unique_ptr<VolumeReader> open_metaimage(const std::filesystem::path& file);
-std::unique_ptr<VolumeReader> open_raw(const std::filesystem::path& file, const RawLayout& layout);
+std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const RawLayout& layout);
 /// source: what was named, of which these are the DICOM files.
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
@@ -29,6 +33,12 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
 /// The same of pictures, a slice each.
 std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
                                             std::vector<std::filesystem::path> files);
+/// The bytes of a file, inflated where they are gzip.
+ByteStream open_content(const std::filesystem::path& file);
+
+/// The name of the format that a file begins like, of those known to have a header; nothing
+/// otherwise.
+std::optional<std::string_view> format_of_magic(ByteStream& stream);
 
 /// Throws a VolumeError that reads "file: what; remedy".
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what,
@@ -40,12 +50,15 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
 /// Returns text from a file in quotes, cut to a length fit for a message, without control bytes.
 std::string shown(std::string_view text);
 
-/// Returns the beginning of the stream, enough for any sensible header, and goes back to its start.
-std::string header_text(ByteStream& stream);
+/// Units: bytes of all volumes in a file.
+std::uint64_t bytes_of_all(const VolumeInfo& info);
 
-/// Goes to the first sample of a volume that is the end of its file. Throws when the file is
-/// shorter.
-void seek_volume_at_end(ByteStream& stream, const VolumeInfo& info);
+/// Goes to so many bytes before the end of the file. Throws when the file is shorter, and where it
+/// has no known end.
+void skip_to_end(ByteStream& stream, std::uint64_t bytes);
+
+/// Goes from the first sample of the first volume to that of the one asked for.
+void skip_to_frame(ByteStream& stream, const VolumeInfo& info, const VolumeOptions& options);
 
 /// Takes a line off the front, without its line feed and carriage return; nothing at the end.
 std::optional<std::string_view> take_line(std::string_view& text);
@@ -68,10 +81,11 @@ std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text);
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text);
 
-/// Takes sizes, fastest axis first. Two give one slice; those beyond the third must be 1. Throws
-/// when one is out of the range of VolumeInfo::dims.
+/// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
+/// Throws when one is out of the range of VolumeInfo::dims, and when the file does not hold the
+/// frame asked for, or holds several and none is.
 void set_dims(VolumeInfo& info, const std::filesystem::path& file,
-              const std::vector<std::int64_t>& sizes);
+              const std::vector<std::int64_t>& sizes, const VolumeOptions& options = {});
 
 /// Takes the spacing, along the coordinates.
 /// Units: millimetres. A value of no use becomes 1, with a note.

@@ -1,21 +1,13 @@
 #include "volume_stream.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
-#include <array>
 #include <cstring>
-#include <limits>
-#include <system_error>
 #include <utility>
 
 #include "volume_format.hpp"
 
 namespace discmc::host {
 namespace {
-
-// Deflate cannot expand a byte of its stream to more than this.
-constexpr std::uint64_t most_inflation = 1032;
 
 // Samples arrive in the file's byte order and leave in the machine's.
 template <std::size_t size>
@@ -39,146 +31,137 @@ bool is_native_big_endian() {
   return first == 0;
 }
 
-struct ByteStream::Inflater {
-  z_stream state{};
-  std::array<unsigned char, 65536> input;
-  std::string damage;
-  bool ended = false;
+// What a stream had not given when a decoder took it over.
+class ByteStream::Rest final : public ByteSource {
+ public:
+  explicit Rest(ByteStream stream) : stream_(std::move(stream)) {}
+  std::size_t read(void* bytes, std::size_t count) override { return stream_.read(bytes, count); }
+  std::uint64_t most_left() const override { return stream_.most_left(); }
+  void check_end() override { stream_.check_end(); }
+  std::string damage() const override { return stream_.damage(); }
 
-  Inflater() {
-    constexpr int largest_window_either_wrapper = 15 + 32;
-    if (inflateInit2(&state, largest_window_either_wrapper) != Z_OK)
-      throw VolumeError("zlib does not start; the memory may be exhausted");
-  }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-  ~Inflater() { inflateEnd(&state); }
-
-  void refill(std::ifstream& in) {
-    if (state.avail_in != 0) return;
-    in.read(reinterpret_cast<char*>(input.data()), static_cast<std::streamsize>(input.size()));
-    state.next_in = input.data();
-    state.avail_in = static_cast<uInt>(in.gcount());
-  }
-
-  // gzip files may be concatenated; anything else after the end is padding.
-  void end_member(std::ifstream& in) {
-    refill(in);
-    constexpr unsigned char gzip_magic = 0x1f;
-    ended = state.avail_in == 0 || *state.next_in != gzip_magic || inflateReset(&state) != Z_OK;
-  }
-
-  std::size_t read(std::ifstream& in, unsigned char* bytes, std::size_t count) {
-    std::size_t done = 0;
-    while (done < count && !ended && damage.empty()) {
-      refill(in);
-      constexpr std::size_t most_at_once = 1U << 30;
-      const auto room = static_cast<uInt>(std::min(count - done, most_at_once));
-      state.next_out = bytes + done;
-      state.avail_out = room;
-      const int status = inflate(&state, Z_NO_FLUSH);
-      done += room - state.avail_out;
-      if (status == Z_STREAM_END) {
-        end_member(in);
-      } else if (status == Z_BUF_ERROR) {
-        damage = "the compressed data ends early";
-      } else if (status != Z_OK) {
-        damage = "the compressed data is damaged";
-        if (state.msg != nullptr) damage += std::string(" (") + state.msg + ")";
-      }
-    }
-    return done;
-  }
+ private:
+  ByteStream stream_;
 };
 
-ByteStream::ByteStream(const std::filesystem::path& file) : file_(file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) fail(file, "there is no such file", "check the name");
-  if (!std::filesystem::is_regular_file(status))
-    fail(file, "this is no regular file", "store the volume in a file first");
-  const auto bytes = std::filesystem::file_size(file, error);
-  if (!error) in_.open(file, std::ios::binary);
-  if (error || !in_) fail(file, "the file cannot be opened", "check its permissions");
-  file_bytes_ = bytes;
+ByteStream::ByteStream(const std::filesystem::path& file)
+    : ByteStream(file == "-" ? "standard input" : file, bytes_of_file(file)) {
+  is_read_once_ = host::is_read_once(file);
 }
 
-ByteStream::ByteStream(ByteStream&&) noexcept = default;
-ByteStream& ByteStream::operator=(ByteStream&&) noexcept = default;
-ByteStream::~ByteStream() = default;
+ByteStream::ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> source)
+    : file_(std::move(file)), source_(std::move(source)) {}
 
-void ByteStream::seek(std::uint64_t offset) {
-  if (offset > file_bytes_)
-    fail(file_,
-         "the data should begin at byte " + std::to_string(offset) + " but the file has only " +
-             std::to_string(file_bytes_),
-         "copy the file again or correct its header");
-  in_.clear();
-  in_.seekg(static_cast<std::streamoff>(offset));
-  position_ = offset;
+void ByteStream::decode(const Decoder& decoder) {
+  std::filesystem::path file = file_;
+  const bool is_read_once = is_read_once_;
+  auto rest = std::make_unique<Rest>(std::move(*this));
+  *this = ByteStream(std::move(file), decoder(std::move(rest)));
+  is_decoded_ = true;
+  is_read_once_ = is_read_once;
+}
+
+std::string_view ByteStream::peek(std::size_t count) {
+  constexpr std::size_t most_at_once = 1U << 20;
+  ahead_.erase(0, ahead_begin_);
+  ahead_begin_ = 0;
+  while (ahead_.size() < count) {
+    const std::size_t before = ahead_.size();
+    const std::size_t wanted = std::min(count - before, most_at_once);
+    ahead_.resize(before + wanted);
+    const std::size_t got = source_->read(ahead_.data() + before, wanted);
+    ahead_.resize(before + got);
+    if (got < wanted) break;
+  }
+  return std::string_view(ahead_).substr(0, count);
+}
+
+std::size_t ByteStream::take_ahead(void* bytes, std::size_t count) {
+  const std::size_t taken = std::min(count, ahead());
+  if (bytes != nullptr) std::memcpy(bytes, ahead_.data() + ahead_begin_, taken);
+  ahead_begin_ += taken;
+  position_ += taken;
+  if (ahead() == 0) {
+    std::string().swap(ahead_);
+    ahead_begin_ = 0;
+  }
+  return taken;
+}
+
+std::size_t ByteStream::read(void* bytes, std::size_t count) {
+  const std::size_t taken = take_ahead(bytes, count);
+  if (taken == count) return count;
+  const std::size_t got = source_->read(static_cast<char*>(bytes) + taken, count - taken);
+  position_ += got;
+  return taken + got;
+}
+
+std::optional<std::string> ByteStream::read_line() {
+  constexpr std::size_t most_header_bytes = 1U << 20;
+  constexpr std::size_t step = 256;
+  std::size_t seen = ahead();
+  std::size_t end = ahead_.find('\n', ahead_begin_);
+  while (end == std::string::npos) {
+    if (position_ + seen > most_header_bytes)
+      fail(file_,
+           "the header has no end in its first " + std::to_string(position_ + seen) + " bytes",
+           "check that it is what its name says");
+    const std::size_t before = seen;
+    seen = peek(seen + step).size();
+    end = ahead_.find('\n', before);
+    if (seen == before) break;
+  }
+  if (seen == 0) return std::nullopt;
+  std::string line(std::min(end, ahead_.size()) - ahead_begin_, '\0');
+  take_ahead(line.data(), line.size());
+  take_ahead(nullptr, 1);
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return line;
+}
+
+void ByteStream::skip(std::uint64_t count) {
+  const std::size_t taken = take_ahead(nullptr, std::min<std::uint64_t>(count, ahead()));
+  const std::uint64_t skipped = source_->skip(count - taken);
+  position_ += skipped;
+  const std::uint64_t missing = count - taken - skipped;
+  if (missing == 0) return;
+  fail(file_,
+       "of " + std::to_string(count) + " bytes to skip " + std::to_string(missing) +
+           " are not there" + (damage().empty() ? "" : ": " + damage()),
+       "copy the file again or correct its header");
 }
 
 void ByteStream::skip_lines(std::uint64_t count) {
   for (std::uint64_t line = 0; line < count; ++line) {
-    int byte = 0;
+    char byte = 0;
     do {
-      byte = in_.rdbuf()->sbumpc();
-      if (byte == std::ifstream::traits_type::eof())
+      if (ahead() == 0) peek(4096);
+      if (take_ahead(&byte, 1) == 0)
         fail(file_,
              "of " + std::to_string(count) + " lines to skip only " + std::to_string(line) +
                  " are there",
              "correct the line skip in the header");
-      ++position_;
     } while (byte != '\n');
   }
 }
 
-void ByteStream::start_inflate() {
-  inflater_ = std::make_unique<Inflater>();
-}
-
-void ByteStream::skip(std::uint64_t count) {
-  if (!inflating()) {
-    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-    seek(position_ + std::min(count, most - position_));
-    return;
-  }
-  std::array<unsigned char, 4096> dropped;
-  for (std::uint64_t left = count; left > 0;) {
-    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, dropped.size()));
-    const std::size_t got = read(dropped.data(), wanted);
-    left -= got;
-    if (got < wanted)
-      fail(file_,
-           "of " + std::to_string(count) + " bytes to skip " + std::to_string(left) +
-               " are not there" + (damage().empty() ? "" : ": " + damage()),
-           "copy the file again or correct the byte skip in the header");
-  }
-}
-
-std::size_t ByteStream::read(void* bytes, std::size_t count) {
-  if (inflating()) return inflater_->read(in_, static_cast<unsigned char*>(bytes), count);
-  in_.read(static_cast<char*>(bytes), static_cast<std::streamsize>(count));
-  const auto got = static_cast<std::size_t>(in_.gcount());
-  position_ += got;
-  return got;
-}
-
 std::uint64_t ByteStream::most_left() const {
-  const std::uint64_t left = file_bytes_ - std::min(position_, file_bytes_);
-  return inflating() ? left * most_inflation : left;
+  const std::uint64_t most = source_->most_left();
+  return most > ByteSource::unbounded - ahead() ? ByteSource::unbounded : most + ahead();
 }
 
-const std::string& ByteStream::damage() const {
-  static const std::string none;
-  return inflating() ? inflater_->damage : none;
+std::optional<std::uint64_t> ByteStream::left() const {
+  const auto left = source_->left();
+  return left ? std::optional(*left + ahead()) : std::nullopt;
 }
 
-SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian)
-    : info_(std::move(info)), stream_(std::move(stream)), big_endian_(big_endian) {
+SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian, Behind behind)
+    : info_(std::move(info)), stream_(std::move(stream)), big_endian_(big_endian), behind_(behind) {
   // The caller's slice buffer is thus bounded by the file, whatever its header claims.
-  const std::uint64_t most = stream_.most_left();
-  if (most < info_.slice_bytes()) fail_in_slice(info_.slice_bytes() - most);
+  const std::uint64_t slice = info_.slice_bytes();
+  std::uint64_t most = stream_.most_left();
+  if (most == ByteSource::unbounded) most = stream_.peek(static_cast<std::size_t>(slice)).size();
+  if (most < slice) fail_in_slice(slice - most);
 }
 
 void SliceStream::read_slice(void* samples) {
@@ -188,23 +171,30 @@ void SliceStream::read_slice(void* samples) {
   const std::uint64_t bytes = info_.slice_bytes();
   const std::size_t got = stream_.read(samples, static_cast<std::size_t>(bytes));
   if (got < bytes) fail_in_slice(bytes - got);
-  if (slice_ + 1 == info_.dims[2] && stream_.inflating()) {
-    // One byte more makes zlib compare the checksum.
-    unsigned char beyond = 0;
-    stream_.read(&beyond, 1);
-    if (!stream_.damage().empty()) fail_in_slice(0);
-  }
+  if (slice_ + 1 == info_.dims[2]) end();
   const std::size_t size = sample_bytes(info_.type);
   order_samples(static_cast<unsigned char*>(samples), bytes / size, size, big_endian_);
   ++slice_;
+}
+
+void SliceStream::end() {
+  const bool has_more = behind_ == Behind::nothing && !stream_.peek(1).empty();
+  stream_.check_end();
+  if (!stream_.damage().empty()) fail_in_slice(0);
+  if (has_more)
+    fail(stream_.file(),
+         "there is more than the " + std::to_string(info_.slice_bytes() * info_.dims[2]) +
+             " bytes of the volume",
+         "correct --dims and --type, or skip what stands before it with --skip-bytes");
 }
 
 void SliceStream::fail_in_slice(std::uint64_t missing) const {
   std::string what = "slice " + std::to_string(slice_) + " (the first is 0) of " +
                      std::to_string(info_.dims[2]) + ": ";
   if (missing > 0) what += std::to_string(missing) + " bytes of it are missing";
-  if (missing > 0 && !stream_.damage().empty()) what += "; ";
-  fail(stream_.file(), what + stream_.damage(), "copy or export the file again");
+  const std::string damage = stream_.damage();
+  if (missing > 0 && !damage.empty()) what += "; ";
+  fail(stream_.file(), what + damage, "copy or export the file again");
 }
 
 }  // namespace discmc::host

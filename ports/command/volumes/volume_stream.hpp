@@ -1,14 +1,17 @@
-// Bytes of a file in order, inflated on the way where asked, and slices cut from them.
+// A file read from front to back, decoded on the way where asked, and slices cut from it.
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_STREAM_HPP
 #define DISCMC_COMMAND_VOLUMES_VOLUME_STREAM_HPP
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "byte_source.hpp"
 #include "volume.hpp"
 
 namespace discmc::host {
@@ -16,67 +19,88 @@ namespace discmc::host {
 /// The byte order of this machine.
 bool is_native_big_endian();
 
-/// Reads a regular file from front to back. Movable, not copyable.
+/// Makes a source of what another one gives.
+using Decoder = std::function<std::unique_ptr<ByteSource>(std::unique_ptr<ByteSource>)>;
+
+/// Bytes with the name of their file, of which some can be seen before they are read. Movable, not
+/// copyable.
 class ByteStream {
  public:
-  /// Throws VolumeError when there is no such file, or when it is a folder, pipe or device.
+  /// Throws as bytes_of_file().
   explicit ByteStream(const std::filesystem::path& file);
-  ByteStream(ByteStream&&) noexcept;
-  ByteStream& operator=(ByteStream&&) noexcept;
-  ~ByteStream();
+  ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> source);
 
   const std::filesystem::path& file() const { return file_; }
-  std::uint64_t file_bytes() const { return file_bytes_; }
 
-  /// Goes to a byte of the file. Before start_inflate() only. Throws past the end.
-  void seek(std::uint64_t offset);
+  /// From here on what is read is what the decoder makes of it.
+  void decode(const Decoder& decoder);
+  bool is_decoded() const { return is_decoded_; }
 
-  /// Goes past the next lines, each up to its line feed. Before start_inflate() only. Throws when
-  /// there are fewer.
-  void skip_lines(std::uint64_t count);
+  /// Whether the file can be opened once only.
+  bool is_read_once() const { return is_read_once_; }
 
-  /// From here on the file is a gzip or zlib stream, and what is read is its content.
-  void start_inflate();
-
-  /// Drops bytes (of the content, once inflating). Throws when there are fewer.
-  void skip(std::uint64_t count);
+  /// Returns the next bytes, fewer only at the end or at damage(). They stay to be read. Memory
+  /// grows with what is there, not with what is asked for. Valid until the next call.
+  std::string_view peek(std::size_t count);
 
   /// Returns the number of bytes read: fewer than asked only at the end or at damage().
   std::size_t read(void* bytes, std::size_t count);
 
-  /// Returns an upper bound of what read() can still give. Units: bytes.
+  /// Returns the next line without its line feed and carriage return; nothing at the end. Throws
+  /// behind the first MiB: no header is as long.
+  std::optional<std::string> read_line();
+
+  /// Drops bytes. Throws when there are fewer.
+  void skip(std::uint64_t count);
+
+  /// Goes past the next lines, each up to its line feed. Throws when there are fewer.
+  void skip_lines(std::uint64_t count);
+
+  /// Returns how many bytes were read or skipped since the beginning or the last decode().
+  std::uint64_t position() const { return position_; }
+
+  /// As ByteSource.
   std::uint64_t most_left() const;
-
-  /// Returns what is wrong with the compressed data, empty if nothing so far.
-  const std::string& damage() const;
-
-  bool inflating() const { return inflater_ != nullptr; }
+  std::optional<std::uint64_t> left() const;
+  void check_end() { source_->check_end(); }
+  std::string damage() const { return source_->damage(); }
 
  private:
-  struct Inflater;
+  class Rest;
+
+  std::size_t take_ahead(void* bytes, std::size_t count);
+  std::size_t ahead() const { return ahead_.size() - ahead_begin_; }
 
   std::filesystem::path file_;
-  std::ifstream in_;
-  std::uint64_t file_bytes_ = 0;
+  std::unique_ptr<ByteSource> source_;
+  std::string ahead_;  // seen from ahead_begin_ on, but not yet read
+  std::size_t ahead_begin_ = 0;
   std::uint64_t position_ = 0;
-  std::unique_ptr<Inflater> inflater_;
+  bool is_decoded_ = false;
+  bool is_read_once_ = false;
 };
+
+/// What may stand behind a volume.
+enum class Behind { anything, nothing };
 
 /// The reader of every format: its header is done, the samples of all slices follow in order.
 class SliceStream final : public VolumeReader {
  public:
   /// The stream stands at the first sample. Throws when the first slice cannot be there.
-  SliceStream(VolumeInfo info, ByteStream stream, bool big_endian);
+  SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
+              Behind behind = Behind::anything);
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override;
 
  private:
+  void end();
   [[noreturn]] void fail_in_slice(std::uint64_t missing) const;
 
   VolumeInfo info_;
   ByteStream stream_;
   bool big_endian_;
+  Behind behind_;
   std::uint32_t slice_ = 0;
 };
 

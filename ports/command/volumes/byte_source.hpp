@@ -1,0 +1,71 @@
+// Bytes in order, once: of a file, of standard input, of a pipe, and what decoders make of them.
+#ifndef DISCMC_COMMAND_VOLUMES_BYTE_SOURCE_HPP
+#define DISCMC_COMMAND_VOLUMES_BYTE_SOURCE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sample_type.hpp"
+
+namespace discmc::host {
+
+class ByteSource {
+ public:
+  /// For most_left(): no bound is known.
+  static constexpr std::uint64_t unbounded = std::numeric_limits<std::uint64_t>::max();
+
+  ByteSource() = default;
+  ByteSource(const ByteSource&) = delete;
+  ByteSource& operator=(const ByteSource&) = delete;
+  virtual ~ByteSource() = default;
+
+  /// Returns the number of bytes read: fewer than asked only at the end or at damage().
+  virtual std::size_t read(void* bytes, std::size_t count) = 0;
+
+  /// Returns the number of bytes skipped: fewer than asked as for read().
+  virtual std::uint64_t skip(std::uint64_t count);
+
+  /// Returns an upper bound of what read() can still give. Units: bytes.
+  virtual std::uint64_t most_left() const = 0;
+
+  /// Returns what read() can still give, where that is known. Units: bytes.
+  virtual std::optional<std::uint64_t> left() const { return std::nullopt; }
+
+  /// Reads what only the end can tell, such as a checksum, when all that is wanted has been read.
+  virtual void check_end() {}
+
+  /// Returns what is wrong with the bytes, empty if nothing so far.
+  virtual std::string damage() const { return {}; }
+};
+
+/// "-" is standard input. Throws VolumeError when there is no such file, or when it is a folder or
+/// a block device.
+std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file);
+
+/// The content of gzip members or of a zlib stream.
+std::unique_ptr<ByteSource> inflated(std::unique_ptr<ByteSource> in);
+
+/// The content of so many zlib streams, one behind the other.
+std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std::uint64_t count);
+
+/// What text in base64 stands for, in parts of which each is filled up, up to the first '<'.
+std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in);
+
+/// Whether the program was built with bzip2.
+bool has_bzip2();
+
+/// The content of bzip2 streams. Limit: has_bzip2().
+std::unique_ptr<ByteSource> bunzipped(std::unique_ptr<ByteSource> in);
+
+/// Samples in native byte order from numbers as text, between blanks or commas, up to the first
+/// '<'.
+std::unique_ptr<ByteSource> samples_of_text(std::unique_ptr<ByteSource> in, SampleType type);
+
+}  // namespace discmc::host
+
+#endif

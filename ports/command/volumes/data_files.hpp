@@ -1,0 +1,35 @@
+// Volumes whose samples lie in several files, most often a file a slice.
+#ifndef DISCMC_COMMAND_VOLUMES_DATA_FILES_HPP
+#define DISCMC_COMMAND_VOLUMES_DATA_FILES_HPP
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+#include "volume_stream.hpp"
+
+namespace discmc::host {
+
+/// Files beside a header, in the order of their samples.
+struct DataFiles {
+  std::uint64_t count = 0;
+  std::function<std::filesystem::path(std::uint64_t)> path;
+};
+
+/// Whether what a header names is several files: a LIST, or a pattern with a number.
+bool names_several_files(std::string_view text);
+
+/// The files that a header names: in the lines that follow it up to its end, or by a pattern such
+/// as "slice%03d.raw 1 4 1", where the last number is the step. field is the one that the text is
+/// of, for the VolumeError thrown when the text is neither.
+DataFiles data_files(ByteStream& header, std::string_view field, std::string_view text);
+
+/// The samples of all files, each with an equal share. open returns a file at its first sample.
+/// bytes is what they hold together.
+ByteStream joined(const std::filesystem::path& header, const DataFiles& files, std::uint64_t bytes,
+                  std::function<ByteStream(const std::filesystem::path&)> open);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include "byte_source.hpp"
+#include "volume_format.hpp"
+
+namespace discmc::host {
+namespace {
+
+class TextSamples final : public ByteSource {
+ public:
+  TextSamples(std::unique_ptr<ByteSource> in, SampleType type) : in_(std::move(in)), type_(type) {
+    decimal_.imbue(std::locale::classic());
+  }
+
+  std::size_t read(void* bytes, std::size_t count) override {
+    auto* out = static_cast<unsigned char*>(bytes);
+    std::size_t done = 0;
+    while (done < count && (begin_ < end_ || next_sample())) {
+      const std::size_t part = std::min(count - done, end_ - begin_);
+      std::memcpy(out + done, sample_.data() + begin_, part);
+      begin_ += part;
+      done += part;
+    }
+    return done;
+  }
+
+  // A number takes a character and a blank at least.
+  std::uint64_t most_left() const override {
+    const std::uint64_t text = in_->most_left();
+    const std::uint64_t in_memory = (text_end_ - text_begin_ + end_ - begin_) + 1;
+    if (text >= unbounded / sample_.size() - in_memory) return unbounded;
+    return (text + in_memory) * sample_.size();
+  }
+
+  std::string damage() const override { return damage_.empty() ? in_->damage() : damage_; }
+
+ private:
+  // Returns the next character, or '<' for the end.
+  char peek_character() {
+    if (text_begin_ == text_end_) {
+      text_begin_ = 0;
+      text_end_ = in_->read(text_.data(), text_.size());
+    }
+    return text_begin_ < text_end_ ? text_[text_begin_] : '<';
+  }
+
+  static bool is_between(char c) { return c == ',' || trimmed({&c, 1}).empty(); }
+
+  bool next_sample() {
+    if (!damage_.empty()) return false;
+    while (is_between(peek_character())) ++text_begin_;
+    constexpr std::size_t longest = 400;  // the digits of the largest double
+    word_.clear();
+    for (char c = peek_character(); c != '<' && !is_between(c); c = peek_character()) {
+      if (word_.size() < longest) word_ += c;
+      ++text_begin_;
+    }
+    if (word_.empty()) return false;
+    begin_ = 0;
+    end_ = sample_bytes(type_);
+    const bool is_number = with_sample_type(type_, [this](auto sample) {
+      const bool is_read = parse(sample);
+      std::memcpy(sample_.data(), &sample, sizeof sample);
+      return is_read;
+    });
+    if (is_number) return true;
+    end_ = 0;
+    damage_ = "the text " + shown(word_) + " is no sample of type " + std::string(name(type_));
+    return false;
+  }
+
+  template <class Sample>
+  bool parse(Sample& sample) {
+    if constexpr (std::is_floating_point_v<Sample>) {
+      const std::string text = lower(word_);
+      if (text == "nan" || text == "-nan") {
+        sample = std::numeric_limits<Sample>::quiet_NaN();
+        return true;
+      }
+      if (text == "inf" || text == "-inf") {
+        const Sample infinity = std::numeric_limits<Sample>::infinity();
+        sample = text.front() == '-' ? -infinity : infinity;
+        return true;
+      }
+      // strtod follows the user's locale, from_chars is missing in some libraries.
+      decimal_.clear();
+      decimal_.str(word_);
+      double value = 0;
+      decimal_ >> value;
+      sample = static_cast<Sample>(value);
+      return !decimal_.fail() && decimal_.peek() == std::istringstream::traits_type::eof();
+    } else {
+      const char* end = word_.data() + word_.size();
+      const char* first = word_.data() + (word_.front() == '+' ? 1 : 0);
+      const auto result = std::from_chars(first, end, sample);
+      return result.ec == std::errc() && result.ptr == end;
+    }
+  }
+
+  std::unique_ptr<ByteSource> in_;
+  SampleType type_;
+  std::istringstream decimal_;
+  std::array<char, 65536> text_;
+  std::size_t text_begin_ = 0;
+  std::size_t text_end_ = 0;
+  std::array<unsigned char, 8> sample_{};
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+  std::string word_;
+  std::string damage_;
+};
+
+}  // namespace
+
+std::unique_ptr<ByteSource> samples_of_text(std::unique_ptr<ByteSource> in, SampleType type) {
+  return std::make_unique<TextSamples>(std::move(in), type);
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,96 @@
+// The table of containers and sample types in the manual of the command: every cell is a file that
+// an independent program wrote (volumes/write_volumes.py), and holds the same volume.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using discmc::host::sample_type_called;
+
+const fs::path folder = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes";
+
+const std::set<std::string> all_types = {"u8",  "i8",  "u16", "i16", "u32",
+                                         "i32", "u64", "i64", "f32", "f64"};
+
+// Containers with the sample types of which there are files.
+const std::map<std::string, std::set<std::string>> table = {
+    {"nrrd", all_types},
+    {"nifti1", all_types},
+    {"nifti2", all_types},
+    {"analyze", {"u8", "i16", "i32", "f32", "f64"}},
+    {"metaimage", {"u8", "i8", "u16", "i16", "u32", "i32", "f32", "f64"}},
+    {"vtk", all_types},
+    {"vti", all_types},
+    {"numpy", all_types},
+    {"invesalius", {"i16"}},
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+VolumeOptions frame(std::uint32_t number) {
+  VolumeOptions options;
+  options.frame = number;
+  return options;
+}
+
+// The samples of a file named TYPE-ORDER..., in the volume that all of them hold.
+void check_file(const std::string& container, const fs::path& file) {
+  const std::string called = file.filename().string();
+  INFO(container, "/", called);
+  const SampleType type = *sample_type_called(called.substr(0, called.find('-')));
+  VolumeOptions options;
+  if (contains(called, "frame1")) options = frame(1);
+  const auto reader = open_volume(file, options);
+  const VolumeInfo& info = reader->info();
+  CHECK(info.dims == std::array<std::uint32_t, 3>{5, 3, 4});
+  CHECK(info.type == type);
+  if (container != "numpy")
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(std::fabs(info.spacing_mm[axis]) == std::array<double, 3>{0.5, 0.75, 2}[axis]);
+  std::vector<double> expected;
+  for (int voxel = 0; voxel < voxels; ++voxel) expected.push_back(sample_at(voxel, type));
+  CHECK(read_all(*reader) == expected);
+}
+
+// The data of another file, which its header names.
+bool is_data(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".raw" || extension == ".img" || contains(file.string(), ".raw.gz");
+}
+
+}  // namespace
+
+TEST_CASE("every container of other programs holds the same volume in every type and byte order") {
+  for (const auto& [container, types] : table) {
+    std::set<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder / container)) {
+      if (is_data(entry.path())) continue;
+      check_file(container, entry.path());
+      const std::string called = entry.path().filename().string();
+      found.insert(called.substr(0, called.find('-')));
+    }
+    INFO(container);
+    CHECK(found == types);
+  }
+}
+
+TEST_CASE("a file of several volumes is refused unless one of them is chosen") {
+  for (const std::string name : {"nrrd/i16-big-frame1.nrrd", "nifti1/i16-little-frame1.nii",
+                                 "nifti2/i16-little-frame1.nii", "numpy/i16-little-frame1.npy"}) {
+    INFO(name);
+    check_refusal(refusal(folder / name), "holds 2 volumes, and one is read at a time; choose one");
+    check_refusal(refusal(folder / name, frame(2)), "no volume 2: the file holds 2");
+    for (const double sample : read_all(*open_volume(folder / name, frame(0)))) CHECK(sample == 0);
+  }
+}

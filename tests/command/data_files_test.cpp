@@ -1,0 +1,84 @@
+// Volumes whose samples lie in several files.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+const std::string i16 = stored(SampleType::i16);
+const std::string nrrd_i16 = "type: short\nendian: little\nencoding: ";
+const std::string metaimage_i16 = "ElementType = MET_SHORT\nElementByteOrderMSB = False\n";
+
+std::string slice(int number) {
+  return i16.substr(static_cast<std::size_t>(number) * 30, 30);
+}
+
+// The four slices as a07.raw, a05.raw, a03.raw and a01.raw.
+void write_slices(const Folder& folder) {
+  for (int i = 0; i < 4; ++i)
+    folder.write("a0" + std::to_string(7 - 2 * i) + ".raw", "header" + slice(i) + "behind");
+}
+
+}  // namespace
+
+TEST_CASE("slices in files of their own are read, by a pattern of names or a list of them") {
+  const Folder folder;
+  write_slices(folder);
+  const auto nrrd_of = [&](const std::string& files) {
+    return folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files));
+  };
+  const std::string list = "a07.raw\na05.raw\n\na03.raw\r\na01.raw";
+  check_volume(nrrd_of("a%02d.raw 7 1 -2"), SampleType::i16, "NRRD, raw, detached");
+  check_volume(nrrd_of("a0%d.raw 7 1 -2 2\n"), SampleType::i16, "NRRD, raw, detached");
+  check_volume(nrrd_of("LIST\n" + list), SampleType::i16, "NRRD, raw, detached");
+  check_volume(nrrd_of("LIST 2\n" + list + "\n"), SampleType::i16, "NRRD, raw, detached");
+  const auto metaimage_of = [&](const std::string& files) {
+    return folder.write(
+        "v.mhd", metaimage(metaimage_i16 + "HeaderSize = 6\nElementDataFile = " + files + "\n"));
+  };
+  check_volume(metaimage_of("a%02d.raw 7 1 -2"), SampleType::i16, "MetaImage, raw, detached");
+  check_volume(metaimage_of("LIST\n" + list), SampleType::i16, "MetaImage, raw, detached");
+}
+
+TEST_CASE("each of several files has an equal share, in the encoding of all") {
+  const Folder folder;
+  folder.write("1", gzip(slice(0) + slice(1)));
+  folder.write("2", gzip(slice(2) + slice(3)));
+  check_volume(folder.write("v.nhdr", nrrd(nrrd_i16 + "gzip\ndata file: %d 1 2 1\n")),
+               SampleType::i16, "NRRD, gzip, detached");
+  folder.write("3", "behind the text" + slice(0) + slice(1));
+  folder.write("4", slice(2) + slice(3));
+  check_volume(
+      folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: -1\ndata file: LIST\n3\n4\n")),
+      SampleType::i16, "NRRD, raw, detached");
+}
+
+TEST_CASE("several files that do not hold the volume are refused") {
+  const Folder folder;
+  write_slices(folder);
+  folder.write("short", slice(0).substr(1));
+  const auto check = [&](const std::string& files, const std::string& part) {
+    const auto file = folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + files + "\n"));
+    try {
+      read_all(*open_volume(file));
+      FAIL("not refused: ", files);
+    } catch (const VolumeError& error) {
+      check_refusal(error.what(), part);
+    }
+  };
+  check("a%02d.raw 1 8 1", "a02.raw: there is no such file");
+  check("a%02d.raw 1 7 1", "7 data files share 120 bytes");
+  check("a%02d.raw 1 4 1", "a02.raw: there is no such file");
+  check("a%02d.raw 1 4 0", "whose range holds no number");
+  check("a%02d.raw 4 1 1", "whose range holds no number");
+  check("a%02d.raw 1 9223372036854775807 1", "whose range holds no number");
+  check("a%s.raw 1 4 1", "no pattern with a range");
+  check("a%02d%d.raw 1 4 1", "no pattern with a range");
+  check("LIST\nshort\nshort\nshort\nshort", "1 bytes of 30 are missing");
+  check("LIST\na\001.raw", "control characters");
+}

@@ -1,0 +1,92 @@
+// Headerless samples: what the file is must agree with what the user says.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+VolumeOptions layout_of(SampleType type, std::uint64_t skipped_bytes = 0) {
+  RawLayout layout;
+  layout.dims = {5, 3, 4};
+  layout.type = type;
+  layout.skipped_bytes = skipped_bytes;
+  return {layout};
+}
+
+}  // namespace
+
+TEST_CASE("a file that is longer or shorter than its dimensions and type say is refused") {
+  const Folder folder;
+  const std::string i16 = stored(SampleType::i16);
+  const auto check = [&](const std::string& bytes, const std::string& part) {
+    check_refusal(refusal(folder.write("v.raw", bytes), layout_of(SampleType::i16)), part);
+  };
+  check(i16 + std::string(12, 'x'),
+        "has 132 bytes, but a volume of 5 x 3 x 4 i16 has 120; correct --dims and --type, or skip "
+        "a header with --skip-bytes 12");
+  check(i16.substr(1), "has 119 bytes, but a volume of 5 x 3 x 4 i16 has 120");
+  check("", "has 0 bytes");
+  const auto packed = folder.write("v.raw.gz", gzip(i16 + "x"));
+  check_refusal(refusal(packed, layout_of(SampleType::i16)), "more than the 120 bytes");
+  check_refusal(refusal(folder.write("v.raw.gz", gzip(i16.substr(1))), layout_of(SampleType::i16)),
+                "1 bytes of it are missing");
+}
+
+TEST_CASE("what stands before headerless samples is skipped where that is asked") {
+  const Folder folder;
+  const std::string i16 = stored(SampleType::i16);
+  const auto file = folder.write("v.raw", "a header of some program" + i16);
+  check_volume(file, SampleType::i16, "raw", layout_of(SampleType::i16, 24));
+  check_volume(folder.write("v.raw.gz", gzip("header" + i16)), SampleType::i16, "raw, gzip",
+               layout_of(SampleType::i16, 6));
+  check_refusal(refusal(file, layout_of(SampleType::i16, 23)), "--skip-bytes 24");
+  check_refusal(refusal(file, layout_of(SampleType::i16, 25)),
+                "has 119 bytes behind the 25 skipped");
+  check_refusal(refusal(file, layout_of(SampleType::i16, 145)), "of 145 bytes to skip 1 are not");
+}
+
+TEST_CASE("a file with the beginning of a known format is not read as headerless samples") {
+  const Folder folder;
+  const std::vector<std::pair<std::string, std::string>> heads = {
+      {"NRRD0004\n", "NRRD"},
+      {"ObjectType = Image\n", "MetaImage"},
+      {"# vtk DataFile Version 3.0\n", "VTK"},
+      {"<?xml version=\"1.0\"?>", "VTK XML"},
+      {"\x93NUMPY", "NumPy"},
+      {std::string("II*\0", 4), "TIFF"},
+      {"\x89PNG\r\n", "PNG"},
+      {"\x1f\x8b\x08", "gzip"},
+      {"PK\x03\x04", "zip"},
+      {std::string(128, '\0') + "DICM", "DICOM"},
+      {std::string(344, '\0') + std::string("n+1\0", 4), "NIfTI"},
+  };
+  for (const auto& [head, format] : heads) {
+    RawLayout layout;
+    layout.dims = {10, 10, 4};
+    const auto file = folder.write("v.raw", head + std::string(400 - head.size(), ' '));
+    check_refusal(refusal(file, {layout}), "begins like " + format);
+    layout.dims = {39, 10, 1};
+    layout.skipped_bytes = 10;
+    CHECK_NOTHROW(open_volume(file, {layout}));
+  }
+}
+
+TEST_CASE("a name of a format with a header is not that of headerless samples") {
+  const Folder folder;
+  const std::string u8 = stored(SampleType::u8);
+  for (const std::string name : {"v.nrrd", "v.nii.gz", "v.mhd"})
+    check_refusal(refusal(folder.write(name, u8), layout_of(SampleType::u8)),
+                  "the name is that of a format with a header");
+  for (const std::string name : {"v.img", "v.raw", "v", "v.dat"})
+    check_volume(folder.write(name, u8), SampleType::u8, "raw", layout_of(SampleType::u8));
+  VolumeOptions options = layout_of(SampleType::u8);
+  options.frame = 1;
+  check_refusal(refusal(folder.write("v.raw", u8), options),
+                "this is one volume, and volume 1 is asked for");
+}

@@ -1,0 +1,91 @@
+// Volumes from standard input and pipes.
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <string>
+#include <thread>
+
+#include "command.hpp"
+
+namespace {
+
+using namespace command;
+using volume_files::Folder;
+using volume_files::gzip;
+using volume_files::metaimage;
+using volume_files::Nifti;
+using volume_files::nrrd;
+using volume_files::stored;
+
+const std::string u8 = stored(volume_files::SampleType::u8);
+const std::string nrrd_file = nrrd(volume_files::nrrd_u8) + "\n" + u8;
+
+}  // namespace
+
+TEST_CASE("a pipe is read as a file of its content is") {
+  const Folder folder;
+  const auto pipe = folder.path() / "pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string local = metaimage(volume_files::metaimage_u8 + "ElementDataFile = LOCAL\n");
+  const std::pair<std::string, std::string> contents[] = {
+      {nrrd_file, "NRRD, raw"},       {gzip(nrrd_file), "NRRD, raw"},
+      {Nifti().file(u8), "NIfTI-1"},  {gzip(Nifti().file(u8)), "NIfTI-1, gzip"},
+      {local + u8, "MetaImage, raw"},
+  };
+  for (const auto& [content, format] : contents) {
+    std::thread writer([&, bytes = content] { std::ofstream(pipe, std::ios::binary) << bytes; });
+    volume_files::check_volume(pipe, volume_files::SampleType::u8, format);
+    writer.join();
+  }
+}
+
+TEST_CASE("a pipe that claims a large volume takes memory for what it holds") {
+  const Folder folder;
+  const auto pipe = folder.path() / "pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string claim = nrrd(volume_files::nrrd_u8, "32766 32766 1000000") + "\n" + u8;
+  std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << claim; });
+  volume_files::check_refusal(volume_files::refusal(pipe),
+                              "slice 0 (the first is 0) of 1000000: 1073610696 bytes of it are");
+  writer.join();
+}
+
+TEST_CASE("standard input gives the stream and the picture that the file gives") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", nrrd_file);
+  workshop.write("v.raw", u8);
+  workshop.done("extract v.nrrd --iso 100 -o file.dmc");
+  const auto piped = [&](const std::string& source, const std::string& arguments) {
+    const Result result = workshop.shell(source + " | \"$discmc\" " + arguments);
+    INFO(arguments, "\n", result.error);
+    CHECK(result.code == 0);
+  };
+  piped("cat v.nrrd", "extract - --iso 100 -o piped.dmc");
+  CHECK(workshop.read("piped.dmc") == workshop.read("file.dmc"));
+  piped("gzip -c v.nrrd", "extract - --iso 100 -o packed.dmc");
+  CHECK(workshop.read("packed.dmc") == workshop.read("file.dmc"));
+  piped("cat v.raw", "extract - --dims 5,3,4 --type u8 --iso 100 -o raw.dmc");
+  CHECK(workshop.read("raw.dmc") == workshop.read("file.dmc"));
+  workshop.done("render v.nrrd --iso 100 --size 32,32 -o file.png");
+  piped("cat v.nrrd", "render - --iso 100 --size 32,32 -o piped.png");
+  CHECK(workshop.read("piped.png") == workshop.read("file.png"));
+}
+
+TEST_CASE("what takes a second pass is refused before the first, and surplus samples after it") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", nrrd_file);
+  workshop.write("v.raw", u8 + "x");
+  const auto check = [&](const std::string& source, const std::string& arguments,
+                         const std::string& part) {
+    const Result result = workshop.shell(source + " | \"$discmc\" " + arguments);
+    CHECK(result.code == 1);
+    INFO(result.error);
+    CHECK(contains(result.error, part));
+  };
+  const std::string second = "standard input: normals of the gradient take a second pass";
+  check("cat v.nrrd", "extract - --iso 100 --normals gradient -o v.ply", second);
+  check("cat v.nrrd", "render - --iso 100 --shade smooth -o v.png", second);
+  check("cat v.raw", "extract - --dims 5,3,4 --type u8 --iso 100 -o v.dmc",
+        "more than the 60 bytes of the volume");
+  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd", "v.raw"});
+}

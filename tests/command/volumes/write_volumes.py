@@ -1,0 +1,230 @@
+#!/usr/bin/python3
+"""Writes one small volume in every container, sample type and byte order, with programs that have
+nothing to do with discmc. The files are committed; the test container_table reads all of them.
+
+Run it again only to add files:   /usr/bin/python3 tests/command/volumes/write_volumes.py
+On Debian it needs python3-nibabel, python3-numpy, python3-vtk9 and teem-apps.
+
+A file is CONTAINER/TYPE-ORDER[-HOW].EXTENSION. The volume has 5 x 3 x 4 voxels of 0.5 x 0.75 x 2 mm
+at (10, -20, 30.5), and the samples of sample_at() in volume_files.hpp. In a file of two volumes
+("frame1") the first one is zero.
+"""
+import io
+import pathlib
+import plistlib
+import subprocess
+import tarfile
+
+import nibabel
+import numpy
+from vtkmodules import vtkIOImage, vtkIOLegacy, vtkIOXML
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+HERE = pathlib.Path(__file__).parent
+SPACING = (0.5, 0.75, 2.0)
+ORIGIN = (10.0, -20.0, 30.5)
+SIZES = (5, 3, 4)  # x, y, z
+
+TYPES = {
+    'u8': ('uint8', lambda i: i * 4),
+    'i8': ('int8', lambda i: i * 2 - 60),
+    'u16': ('uint16', lambda i: i * 1000 + 7),
+    'i16': ('int16', lambda i: i * 1000 - 30000),
+    'u32': ('uint32', lambda i: i * 70000000 + 1),
+    'i32': ('int32', lambda i: i * 70000000 - 2000000000),
+    'u64': ('uint64', lambda i: i * 3 * 10**17),
+    'i64': ('int64', lambda i: i * 3 * 10**17 - 9 * 10**18),
+    'f32': ('float32', lambda i: i * 0.25 - 7.5),
+    'f64': ('float64', lambda i: i * 0.1 - 3),
+}
+
+
+def samples(name):
+    """The volume as array[z][y][x], little-endian."""
+    dtype, value = TYPES[name]
+    flat = numpy.array([value(i) for i in range(60)], dtype=numpy.dtype(dtype).newbyteorder('<'))
+    return flat.reshape(SIZES[::-1])
+
+
+def orders(name):
+    return ['little'] if name in ('u8', 'i8') else ['little', 'big']
+
+
+def path(container, name):
+    folder = HERE / container
+    folder.mkdir(exist_ok=True)
+    return folder / name
+
+
+def two_frames(array):
+    return numpy.stack([numpy.zeros_like(array), array])
+
+
+# NRRD, by unu of Teem. It has its own names for types.
+def unu(array, name, order, encoding, target, form='nrrd'):
+    sizes = [str(size) for size in array.shape[::-1]]
+    axes = len(sizes)
+    spacing = [str(length) for length in SPACING] + ['1'] * (axes - 3)
+    teem = {'u64': 'ulonglong', 'i64': 'longlong', 'f32': 'float', 'f64': 'double'}
+    make = ['teem-unu', 'make', '-t', teem.get(name, TYPES[name][0]), '-s', *sizes, '-sp', *spacing,
+            '-en', 'little', '-e', 'raw']
+    made = subprocess.run(make, input=array.tobytes(), stdout=subprocess.PIPE, check=True).stdout
+    save = ['teem-unu', 'save', '-f', form, '-e', encoding, '-o', str(target)]
+    if encoding != 'ascii':
+        save[4:4] = ['-en', order]
+    subprocess.run(save, input=made, check=True)
+
+
+def write_nrrd():
+    for name in TYPES:
+        for order in orders(name):
+            unu(samples(name), name, order, 'raw', path('nrrd', f'{name}-{order}.nrrd'))
+        unu(samples(name), name, 'little', 'ascii', path('nrrd', f'{name}-little-text.nrrd'))
+    for encoding in ('gzip', 'bzip2'):
+        unu(samples('i16'), 'i16', 'big', encoding, path('nrrd', f'i16-big-{encoding}.nrrd'))
+    unu(samples('i16'), 'i16', 'big', 'gzip', path('nrrd', 'i16-big-detached.nhdr'), 'nrrd')
+    unu(two_frames(samples('i16')), 'i16', 'big', 'raw', path('nrrd', 'i16-big-frame1.nrrd'))
+
+
+# NIfTI and Analyze, by nibabel. Its arrays are array[x][y][z].
+def write_nifti():
+    affine = numpy.diag([*SPACING, 1.0])
+    affine[:3, 3] = ORIGIN
+    kinds = {
+        ('nifti1', '.nii'): nibabel.Nifti1Image,
+        ('nifti1', '.nii.gz'): nibabel.Nifti1Image,
+        ('nifti1', '.hdr'): nibabel.Nifti1Pair,
+        ('nifti2', '.nii'): nibabel.Nifti2Image,
+        ('nifti2', '.hdr'): nibabel.Nifti2Pair,
+        ('analyze', '.hdr'): nibabel.AnalyzeImage,
+    }
+    for (container, extension), image_class in kinds.items():
+        header_class = image_class.header_class
+        for name in TYPES:
+            dtype = samples(name).dtype
+            if name not in ('u8', 'i16', 'i32', 'f32', 'f64') and container == 'analyze':
+                continue
+            whole_table = extension == '.nii' or container == 'analyze'
+            if not whole_table and name != 'i16':
+                continue
+            for order in orders(name):
+                header = header_class(endianness=order)
+                header.set_data_dtype(dtype.newbyteorder('>' if order == 'big' else '<'))
+                image = image_class(samples(name).T, affine, header)
+                nibabel.save(image, path(container, f'{name}-{order}{extension}'))
+    for container, image_class in (('nifti1', nibabel.Nifti1Image), ('nifti2', nibabel.Nifti2Image)):
+        image = image_class(two_frames(samples('i16')).T, affine)
+        nibabel.save(image, path(container, 'i16-little-frame1.nii'))
+
+
+def image_data(name):
+    array = samples(name)
+    image = vtkImageData()
+    image.SetDimensions(*SIZES)
+    image.SetSpacing(*SPACING)
+    image.SetOrigin(*ORIGIN)
+    scalars = numpy_support.numpy_to_vtk(array.ravel().astype(array.dtype.newbyteorder('=')), 1)
+    scalars.SetName('samples')
+    image.GetPointData().SetScalars(scalars)
+    return image
+
+
+# MetaImage, by the library of its authors in VTK: little-endian, and without 64 bit integers.
+def write_metaimage():
+    for name in TYPES:
+        if name in ('u64', 'i64'):
+            continue
+        for how in ('.mha', '-compressed.mha', '.mhd'):
+            if how != '.mha' and name != 'i16':
+                continue
+            target = path('metaimage', f'{name}-little{how}')
+            writer = vtkIOImage.vtkMetaImageWriter()
+            writer.SetInputData(image_data(name))
+            writer.SetFileName(str(target))
+            if how == '.mhd':
+                writer.SetRAWFileName(str(target.with_suffix('.raw')))
+            writer.SetCompression(how == '-compressed.mha')
+            writer.Write()
+
+
+# VTK's own formats. Legacy files are big-endian.
+def write_vtk():
+    for name in TYPES:
+        # In text it writes bytes as colours, in fractions of 255, and rounds double precision.
+        for how in ('big',) if name in ('u8', 'f64') else ('big', 'big-text'):
+            writer = vtkIOLegacy.vtkStructuredPointsWriter()
+            writer.SetInputData(image_data(name))
+            writer.SetFileName(str(path('vtk', f'{name}-{how}.vtk')))
+            if how == 'big':
+                writer.SetFileTypeToBinary()
+            writer.Write()
+        for order in orders(name):
+            write_vti(name, order, 'appended-raw', False)
+    for order in ('little', 'big'):
+        for encoding in ('appended-raw', 'appended-base64', 'base64', 'text'):
+            for is_packed in (False, True):
+                write_vti('i16', order, encoding, is_packed)
+    write_vti('f64', 'little', 'text', False)
+
+
+def write_vti(name, order, encoding, is_packed):
+    writer = vtkIOXML.vtkXMLImageDataWriter()
+    writer.SetInputData(image_data(name))
+    writer.SetFileName(str(path('vti', f'{name}-{order}-{encoding}{"-zlib" if is_packed else ""}.vti')))
+    writer.SetByteOrder(1 if order == 'little' else 0)
+    if encoding == 'text':
+        writer.SetDataModeToAscii()
+    elif encoding == 'base64':
+        writer.SetDataModeToBinary()
+    else:
+        writer.SetDataModeToAppended()
+        writer.SetEncodeAppendedData(encoding == 'appended-base64')
+    if is_packed:
+        writer.SetCompressorTypeToZLib()
+        writer.SetBlockSize(64)  # several blocks
+    else:
+        writer.SetCompressorTypeToNone()
+    if order == 'big':
+        writer.SetHeaderTypeToUInt32()
+    writer.Write()
+
+
+def write_numpy():
+    for name in TYPES:
+        for order in orders(name):
+            array = samples(name)
+            array = array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
+            numpy.save(path('numpy', f'{name}-{order}.npy'), array)
+    numpy.save(path('numpy', 'i16-little-fortran.npy'), samples('i16').T)
+    numpy.save(path('numpy', 'i16-little-frame1.npy'), two_frames(samples('i16')))
+
+
+# InVesalius, with the modules of Python that it writes its projects with.
+def write_invesalius():
+    for how in ('', '-gzip'):
+        matrix = samples('i16')
+        project = {
+            'format_version': 1.1,
+            'name': 'samples',
+            'modality': 'CT',
+            'spacing': list(SPACING),
+            'matrix': {'filename': 'matrix.dat', 'shape': list(matrix.shape), 'dtype': 'int16'},
+            'masks': {},
+            'surfaces': {},
+        }
+        with tarfile.open(path('invesalius', f'i16-little{how}.inv3'), 'w:gz' if how else 'w') as tar:
+            for member, content in (('matrix.dat', matrix.tobytes()),
+                                    ('main.plist', plistlib.dumps(project))):
+                entry = tarfile.TarInfo('project/' + member)
+                entry.size = len(content)
+                tar.addfile(entry, io.BytesIO(content))
+
+
+if __name__ == '__main__':
+    write_nrrd()
+    write_nifti()
+    write_metaimage()
+    write_vtk()
+    write_numpy()
+    write_invesalius()

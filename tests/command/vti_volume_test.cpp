@@ -1,0 +1,80 @@
+// VTK's image in XML: what the files of other programs do not have (container_table_test.cpp).
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+const std::string u8 = stored(SampleType::u8);
+const std::string length("\x3c\0\0\0", 4);  // of the samples
+
+std::string vti(const std::string& root, const std::string& image, const std::string& points,
+                const std::string& behind) {
+  return "<VTKFile type=\"ImageData\" byte_order=\"LittleEndian\" " + root + "><ImageData " +
+         image + "><Piece Extent=\"0 4 0 2 0 3\"><PointData " + points +
+         "</PointData></Piece></ImageData>" + behind + "</VTKFile>";
+}
+
+const std::string whole = "WholeExtent=\"0 4 0 2 0 3\"";
+const std::string appended_array = "<DataArray type=\"UInt8\" format=\"appended\" offset=\"3\"/>";
+const std::string appended = "<AppendedData encoding=\"raw\">\n _???" + length + u8;
+
+}  // namespace
+
+TEST_CASE("of several arrays in VTK's XML the one that is said to be the scalars is read") {
+  const Folder folder;
+  const std::string first =
+      "<DataArray type=\"Int16\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
+  const std::string second =
+      "<DataArray type=\"UInt8\" Name=\"b\" format=\"appended\" offset=\"3\"/>";
+  check_volume(folder.write("v.vti", vti("", whole, "Scalars=\"b\">" + first + second, appended)),
+               SampleType::u8, "VTK XML, raw");
+  check_volume(
+      folder.write("v", "<?xml version=\"1.0\"?>" + vti("", whole, ">" + appended_array, appended)),
+      SampleType::u8, "VTK XML, raw");
+}
+
+TEST_CASE("VTK's XML gives the place of the first voxel, whatever number it has") {
+  const Folder folder;
+  std::string file =
+      vti("", whole + " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"",
+          ">" + appended_array, appended);
+  for (std::size_t at = 0; (at = file.find("0 4 0 2 0 3", at)) != std::string::npos;)
+    file.replace(at, 11, "5 9 0 2 -1 2");
+  const VolumeInfo info = open_volume(folder.write("v.vti", file))->info();
+  REQUIRE(info.placement);
+  using Vector = std::array<double, 3>;
+  CHECK(info.placement->axes_mm == discmc::host::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
+  CHECK(info.placement->origin_mm == Vector{1, 12, -1});
+}
+
+TEST_CASE("VTK's XML refuses by name what it does not take") {
+  const Folder folder;
+  const auto check = [&](const std::string& bytes, const std::string& part) {
+    check_refusal(refusal(folder.write("v.vti", bytes)), part);
+  };
+  const std::string points = ">" + appended_array;
+  check("<VTKFile type=\"PolyData\">" + std::string("<AppendedData>"),
+        "no VTKFile of type ImageData");
+  check(vti("", whole, ">", appended), "no array of samples at points");
+  check(vti("", whole, points, ""), "no array of samples in the first");
+  check(vti("", "WholeExtent=\"0 4 0 2 0 7\"", points, appended), "in several pieces");
+  check(vti("", "WholeExtent=\"0 4 0 2\"", points, appended), "WholeExtent is '0 4 0 2'");
+  check(vti("compressor=\"vtkLZ4DataCompressor\"", whole, points, appended),
+        "'vtkLZ4DataCompressor'");
+  check(vti("", whole, "><DataArray type=\"UInt8\" NumberOfComponents=\"3\" format=\"appended\"/>",
+            appended),
+        "a voxel has '3' numbers");
+  check(vti("", whole, "><DataArray type=\"String\" format=\"appended\"/>", appended), "'String'");
+  check(vti("", whole, points, "<AppendedData encoding=\"raw\">x"), "does not begin with _");
+  check(vti("", whole, "><DataArray type=\"UInt8\" format=\"binary\">PAAAAD!A", ""),
+        "base64 text holds '!'");
+  check(vti("", whole, points, "<AppendedData encoding=\"raw\">_???" + std::string(4, '\1') + u8),
+        "the array has 16843009 bytes");
+  check(vti("", whole, points, "<AppendedData encoding=\"raw\">_???" + std::string(4, '\0') + u8),
+        "the array has 0 bytes, the volume 60");
+}

@@ -1,0 +1,101 @@
+// VTK's legacy format, NumPy and InVesalius: what the files of other programs do not have
+// (container_table_test.cpp).
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+const std::string u8 = stored(SampleType::u8);
+
+std::string vtk(const std::string& lines) {
+  return "# vtk DataFile Version 3.0\nof the test\nBINARY\n" + lines;
+}
+const std::string image = "DATASET STRUCTURED_POINTS\nDIMENSIONS 5 3 4\nSPACING 1 2 3\n";
+const std::string scalars = "POINT_DATA 60\nSCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
+
+std::string numpy(const std::string& dictionary) {
+  return std::string("\x93NUMPY\1\0", 8) + static_cast<char>(dictionary.size()) + '\0' + dictionary;
+}
+
+}  // namespace
+
+TEST_CASE("VTK's samples may be scalars, colours or a field, and have a place") {
+  const Folder folder;
+  const std::string field = "POINT_DATA 60\nFIELD FieldData 1\na 1 60 unsigned_char\n";
+  const std::string colours = "POINT_DATA 60\nCOLOR_SCALARS a 1\n";
+  for (const std::string& array : {scalars, field, colours}) {
+    check_volume(folder.write("v.vtk", vtk(image + array + u8)), SampleType::u8, "VTK, raw");
+    check_volume(folder.write("v", vtk(image + "METADATA\nINFORMATION 0\n\n" + array + u8 + "\n")),
+                 SampleType::u8, "VTK, raw");
+  }
+  const auto info =
+      open_volume(folder.write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)))->info();
+  REQUIRE(info.placement);
+  CHECK(info.placement->origin_mm == std::array<double, 3>{7, 8, -9});
+}
+
+TEST_CASE("VTK's legacy format refuses by name what it does not take") {
+  const Folder folder;
+  const auto check = [&](const std::string& bytes, const std::string& part) {
+    check_refusal(refusal(folder.write("v.vtk", bytes)), part);
+  };
+  check(vtk("DATASET POLYDATA\n"), "of kind 'POLYDATA'");
+  check(vtk(image + "CELL_DATA 60\n" + u8), "header line 'CELL_DATA 60' is not known");
+  check(vtk(image + "POINT_DATA 60\nVECTORS v float\n"), "of kind 'vectors'");
+  check(vtk(image + "POINT_DATA 60\nSCALARS a float 3\nLOOKUP_TABLE t\n"), "has '3' numbers");
+  check(vtk(image + "POINT_DATA 60\nSCALARS a bit\nLOOKUP_TABLE t\n"), "type 'bit'");
+  check(vtk(image + "POINT_DATA 60\nSCALARS a int\n\n"), "behind SCALARS stands ''");
+  check(vtk(image), "no array of samples");
+  check(vtk("DIMENSIONS 5 3\n"), "dimensions is followed by 2 words");
+  check("# vtk DataFile Version 3.0\n\nASCI\n", "third line is 'asci'");
+}
+
+TEST_CASE("an array of NumPy has x where it is stored side by side") {
+  const Folder folder;
+  const std::string c_order = "{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5), }\n";
+  const std::string fortran = "{'descr': '|u1', 'fortran_order': True, 'shape': (5, 3, 4), }\n";
+  const auto c_file = folder.write("c.npy", numpy(c_order) + u8);
+  const auto fortran_file = folder.write("fortran.npy", numpy(fortran) + u8);
+  check_volume(c_file, SampleType::u8, "NumPy");
+  check_volume(fortran_file, SampleType::u8, "NumPy");
+  CHECK(noted(open_volume(fortran_file)->info(), "taken as array[x][y][z]"));
+  CHECK(noted(open_volume(c_file)->info(), "no spacing given"));
+}
+
+TEST_CASE("NumPy refuses by name what it does not take") {
+  const Folder folder;
+  const auto check = [&](const std::string& bytes, const std::string& part) {
+    check_refusal(refusal(folder.write("v.npy", bytes)), part);
+  };
+  check(numpy("{'descr': '<c8', 'fortran_order': False, 'shape': (4, 3, 5)}"), "'<c8'");
+  check(numpy("{'descr': '|u1', 'fortran_order': False, 'shape': (4,)}"), "1 dimensions");
+  check(numpy("{'descr': '|u1', 'fortran_order': False}"), "has no shape");
+  check(numpy("{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, x)}"), "shape is 'x'");
+  check(numpy("{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5)}") + u8.substr(1),
+        "1 bytes of it are missing");
+  check("\x93NUMPY\x07 abcdef", "version 7");
+  check("\x93NUM", "not whole");
+  check(std::string("\x93NUMPY\2\0\xff\xff\xff\xff", 12), "header has 4294967295 bytes");
+}
+
+TEST_CASE("a project of InVesalius is upside down, and read from files only") {
+  const Folder folder;
+  const fs::path project = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes" /
+                           "invesalius" / "i16-little.inv3";
+  CHECK(open_volume(project)->info().spacing_mm == std::array<double, 3>{0.5, -0.75, 2});
+  std::string bytes;
+  {
+    std::ifstream in(project, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  check_refusal(refusal(folder.write("v.inv3", bytes.substr(0, 700))), "no whole file main.plist");
+  check_refusal(refusal(folder.write("v.inv3", "nothing")), "no whole file main.plist");
+  const std::size_t type = bytes.find("int16");
+  bytes.replace(type, 5, "int99");
+  check_refusal(refusal(folder.write("v.inv3", bytes)), "type 'int99'");
+}
