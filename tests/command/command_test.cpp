@@ -336,7 +336,6 @@ TEST_CASE("wrong usage exits with 2") {
                                 "extract v.raw --iso 1 --type u16 --dims 13,12",
                                 "extract v.nrrd --iso 1 --big-endian",
                                 "extract v.raw --iso 1 --type f16 --dims 13,12,11",
-                                "extract v.nrrd --iso 1 --spacing 1,1,1",
                                 "decode",
                                 "decode v.dmc",
                                 "info",
@@ -356,7 +355,11 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
   const Workshop workshop;
   workshop.write("block.nrrd", volume_files::nrrd("type: block\nencoding: raw\n") + "\n");
   workshop.write("empty.nrrd", "");
-  workshop.write("v.raw", little_endian_u16.substr(0, little_endian_u16.size() - 1));
+  const std::string cut = little_endian_u16.substr(0, little_endian_u16.size() - 1);
+  workshop.write("v.raw", cut);
+  workshop.write(
+      "cut.nrrd",
+      volume_files::nrrd("type: uint16\nendian: little\nencoding: raw\n", "13 12 11") + "\n" + cut);
   const auto names = workshop.names();
   check_failure(workshop.run("extract none.nrrd --iso 1 -o v.dmc"), 1, {"none.nrrd", "check"});
   check_failure(workshop.run("extract . --iso 1 -o v.dmc"), 1, {".: "});
@@ -364,8 +367,10 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
   check_failure(workshop.run("extract block.nrrd --iso 1 -o v.dmc"), 1,
                 {"block.nrrd", "'block'", "one number a voxel"});
   for (const std::string& format : all_formats)
-    check_failure(workshop.run("extract v.raw " + layout + "-o v." + format), 1,
-                  {"v.raw: slice 10 ", "1 bytes of it are missing"});
+    check_failure(workshop.run("extract cut.nrrd --iso 0x201 -o v." + format), 1,
+                  {"cut.nrrd: slice 10 ", "1 bytes of it are missing"});
+  check_failure(workshop.run("extract v.raw " + layout + "-o v.dmc"), 1,
+                {"v.raw: the file has 3431 bytes", "13 x 12 x 11 u16 has 3432"});
   CHECK(workshop.names() == names);
 }
 
@@ -439,7 +444,8 @@ TEST_CASE("more memory than any volume of the size needs is no burden") {
 TEST_CASE("a run that is ended by a signal leaves no file") {
   const Workshop workshop;
   const Result result = workshop.shell(
-      "truncate -s 2000M v.raw; \"$discmc\" extract v.raw --dims 1000,1000,2000 --type u8 --iso 1 "
+      "truncate -s 2000000000 v.raw; \"$discmc\" extract v.raw --dims 1000,1000,2000 --type u8 "
+      "--iso 1 "
       "-o v.dmc & while [ $(ls | wc -l) -lt 2 ]; do :; done; kill -TERM $!; wait $!");
   CHECK(result.code == 128 + 15);
   CHECK(workshop.names() == std::vector<std::string>{"v.raw"});
