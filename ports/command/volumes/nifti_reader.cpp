@@ -98,12 +98,12 @@ nifti_2_header widened(const std::filesystem::path& file, const nifti_1_header& 
   two.xyzt_units = one.xyzt_units;
   two.qform_code = one.qform_code;
   two.sform_code = one.sform_code;
-  two.quatern_b = double{one.quatern_b};
-  two.quatern_c = double{one.quatern_c};
-  two.quatern_d = double{one.quatern_d};
-  two.qoffset_x = double{one.qoffset_x};
-  two.qoffset_y = double{one.qoffset_y};
-  two.qoffset_z = double{one.qoffset_z};
+  two.quatern_b = static_cast<double>(one.quatern_b);
+  two.quatern_c = static_cast<double>(one.quatern_c);
+  two.quatern_d = static_cast<double>(one.quatern_d);
+  two.qoffset_x = static_cast<double>(one.qoffset_x);
+  two.qoffset_y = static_cast<double>(one.qoffset_y);
+  two.qoffset_z = static_cast<double>(one.qoffset_z);
   std::copy(std::begin(one.srow_x), std::end(one.srow_x), two.srow_x);
   std::copy(std::begin(one.srow_y), std::end(one.srow_y), two.srow_y);
   std::copy(std::begin(one.srow_z), std::end(one.srow_z), two.srow_z);
