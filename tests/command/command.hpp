@@ -162,6 +162,11 @@ class Taker {
     }
     return point;
   }
+  discmc::host::Srgb colour() {
+    discmc::host::Srgb colour{};
+    for (std::uint8_t& part : colour) part = static_cast<std::uint8_t>(integer(1));
+    return colour;
+  }
   bool at_end() const { return at_ == bytes_.size(); }
 
  private:
@@ -201,11 +206,13 @@ inline Mesh mesh_of_ply(const std::string& bytes) {
   const std::size_t body = bytes.find(end) + end.size();
   const std::string header = bytes.substr(0, body);
   const std::string normals = "\nproperty float nx\nproperty float ny\nproperty float nz\n";
+  const std::string colour = "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
   Mesh mesh;
   Taker taker(bytes, body);
   for (std::size_t left = count_after(header, "element vertex "); left > 0; --left) {
     mesh.vertices_mm.push_back(taker.point());
     if (contains(header, normals)) mesh.normals.push_back(taker.point());
+    if (contains(header, colour)) mesh.colour = taker.colour();
   }
   for (std::size_t left = count_after(header, "element face "); left > 0; --left) {
     std::vector<std::uint32_t> face(taker.integer(1));

@@ -10,6 +10,7 @@
 #include <streambuf>
 #include <string>
 
+#include "command.hpp"
 #include "hand_made.hpp"
 #include "mesh_files/base64.hpp"
 #include "mesh_formats.hpp"
@@ -199,6 +200,21 @@ TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
   REQUIRE(read.normals.size() == mesh.normals.size());
   for (std::size_t i = 0; i < read.normals.size(); ++i)
     CHECK(read.normals[i][i == 3 ? 2 : 0] == doctest::Approx(1));
+}
+
+TEST_CASE("the colour of a mesh is kept by the formats that have one") {
+  Mesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
+  for (const std::string name : {"v.glb", "v.3mf", "v.ply"}) {
+    INFO(name);
+    for (const Srgb& colour : {Srgb{0, 9, 10}, Srgb{255, 128, 160}}) {
+      mesh.colour = colour;
+      std::ostringstream out;
+      write_mesh(mesh, format_of(name), out);
+      const Mesh read = command::mesh_of(name, out.str());
+      CHECK(read.colour == colour);
+      CHECK(read.face_count() == mesh.face_count());
+    }
+  }
 }
 
 TEST_CASE("base64 is that of RFC 4648, however the bytes come") {

@@ -171,6 +171,18 @@ std::vector<std::uint32_t> integers_of(const pugi::xml_node& parent, const char*
   return integers;
 }
 
+// From linear light, as the format has it.
+discmc::host::Srgb srgb_of(const Json& factor) {
+  discmc::host::Srgb colour{};
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    const double light = factor.at(i).get<double>();
+    const double part =
+        light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+    colour[i] = static_cast<std::uint8_t>(std::lround(255 * part));
+  }
+  return colour;
+}
+
 }  // namespace
 
 Mesh mesh_of_glb(const std::string& bytes) {
@@ -181,7 +193,8 @@ Mesh mesh_of_glb(const std::string& bytes) {
   if (!scene.contains("nodes")) return mesh;
   const Json& node = json["nodes"].at(scene["nodes"].at(0).get<std::size_t>());
   const Json& primitive = json["meshes"].at(node["mesh"].get<std::size_t>())["primitives"].at(0);
-  CHECK(json["materials"].size() > primitive["material"].get<std::size_t>());
+  const Json& material = json["materials"].at(primitive["material"].get<std::size_t>());
+  mesh.colour = srgb_of(material["pbrMetallicRoughness"]["baseColorFactor"]);
   const Json& attributes = primitive["attributes"];
   const std::vector<Point> positions = glb.points(attributes["POSITION"]);
   check_extent(json["accessors"].at(attributes["POSITION"].get<std::size_t>()), positions);
@@ -218,6 +231,18 @@ Mesh mesh_of_3mf(const std::string& bytes) {
       model.child("resources").find_child_by_attribute("object", "id", item);
   REQUIRE(object);
   Mesh mesh;
+  if (const pugi::xml_attribute group = object.attribute("pid")) {
+    const std::string colour = model.child("resources")
+                                   .find_child_by_attribute("basematerials", "id", group.value())
+                                   .child("base")
+                                   .attribute("displaycolor")
+                                   .value();
+    REQUIRE(colour.size() == 7);
+    mesh.colour.emplace();
+    for (std::size_t i = 0; i < 3; ++i)
+      (*mesh.colour)[i] =
+          static_cast<std::uint8_t>(std::stoul(colour.substr(1 + 2 * i, 2), nullptr, 16));
+  }
   for (const auto& vertex : object.child("mesh").child("vertices"))
     mesh.vertices_mm.push_back({vertex.attribute("x").as_double(),
                                 vertex.attribute("y").as_double(),

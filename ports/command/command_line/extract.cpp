@@ -14,12 +14,31 @@
 namespace discmc::host {
 namespace {
 
+void check_labels(const ExtractArguments& arguments) {
+  if (!FilePattern(arguments.output).has_name())
+    throw CLI::ValidationError("--labels",
+                               "every label is a mesh of its own: give -o 'FOLDER/{name}.stl', or "
+                               "another format");
+  if (format_of(arguments.output) == Format::stream)
+    throw CLI::ValidationError("--labels", "a stream holds " +
+                                               std::to_string(StreamHeader::max_surfaces) +
+                                               " surfaces at most: write meshes, or give --label");
+  if (arguments.normals == Normals::gradient || arguments.interpolates)
+    throw CLI::ValidationError("--labels",
+                               "there is nothing between labels: leave out --normals gradient and "
+                               "--surface interpolated");
+}
+
 void check_selections(const ExtractArguments& arguments) {
+  if (arguments.takes_all_labels) return check_labels(arguments);
+  if (!arguments.label_table.empty() && format_of(arguments.output) == Format::stream)
+    throw CLI::ValidationError("--label-table", "a stream has no names: write meshes");
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const std::size_t surfaces = selections.size();
   if (surfaces == 0)
     throw CLI::ValidationError("--iso",
-                               "is missing: give --iso ISO, --range LOW..HIGH or --label N");
+                               "is missing: give --iso ISO, --range LOW..HIGH, --label N "
+                               "or --labels all");
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (is_stream && surfaces > StreamHeader::max_surfaces)
     throw CLI::ValidationError(
@@ -87,6 +106,22 @@ void check(const ExtractArguments& arguments) {
   check_wire(arguments);
 }
 
+void add_label_options(CLI::App& app, ExtractArguments& arguments) {
+  app.option_defaults()->group(surface_group);
+  CLI::Option* labels =
+      app.add_option_function<std::string>(
+             "--labels", [&arguments](const std::string&) { arguments.takes_all_labels = true; },
+             "a surface of every value but 0, in one pass: a mesh each")
+          ->check(CLI::IsMember({"all"}))
+          ->option_text("all");
+  for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
+    labels->excludes(app.get_option(other));
+  app.add_option("--label-table", arguments.label_table,
+                 "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "
+                 ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS")
+      ->option_text("FILE");
+}
+
 // What a stream holds, where that is what is written.
 void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(stream_group);
@@ -127,6 +162,7 @@ Command add_extract(CLI::App& app) {
   CLI::Option* iso = extract->get_option("--iso");
   iso->description(iso->get_description() +
                    "; given several times, as the next two: a surface each, up to 4 in a stream");
+  add_label_options(*extract, *arguments);
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
   add_mesh_options(*extract, arguments->mesh);
@@ -138,6 +174,7 @@ Command add_extract(CLI::App& app) {
       "Examples:\n"
       "  discmc extract head.nii.gz --iso 300 -o head.stl\n"
       "  discmc extract head.nii.gz --iso 300 --iso=-300 -o 'head-{name}.stl'\n"
+      "  discmc extract labels.nii.gz --labels all -o 'out/{name}.stl'\n"
       "  discmc extract series/ --iso 300 -o head.stl\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
   extract->callback([arguments] { check(*arguments); });

@@ -12,6 +12,7 @@
 
 #include "extraction/selection.hpp"
 #include "meshes/mesh.hpp"
+#include "srgb.hpp"
 #include "streams/stream_file.hpp"
 #include "surface/components.hpp"
 #include "volumes/volume.hpp"
@@ -32,7 +33,8 @@ struct LayoutArguments {
 /// What is on in a surface, and what the user calls it.
 struct NamedSelection {
   Selection selection;
-  std::string name;  ///< as it was given: "300"
+  std::string name;  ///< as it was given, "300"; of a label in the table, its name there
+  std::optional<Srgb> colour{};  ///< of a label in the table, if it has one there
 };
 
 /// How a volume is read and its surface taken: of every command that takes one.
@@ -58,6 +60,8 @@ enum class Wire { regions, slices };
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
+  bool takes_all_labels = false;  ///< in place of selections
+  std::string label_table;        ///< file of the names of labels, or none
   std::string output = "-";
   Normals normals = Normals::none;
   Wire wire = Wire::regions;
@@ -66,7 +70,7 @@ struct ExtractArguments {
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
-  bool interpolates = false;  ///< the vertices of a mesh
+  bool interpolates = false;       ///< the vertices of a mesh
   bool quiet = false;
 };
 

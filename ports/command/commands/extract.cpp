@@ -1,7 +1,10 @@
 // discmc extract: a volume to a stream or to meshes.
 #include "extract.hpp"
 
+#include <cmath>
 #include <iostream>
+#include <set>
+#include <utility>
 
 #include "commands.hpp"
 #include "mesh_files/file_format.hpp"
@@ -23,13 +26,41 @@ std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selec
   return requests;
 }
 
-void note_not_numbers(const ExtractArguments& arguments, const Extraction& extraction) {
-  if (extraction.not_numbers > 0)
-    std::cerr << "discmc: " << arguments.volume << ": " << extraction.not_numbers
+LabelTable label_table_of(const ExtractArguments& arguments) {
+  return arguments.label_table.empty() ? LabelTable{} : read_label_table(arguments.label_table);
+}
+
+void describe(NamedSelection& selection, const LabelTable& table) {
+  const Selection& values = selection.selection;
+  constexpr double exact = 0x1p53;
+  if (values.low != values.high || std::fabs(values.low) > exact) return;
+  const auto found = table.find(static_cast<std::int64_t>(values.low));
+  if (found == table.end()) return;
+  selection.name = found->second.name;
+  selection.colour = found->second.colour;
+}
+
+std::vector<std::string> files_for(const FilePattern& pattern,
+                                   const std::vector<NamedSelection>& selections) {
+  std::vector<std::string> files;
+  std::set<std::string> taken;
+  for (const NamedSelection& each : selections) {
+    std::string file = pattern.file_for(each.name);
+    for (int number = 2; !taken.insert(file).second; ++number)
+      file = pattern.file_for(each.name + "-" + std::to_string(number));
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers) {
+  if (not_numbers > 0)
+    std::cerr << "discmc: " << arguments.volume << ": " << not_numbers
               << " samples are not a number (NaN), and taken as off\n";
 }
 
 int run_extract(const ExtractArguments& arguments) {
+  if (arguments.takes_all_labels) return extract_label_meshes(arguments);
   return format_of(arguments.output) == Format::stream ? extract_stream(arguments)
                                                        : extract_meshes(arguments);
 }

@@ -2,18 +2,24 @@
 #ifndef DISCMC_COMMAND_COMMANDS_EXTRACT_HPP
 #define DISCMC_COMMAND_COMMANDS_EXTRACT_HPP
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
+#include "file_pattern.hpp"
 #include "surface_receiver.hpp"
+#include "volumes/label_table.hpp"
 
 namespace discmc::host {
 
 /// Each writes its files, then the table, and returns the exit code.
 int extract_stream(const ExtractArguments& arguments);
 int extract_meshes(const ExtractArguments& arguments);
+int extract_label_meshes(const ExtractArguments& arguments);
 
 /// One a surface, in the order of the selections.
 using SurfaceReceivers = std::vector<std::unique_ptr<SurfaceReceiver>>;
@@ -22,8 +28,30 @@ SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections);
 std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selections,
                                         const SurfaceReceivers& receivers);
 
+/// The table of labels that was given, or an empty one.
+LabelTable label_table_of(const ExtractArguments& arguments);
+
+/// Gives a label the name and the colour that it has in the table, if it is there.
+void describe(NamedSelection& selection, const LabelTable& table);
+
+/// The files of surfaces, no two the same: of equal names all but the first get a number.
+std::vector<std::string> files_for(const FilePattern& pattern,
+                                   const std::vector<NamedSelection>& selections);
+
+/// A surface of a volume, and the file that its mesh goes to.
+struct SurfaceOutput {
+  Surface& surface;
+  const NamedSelection& selection;
+  std::string file;
+  const Crossings* crossings = nullptr;  ///< as MeshOptions
+};
+
+/// Writes a mesh of what is chosen of the surface, with normals as asked. placement: of the mesh.
+void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
+                   const std::optional<VolumePlacement>& placement);
+
 /// Says how many samples are not a number, if any.
-void note_not_numbers(const ExtractArguments& arguments, const Extraction& extraction);
+void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers);
 
 }  // namespace discmc::host
 

@@ -34,14 +34,34 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
 
 }  // namespace
 
+void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
+                   const std::optional<VolumePlacement>& placement) {
+  keep_chosen(arguments.volume, arguments.components, output.surface);
+  OutputFile file(output.file);
+  MeshOptions options = arguments.mesh;
+  options.crossings = output.crossings;
+  write_surface(
+      output.surface, format_of(output.file), options,
+      [&](Mesh& mesh) {
+        note_left_out(arguments.volume, output.surface, mesh);
+        add_normals(arguments, output.selection.selection, output.surface, mesh);
+        mesh.colour = output.selection.colour;
+      },
+      placement, file);
+  file.commit();
+}
+
 int extract_meshes(const ExtractArguments& arguments) {
   if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume);
-  const std::vector<NamedSelection>& selections = arguments.reading.selections;
+  std::vector<NamedSelection> selections = arguments.reading.selections;
+  const LabelTable table = label_table_of(arguments);
+  for (NamedSelection& each : selections) describe(each, table);
   const FilePattern pattern(arguments.output);
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo& info = volume->info();
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
   pattern.require_folder();
+  const std::vector<std::string> files = files_for(pattern, selections);
   Progress progress("extracting", info.dims[2]);
   const ExtractionOptions options = extraction_options(arguments.reading, progress);
 
@@ -59,26 +79,17 @@ int extract_meshes(const ExtractArguments& arguments) {
     for (const NamedSelection& each : selections) finders.emplace_back(info, each.selection);
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
   const std::vector<Extraction> extractions = extract(*volume, options, requests);
-  note_not_numbers(arguments, extractions[0]);
+  note_not_numbers(arguments, extractions[0].not_numbers);
 
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
-    keep_chosen(arguments.volume, arguments.components, surface);
-    const std::string name = pattern.file_for(selections[i].name);
-    OutputFile file(name);
-    MeshOptions mesh_options = arguments.mesh;
-    if (arguments.interpolates) mesh_options.crossings = &finders[i].crossings();
-    write_surface(
-        surface, format_of(name), mesh_options,
-        [&](Mesh& mesh) {
-          note_left_out(arguments.volume, surface, mesh);
-          add_normals(arguments, selections[i].selection, surface, mesh);
-        },
-        placement, file);
-    file.commit();
+    write_mesh_of(arguments,
+                  {surface, selections[i], files[i],
+                   arguments.interpolates ? &finders[i].crossings() : nullptr},
+                  placement);
     if (arguments.quiet) continue;
-    if (receivers.size() > 1) std::cout << name << '\n';
+    if (receivers.size() > 1) std::cout << files[i] << '\n';
     write_table(extractions[i], count(surface), receivers[i]->stream_bytes(), 0, std::cout);
   }
   if (!arguments.quiet) require_written(std::cout);

@@ -103,7 +103,7 @@ int extract_stream(const ExtractArguments& arguments) {
   const std::vector<Extraction> extractions =
       extract(*volume, options, requests_of(selections, receivers));
   file.commit();
-  note_not_numbers(arguments, extractions[0]);
+  note_not_numbers(arguments, extractions[0].not_numbers);
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
   for (std::size_t i = 0; i < receivers.size(); ++i) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -17,15 +18,30 @@ constexpr int floats = 5126, unsigned_integers = 5125, vertex_buffer = 34962, in
 // From millimetres with z upwards to metres with y upwards, as the format has them.
 constexpr const char* matrix = "[0.001,0,0,0,0,0,-0.001,0,0,0.001,0,0,0,0,0,1]";
 
-// Of plaster, seen from both sides: a surface may be open.
-constexpr const char* material =
-    R"({"doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[0.85,0.82,0.75,1],)"
-    R"("metallicFactor":0,"roughnessFactor":0.8}})";
+constexpr Point plaster = {0.85, 0.82, 0.75};
 
 std::string decimals(const Point& point) {
   std::string list;
   for (const double value : point) list += (list.empty() ? "[" : ",") + decimal(value);
   return list + "]";
+}
+
+// The format has linear light.
+Point linear(const Srgb& colour) {
+  Point light;
+  std::transform(colour.begin(), colour.end(), light.begin(), [](std::uint8_t part) {
+    const double value = part / 255.0;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  });
+  return light;
+}
+
+// Seen from both sides: a surface may be open.
+std::string material(const Mesh& mesh) {
+  const Point colour = mesh.colour ? linear(*mesh.colour) : plaster;
+  return R"({"doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[)" + decimal(colour[0]) +
+         "," + decimal(colour[1]) + "," + decimal(colour[2]) +
+         R"(,1],"metallicFactor":0,"roughnessFactor":0.8}})";
 }
 
 // What a viewer wants to know of positions: "min" and "max" of what is written.
@@ -90,7 +106,7 @@ std::string describe(const Mesh& mesh, Arrays& arrays) {
   json += header_text(mesh);
   json += "\"},\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" + indices +
           ",\"material\":0}]}],\"materials\":[";
-  json += material;
+  json += material(mesh);
   return json + "]," + arrays.json() + "}";
 }
 

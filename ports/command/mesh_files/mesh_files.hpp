@@ -20,7 +20,7 @@ void write_mesh(const Mesh& mesh, Format format, std::ostream& out);
 void write_stl(const Mesh& mesh, std::ostream& out);
 
 /// PLY, binary little endian, coordinates as 32-bit floats, and so are normals, where the mesh has
-/// them. Units: millimetres.
+/// them; the colour of the mesh, if it has one, at every vertex. Units: millimetres.
 /// Limit: faces of max_face_corners, otherwise std::invalid_argument: corners are counted by a
 /// byte, as every reader takes it.
 void write_ply(const Mesh& mesh, std::ostream& out);
@@ -31,11 +31,12 @@ void write_obj(const Mesh& mesh, std::ostream& out);
 
 /// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, under a node that scales them to
 /// the metres of the format and turns z upwards, which there is y. Normals where the mesh has them;
-/// one material.
+/// one material, in the colour of the mesh if it has one.
 /// Limit: triangles only, and 4 GiB; otherwise std::invalid_argument.
 void write_glb(const Mesh& mesh, std::ostream& out);
 
-/// 3MF, exact decimal coordinates. Units: millimetres, and the file says so.
+/// 3MF, exact decimal coordinates, and the colour of the mesh if it has one. Units: millimetres, and
+/// the file says so.
 /// Limit: triangles only, otherwise std::invalid_argument.
 void write_3mf(const Mesh& mesh, std::ostream& out);
 

@@ -18,12 +18,15 @@ void write_ply(const Mesh& mesh, std::ostream& out) {
   writer.text("\nproperty float x\nproperty float y\nproperty float z");
   if (!mesh.normals.empty())
     writer.text("\nproperty float nx\nproperty float ny\nproperty float nz");
+  if (mesh.colour) writer.text("\nproperty uchar red\nproperty uchar green\nproperty uchar blue");
   writer.text("\nelement face ");
   writer.decimal(mesh.face_count());
   writer.text("\nproperty list uchar int vertex_indices\nend_header\n");
   for (std::size_t vertex = 0; vertex < mesh.vertices_mm.size(); ++vertex) {
     writer.point(mesh.vertices_mm[vertex]);
     if (!mesh.normals.empty()) writer.point(mesh.normals[vertex]);
+    if (mesh.colour)
+      for (const std::uint8_t part : *mesh.colour) writer.bytes(part, 1);
   }
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     writer.bytes(mesh.face_size(face), 1);

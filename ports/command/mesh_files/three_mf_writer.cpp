@@ -1,4 +1,6 @@
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "mesh_files.hpp"
 #include "writer.hpp"
@@ -22,6 +24,17 @@ constexpr const char* relationships =
 </Relationships>
 )";
 
+// #RRGGBB
+std::string hexadecimal(const Srgb& colour) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string text = "#";
+  for (const std::uint8_t part : colour) {
+    text += digits[part / 16U];
+    text += digits[part % 16U];
+  }
+  return text;
+}
+
 void write_model(const Mesh& mesh, std::ostream& out) {
   Writer writer(out);
   writer.text(
@@ -30,7 +43,13 @@ void write_model(const Mesh& mesh, std::ostream& out) {
       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
       "<metadata name=\"Application\">discmc</metadata>\n<metadata name=\"Description\">");
   writer.text(header_text(mesh));
-  writer.text("</metadata>\n<resources>\n<object id=\"1\" type=\"model\">\n<mesh>\n<vertices>\n");
+  writer.text("</metadata>\n<resources>\n");
+  if (mesh.colour)
+    writer.text("<basematerials id=\"2\">\n<base name=\"label\" displaycolor=\"" +
+                hexadecimal(*mesh.colour) + "\"/>\n</basematerials>\n");
+  writer.text("<object id=\"1\" type=\"model\"");
+  if (mesh.colour) writer.text(" pid=\"2\" pindex=\"0\"");
+  writer.text(">\n<mesh>\n<vertices>\n");
   for (const Point& vertex : mesh.vertices_mm) {
     const char* before[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <discmc/placement.hpp>
 
 #include "point.hpp"
+#include "srgb.hpp"
 #include "surface/surface.hpp"
 
 namespace discmc::host {
@@ -50,7 +52,8 @@ struct Mesh {
   std::vector<std::uint32_t> polygons;  ///< one a face: its place in Surface::polygons
   /// One a vertex, or none at all: unit vectors that point outside, zero where there is none.
   std::vector<Point> normals;
-  Frame frame = Frame::none;  ///< of a mesh that has been placed: what its coordinates are
+  std::optional<Srgb> colour;  ///< of all of it, where one was given
+  Frame frame = Frame::none;   ///< of a mesh that has been placed: what its coordinates are
   /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
   /// Polygon) and cannot be triangulated.
   std::vector<std::uint32_t> left_out{};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meshes/mesh.hpp"
+#include "srgb.hpp"
 
 namespace discmc::host {
 
@@ -31,8 +32,8 @@ struct PictureOptions {
   double zoom = 1;          ///< 1 fills the picture; more is nearer. Limit: 1e-3 to 1e3
   std::optional<Point> at;  ///< in the middle of the picture; without it all of the mesh is
   Shading shading = Shading::flat;
-  bool outlines = false;  ///< thin dark lines around the merged polygons
-  std::array<std::uint8_t, 3> colour = {224, 186, 146};  ///< of the surface, sRGB
+  bool outlines = false;          ///< thin dark lines around the merged polygons
+  Srgb colour = {224, 186, 146};  ///< of the surface
 };
 
 /// Rows from top to bottom, three bytes (red, green, blue; sRGB) a pixel.

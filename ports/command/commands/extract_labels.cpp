@@ -1,0 +1,65 @@
+// discmc extract --labels all: a segmentation to meshes, one a label.
+#include <iomanip>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "exit_codes.hpp"
+#include "extract.hpp"
+#include "extraction/labels.hpp"
+#include "file_pattern.hpp"
+#include "mesh_output.hpp"
+#include "progress.hpp"
+#include "require.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::host {
+namespace {
+
+LabelledSurfaces surfaces_of(VolumeReader& volume, const ExtractArguments& arguments) {
+  Progress progress("extracting", volume.info().dims[2]);
+  try {
+    return extract_labels(volume, {arguments.reading.border, arguments.reading.median > 0,
+                                   [&progress](std::uint32_t slices) { progress.show(slices); }});
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(arguments.volume + ": " + error.what());
+  }
+}
+
+void write_line(const LabelledSurface& label, const std::string& file, std::ostream& out) {
+  out << std::setw(8) << label.label << std::setw(14) << label.voxels << std::setw(12)
+      << label.surface.polygons.size() << "  " << file << '\n';
+}
+
+}  // namespace
+
+int extract_label_meshes(const ExtractArguments& arguments) {
+  const FilePattern pattern(arguments.output);
+  const LabelTable table = label_table_of(arguments);
+  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const VolumeInfo& info = volume->info();
+  const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
+  pattern.require_folder();
+  LabelledSurfaces labels = surfaces_of(*volume, arguments);
+  note_not_numbers(arguments, labels.not_numbers);
+  if (labels.all.empty())
+    throw std::runtime_error(arguments.volume + ": it holds no label: every voxel is 0");
+
+  std::vector<NamedSelection> selections;
+  for (const LabelledSurface& each : labels.all) {
+    const auto value = static_cast<double>(each.label);
+    selections.push_back({Selection(value, value), std::to_string(each.label)});
+    describe(selections.back(), table);
+  }
+  const std::vector<std::string> files = files_for(pattern, selections);
+  if (!arguments.quiet) std::cout << "   label        voxels    polygons  file\n";
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    write_mesh_of(arguments, {labels.all[i].surface, selections[i], files[i]}, placement);
+    if (!arguments.quiet) write_line(labels.all[i], files[i], std::cout);
+  }
+  if (!arguments.quiet) require_written(std::cout);
+  return exit_ok;
+}
+
+}  // namespace discmc::host

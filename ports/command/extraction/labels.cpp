@@ -1,0 +1,155 @@
+#include "labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+
+#include "label_run.hpp"
+#include "surface/surface_builder.hpp"
+
+namespace discmc::host {
+namespace {
+
+struct Label {
+  std::int64_t value;
+  std::uint64_t voxels = 0;
+  SurfaceBuilder builder{};
+  std::unique_ptr<LabelRun> run{};  // null in slices that are far from its voxels
+};
+
+constexpr double most_label = 0x1p53;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument(what + "; give --iso or --range");
+}
+
+[[noreturn]] void refuse_count(std::uint32_t slice, std::uint32_t most) {
+  refuse("more than " + std::to_string(most) + " values up to slice " + std::to_string(slice) +
+         ": these are samples, not labels");
+}
+
+// The labels of a volume by the samples that stand for them.
+template <class Sample>
+class LabelScan {
+ public:
+  LabelScan(const VolumeInfo& info, const LabelOptions& options)
+      : info_(info), options_(options), limits_{info.dims[0], info.dims[1], options.border} {}
+
+  void add_slice(const Sample* row) {
+    for (std::uint32_t y = 0; y < limits_.height; ++y, row += limits_.width) add_row(row, y);
+    for (const std::unique_ptr<Label>& label : labels_) end_slice(*label);
+    ++slice_;
+  }
+
+  LabelledSurfaces finish() {
+    LabelledSurfaces surfaces;
+    surfaces.not_numbers = not_numbers_;
+    for (const std::unique_ptr<Label>& label : labels_) {
+      if (label->run) label->run->finish();
+      label->run.reset();
+      label->builder.surface().spacing_mm = info_.spacing_mm;
+      surfaces.all.push_back({label->value, label->voxels, std::move(label->builder.surface())});
+    }
+    std::sort(surfaces.all.begin(), surfaces.all.end(),
+              [](const auto& a, const auto& b) { return a.label < b.label; });
+    return surfaces;
+  }
+
+ private:
+  void add_row(const Sample* row, std::uint32_t y) {
+    for (std::uint32_t x = 0, end = 0; x < limits_.width; x = end) {
+      const Sample sample = row[x];
+      for (end = x + 1; end < limits_.width && row[end] == sample;) ++end;
+      if (is_no_number(sample))
+        ++not_numbers_;
+      else if (Label* const label = label_of(sample))
+        add_voxels(*label, y, x, end);
+    }
+  }
+
+  static bool is_no_number(Sample sample) {
+    if constexpr (std::is_floating_point_v<Sample>) return std::isnan(sample);
+    return false;
+  }
+
+  void add_voxels(Label& label, std::uint32_t y, std::uint32_t begin, std::uint32_t end) {
+    if (!label.run) {
+      if (++running_ > most_labels_at_once) refuse_count(slice_, most_labels_at_once);
+      label.run = std::make_unique<LabelRun>(limits_, slice_, options_.takes_majority,
+                                             sink_to(label.builder));
+    }
+    label.run->set(y, begin, end);
+    label.voxels += end - begin;
+  }
+
+  void end_slice(Label& label) {
+    if (!label.run) return;
+    label.run->end_slice();
+    if (!label.run->is_over()) return;
+    label.run->finish();
+    label.run.reset();
+    --running_;
+  }
+
+  // Null: the background.
+  Label* label_of(Sample sample) {
+    if (has_last_ && sample == last_sample_) return last_label_;
+    const auto [found, is_new] = by_sample_.emplace(sample, nullptr);
+    if (is_new) found->second = new_label(sample);
+    has_last_ = true;
+    last_sample_ = sample;
+    return last_label_ = found->second;
+  }
+
+  Label* new_label(Sample sample) {
+    const double value = info_.slope * static_cast<double>(sample) + info_.intercept;
+    if (value == 0) return nullptr;
+    if (!(std::fabs(value) <= most_label) || value != std::floor(value)) {
+      std::ostringstream text;
+      text << "the value " << value << " in slice " << slice_
+           << ": labels are whole numbers up to 2^53";
+      refuse(text.str());
+    }
+    if (labels_.size() == most_labels) refuse_count(slice_, most_labels);
+    labels_.push_back(std::make_unique<Label>(Label{static_cast<std::int64_t>(value)}));
+    return labels_.back().get();
+  }
+
+  const VolumeInfo& info_;
+  const LabelOptions& options_;
+  Limits limits_;
+  std::uint32_t slice_ = 0;  // under way
+  std::uint64_t not_numbers_ = 0;
+  std::uint32_t running_ = 0;
+  std::vector<std::unique_ptr<Label>> labels_;
+  std::unordered_map<Sample, Label*> by_sample_;
+  // Neighbours are mostly alike.
+  bool has_last_ = false;
+  Sample last_sample_{};
+  Label* last_label_ = nullptr;
+};
+
+}  // namespace
+
+LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& options) {
+  const VolumeInfo& info = volume.info();
+  return with_sample_type(info.type, [&](auto type) {
+    using Sample = decltype(type);
+    LabelScan<Sample> scan(info, options);
+    std::vector<std::uint8_t> slice(info.slice_bytes());
+    for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+      volume.read_slice(slice.data());
+      scan.add_slice(reinterpret_cast<const Sample*>(slice.data()));
+      if (options.progress) options.progress(z + 1);
+    }
+    return scan.finish();
+  });
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,49 @@
+// The surfaces of all labels of a segmentation, in one pass over it.
+#ifndef DISCMC_COMMAND_EXTRACTION_LABELS_HPP
+#define DISCMC_COMMAND_EXTRACTION_LABELS_HPP
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <discmc/limits.hpp>
+
+#include "surface/surface.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+struct LabelOptions {
+  Border border = Border::closed;
+  /// Whether the bits of every label pass a MajorityFilter first.
+  bool takes_majority = false;
+  /// Called after every slice with how many are done.
+  std::function<void(std::uint32_t)> progress;
+};
+
+/// The surface of the voxels of one value.
+struct LabelledSurface {
+  std::int64_t label = 0;    ///< the value, in the file's units
+  std::uint64_t voxels = 0;  ///< that have this value, before the filter
+  Surface surface;           ///< with the spacing of the volume
+};
+
+struct LabelledSurfaces {
+  std::vector<LabelledSurface> all;  ///< the least label first
+  std::uint64_t not_numbers = 0;     ///< samples that are not a number: of no label
+};
+
+/// What a volume may hold. What holds more is none of labels, and its surfaces would be noise.
+constexpr std::uint32_t most_labels = 65536;
+constexpr std::uint32_t most_labels_at_once = 1024;  ///< in a slice and the two before it
+
+/// Reads the volume to its end and takes the surface of every value that occurs but 0, which is the
+/// background. Throws VolumeError as the reader does, std::invalid_argument where a value is no
+/// whole number and where there are too many; the text names the slice.
+/// Cost: memory of the surfaces, and of a slice of bits and an arena a label of the slices under
+/// way; time of a scan a label, of the slices that have it.
+LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& options);
+
+}  // namespace discmc::host
+
+#endif

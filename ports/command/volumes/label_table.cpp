@@ -1,0 +1,142 @@
+#include "label_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+#include "volume_format.hpp"
+
+namespace discmc::host {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+// The parts of a line between tabs, empty ones too.
+Words columns(std::string_view line) {
+  Words columns;
+  for (std::size_t tab; (tab = line.find('\t')) != std::string_view::npos;) {
+    columns.push_back(line.substr(0, tab));
+    line.remove_prefix(tab + 1);
+  }
+  columns.push_back(line);
+  return columns;
+}
+
+template <class Number>
+std::optional<Number> whole(std::string_view text, int base = 10) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? std::optional<Number>(value) : std::nullopt;
+}
+
+// Three words from 0 to 255.
+std::optional<Srgb> colour_of(const Words& words, std::size_t first) {
+  Srgb colour{};
+  if (words.size() < first + colour.size()) return std::nullopt;
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    const auto part = whole<std::uint8_t>(words[first + i]);
+    if (!part) return std::nullopt;
+    colour[i] = *part;
+  }
+  return colour;
+}
+
+// #RRGGBB
+std::optional<Srgb> colour_of(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  Srgb colour{};
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    const auto part = whole<std::uint8_t>(text.substr(1 + 2 * i, 2), 16);
+    if (!part) return std::nullopt;
+    colour[i] = *part;
+  }
+  return colour;
+}
+
+struct Entry {
+  std::int64_t label;
+  LabelDescription description;
+};
+
+std::optional<Entry> entry(std::string_view index, std::string_view name,
+                           const std::optional<Srgb>& colour) {
+  const auto label = whole<std::int64_t>(index);
+  if (!label || name.empty()) return std::nullopt;
+  return Entry{*label, {std::string(name), colour}};
+}
+
+// The lines of a table, which its first one tells how to read.
+class Reader {
+ public:
+  /// Returns whether the line is the head of columns.
+  bool take_head(std::string_view line) {
+    const Words heads = columns(line);
+    const auto column = [&heads](std::string_view head) {
+      return static_cast<std::size_t>(std::find(heads.begin(), heads.end(), head) - heads.begin());
+    };
+    index_ = column("index");
+    name_ = column("name");
+    colour_ = column("color");
+    has_columns_ = index_ < heads.size() && name_ < heads.size();
+    return has_columns_;
+  }
+
+  std::optional<Entry> read(std::string_view line) const {
+    if (has_columns_) return read_columns(columns(line));
+    const std::size_t quote = line.find('"');
+    return quote == std::string_view::npos ? read_words(words(line)) : read_quoted(line, quote);
+  }
+
+ private:
+  std::optional<Entry> read_columns(const Words& words) const {
+    if (index_ >= words.size() || name_ >= words.size()) return std::nullopt;
+    return entry(words[index_], words[name_],
+                 colour_ < words.size() ? colour_of(words[colour_]) : std::nullopt);
+  }
+
+  static std::optional<Entry> read_words(const Words& words) {
+    return words.size() < 2 ? std::nullopt : entry(words[0], words[1], colour_of(words, 2));
+  }
+
+  static std::optional<Entry> read_quoted(std::string_view line, std::size_t quote) {
+    const std::size_t end = line.find('"', quote + 1);
+    const Words before = words(line.substr(0, quote));
+    if (end == std::string_view::npos || before.empty()) return std::nullopt;
+    return entry(before[0], line.substr(quote + 1, end - quote - 1), colour_of(before, 1));
+  }
+
+  bool has_columns_ = false;
+  std::size_t index_ = 0, name_ = 0, colour_ = 0;
+};
+
+}  // namespace
+
+LabelTable read_label_table(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) fail(file, "cannot be opened", "check the name of the table");
+  LabelTable table;
+  Reader reader;
+  bool is_first = true;
+  std::size_t number = 0;
+  for (std::string text; std::getline(in, text);) {
+    ++number;
+    const std::string_view line = trimmed(text);
+    if (line.empty() || line.front() == '#') continue;
+    const bool is_head = is_first && reader.take_head(line);
+    is_first = false;
+    if (is_head) continue;
+    const auto read = reader.read(line);
+    if (!read)
+      fail(file, "line " + std::to_string(number) + " is " + shown(line),
+           "give a whole number, a name, and red, green and blue from 0 to 255");
+    if (!table.emplace(read->label, read->description).second)
+      fail(file, "label " + std::to_string(read->label) + " is there twice",
+           "delete line " + std::to_string(number));
+  }
+  return table;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,73 @@
+// Tables of the names and colours of labels.
+#include "volumes/label_table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using discmc::host::LabelTable;
+using discmc::host::read_label_table;
+using discmc::host::Srgb;
+
+LabelTable table_of(const std::string& text) {
+  const Folder folder;
+  return read_label_table(folder.write("table", text));
+}
+
+}  // namespace
+
+TEST_CASE("a table of 3D Slicer or FreeSurfer has a name, then a colour") {
+  const LabelTable table = table_of(
+      "# Color table file\n\n0 Background 0 0 0 0\n1 Liver 221 130 101 255\r\n"
+      "  17\tLeft-Hippocampus   220 216  20   0\n-3 unpainted\n");
+  CHECK(table.size() == 4);
+  CHECK(table.at(1).name == "Liver");
+  CHECK(table.at(1).colour == Srgb{221, 130, 101});
+  CHECK(table.at(17).name == "Left-Hippocampus");
+  CHECK(table.at(17).colour == Srgb{220, 216, 20});
+  CHECK(table.at(-3).name == "unpainted");
+  CHECK_FALSE(table.at(-3).colour);
+}
+
+TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
+  const LabelTable table = table_of(
+      "# ITK-SnAP Label Description File\n"
+      "    0     0    0    0        0  0  0    \"Clear Label\"\n"
+      "    2     0  255    0        1  1  1    \"Left ventricle\"\n");
+  CHECK(table.at(0).name == "Clear Label");
+  CHECK(table.at(2).name == "Left ventricle");
+  CHECK(table.at(2).colour == Srgb{0, 255, 0});
+}
+
+TEST_CASE("a table of BIDS has columns in any order") {
+  const LabelTable table = table_of(
+      "name\tindex\tmapping\tcolor\nGray Matter\t1\t\t#ff53bB\nWhite "
+      "Matter\t2\t7\nBone\t3\t\tn/a\n");
+  CHECK(table.at(1).name == "Gray Matter");
+  CHECK(table.at(1).colour == Srgb{0xff, 0x53, 0xbb});
+  CHECK(table.at(2).name == "White Matter");
+  CHECK_FALSE(table.at(2).colour);
+  CHECK_FALSE(table.at(3).colour);
+}
+
+TEST_CASE("a line that is no label is refused with its number") {
+  const auto check_refused = [](const std::string& text, const std::string& part) {
+    CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
+  };
+  check_refused("1 bone\n\nskin 2\n", "line 3 is 'skin 2'");
+  check_refused("1\n", "line 1");
+  check_refused("1 2 3 4 5 6 7 \"open\n", "line 1");
+  check_refused("\"bone\" 1\n", "line 1");
+  check_refused("1 1 1 1 1 1 1 \"\"\n", "line 1");
+  check_refused("index\tname\n1\n", "line 2");
+  check_refused("99999999999999999999 bone\n", "line 1");
+  check_refused("1 bone\n1 skin\n", "label 1 is there twice; delete line 2");
+  CHECK_THROWS_WITH_AS(read_label_table("/none/table"), doctest::Contains("/none/table"),
+                       VolumeError);
+  CHECK(table_of("").empty());
+}

@@ -1,0 +1,76 @@
+// discmc extract --labels all, and tables of labels.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "command.hpp"
+
+namespace {
+
+using command::check_failure;
+using command::contains;
+using command::mesh_of_ply;
+using command::Workshop;
+
+const std::string extract = "extract v.raw --dims 4,2,3 --type u8 ";
+
+// A body of 1, one of 2 in two places, and a voxel of 9.
+const std::string volume("\1\1\0\2\1\1\0\0\1\1\0\0\0\0\0\0\0\0\x9\2\0\0\0\2", 24);
+
+}  // namespace
+
+TEST_CASE("all labels are as many meshes, as if each were asked for alone") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  REQUIRE(workshop.shell("mkdir out").code == 0);
+  const std::string told = workshop.done(extract + "--labels all -o 'out/{name}.stl'");
+  for (const std::string label : {"1", "2", "9"}) {
+    CHECK(contains(told, "  out/" + label + ".stl\n"));
+    workshop.done(extract + "--label " + label + " -o alone.stl");
+    CHECK(workshop.read("out/" + label + ".stl") == workshop.read("alone.stl"));
+  }
+  CHECK(workshop.shell("ls out").out == "1.stl\n2.stl\n9.stl\n");
+  CHECK(contains(told, "       2             3"));
+  CHECK(workshop.done(extract + "--labels all -q -o '{name}.stl'").empty());
+}
+
+TEST_CASE("a table names the meshes of labels") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "0 Background 0 0 0\n1 bone 1 2 3\n2 skin 4 5 6\n9 bone 7 8 9\n");
+  workshop.done(extract + "--labels all --label-table table.txt -o '{name}.ply'");
+  workshop.done(extract + "--label 9 --label 7 --label-table table.txt -o 'one-{name}.ply'");
+  CHECK(workshop.read("bone-2.ply") == workshop.read("one-bone.ply"));
+  CHECK_FALSE(workshop.read("one-7.ply").empty());
+  CHECK(mesh_of_ply(workshop.read("bone.ply")).colour == discmc::host::Srgb{1, 2, 3});
+  CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::host::Srgb{4, 5, 6});
+}
+
+TEST_CASE("labels that cannot be written are refused before any work") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "no table\n");
+  workshop.write("nothing.raw", std::string(24, '\0'));
+  workshop.write("half.raw", std::string(96, '\x3f'));  // 0.747...
+  const auto names = workshop.names();
+  const std::string all = extract + "--labels all ";
+  check_failure(workshop.run(all + "-o v.stl"), 2, {"--labels", "{name}"});
+  check_failure(workshop.run(all + "-o '{name}.dmc'"), 2, {"--labels", "4 surfaces", "meshes"});
+  check_failure(workshop.run(all + "--iso 1 -o '{name}.stl'"), 2, {"--labels", "--iso"});
+  check_failure(workshop.run(all + "--memory 1M -o '{name}.stl'"), 2, {"--labels", "--memory"});
+  check_failure(workshop.run(all + "--normals gradient -o '{name}.ply'"), 2, {"--normals"});
+  check_failure(workshop.run(all + "--surface interpolated -o '{name}.ply'"), 2, {"--surface"});
+  check_failure(workshop.run(extract + "--labels 1 -o '{name}.stl'"), 2, {"all"});
+  check_failure(workshop.run(all + "--label-table table.txt -o '{name}.stl'"), 1,
+                {"table.txt", "line 1"});
+  check_failure(workshop.run(extract + "--label 1 --label-table table.txt -o v.dmc"), 2,
+                {"--label-table"});
+  check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1, {"none", "no such folder"});
+  check_failure(
+      workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
+      {"nothing.raw", "no label"});
+  check_failure(
+      workshop.run("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'"), 1,
+      {"half.raw", "slice 0", "whole numbers"});
+  CHECK(workshop.names() == names);
+}
