@@ -1,0 +1,42 @@
+// What a program of VTK does to make an STL file of a volume: FlyingEdges3D and the STL writer.
+// Arguments: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT; the file holds samples alone.
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageReader2.h>
+#include <vtkNew.h>
+#include <vtkSTLWriter.h>
+#include <vtkType.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+int main(int argc, char** argv) {
+  const std::map<std::string, int> types = {{"u8", VTK_UNSIGNED_CHAR},   {"i8", VTK_SIGNED_CHAR},
+                                            {"u16", VTK_UNSIGNED_SHORT}, {"i16", VTK_SHORT},
+                                            {"u32", VTK_UNSIGNED_INT},   {"i32", VTK_INT},
+                                            {"f32", VTK_FLOAT},          {"f64", VTK_DOUBLE}};
+  if (argc != 11 || types.count(argv[2]) == 0) {
+    std::fputs("vtk_stl: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT\n", stderr);
+    return 2;
+  }
+  vtkNew<vtkImageReader2> reader;
+  reader->SetFileName(argv[1]);
+  reader->SetFileDimensionality(3);
+  reader->SetDataScalarType(types.at(argv[2]));
+  reader->SetDataByteOrderToLittleEndian();
+  reader->SetDataExtent(0, std::atoi(argv[3]) - 1, 0, std::atoi(argv[4]) - 1, 0,
+                        std::atoi(argv[5]) - 1);
+  reader->SetDataSpacing(std::atof(argv[6]), std::atof(argv[7]), std::atof(argv[8]));
+  vtkNew<vtkFlyingEdges3D> surface;
+  surface->SetInputConnection(reader->GetOutputPort());
+  surface->SetValue(0, std::atof(argv[9]));
+  surface->ComputeNormalsOff();
+  surface->ComputeGradientsOff();
+  surface->ComputeScalarsOff();
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetInputConnection(surface->GetOutputPort());
+  writer->SetFileTypeToBinary();
+  writer->SetFileName(argv[10]);
+  return writer->Write() == 1 ? 0 : 1;
+}
