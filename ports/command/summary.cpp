@@ -30,9 +30,9 @@ std::string ratio(std::uint64_t a, std::uint64_t b) {
 }
 
 // What there was too little of, if anything.
-std::string shortage(const Extraction& extraction) {
-  if (extraction.statistics.fragments == 0) return {};
-  const bool lacked_holes = extraction.high_water.holes == extraction.capacities.holes;
+std::string shortage(const Statistics& statistics, const MemoryUse& memory) {
+  if (statistics.fragments == 0) return {};
+  const bool lacked_holes = memory.high_water.holes == memory.capacities.holes;
   return std::string("memory ran short of records") + (lacked_holes ? " or holes" : "");
 }
 
@@ -84,13 +84,15 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
     row(out, "bytes of slice encoder", grouped(slice_encoder_bytes));
     return;
   }
-  row(out, "bytes of arena used", grouped(extraction.arena_bytes_used),
-      "of " + grouped(extraction.arena_bytes));
-  row(out, "  records at most in use", grouped(extraction.high_water.records),
-      "of " + grouped(extraction.capacities.records));
-  row(out, "  holes at most waiting", grouped(extraction.high_water.holes),
-      "of " + grouped(extraction.capacities.holes));
-  row(out, "loose fragments", grouped(statistics.fragments), shortage(extraction));
+  if (!extraction.memory) return;
+  const MemoryUse& memory = *extraction.memory;
+  row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
+      "of " + grouped(memory.arena_bytes));
+  row(out, "  records at most in use", grouped(memory.high_water.records),
+      "of " + grouped(memory.capacities.records));
+  row(out, "  holes at most waiting", grouped(memory.high_water.holes),
+      "of " + grouped(memory.capacities.holes));
+  row(out, "loose fragments", grouped(statistics.fragments), shortage(statistics, memory));
 }
 
 void write_info(const StreamHeader& header, std::uint8_t channel,

@@ -38,7 +38,9 @@ constexpr std::int32_t threshold = 100;
 const discmc::host::Point spacing_mm = {0.5, -2, 1.25};
 
 ExtractionOptions options(Border border = Border::closed, std::uint64_t memory = 0) {
-  return {threshold, border, memory, {}};
+  ExtractionOptions options{threshold, border, memory, {}};
+  options.measures_memory = true;
+  return options;
 }
 
 struct Extracted {
@@ -154,16 +156,32 @@ TEST_CASE("the default memory is enough, and no more of it is used than is given
                                   discmc::reference::spiral({30, 30, 3})}) {
     const Extraction extraction = extracted(volume, options()).extraction;
     CHECK(extraction.statistics.fragments == 0);
-    CHECK(extraction.arena_bytes_used > 0);
-    CHECK(extraction.arena_bytes_used <= extraction.arena_bytes);
+    CHECK(extraction.memory->arena_bytes_used > 0);
+    CHECK(extraction.memory->arena_bytes_used <= extraction.memory->arena_bytes);
   }
+}
+
+TEST_CASE("a scan that measures no memory has the same events") {
+  for (const Border border : {Border::closed, Border::open})
+    for (const BitVolume& volume :
+         {checkerboard({20, 20, 6}), ball({30, 30, 30}, {29, 29, 29}, 196),
+          discmc::reference::random({16, 16, 16}, 128, 6), BitVolume({3, 3, 3})}) {
+      ExtractionOptions fast = options(border);
+      fast.measures_memory = false;
+      const Extracted a = extracted(volume, fast), b = extracted(volume, options(border));
+      CHECK(a.events == b.events);
+      CHECK(a.extraction.classic_vertices == b.extraction.classic_vertices);
+      CHECK(a.extraction.statistics.facets == b.extraction.statistics.facets);
+      CHECK_FALSE(a.extraction.memory);
+      CHECK(b.extraction.memory);
+    }
 }
 
 TEST_CASE("memory grows with what is under way and not with the surface") {
   const auto used = [](std::uint32_t depth) {
     const auto last = static_cast<std::int32_t>(depth) - 2;
     const BitVolume column = box({12, 12, depth}, {3, 3, 1}, {8, 8, last});
-    return extracted(column, options()).extraction.arena_bytes_used;
+    return extracted(column, options()).extraction.memory->arena_bytes_used;
   };
   CHECK(used(100) == used(10));
 }
@@ -177,8 +195,8 @@ TEST_CASE("too little memory is refused with the least that will do, which does"
   const std::uint64_t least = command::count_after(text, "at least ");
   refusal(volume, least - 1);
   const Extracted small = extracted(volume, options(Border::closed, least));
-  CHECK(small.extraction.arena_bytes == least);
-  CHECK(small.extraction.arena_bytes_used <= least);
+  CHECK(small.extraction.memory->arena_bytes == least);
+  CHECK(small.extraction.memory->arena_bytes_used <= least);
   CHECK(small.extraction.statistics.fragments > 0);
   CHECK(regions_of(small.surface) == regions_of(extracted(volume, options()).surface));
 }
@@ -191,12 +209,12 @@ TEST_CASE("capacities that are asked for are those of the scan, whatever they ar
     ExtractionOptions with_capacities = options();
     with_capacities.capacities = capacities;
     const Extracted scan = extracted(volume, with_capacities);
-    CHECK(scan.extraction.capacities.records == capacities.records);
-    CHECK(scan.extraction.capacities.holes == capacities.holes);
-    CHECK(scan.extraction.high_water.records > 0);
-    CHECK(scan.extraction.high_water.records <= capacities.records);
-    CHECK(scan.extraction.high_water.holes <= capacities.holes);
-    CHECK(scan.extraction.arena_bytes_used <= scan.extraction.arena_bytes);
+    CHECK(scan.extraction.memory->capacities.records == capacities.records);
+    CHECK(scan.extraction.memory->capacities.holes == capacities.holes);
+    CHECK(scan.extraction.memory->high_water.records > 0);
+    CHECK(scan.extraction.memory->high_water.records <= capacities.records);
+    CHECK(scan.extraction.memory->high_water.holes <= capacities.holes);
+    CHECK(scan.extraction.memory->arena_bytes_used <= scan.extraction.memory->arena_bytes);
     CHECK(regions_of(scan.surface) == whole);
   }
 }
@@ -218,7 +236,7 @@ TEST_CASE("both widths of indices make the same surface") {
       const Extracted a = extracted(volume, options(border, narrow));
       const Extracted b = extracted(volume, options(border, wide));
       CHECK(a.events == b.events);
-      CHECK(a.extraction.arena_bytes_used < b.extraction.arena_bytes_used);
+      CHECK(a.extraction.memory->arena_bytes_used < b.extraction.memory->arena_bytes_used);
     }
 }
 

@@ -73,6 +73,7 @@ int extract_stream(const ExtractArguments& arguments) {
   header.scan = arguments.scan;
   std::vector<NamedSelection> selections = arguments.reading.selections;
   options.normals = arguments.normals == Normals::gradient;
+  options.measures_memory = !arguments.quiet;
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);
     GradientVolume narrow = open_for_gradient(

@@ -1,5 +1,6 @@
 #include "extraction.hpp"
 
+#include <discmc/learning_extractor.hpp>
 #include <discmc/majority_filter.hpp>
 #include <discmc/surface_group.hpp>
 
@@ -9,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "crossing_counter.hpp"
@@ -51,15 +53,20 @@ Arena arena_of(const Limits& limits, std::uint64_t bytes) {
   return {false, bytes, default_capacities<std::uint32_t, Normals>(limits, bytes)};
 }
 
+template <class Normals>
+std::uint64_t generous_bytes_for(const Limits& limits) {
+  return std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
+}
+
 // What is asked for, or a generous one. Throws where an extractor would refuse.
 template <class Normals>
 Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
   if (options.capacities) return arena_with<Normals>(limits, *options.capacities);
   // More than the worst case needs is never touched.
   const std::uint64_t most = worst_case_bytes<std::uint32_t, Normals>(limits, slices);
-  const std::uint64_t generous =
-      std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
-  return arena_of<Normals>(limits, std::min(options.memory > 0 ? options.memory : generous, most));
+  const std::uint64_t asked =
+      options.memory > 0 ? options.memory : generous_bytes_for<Normals>(limits);
+  return arena_of<Normals>(limits, std::min(asked, most));
 }
 
 // Rows of bits from samples: those of all surfaces side by side, as SurfaceGroup and SliceEncoder
@@ -142,19 +149,41 @@ class BitSource {
   std::uint64_t not_numbers_ = 0;
 };
 
+// The samples that an extractor takes, where it takes any beside bits.
+template <class AnyExtractor>
+struct SampleOf {
+  using Type = void;
+};
+template <class Index, class Sample>
+struct SampleOf<Extractor<Index, GradientNormals<Sample>>> {
+  using Type = Sample;
+};
+template <class AnyExtractor>
+constexpr bool holds_samples = !std::is_void_v<typename SampleOf<AnyExtractor>::Type>;
+
+// Left as it comes: what is never used costs nothing.
+std::unique_ptr<std::uint8_t[]> untouched(std::uint64_t bytes) {
+  return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[bytes]);
+}
+
 // The extractors of all surfaces, in memory of their own.
-template <class Index, class Normals>
+template <class AnyExtractor>
 class Scan {
  public:
+  static constexpr bool learns = std::is_same_v<AnyExtractor, LearningExtractor>;
+
   Scan(const VolumeInfo& info, const Limits& limits, const Arena& arena,
        const std::vector<SurfaceRequest>& surfaces)
       : arena_(arena), extractors_(surfaces.size()) {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      // Left as it comes: what is never used costs nothing.
-      memory_.emplace_back(new std::uint8_t[arena.bytes]);
-      if constexpr (Normals::holds_samples) {
+      memory_.push_back(untouched(arena.bytes));
+      if constexpr (holds_samples<AnyExtractor>) {
         const auto spacing = spacing_nm(info.spacing_mm);
         extractors_[i].set_spacing({spacing[0], spacing[1], spacing[2]});
+      }
+      if constexpr (learns) {
+        learnt_.push_back(untouched(learnt_bytes));
+        extractors_[i].learn_in({learnt_.back().get(), learnt_bytes});
       }
       const std::int32_t threshold = stored_threshold(info, surfaces[i].selection.low);
       const Status started = extractors_[i].start(
@@ -163,7 +192,7 @@ class Scan {
     }
   }
 
-  SurfaceGroup<Extractor<Index, Normals>> group() {
+  SurfaceGroup<AnyExtractor> group() {
     return {extractors_.data(), static_cast<std::uint32_t>(extractors_.size()),
             extractors_[0].limits().width};
   }
@@ -172,35 +201,35 @@ class Scan {
     const std::uint64_t voxels = std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2];
     std::vector<Extraction> results;
     for (std::size_t i = 0; i < extractors_.size(); ++i)
-      results.push_back({extractors_[i].statistics(), voxels, bits.crossings(i), arena_.bytes,
-                         extractors_[i].bytes_used(), arena_.capacities,
-                         extractors_[i].high_water(), bits.not_numbers()});
+      results.push_back({extractors_[i].statistics(), voxels, bits.crossings(i), bits.not_numbers(),
+                         use_of(extractors_[i])});
     return results;
   }
 
  private:
+  static constexpr std::uint64_t learnt_bytes = std::uint64_t{1} << 20;
+
+  std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
+    if (learns) return std::nullopt;
+    return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities,
+                     extractor.high_water()};
+  }
+
   Arena arena_;
-  std::vector<std::unique_ptr<std::uint8_t[]>> memory_;
-  std::vector<Extractor<Index, Normals>> extractors_;
+  std::vector<std::unique_ptr<std::uint8_t[]>> memory_, learnt_;
+  std::vector<AnyExtractor> extractors_;
 };
 
-template <class Normals>
-struct SampleOf;
-template <class Sample>
-struct SampleOf<GradientNormals<Sample>> {
-  using Type = Sample;
-};
-
-template <class Index, class Normals>
+template <class AnyExtractor>
 std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
                              const ExtractionOptions& options, const Arena& arena,
                              const std::vector<SurfaceRequest>& surfaces) {
   const VolumeInfo& info = volume.info();
-  Scan<Index, Normals> scan(info, limits, arena, surfaces);
+  Scan<AnyExtractor> scan(info, limits, arena, surfaces);
   auto all = scan.group();
   BitSource bits(info, limits, options, surfaces);
   const auto push_bits = [&](const std::uint8_t* row) {
-    if constexpr (!Normals::holds_samples) require(all.push_bits(row).status);
+    if constexpr (!holds_samples<AnyExtractor>) require(all.push_bits(row).status);
     if (options.slices != nullptr) require(options.slices->push_bits(row).status);
   };
   std::vector<std::uint8_t> slice(info.slice_bytes());
@@ -209,8 +238,8 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
     bits.add_slice(slice.data(), push_bits);
     for (const SurfaceRequest& surface : surfaces)
       if (surface.crossings != nullptr) surface.crossings->add_slice(slice.data());
-    if constexpr (Normals::holds_samples) {
-      using Sample = typename SampleOf<Normals>::Type;
+    if constexpr (holds_samples<AnyExtractor>) {
+      using Sample = typename SampleOf<AnyExtractor>::Type;
       require(all.push(reinterpret_cast<const Sample*>(slice.data()), limits.width * limits.height)
                   .status);
     }
@@ -228,8 +257,17 @@ std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptio
   const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
   const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
   return arena.has_narrow_indices
-             ? scan<std::uint16_t, Normals>(volume, limits, options, arena, surfaces)
-             : scan<std::uint32_t, Normals>(volume, limits, options, arena, surfaces);
+             ? scan<Extractor<std::uint16_t, Normals>>(volume, limits, options, arena, surfaces)
+             : scan<Extractor<std::uint32_t, Normals>>(volume, limits, options, arena, surfaces);
+}
+
+// On a host, with no device in mind.
+std::vector<Extraction> extract_fast(VolumeReader& volume, const ExtractionOptions& options,
+                                     const std::vector<SurfaceRequest>& surfaces) {
+  const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
+  const std::uint64_t bytes = generous_bytes_for<NoNormals>(limits);
+  const Arena arena{false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
+  return scan<LearningExtractor>(volume, limits, options, arena, surfaces);
 }
 
 // Three numbers, for people.
@@ -281,7 +319,12 @@ Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const
 
 std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
                                 const std::vector<SurfaceRequest>& surfaces) {
-  if (!options.normals) return extract_with<NoNormals>(volume, options, surfaces);
+  if (!options.normals) {
+    const bool is_of_device =
+        options.measures_memory || options.memory > 0 || options.capacities.has_value();
+    return is_of_device ? extract_with<NoNormals>(volume, options, surfaces)
+                        : extract_fast(volume, options, surfaces);
+  }
   return with_scanner_type(volume.info().type, [&](auto type) {
     return extract_with<GradientNormals<decltype(type)>>(volume, options, surfaces);
   });

@@ -33,17 +33,26 @@ struct ExtractionOptions {
   SliceEncoder* slices = nullptr;
   /// In place of `memory`: the arena is as large as these need.
   std::optional<Capacities> capacities{};
+  /// Whether the memory is used as on a device, so that what is measured of it is true there.
+  /// Otherwise by a LearningExtractor, which is faster, unless memory, capacities or normals are
+  /// asked for. The surface is the same.
+  bool measures_memory = false;
+};
+
+/// What a device would need.
+struct MemoryUse {
+  std::uint64_t arena_bytes = 0;       ///< given
+  std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by records that were ever in use
+  Capacities capacities{};             ///< that the arena had
+  HighWater high_water{};              ///< of them, the most in use at once
 };
 
 struct Extraction {
   Statistics statistics{};
   std::uint64_t voxels = 0;
   std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
-  std::uint64_t arena_bytes = 0;       ///< given
-  std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by records that were ever in use
-  Capacities capacities{};             ///< that the arena had
-  HighWater high_water{};              ///< of them, the most in use at once
   std::uint64_t not_numbers = 0;       ///< samples that are not a number: off
+  std::optional<MemoryUse> memory;     ///< if it was measured
 };
 
 /// A surface of a volume: the voxels inside, and who gets its events. The sink must not say "not

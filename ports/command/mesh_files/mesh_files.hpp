@@ -35,9 +35,8 @@ void write_obj(const Mesh& mesh, std::ostream& out);
 /// Limit: triangles only, and 4 GiB; otherwise std::invalid_argument.
 void write_glb(const Mesh& mesh, std::ostream& out);
 
-/// 3MF, exact decimal coordinates, and the colour of the mesh if it has one. Units: millimetres, and
-/// the file says so.
-/// Limit: triangles only, otherwise std::invalid_argument.
+/// 3MF, exact decimal coordinates, and the colour of the mesh if it has one. Units: millimetres,
+/// and the file says so. Limit: triangles only, otherwise std::invalid_argument.
 void write_3mf(const Mesh& mesh, std::ostream& out);
 
 /// VTK's XML PolyData, coordinates as 32-bit floats, and so are normals, where the mesh has them.

@@ -1,7 +1,6 @@
 #include "writer.hpp"
 
-#include <cstring>
-#include <limits>
+#include <algorithm>
 #include <stdexcept>
 
 namespace discmc::host {
@@ -11,23 +10,12 @@ void require_triangles(const Mesh& mesh, const std::string& format) {
     if (mesh.face_size(face) != 3) throw std::invalid_argument(format + " takes triangles only");
 }
 
-void Writer::bytes(std::uint64_t value, int count) {
-  char little_endian[8];
-  for (int i = 0; i < count; ++i) little_endian[i] = static_cast<char>(value >> (8 * i) & 0xFF);
-  text({little_endian, static_cast<std::size_t>(count)});
-}
-
-void Writer::point(const Point& point) {
-  char little_endian[12];
-  char* next = little_endian;
-  for (const double coordinate : point) {
-    const auto value = static_cast<float>(coordinate);
-    static_assert(std::numeric_limits<float>::is_iec559 && sizeof value == 4);
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    for (int i = 0; i < 4; ++i) *next++ = static_cast<char>(bits >> (8 * i) & 0xFF);
+void Writer::text(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t part = std::min(text.size(), full);
+    std::memcpy(room_for(part), text.data(), part);
+    text.remove_prefix(part);
   }
-  text({little_endian, sizeof little_endian});
 }
 
 void Writer::finish() {
@@ -37,9 +25,9 @@ void Writer::finish() {
 }
 
 void Writer::flush() {
-  out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  out_.write(buffer_.data(), static_cast<std::streamsize>(used_));
   if (!out_) throw std::runtime_error("writing failed");
-  buffer_.clear();
+  used_ = 0;
 }
 
 }  // namespace discmc::host

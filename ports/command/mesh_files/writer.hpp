@@ -4,10 +4,14 @@
 #define DISCMC_COMMAND_MESH_FILES_WRITER_HPP
 
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "meshes/mesh.hpp"
 
@@ -40,12 +44,9 @@ std::string decimal(Number value) {
 /// Collects small writes, and makes a failing stream a std::runtime_error.
 class Writer {
  public:
-  explicit Writer(std::ostream& out) : out_(out) { buffer_.reserve(full + 64); }
+  explicit Writer(std::ostream& out) : out_(out), buffer_(full) {}
 
-  void text(std::string_view text) {
-    buffer_ += text;
-    if (buffer_.size() >= full) flush();
-  }
+  void text(std::string_view text);
 
   template <typename Number>
   void decimal(Number value) {
@@ -53,21 +54,40 @@ class Writer {
   }
 
   /// The lowest bytes of a value, little endian.
-  void bytes(std::uint64_t value, int count);
+  void bytes(std::uint64_t value, std::size_t count) {
+    char* const place = room_for(count);
+    for (std::size_t i = 0; i < count; ++i) place[i] = static_cast<char>(value >> (8 * i) & 0xFF);
+  }
 
   /// Three 32-bit floats, little endian.
-  void point(const Point& point);
+  void point(const Point& point) {
+    for (const double coordinate : point) {
+      const auto value = static_cast<float>(coordinate);
+      static_assert(std::numeric_limits<float>::is_iec559 && sizeof value == 4);
+      std::uint32_t bits;
+      std::memcpy(&bits, &value, sizeof bits);
+      bytes(bits, sizeof bits);
+    }
+  }
 
   /// Call last; what is still collected is lost otherwise.
   void finish();
 
  private:
-  static constexpr std::size_t full = 1 << 16;
+  static constexpr std::size_t full = std::size_t{1} << 16;
 
+  // Where the next bytes go, full at most.
+  char* room_for(std::size_t count) {
+    if (used_ + count > full) flush();
+    char* const place = buffer_.data() + used_;
+    used_ += count;
+    return place;
+  }
   void flush();
 
   std::ostream& out_;
-  std::string buffer_;
+  std::vector<char> buffer_;
+  std::size_t used_ = 0;
 };
 
 }  // namespace discmc::host

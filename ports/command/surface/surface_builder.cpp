@@ -107,6 +107,22 @@ Ring SurfaceBuilder::corners(const Chain& chain) const {
   return ring;
 }
 
+// Whether the vertices of the ring under way have one twice. By a hash table with open addressing,
+// half full at most.
+bool SurfaceBuilder::has_recurrence() {
+  constexpr std::uint32_t none = 0xFFFFFFFFu;
+  std::size_t slots = 8;
+  while (slots < 2 * vertices_.size()) slots *= 2;
+  scratch_.assign(slots, none);
+  for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+    std::size_t slot = VertexHash()(vertices_[i]) & (slots - 1);
+    for (; scratch_[slot] != none; slot = (slot + 1) & (slots - 1))
+      if (vertices_[scratch_[slot]] == vertices_[i]) return true;
+    scratch_[slot] = i;
+  }
+  return false;
+}
+
 void SurfaceBuilder::add_simple_rings(const Chain& chain, Polygon& polygon) {
   if (is_convex(chain)) {
     polygon.rings.push_back(corners(chain));
@@ -117,8 +133,12 @@ void SurfaceBuilder::add_simple_rings(const Chain& chain, Polygon& polygon) {
     ring_runs_.push_back(told->run);
   const auto run_count = static_cast<std::uint32_t>(ring_runs_.size());
   vertices_.resize(link_count(ring_runs_.data(), run_count));
-  scratch_.resize(2 * vertices_.size());
   unfold(incidence_, chain.start, ring_runs_.data(), run_count, vertices_.data());
+  if (!has_recurrence()) {
+    polygon.rings.push_back(corners(chain));
+    return;
+  }
+  scratch_.resize(2 * vertices_.size());
   const auto add = [](void* rings, const Vertex* vertices, std::uint32_t count) {
     Ring ring;
     for (std::uint32_t i = 0; i < count; ++i)

@@ -51,6 +51,7 @@ class SurfaceBuilder {
   bool is_sound(const Chain& chain);
   bool is_convex(const Chain& chain) const;
   Ring corners(const Chain& chain) const;
+  bool has_recurrence();
   void add_simple_rings(const Chain& chain, Polygon& polygon);
   void add_normals(const Chain& chain);
 
