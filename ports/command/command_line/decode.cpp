@@ -40,6 +40,8 @@ Command add_decode(CLI::App& app) {
   decode->get_option("--dims")->needs(volume);
   decode->get_option("--spacing")->needs(volume);
   decode->get_option("--series")->needs(volume);
+  decode->get_option("--crop")->needs(volume);
+  decode->get_option("--shrink")->needs(volume);
   decode->footer(
       "Examples:\n"
       "  discmc decode head.dmc -o head.ply\n"

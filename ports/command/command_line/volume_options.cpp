@@ -1,12 +1,79 @@
 #include "volume_options.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 #include "named_values.hpp"
 #include "option_checks.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::host {
+namespace {
+
+std::optional<std::uint32_t> whole_number(std::string_view text) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
+std::optional<VoxelRange> voxel_range(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string_view::npos) return std::nullopt;
+  const std::string_view first = text.substr(0, dots), last = text.substr(dots + 2);
+  VoxelRange range;
+  if (!first.empty()) {
+    const auto value = whole_number(first);
+    if (!value) return std::nullopt;
+    range.first = *value;
+  }
+  if (!last.empty()) {
+    range.last = whole_number(last);
+    if (!range.last || *range.last < range.first) return std::nullopt;
+  }
+  return range;
+}
+
+std::optional<Crop> crop_of(std::string_view text) {
+  Crop crop;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    const bool is_last = axis == 2;
+    const auto range = voxel_range(text.substr(0, end));
+    if (!range || (end == text.size()) != is_last) return std::nullopt;
+    crop[axis] = *range;
+    if (!is_last) text.remove_prefix(end + 1);
+  }
+  return crop;
+}
+
+void add_part_options(CLI::App& app, LayoutArguments& arguments) {
+  app.add_option_function<std::string>(
+         "--crop", [&arguments](const std::string& text) { arguments.crop = crop_of(text); },
+         "the part to take: voxels A to B along x, C to D along y, E to F along z, the first is 0; "
+         "an end left out is the volume's, as in ..,..,100..; it stays where it is in space")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return crop_of(text) ? std::string()
+                                 : "'" + text +
+                                       "' is no part: give A..B,C..D,E..F, each from less "
+                                       "to more; any of them may be left out";
+          },
+          ""))
+      ->option_text("A..B,C..D,E..F");
+  app.add_option("--shrink", arguments.shrink,
+                 "make one voxel of N x N x N, after --crop: their mean, of labels the one that "
+                 "most of them have; the last along an axis are of those that are left")
+      ->check(CLI::Range(2, 16))
+      ->option_text("N");
+}
+
+}  // namespace
 
 void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
   app.option_defaults()->group(volume_group);
@@ -42,6 +109,7 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
                  "of a folder of DICOM with several: its UID, or its number in the list that is "
                  "shown without this")
       ->option_text("SERIES");
+  add_part_options(app, arguments);
 }
 
 }  // namespace discmc::host

@@ -10,8 +10,8 @@ namespace discmc::host {
 
 constexpr const char* volume_group = "Volume";
 
-/// --dims, --type, --big-endian and --skip-bytes, the layout of a headerless file; --spacing, --frame
-/// and --series.
+/// --dims, --type, --big-endian and --skip-bytes, the layout of a headerless file; --spacing,
+/// --frame and --series; --crop and --shrink.
 void add_volume_options(CLI::App& app, LayoutArguments& arguments);
 
 }  // namespace discmc::host

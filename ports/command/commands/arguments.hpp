@@ -19,7 +19,7 @@
 
 namespace discmc::host {
 
-/// How a file is read: a headerless one by its dims, which others have none of.
+/// How a file is read, a headerless one by its dims, which others have none of; and what of it.
 struct LayoutArguments {
   std::vector<std::uint32_t> dims;
   std::optional<SampleType> type;
@@ -28,6 +28,8 @@ struct LayoutArguments {
   std::uint64_t skipped_bytes = 0;
   std::string series;
   std::optional<std::uint32_t> frame;
+  std::optional<Crop> crop;
+  std::uint32_t shrink = 1;
 };
 
 /// What is on in a surface, and what the user calls it.

@@ -45,12 +45,15 @@ class Recoder {
   bool is_started_ = false;
 };
 
-// Opens the volume that a stream was made of. A headerless one has the stream's spacing, unless
-// another is given.
+// Opens the volume that a stream was made of. A headerless one has the stream's spacing, less what
+// it is shrunk by, unless another is given.
 std::unique_ptr<VolumeReader> open_volume_of(const StreamHeader& header,
                                              const StreamArguments& arguments) {
   VolumeOptions options = volume_options(arguments.layout);
-  if (options.layout && !options.spacing_mm) options.spacing_mm = spacing_mm(header);
+  if (options.layout && !options.spacing_mm) {
+    options.spacing_mm = spacing_mm(header);
+    for (double& spacing : *options.spacing_mm) spacing /= options.shrink;
+  }
   // Where the values are counted from makes no difference to the directions that they fall in.
   auto volume = open_for_gradient(arguments.volume, options, header.threshold).reader;
   try {

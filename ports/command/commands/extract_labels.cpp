@@ -37,7 +37,7 @@ void write_line(const LabelledSurface& label, const std::string& file, std::ostr
 int extract_label_meshes(const ExtractArguments& arguments) {
   const FilePattern pattern(arguments.output);
   const LabelTable table = label_table_of(arguments);
-  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const auto volume = open_noted_volume(arguments.volume, arguments.reading, true);
   const VolumeInfo& info = volume->info();
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
   pattern.require_folder();

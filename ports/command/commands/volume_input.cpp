@@ -7,6 +7,16 @@
 #include "extraction/narrowed_volume.hpp"
 
 namespace discmc::host {
+namespace {
+
+// Labels have no mean.
+bool selects_labels(const VolumeArguments& arguments) {
+  return std::any_of(
+      arguments.selections.begin(), arguments.selections.end(),
+      [](const NamedSelection& each) { return each.selection.low == each.selection.high; });
+}
+
+}  // namespace
 
 VolumeOptions volume_options(const LayoutArguments& arguments) {
   VolumeOptions options;
@@ -21,6 +31,8 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
     std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
   options.series = arguments.series;
   options.frame = arguments.frame;
+  options.crop = arguments.crop;
+  options.shrink = arguments.shrink;
   return options;
 }
 
@@ -32,8 +44,11 @@ void require_second_pass(const std::string& path) {
 }
 
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
-                                                const VolumeArguments& arguments) {
-  auto volume = open_volume(path, volume_options(arguments.layout));
+                                                const VolumeArguments& arguments,
+                                                bool holds_labels) {
+  VolumeOptions options = volume_options(arguments.layout);
+  if (holds_labels || selects_labels(arguments)) options.block_value = BlockValue::most_frequent;
+  auto volume = open_volume(path, options);
   for (const std::string& note : volume->info().notes)
     std::cerr << "discmc: " << path << ": " << note << '\n';
   return volume;

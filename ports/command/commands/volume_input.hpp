@@ -18,9 +18,10 @@ VolumeOptions volume_options(const LayoutArguments& arguments);
 /// Throws when the file can be read once only.
 void require_second_pass(const std::string& path);
 
-/// Opens the volume, and says what of its file is dropped.
+/// Opens the volume, and says what of its file is dropped. holds_labels: whatever is selected.
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
-                                                const VolumeArguments& arguments);
+                                                const VolumeArguments& arguments,
+                                                bool holds_labels = false);
 
 /// A volume that gradients can be made of, and what is on in it.
 struct GradientVolume {

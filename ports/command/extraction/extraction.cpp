@@ -303,7 +303,8 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
     constexpr std::int64_t rounding = 1;
     if (known != 0 && std::abs(known - spacing[axis]) > rounding) has_spacing = false;
   }
-  const char* remedy = ": give the volume that the stream was made of";
+  const char* remedy =
+      ": give the volume that the stream was made of, with the same --crop and --shrink";
   if (!has_extents)
     throw std::invalid_argument("the volume has " + list(info.dims, "x") +
                                 " voxels, and the stream is of " + list(extents, "x") + remedy);

@@ -11,8 +11,10 @@
 #include <system_error>
 #include <utility>
 
+#include "cropped_volume.hpp"
 #include "dicom/files.hpp"
 #include "pictures/picture_names.hpp"
+#include "shrunk_volume.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -158,8 +160,12 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
          "leave out --frame");
   if (!options.series.empty() && volume->info().format.rfind("DICOM", 0) != 0)
     fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
-  if (!options.spacing_mm) return volume;
-  return std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
+  if (options.spacing_mm)
+    volume = std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
+  if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
+  if (options.shrink > 1)
+    volume = shrunk(file, std::move(volume), options.shrink, options.block_value);
+  return volume;
 }
 
 double lowered_by_rounding(const VolumeInfo& info, double iso) {

@@ -33,6 +33,8 @@ struct VolumeInfo {
   /// in z.
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
+  /// The extents before a part was taken, or the volume was shrunk. Units: voxels.
+  std::optional<std::array<std::uint32_t, 3>> whole_dims;
   /// The number of volumes in the file, of which this is one: 3D volumes of a 4D one.
   std::uint64_t frames = 1;
   /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
@@ -67,6 +69,19 @@ struct RawLayout {
   std::uint64_t skipped_bytes = 0;
 };
 
+/// Voxels along an axis: from the first to the last, both of them too. The first voxel of a volume
+/// is 0.
+struct VoxelRange {
+  std::uint32_t first = 0;
+  std::optional<std::uint32_t> last = {};  ///< else the last one of the volume
+};
+
+/// A part of a volume, along x, y and z.
+using Crop = std::array<VoxelRange, 3>;
+
+/// What the voxel is that stands for a block of voxels.
+enum class BlockValue { mean, most_frequent };
+
 /// What is said of a volume beside its name.
 struct VolumeOptions {
   /// The layout of headerless samples; nothing where the file has a header.
@@ -79,6 +94,12 @@ struct VolumeOptions {
   std::string series = {};
   /// Which of the volumes of a file, the first is 0. Without it, a file of several is refused.
   std::optional<std::uint32_t> frame = {};
+  /// The part of the volume that is taken; otherwise all of it.
+  std::optional<Crop> crop = {};
+  /// Blocks of so many voxels along x, y and z become one voxel each, after the crop.
+  /// Limit: 1 to 16.
+  std::uint32_t shrink = 1;
+  BlockValue block_value = BlockValue::mean;
 };
 
 /// One pass over a volume, first slice to last.

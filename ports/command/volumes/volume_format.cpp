@@ -221,6 +221,28 @@ void set_placement(VolumeInfo& info, VolumePlacement placement) {
   if (!(placement == along_coordinates(info.spacing_mm))) info.placement = placement;
 }
 
+void set_part(VolumeInfo& info, const std::filesystem::path& file,
+              const std::array<std::uint32_t, 3>& dims, const std::array<double, 3>& first,
+              double step) {
+  VolumePlacement placement = info.placement.value_or(along_coordinates(info.spacing_mm));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    info.spacing_mm[axis] *= step;
+    for (std::size_t i = 0; i < 3; ++i) {
+      double& along = placement.axes_mm[axis][i];
+      placement.origin_mm[i] += first[axis] * along;
+      along *= step;
+    }
+  }
+  if (!is_usable(placement))
+    fail(file,
+         "the part that is asked for would be more than 1e9 mm away, or its voxels 1e6 mm apart",
+         "give the distances of the voxels with --spacing");
+  info.placement.reset();
+  if (!(placement == along_coordinates(info.spacing_mm))) info.placement = placement;
+  if (!info.whole_dims) info.whole_dims = info.dims;
+  info.dims = dims;
+}
+
 void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope,
                double intercept) {
   const std::string formula =

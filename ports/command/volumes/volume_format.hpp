@@ -97,6 +97,13 @@ void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm);
 /// A placement that says no more than the spacing is none.
 void set_placement(VolumeInfo& info, VolumePlacement placement);
 
+/// Takes a part of the volume, or makes its voxels larger: voxel (0, 0, 0) has its centre at
+/// `first`, and the next ones are `step` away. Every voxel then lies where it was. Units: voxels
+/// before. The file is for the VolumeError thrown where that is out of the range of a placement.
+void set_part(VolumeInfo& info, const std::filesystem::path& file,
+              const std::array<std::uint32_t, 3>& dims, const std::array<double, 3>& first,
+              double step);
+
 /// Takes value = slope * stored + intercept; a slope of 0 stands for no scaling at all. Throws when
 /// slope is negative or either not finite.
 void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope, double intercept);

@@ -1,0 +1,215 @@
+// Commands that take a part of a volume, or fewer voxels.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.hpp"
+#include "oracle/ramp_ball.hpp"
+
+namespace {
+
+using namespace command;
+
+constexpr std::uint32_t extent = 16;
+const std::string layout = " --dims 16,16,16 --type u16 ";
+// What is left of the ball is cut, by the first range.
+const std::string crop = " --crop 6..,..14,2..13 ";
+const std::string part_dims = " --dims 10,15,12 --type u16 ";
+
+// A ball of radius 5 with a ramp of 100 a voxel about 1000.
+std::vector<std::uint16_t> ball() {
+  const auto volume = discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000});
+  return {volume.samples.begin(), volume.samples.end()};
+}
+
+template <class Sample>
+std::string bytes_of(const std::vector<Sample>& samples) {
+  return {reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(Sample)};
+}
+
+// What --crop of the ball should leave.
+std::vector<std::uint16_t> part() {
+  const auto whole = ball();
+  std::vector<std::uint16_t> samples;
+  for (std::size_t z = 2; z <= 13; ++z)
+    for (std::size_t y = 0; y <= 14; ++y)
+      for (std::size_t x = 6; x < extent; ++x)
+        samples.push_back(whole[(z * extent + y) * extent + x]);
+  return samples;
+}
+
+void write_volumes(const Workshop& workshop) {
+  workshop.write("v.raw", bytes_of(ball()));
+  workshop.write("part.raw", bytes_of(part()));
+}
+
+const std::string turned =
+    "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nendian: little\n"
+    "space: LPS\nspace directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n\n";
+
+void check_same_places(const Mesh& a, const Mesh& b) {
+  REQUIRE(a.vertices_mm.size() == b.vertices_mm.size());
+  CHECK(a.corners == b.corners);
+  for (std::size_t i = 0; i < a.vertices_mm.size(); ++i) {
+    const Point apart = discmc::host::difference(a.vertices_mm[i], b.vertices_mm[i]);
+    CHECK(discmc::host::dot(apart, apart) < 1e-12);
+  }
+}
+
+Mesh obj_in(const Workshop& workshop, const std::string& name) {
+  return mesh_of_obj(workshop.read(name));
+}
+
+}  // namespace
+
+TEST_CASE("what is made of a part is what a file of the part alone gives") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::vector<std::string> surfaces = {
+      "extract VOLUME --iso 1000 -q -o OUT.jsonl",
+      "extract VOLUME --iso 1000 --space voxel --normals gradient -q -o OUT.ply",
+      "extract VOLUME --iso 1000 --space voxel --surface interpolated -q -o OUT.stl",
+      "render VOLUME --iso 1000 --size 64,64 -o OUT.png",
+      "render VOLUME --iso 1000 --size 64,64 --shade smooth -o OUT.png",
+      "render VOLUME --iso 1000 --size 64,64 --classic -o OUT.png"};
+  for (const std::string& line : surfaces) {
+    INFO(line);
+    const auto made = [&](const std::string& volume, const std::string& name) {
+      std::string arguments = line;
+      arguments.replace(arguments.find("VOLUME"), 6, volume);
+      arguments.replace(arguments.find("OUT"), 3, name);
+      workshop.done(arguments);
+      return workshop.read(name + line.substr(line.rfind('.')));
+    };
+    CHECK(made("v.raw" + layout + crop, "cropped") == made("part.raw" + part_dims, "part"));
+  }
+}
+
+TEST_CASE("a body lies where it lies in the whole volume, in meshes and through streams") {
+  const Workshop workshop;
+  workshop.write("turned.nrrd", turned + bytes_of(ball()));
+  workshop.write("v.raw", bytes_of(ball()));
+  for (const std::string& volume :
+       {std::string("turned.nrrd "), "v.raw --spacing 1,2,-3" + layout}) {
+    INFO(volume);
+    const std::string extract = "extract " + volume + "--iso 1000 -q ";
+    const std::string around = "--crop 1..15,2..,..14 ";
+    workshop.done(extract + "-o whole.obj");
+    workshop.done(extract + around + "-o part.obj");
+    check_same_places(obj_in(workshop, "part.obj"), obj_in(workshop, "whole.obj"));
+    for (const std::string wire : {"regions", "slices"}) {
+      workshop.done(extract + around + "--wire " + wire + " -o part.dmc");
+      workshop.done("decode part.dmc -o decoded.obj");
+      check_same_places(obj_in(workshop, "decoded.obj"), obj_in(workshop, "whole.obj"));
+    }
+  }
+}
+
+TEST_CASE("a shrunk ball is as large and where it was") {
+  const Workshop workshop;
+  workshop.write("turned.nrrd", turned + bytes_of(ball()));
+  for (const std::string part : {"", "--crop 1..,1..14,2.. "}) {
+    workshop.done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
+                  "--surface interpolated -o shrunk.obj");
+    const Mesh mesh = obj_in(workshop, "shrunk.obj");
+    const double voxel = 2 * 3 * 0.8, ball = 4.18879 * 125 * voxel;
+    CHECK(volume_of(mesh) == doctest::Approx(ball).epsilon(0.15));
+    // The middle is voxel (7.5, 7.5, 7.5).
+    const Point middle = {10 - 3 * 7.5, -20 + 2 * 7.5 + 0.6 * 7.5, 30.5 + 0.8 * 7.5};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto less = [i](const Point& a, const Point& b) { return a[i] < b[i]; };
+      const auto [low, high] =
+          std::minmax_element(mesh.vertices_mm.begin(), mesh.vertices_mm.end(), less);
+      CHECK(std::fabs(((*low)[i] + (*high)[i]) / 2 - middle[i]) < 0.3);
+    }
+  }
+}
+
+TEST_CASE("the gradient of a part's stream is that of the same part of the volume") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::vector<std::uint16_t> whole = ball();
+  workshop.write("v32.raw", bytes_of(std::vector<float>(whole.begin(), whole.end())));
+  const std::string as_f32 = " --dims 16,16,16 --type f32 ";
+  for (const auto& [volume, of] : {std::pair("v.raw", layout), std::pair("v32.raw", as_f32)})
+    for (const std::string& part : {crop, std::string(" --shrink 2 "), crop + " --shrink 2 "}) {
+      const std::string name = volume + of + " --spacing 0.5,1,2" + part;
+      INFO(name);
+      workshop.done("extract " + name + "--iso 1000 -q -o part.dmc");
+      workshop.done("extract " + name + "--iso 1000 -q --normals gradient -o extracted.ply");
+      const std::string decode = "decode part.dmc --normals gradient -o decoded.ply --volume ";
+      for (const std::string spacing : {"", " --spacing 0.5,1,2"}) {
+        workshop.done(decode + volume + of + spacing + part);
+        CHECK(workshop.read("decoded.ply").size() == workshop.read("extracted.ply").size());
+      }
+      check_failure(workshop.run(decode + volume + of), 1,
+                    {"16x16x16", "with the same --crop and --shrink"});
+    }
+  check_failure(workshop.run("decode part.dmc -o v.ply --crop ..,..,.."), 2, {"--volume"});
+}
+
+TEST_CASE("a surface is compared with the same part of a volume") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::string volume = "v.raw --iso 1000" + layout;
+  workshop.done("extract " + volume + crop + "-o part.dmc");
+  const auto largest = [&](const std::string& part) {
+    const std::string told = workshop.done("compare part.dmc " + volume + part);
+    std::istringstream numbers(told.substr(told.find("B to A, mm") + 10));
+    double mean = 0, most = 0, all = 0;
+    numbers >> mean >> most >> all;
+    return all;
+  };
+  CHECK(largest(crop) < 1);
+  CHECK(largest("") > 2);
+}
+
+TEST_CASE("what is behind a part is not taken from a pipe") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  workshop.done("extract v.raw --iso 1000 -o file.jsonl" + layout + crop);
+  const Result piped = workshop.shell("head -c 7168 v.raw | \"$discmc\" extract - --iso 1000 -o " +
+                                      ("piped.jsonl" + layout + crop));
+  CHECK(piped.code == 0);
+  CHECK(workshop.read("piped.jsonl") == workshop.read("file.jsonl"));
+}
+
+TEST_CASE("labels are shrunk to labels") {
+  const Workshop workshop;
+  // Two halves, 2 and 6, whose mean is 4.
+  std::string labels;
+  for (int i = 0; i < 9 * 8 * 8; ++i) labels += static_cast<char>(i % 9 < 5 ? 2 : 6);
+  workshop.write("l.raw", labels);
+  const std::string extract = "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q -o l.obj ";
+  workshop.done(extract + "--iso 4");
+  const Mesh mean = obj_in(workshop, "l.obj");
+  workshop.done(extract + "--label 6");
+  const Mesh label = obj_in(workshop, "l.obj");
+  CHECK(volume_of(mean) > volume_of(label) + 40);
+  workshop.done(
+      "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q --labels all -o 'all {name}.obj'");
+  CHECK(workshop.read("all 6.obj") == workshop.read("l.obj"));
+  CHECK(workshop.names() == std::vector<std::string>{"all 2.obj", "all 6.obj", "l.obj", "l.raw"});
+}
+
+TEST_CASE("parts that make no sense are refused before any work") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const auto names = workshop.names();
+  const std::string extract = "extract v.raw --iso 1000 -o v.stl" + layout;
+  for (const std::string text : {"1..2", "1..2,3..4", "1..2,3..4,5..6,7..8", "1,2,3", "2..1,..,..",
+                                 "-1..2,..,..", "a..,..,..", "..,..,..5x", "..,..,99999999999.."})
+    check_failure(workshop.run(extract + "--crop=" + text), 2,
+                  {"--crop", "'" + text + "'", "A..B,C..D,E..F"});
+  for (const std::string number : {"1", "17", "-2", "2.5"})
+    check_failure(workshop.run(extract + "--shrink=" + number), 2, {"--shrink", number});
+  check_failure(workshop.run(extract + "--crop ..,..,16.."), 1,
+                {"v.raw", "16.. along z", "16 x 16 x 16", "0..15"});
+  CHECK(workshop.names() == names);
+}
