@@ -50,16 +50,6 @@ bool ends_with_one_of(const std::filesystem::path& file, Ends ends) {
   });
 }
 
-std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
-                                          const VolumeOptions& options) {
-  const auto files = dicom_files(folder);
-  if (!files.empty()) return open_dicom(folder, files, options.series);
-  const auto pictures = picture_files(folder);
-  if (!pictures.empty()) return open_pictures(folder, pictures);
-  fail(folder, "the folder holds no DICOM, PNG or TIFF files",
-       "name a file, or the folder of a series");
-}
-
 // Files that a shell would find by the name, where it was quoted.
 std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path& pattern) {
   glob_t found{};
@@ -106,6 +96,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   if (is_pattern(file)) return open_pattern(file, options);
   if (is_picture_name(file)) return open_pictures(file, {file});
   if (has_dicom_name(file)) return open_dicom(file, {file}, options.series);
+  if (has_zip_name(file)) return open_zip(file, options);
 
   ByteStream stream = open_content(file);
   for (const Format& format : formats)
@@ -113,8 +104,9 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   const auto found = format_of_magic(stream);
   for (const Format& format : formats)
     if (found == format.name) return format.open(std::move(stream), options);
-  if (found == "DICOM" && !stream.is_decoded() && !stream.is_read_once())
-    return open_dicom(file, {file}, options.series);
+  const bool is_bare_file = !stream.is_decoded() && !stream.is_read_once();
+  if (found == "DICOM" && is_bare_file) return open_dicom(file, {file}, options.series);
+  if (found == "zip" && is_bare_file) return open_zip(file, options);
   fail(
       stream.file(), found ? std::string(*found) + " is not read" : "the format is not known",
       "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims and "
@@ -145,9 +137,19 @@ class RespacedVolume final : public VolumeReader {
 
 }  // namespace
 
+std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
+                                          const VolumeOptions& options) {
+  const auto files = dicom_files(folder);
+  if (!files.empty()) return open_dicom(folder, files, options.series);
+  const auto pictures = picture_files(folder);
+  if (!pictures.empty()) return open_pictures(folder, pictures);
+  fail(folder, "the folder holds no DICOM, PNG or TIFF files",
+       "name a file, or the folder of a series");
+}
+
 bool is_volume_name(const std::filesystem::path& file) {
   return ends_with_one_of(file, raw_ends) || has_dicom_name(file) || is_picture_name(file) ||
-         is_folder(file) ||
+         has_zip_name(file) || is_folder(file) ||
          std::any_of(std::begin(formats), std::end(formats),
                      [&file](const Format& format) { return ends_with_one_of(file, format.ends); });
 }

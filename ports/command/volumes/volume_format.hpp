@@ -33,6 +33,19 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
 /// The same of pictures, a slice each.
 std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
                                             std::vector<std::filesystem::path> files);
+
+/// Opens what is in a folder: DICOM, or else pictures. Throws when there is neither.
+std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
+                                          const VolumeOptions& options);
+
+/// Whether a file is named as archives of zip are.
+bool has_zip_name(const std::filesystem::path& file);
+
+/// The same of what is in an archive of zip, unpacked into the folder for temporary files for as
+/// long as the volume is open.
+std::unique_ptr<VolumeReader> open_zip(const std::filesystem::path& file,
+                                       const VolumeOptions& options);
+
 /// The bytes of a file, inflated where they are gzip.
 ByteStream open_content(const std::filesystem::path& file);
 
