@@ -99,9 +99,9 @@ TEST_CASE("a centroid is moved to the mean of the crossings around it, at the bo
 TEST_CASE("crossings are the same whatever the type of the samples") {
   const Field field = noise({9, 5, 4}, 3);
   const Extracted of_bytes = extracted(field);
-  for (const auto& [called, type] : sample_types) {
-    INFO(called);
-    const Extracted of = extracted(field, type);
+  for (const auto& called : sample_types) {
+    INFO(called.first);
+    const Extracted of = extracted(field, called.second);
     REQUIRE(of.surface.polygons.size() == of_bytes.surface.polygons.size());
     for (const Polygon& polygon : of.surface.polygons)
       for (const Ring& ring : polygon.rings)
@@ -120,6 +120,19 @@ TEST_CASE("of a range it is the end that is crossed") {
   check_near(finder.crossings().interpolated({1, 0, 0}), {0.95, 0, 0});
   check_near(finder.crossings().interpolated({3, 0, 0}), {2 + 2 * 39.5 / 80, 0, 0});
   check_near(finder.crossings().interpolated({5, 0, 0}), {4 + 2 * 40.5 / 80, 0, 0});
+}
+
+TEST_CASE("beside a voxel that the mask puts off the crossing is in the middle") {
+  VolumeInfo info;
+  info.dims = {5, 1, 1};
+  const std::uint8_t samples[] = {100, 80, 20, 100, 20};
+  const std::uint8_t mask = 0b01001;
+  CrossingFinder finder(info, threshold);
+  finder.add_slice(samples, &mask);
+  check_near(finder.crossings().interpolated({1, 0, 0}), {1, 0, 0});
+  check_near(finder.crossings().interpolated({3, 0, 0}), {3, 0, 0});  // on neither side
+  check_near(finder.crossings().interpolated({5, 0, 0}), {4 + 2 * 29.5 / 80, 0, 0});
+  check_near(finder.crossings().interpolated({7, 0, 0}), {6 + 2 * 50.5 / 80, 0, 0});
 }
 
 TEST_CASE("what is not finite is crossed in the middle, and what is outside") {

@@ -65,6 +65,26 @@ TEST_CASE("classic Marching Cubes has a picture of its own") {
   CHECK(classic == picture(workshop, "v.raw --iso 100 --classic" + raw_layout));
 }
 
+TEST_CASE("values above a range or a label are not drawn, however it is shaded") {
+  const Workshop workshop;
+  std::string one, both;
+  for (int i = 0; i < 12 * 12 * 12; ++i) {
+    const int x = i % 12, y = i / 12 % 12, z = i / 144;
+    const bool is_in_box = y > 2 && y < 9 && z > 2 && z < 9;
+    one += is_in_box && x > 1 && x < 6 ? '\3' : '\0';
+    both += is_in_box && x > 7 && x < 10 ? '\5' : one.back();
+  }
+  workshop.write("one.raw", one);
+  workshop.write("both.raw", both);
+  const std::string layout = " --dims 12,12,12 --type u8";
+  for (const std::string select : {" --label 3", " --range 1..4"})
+    for (const std::string look : {"", " --shade smooth"})
+      CHECK(picture(workshop, "both.raw" + layout + select + look) ==
+            picture(workshop, "one.raw" + layout + select + look));
+  check_failure(workshop.run("render one.raw --label 3 --classic -o v.png" + layout), 2,
+                {"--classic", "--label"});
+}
+
 TEST_CASE("a picture can be taken from near, and of a place") {
   const Workshop workshop;
   write_volumes(workshop);

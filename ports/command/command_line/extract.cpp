@@ -67,6 +67,13 @@ void check_cleaning(const ExtractArguments& arguments) {
                                "filtered: leave out --normals");
 }
 
+void check_mask(const ExtractArguments& arguments) {
+  if (!arguments.reading.mask.empty() && arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--mask",
+                               "where the mask ends the samples have no gradient that points out: "
+                               "give --normals surface, or leave it out");
+}
+
 void check_surface(const ExtractArguments& arguments) {
   if (!arguments.interpolates) return;
   check_interpolation(arguments.mesh, arguments.output);
@@ -99,6 +106,7 @@ void check(const ExtractArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
   check_components(arguments.components, arguments.output);
   check_cleaning(arguments);
+  check_mask(arguments);
   check_space(arguments.space, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
@@ -114,7 +122,7 @@ void add_label_options(CLI::App& app, ExtractArguments& arguments) {
              "a surface of every value but 0, in one pass: a mesh each")
           ->check(CLI::IsMember({"all"}))
           ->option_text("all");
-  for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
+  for (const char* other : {"--iso", "--range", "--label", "--mask", "--memory", "--capacities"})
     labels->excludes(app.get_option(other));
   app.add_option("--label-table", arguments.label_table,
                  "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "

@@ -88,7 +88,10 @@ void add_classic_option(CLI::App& app, bool& classic) {
                "triangles of classic Marching Cubes, with interpolated vertices, to compare")
       ->excludes("--memory")
       ->excludes("--capacities")
-      ->excludes("--median");
+      ->excludes("--median")
+      ->excludes("--mask")
+      ->excludes("--range")
+      ->excludes("--label");
 }
 
 }  // namespace

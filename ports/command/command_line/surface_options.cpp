@@ -17,6 +17,16 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
                  "goes")
       ->check(CLI::IsMember({3}))
       ->option_text("3");
+  app.add_option("--mask", arguments.mask,
+                 "file of a volume with a header and the same extents: a voxel is off where it is "
+                 "0, whatever else is said; --crop and --shrink take the same of it")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return text == "-" ? std::string("a mask is not read from standard input: name a file")
+                               : std::string();
+          },
+          ""))
+      ->option_text("FILE");
   CLI::Option* memory = add_memory_option(
       app, arguments.memory,
       "bytes that the extractor has, with K or M for 1024 and 1024^2 (default: plenty)");

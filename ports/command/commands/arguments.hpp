@@ -44,6 +44,7 @@ struct VolumeArguments {
   std::vector<NamedSelection> selections;  ///< one a surface
   Border border = Border::closed;
   std::uint32_t median = 0;  ///< voxels across the filter of bits; 0: none
+  std::string mask;          ///< the file of a volume, or none
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< records and holes, or none
   LayoutArguments layout;

@@ -59,11 +59,12 @@ int extract_meshes(const ExtractArguments& arguments) {
   const FilePattern pattern(arguments.output);
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo& info = volume->info();
+  const auto mask = open_noted_mask(arguments.reading, info);
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
   pattern.require_folder();
   const std::vector<std::string> files = files_for(pattern, selections);
   Progress progress("extracting", info.dims[2]);
-  const ExtractionOptions options = extraction_options(arguments.reading, progress);
+  const ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
 
   const SurfaceReceivers receivers = receivers_for(selections);
   StreamOutput no_output(nullptr);  // the table tells what a stream would take

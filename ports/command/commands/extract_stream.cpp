@@ -65,10 +65,11 @@ int extract_stream(const ExtractArguments& arguments) {
     throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
   auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo info = volume->info();
+  const auto mask = open_noted_mask(arguments.reading, info);
   OutputFile file(arguments.output);
   StreamOutput output(&file.stream());
   Progress progress("extracting", info.dims[2]);
-  ExtractionOptions options = extraction_options(arguments.reading, progress);
+  ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
   StreamHeader header = stream_header(info, options);
   header.scan = arguments.scan;
   std::vector<NamedSelection> selections = arguments.reading.selections;

@@ -30,13 +30,21 @@ Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
   return mesh;
 }
 
+// The gradient is that of the surface only where a threshold alone divides the samples.
+bool has_gradient(const VolumeArguments& arguments) {
+  return arguments.median == 0 && arguments.mask.empty() &&
+         !arguments.selections[0].selection.has_upper_end();
+}
+
 Mesh volume_to_draw(const RenderArguments& arguments) {
-  if (arguments.smooth) require_second_pass(arguments.input);
+  const bool takes_gradient = arguments.smooth && has_gradient(arguments.reading);
+  if (takes_gradient) require_second_pass(arguments.input);
   auto volume = open_noted_volume(arguments.input, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
-  auto options = extraction_options(arguments.reading, progress);
+  const auto mask = open_noted_mask(arguments.reading, volume->info());
+  auto options = extraction_options(arguments.reading, progress, mask.get());
   if (arguments.classic) return classic_mesh(*volume, options);
-  options.normals = arguments.smooth && arguments.reading.median == 0;
+  options.normals = takes_gradient;
   if (options.normals) {
     GradientVolume again =
         open_for_gradient(arguments.input, volume_options(arguments.reading.layout),

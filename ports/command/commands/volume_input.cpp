@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
+#include "volumes/mask_volume.hpp"
 
 namespace discmc::host {
 namespace {
@@ -14,6 +15,11 @@ bool selects_labels(const VolumeArguments& arguments) {
   return std::any_of(
       arguments.selections.begin(), arguments.selections.end(),
       [](const NamedSelection& each) { return each.selection.low == each.selection.high; });
+}
+
+void write_notes(const std::string& path, const VolumeInfo& info) {
+  for (const std::string& note : info.notes)
+    std::cerr << "discmc: " << path << ": " << note << '\n';
 }
 
 }  // namespace
@@ -49,9 +55,20 @@ std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
   VolumeOptions options = volume_options(arguments.layout);
   if (holds_labels || selects_labels(arguments)) options.block_value = BlockValue::most_frequent;
   auto volume = open_volume(path, options);
-  for (const std::string& note : volume->info().notes)
-    std::cerr << "discmc: " << path << ": " << note << '\n';
+  write_notes(path, volume->info());
   return volume;
+}
+
+std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
+                                              const VolumeInfo& volume) {
+  if (arguments.mask.empty()) return nullptr;
+  auto mask = open_mask(arguments.mask, volume_options(arguments.layout), volume);
+  write_notes(arguments.mask, mask->info());
+  const double apart = mask_offset_mm(mask->info(), volume);
+  if (apart > 0)
+    std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart
+              << " mm from those of the volume, and are taken for them one by one\n";
+  return mask;
 }
 
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
@@ -63,7 +80,8 @@ GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& o
   return {narrowed(open_volume(path, options), bounds, iso), 0};
 }
 
-ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress) {
+ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,
+                                     VolumeReader* mask) {
   ExtractionOptions options;
   options.selection = arguments.selections[0].selection;
   options.border = arguments.border;
@@ -71,6 +89,7 @@ ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress&
   options.memory = arguments.memory;
   if (!arguments.capacities.empty())
     options.capacities = Capacities{arguments.capacities[0], arguments.capacities[1]};
+  options.mask = mask;
   options.progress = [&progress](std::uint32_t slices) { progress.show(slices); };
   return options;
 }

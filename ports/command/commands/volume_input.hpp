@@ -23,6 +23,10 @@ std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
                                                 const VolumeArguments& arguments,
                                                 bool holds_labels = false);
 
+/// Opens the mask of the volume, if there is one, and says where it is not what it should be.
+std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
+                                              const VolumeInfo& volume);
+
 /// A volume that gradients can be made of, and what is on in it.
 struct GradientVolume {
   std::unique_ptr<VolumeReader> reader;
@@ -33,8 +37,9 @@ struct GradientVolume {
 /// narrowed, which takes a pass over it. Throws as require_second_pass().
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options, double iso);
 
-/// At the first threshold. progress: has to live as long as the options are in use.
-ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress);
+/// At the first threshold. progress, mask: have to live as long as the options are in use.
+ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,
+                                     VolumeReader* mask = nullptr);
 
 }  // namespace discmc::host
 

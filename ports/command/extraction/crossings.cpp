@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "mask_bits.hpp"
+
 namespace discmc::host {
 namespace {
 
@@ -118,7 +120,7 @@ class CrossingFinder::Slices {
   Slices& operator=(const Slices&) = delete;
   virtual ~Slices() = default;
 
-  virtual void add(const void* samples) = 0;
+  virtual void add(const void* samples, const std::uint8_t* mask) = 0;
   const Crossings& crossings() const { return crossings_; }
 
  protected:
@@ -134,20 +136,20 @@ class CrossingFinder::SlicesOf final : public Slices {
         width_(info.dims[0]),
         height_(info.dims[1]),
         row_bytes_(bit_row_bytes(width_)) {
-    const SampleRange<Sample> range = selected_samples<Sample>(info, selection);
+    range_ = selected_samples<Sample>(info, selection);
     const double half = is_floating(info.type) ? 0 : 0.5;
-    low_ = static_cast<double>(range.low);
-    low_level_ = low_ - half;
-    high_level_ = static_cast<double>(range.high) + half;
+    low_level_ = static_cast<double>(range_.low) - half;
+    high_level_ = static_cast<double>(range_.high) + half;
     for (Slice* slice : {&below_, &above_}) slice->bits.resize(row_bytes_ * height_);
     changes_.resize(row_bytes_);
   }
 
-  void add(const void* samples) override {
+  void add(const void* samples, const std::uint8_t* mask) override {
     std::swap(below_, above_);
     const auto* first = static_cast<const Sample*>(samples);
     above_.samples.assign(first, first + std::size_t{width_} * height_);
     selector_.select(samples, above_.bits.data(), row_bytes_);
+    if (mask != nullptr) keep_masked(above_.bits.data(), mask, above_.bits.size());
     for (std::uint32_t y = 0; y < height_; ++y) add_row(y);
   }
 
@@ -212,8 +214,10 @@ class CrossingFinder::SlicesOf final : public Slices {
   }
 
   float crossing(Sample on_sample, Sample off_sample) const {
+    if (range_.holds(off_sample)) return 1;  // off by the mask
     const auto on = static_cast<double>(on_sample), off = static_cast<double>(off_sample);
-    const double at = 2 * (on - (off < low_ ? low_level_ : high_level_)) / (on - off);
+    const double level = off_sample < range_.low ? low_level_ : high_level_;
+    const double at = 2 * (on - level) / (on - off);
     if (!std::isfinite(on) || !std::isfinite(off) || !std::isfinite(at)) return 1;
     return static_cast<float>(std::clamp(at, Crossings::margin, 2 - Crossings::margin));
   }
@@ -221,7 +225,8 @@ class CrossingFinder::SlicesOf final : public Slices {
   SliceSelector selector_;
   std::uint32_t width_, height_;
   std::size_t row_bytes_;
-  double low_, low_level_, high_level_;
+  SampleRange<Sample> range_;
+  double low_level_, high_level_;
   Slice below_, above_;
   std::vector<std::uint8_t> changes_;  // along the row under way
 };
@@ -235,8 +240,8 @@ CrossingFinder::CrossingFinder(CrossingFinder&&) noexcept = default;
 CrossingFinder& CrossingFinder::operator=(CrossingFinder&&) noexcept = default;
 CrossingFinder::~CrossingFinder() = default;
 
-void CrossingFinder::add_slice(const void* samples) {
-  slices_->add(samples);
+void CrossingFinder::add_slice(const void* samples, const std::uint8_t* mask) {
+  slices_->add(samples, mask);
 }
 
 const Crossings& CrossingFinder::crossings() const {

@@ -26,8 +26,8 @@ class Crossings {
 
   /// The point of the interpolated surface that a vertex of the merged one stands for: the crossing
   /// of an edge for its middle, the mean of the crossings around it for a centroid. Where there is
-  /// nothing to interpolate, because a voxel is outside the volume or a sample is not finite, the
-  /// crossing is in the middle. Units: half-steps.
+  /// nothing to interpolate, because a voxel is outside the volume or its mask, or a sample is not
+  /// finite, the crossing is in the middle. Units: half-steps.
   Point interpolated(const Vertex& vertex) const;
 
  private:
@@ -62,8 +62,10 @@ class CrossingFinder {
   CrossingFinder& operator=(CrossingFinder&&) noexcept;
   ~CrossingFinder();
 
-  /// Takes the next slice, as VolumeReader::read_slice() gives it.
-  void add_slice(const void* samples);
+  /// Takes the next slice, as VolumeReader::read_slice() gives it. mask: rows of bits, if there are
+  /// any: what is off there is off. Beside it the crossing is in the middle, where the samples
+  /// cross nothing.
+  void add_slice(const void* samples, const std::uint8_t* mask = nullptr);
 
   /// What was found, after the last slice. Owner: the finder.
   const Crossings& crossings() const;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "crossing_counter.hpp"
+#include "mask_bits.hpp"
 #include "require.hpp"
 #include "streams/stream_file.hpp"
 
@@ -86,9 +88,10 @@ class BitSource {
     }
   }
 
-  /// Calls for every row that is due after this slice.
+  /// Calls for every row that is due after this slice. mask: the rows of its mask, if it has one.
   template <class Call>
-  void add_slice(const void* samples, Call call) {
+  void add_slice(const void* samples, const std::uint8_t* mask, Call call) {
+    if (mask != nullptr) mask_.insert(mask_.end(), mask, mask + row_bytes_ * height_);
     const std::size_t stride = filtered_.size();
     for (std::size_t i = 0; i < selectors_.size(); ++i) {
       const auto not_numbers = selectors_[i].select(samples, bits_.data() + i * row_bytes_, stride);
@@ -116,7 +119,7 @@ class BitSource {
   };
 
   template <class Call>
-  void add_row(const std::uint8_t* row, Call call) {
+  void add_row(std::uint8_t* row, Call call) {
     if (filters_.empty()) return pass_on(row, call);
     if (is_filtered(
             [&](OwnFilter& own, std::size_t i) { return own.filter.push(row + i * row_bytes_); }))
@@ -134,15 +137,24 @@ class BitSource {
     return has_row;
   }
   template <class Call>
-  void pass_on(const std::uint8_t* row, Call call) {
+  void pass_on(std::uint8_t* row, Call call) {
+    if (!mask_.empty()) apply_mask(row);
     for (std::size_t i = 0; i < crossings_.size(); ++i) crossings_[i].add_row(row + i * row_bytes_);
     call(row);
+  }
+  // After the filters, which would put voxels beside the mask's edge on again.
+  void apply_mask(std::uint8_t* row) {
+    const auto end = mask_.begin() + static_cast<std::ptrdiff_t>(row_bytes_);
+    for (std::size_t i = 0; i < crossings_.size(); ++i)
+      keep_masked(row + i * row_bytes_, mask_.begin(), row_bytes_);
+    mask_.erase(mask_.begin(), end);
   }
 
   std::uint32_t height_;
   std::size_t row_bytes_;
   std::vector<std::uint8_t> bits_;      // of a slice
   std::vector<std::uint8_t> filtered_;  // a row
+  std::deque<std::uint8_t> mask_;       // rows of the mask that are not yet due
   std::vector<SliceSelector> selectors_;
   std::vector<std::unique_ptr<OwnFilter>> filters_;
   std::vector<CrossingCounter> crossings_;
@@ -232,12 +244,15 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
     if constexpr (!holds_samples<AnyExtractor>) require(all.push_bits(row).status);
     if (options.slices != nullptr) require(options.slices->push_bits(row).status);
   };
+  std::optional<MaskBits> mask;
+  if (options.mask != nullptr) mask.emplace(*options.mask);
   std::vector<std::uint8_t> slice(info.slice_bytes());
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    bits.add_slice(slice.data(), push_bits);
+    const std::uint8_t* const mask_rows = mask ? mask->next_slice() : nullptr;
+    bits.add_slice(slice.data(), mask_rows, push_bits);
     for (const SurfaceRequest& surface : surfaces)
-      if (surface.crossings != nullptr) surface.crossings->add_slice(slice.data());
+      if (surface.crossings != nullptr) surface.crossings->add_slice(slice.data(), mask_rows);
     if constexpr (holds_samples<AnyExtractor>) {
       using Sample = typename SampleOf<AnyExtractor>::Type;
       require(all.push(reinterpret_cast<const Sample*>(slice.data()), limits.width * limits.height)

@@ -37,6 +37,9 @@ struct ExtractionOptions {
   /// Otherwise by a LearningExtractor, which is faster, unless memory, capacities or normals are
   /// asked for. The surface is the same.
   bool measures_memory = false;
+  /// Is read along, if there is one: a voxel is off where it is 0. Limit: u8, the extents of the
+  /// volume, not with normals. Owner: the caller.
+  VolumeReader* mask = nullptr;
 };
 
 /// What a device would need.

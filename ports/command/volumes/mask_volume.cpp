@@ -1,0 +1,111 @@
+#include "mask_volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cropped_volume.hpp"
+#include "shrunk_volume.hpp"
+#include "volume_format.hpp"
+
+namespace discmc::host {
+namespace {
+
+// 1 where the value is another number than 0.
+class Mask final : public VolumeReader {
+ public:
+  explicit Mask(std::unique_ptr<VolumeReader> volume)
+      : volume_(std::move(volume)), info_(volume_->info()), slice_(info_.slice_bytes()) {
+    info_.type = SampleType::u8;
+    info_.slope = 1;
+    info_.intercept = 0;
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+
+  void read_slice(void* samples) override {
+    const VolumeInfo& of = volume_->info();
+    volume_->read_slice(slice_.data());
+    with_sample_type(of.type, [&](auto typed) {
+      using Sample = decltype(typed);
+      const auto* const first = reinterpret_cast<const Sample*>(slice_.data());
+      std::transform(first, first + slice_.size() / sizeof(Sample),
+                     static_cast<std::uint8_t*>(samples), [&of](Sample sample) {
+                       const double value = of.slope * static_cast<double>(sample) + of.intercept;
+                       return static_cast<std::uint8_t>(value < 0 || value > 0 ? 1 : 0);
+                     });
+    });
+  }
+
+ private:
+  std::unique_ptr<VolumeReader> volume_;
+  VolumeInfo info_;
+  std::vector<std::uint8_t> slice_;
+};
+
+std::string list(const std::array<std::uint32_t, 3>& dims) {
+  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " +
+         std::to_string(dims[2]);
+}
+
+VolumePlacement by_spacing(const VolumeInfo& info) {
+  std::array<double, 3> spacing = info.spacing_mm;
+  for (double& length : spacing) length = std::fabs(length);
+  return along_coordinates(spacing);
+}
+
+// Two placements that can be compared; where one tells the patient's space alone, that is by the
+// spacing.
+std::array<VolumePlacement, 2> comparable(const VolumeInfo& a, const VolumeInfo& b) {
+  const VolumePlacement at_a = a.placement.value_or(along_coordinates(a.spacing_mm));
+  const VolumePlacement at_b = b.placement.value_or(along_coordinates(b.spacing_mm));
+  if ((at_a.frame == Frame::none) != (at_b.frame == Frame::none))
+    return {by_spacing(a), by_spacing(b)};
+  return {at_a, in_frame(at_b, at_a.frame)};
+}
+
+// How far apart voxels of the same number are at most: at a corner. Units: millimetres.
+double farthest(const VolumeInfo& a, const VolumeInfo& b) {
+  const auto [at_a, at_b] = comparable(a, b);
+  double result = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    std::array<double, 3> apart{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      apart[i] = at_a.origin_mm[i] - at_b.origin_mm[i];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((corner >> axis & 1) != 0)
+          apart[i] += (a.dims[axis] - 1) * (at_a.axes_mm[axis][i] - at_b.axes_mm[axis][i]);
+    }
+    result = std::max(result, std::hypot(apart[0], apart[1], apart[2]));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
+                                        const VolumeOptions& options, const VolumeInfo& volume) {
+  VolumeOptions of_all;
+  of_all.spacing_mm = options.spacing_mm;
+  auto mask = open_volume(file, of_all);
+  const auto whole = volume.whole_dims.value_or(volume.dims);
+  if (mask->info().dims != whole)
+    fail(file, "the mask has " + list(mask->info().dims) + " voxels, and the volume " + list(whole),
+         "give a mask with a voxel for each of the volume's");
+  if (options.crop) mask = cropped(file, std::move(mask), *options.crop);
+  mask = std::make_unique<Mask>(std::move(mask));
+  if (options.shrink > 1)
+    mask = shrunk(file, std::move(mask), options.shrink, BlockValue::most_frequent);
+  return mask;
+}
+
+double mask_offset_mm(const VolumeInfo& mask, const VolumeInfo& volume) {
+  const auto& s = volume.spacing_mm;
+  const double voxel = std::min({std::fabs(s[0]), std::fabs(s[1]), std::fabs(s[2])});
+  const double apart = farthest(mask, volume);
+  return apart > voxel / 10 ? apart : 0;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,25 @@
+// Volumes that say which voxels of another one count.
+#ifndef DISCMC_COMMAND_VOLUMES_MASK_VOLUME_HPP
+#define DISCMC_COMMAND_VOLUMES_MASK_VOLUME_HPP
+
+#include <filesystem>
+#include <memory>
+
+#include "volume.hpp"
+
+namespace discmc::host {
+
+/// Opens the mask of a volume: samples of u8, 0 where the file's value is 0 or not a number,
+/// else 1. options: those of the volume, for its spacing, crop and shrink; of a block the mask has
+/// what most of its voxels have. volume: as it is after them. Throws VolumeError as open_volume(),
+/// and where the mask has other extents than the whole volume. Where it lies does not matter.
+std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
+                                        const VolumeOptions& options, const VolumeInfo& volume);
+
+/// How far a voxel of the mask is at most from that of the volume which it is taken for, as far as
+/// their files tell; 0 where that is a tenth of a voxel or less. Units: millimetres.
+double mask_offset_mm(const VolumeInfo& mask, const VolumeInfo& volume);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,109 @@
+// Masks: which voxels they keep, and whether they lie where their volume does.
+#include "volumes/mask_volume.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using discmc::host::mask_offset_mm;
+using discmc::host::open_mask;
+
+VolumeInfo volume_of(const VolumeOptions& options = {}, const std::string& lines = "") {
+  const Folder folder;
+  const auto file = folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + stored(SampleType::u8));
+  return open_volume(file, options)->info();
+}
+
+std::vector<double> mask_of(const std::string& nifti, const VolumeOptions& options = {}) {
+  const Folder folder;
+  const auto mask = open_mask(folder.write("m.nii", nifti), options, volume_of(options));
+  CHECK(mask->info().type == SampleType::u8);
+  return read_all(*mask);
+}
+
+double offset(const std::string& lines_of_mask, const std::string& lines_of_volume) {
+  return mask_offset_mm(volume_of({}, lines_of_mask), volume_of({}, lines_of_volume));
+}
+
+}  // namespace
+
+TEST_CASE("a mask is 1 where the value is a number that is not 0") {
+  std::vector<double> all_but_first(60, 1);
+  all_but_first[0] = 0;
+  CHECK(mask_of(Nifti().file(stored(SampleType::u8))) == all_but_first);
+  // Of f32 sample 30 is 0; here two more are not a number.
+  std::string samples = stored(SampleType::f32);
+  samples.replace(4, 4, "\xff\xff\xff\x7f");
+  samples.replace(8, 4, "\xff\xff\xff\xff");
+  std::vector<double> expected(60, 1);
+  expected[1] = expected[2] = expected[30] = 0;
+  CHECK(mask_of(Nifti().type(16).integer(72, 2, 32).file(samples)) == expected);
+  // The value counts, which is 0 at 8.
+  std::vector<double> all_but_third(60, 1);
+  all_but_third[2] = 0;
+  CHECK(mask_of(Nifti().scale(0.5F, -4).file(stored(SampleType::u8))) == all_but_third);
+}
+
+TEST_CASE("a mask is cropped as its volume is, and of a block has what most of it has") {
+  // Of labels, no two alike: in the second block 0 is the most frequent, but most of it is on.
+  std::string labels = stored(SampleType::u8);
+  for (const std::size_t off : {1U, 2U, 3U, 8U}) labels[off] = '\0';
+  VolumeOptions options;
+  options.crop = {{{1, 4}, {0, 1}, {0, 1}}};
+  std::vector<double> cropped(16, 1);
+  cropped[0] = cropped[1] = cropped[2] = cropped[6] = 0;
+  CHECK(mask_of(Nifti().file(labels), options) == cropped);
+  options.shrink = 2;
+  CHECK(mask_of(Nifti().file(labels), options) == std::vector<double>{1, 1});
+  labels[16] = labels[17] = '\0';
+  CHECK(mask_of(Nifti().file(labels), options) == std::vector<double>{0, 1});
+}
+
+TEST_CASE("a mask has the extents of the volume, not those of the part that is taken") {
+  const Folder folder;
+  const auto file = folder.write("m.nrrd", nrrd(nrrd_u8, "5 4 3") + "\n" + stored(SampleType::u8));
+  VolumeOptions options;
+  for (const bool is_part : {false, true}) {
+    if (is_part) options.crop = {{{1, 2}, {1, 2}, {1, 2}}};
+    try {
+      open_mask(file, options, volume_of(options));
+      FAIL("not refused");
+    } catch (const VolumeError& error) {
+      check_refusal(error.what(),
+                    "m.nrrd: the mask has 5 x 4 x 3 voxels, and the volume 5 x 3 x 4;");
+    }
+  }
+}
+
+TEST_CASE("a mask that lies elsewhere is found out, as far as both files tell") {
+  const std::string directions = "space directions: (1,0,0) (0,2,0) (0,0,3)\n";
+  const std::string lps = "space: LPS\n" + directions + "space origin: (10,20,30)\n";
+  CHECK(offset(lps, lps) == 0);
+  CHECK(offset("", "") == 0);
+  CHECK(offset("space: LPS\n" + directions + "space origin: (13,20,26)\n", lps) == 5);
+  CHECK(offset("space: LPS\n" + directions + "space origin: (10.05,20,30)\n", lps) == 0);
+  // The same place in the other space.
+  CHECK(offset("space: RAS\nspace directions: (-1,0,0) (0,-2,0) (0,0,3)\n"
+               "space origin: (-10,-20,30)\n",
+               lps) == 0);
+  CHECK(offset("space: RAS\n" + directions + "space origin: (10,20,30)\n", lps) > 40);
+  // Where one of them does not know the patient there are the spacings.
+  CHECK(offset("spacings: 1 2 3\n", lps) == 0);
+  CHECK(offset("spacings: 1 2 4\n", lps) == 3);
+  CHECK(offset("spacings: 1 2 4\n", "spacings: 1 2 3\n") == 3);
+}
+
+TEST_CASE("another spacing is that of the mask, too") {
+  const Folder folder;
+  const auto file = folder.write("m.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  VolumeOptions options;
+  options.spacing_mm = {0.5, 2, 3};
+  const VolumeInfo volume = volume_of(options);
+  CHECK(mask_offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
+}
