@@ -43,7 +43,7 @@ template <class Sample, bool = std::is_floating_point_v<Sample>>
 class Mean {
  public:
   void add(Sample sample) {
-    const std::uint64_t above = static_cast<std::uint64_t>(sample) - least;
+    const std::uint64_t above = static_cast<Unsigned>(static_cast<Unsigned>(sample) - least);
     high_ += above >> 32;
     low_ += above & 0xFFFFFFFF;
     ++count_;
@@ -55,7 +55,8 @@ class Mean {
   }
 
  private:
-  static constexpr auto least = static_cast<std::uint64_t>(std::numeric_limits<Sample>::min());
+  using Unsigned = std::make_unsigned_t<Sample>;
+  static constexpr auto least = static_cast<Unsigned>(std::numeric_limits<Sample>::min());
   std::uint64_t high_ = 0, low_ = 0, count_ = 0;
 };
 
