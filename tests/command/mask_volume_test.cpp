@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "volume_files.hpp"
+#include "volumes/volume_offset.hpp"
 
 namespace {
 
 using namespace volume_files;
-using discmc::host::mask_offset_mm;
+using discmc::host::offset_mm;
 using discmc::host::open_mask;
 
 VolumeInfo volume_of(const VolumeOptions& options = {}, const std::string& lines = "") {
@@ -28,7 +29,7 @@ std::vector<double> mask_of(const std::string& nifti, const VolumeOptions& optio
 }
 
 double offset(const std::string& lines_of_mask, const std::string& lines_of_volume) {
-  return mask_offset_mm(volume_of({}, lines_of_mask), volume_of({}, lines_of_volume));
+  return offset_mm(volume_of({}, lines_of_mask), volume_of({}, lines_of_volume));
 }
 
 }  // namespace
@@ -105,5 +106,5 @@ TEST_CASE("another spacing is that of the mask, too") {
   VolumeOptions options;
   options.spacing_mm = {0.5, 2, 3};
   const VolumeInfo volume = volume_of(options);
-  CHECK(mask_offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
+  CHECK(offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
 }

@@ -151,6 +151,11 @@ TEST_CASE("the gradient of a part's stream is that of the same part of the volum
       check_failure(workshop.run(decode + volume + of), 1,
                     {"16x16x16", "with the same --crop and --shrink"});
     }
+  // As large, and a voxel of 1 mm further.
+  workshop.done("extract v.raw --iso 1000 -q -o part.dmc" + layout + crop);
+  check_failure(workshop.run("decode part.dmc --normals gradient -o v.ply --volume v.raw" + layout +
+                             "--crop 6..,1..,2..13"),
+                1, {"v.raw", "1 mm from that of the stream", "--crop and --shrink"});
   check_failure(workshop.run("decode part.dmc -o v.ply --crop ..,..,.."), 2, {"--volume"});
 }
 

@@ -1,5 +1,6 @@
 // discmc decode: a stream to a mesh, or to another stream.
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "stream_input.hpp"
 #include "surface/growing_joiner.hpp"
 #include "volume_input.hpp"
+#include "volumes/volume_offset.hpp"
 
 namespace discmc::host {
 namespace {
@@ -45,10 +47,24 @@ class Recoder {
   bool is_started_ = false;
 };
 
+// A part of the right size may still be another one than that of the stream.
+void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
+  if (!volume.whole_dims || !decoded.placement) return;
+  VolumeInfo told = volume;
+  told.placement = decoded.placement;
+  const double apart = offset_mm(volume, told);
+  if (apart == 0) return;
+  std::ostringstream text;
+  text << "the part of the volume lies " << apart
+       << " mm from that of the stream: give the --crop and --shrink that it was made with";
+  throw std::invalid_argument(text.str());
+}
+
 // Opens the volume that a stream was made of. A headerless one has the stream's spacing, less what
 // it is shrunk by, unless another is given.
-std::unique_ptr<VolumeReader> open_volume_of(const StreamHeader& header,
+std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
                                              const StreamArguments& arguments) {
+  const StreamHeader& header = decoded.header;
   VolumeOptions options = volume_options(arguments.layout);
   if (options.layout && !options.spacing_mm) {
     options.spacing_mm = spacing_mm(header);
@@ -58,6 +74,7 @@ std::unique_ptr<VolumeReader> open_volume_of(const StreamHeader& header,
   auto volume = open_for_gradient(arguments.volume, options, header.threshold).reader;
   try {
     require_same_volume(volume->info(), header);
+    require_same_part(volume->info(), decoded);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(arguments.volume + ": " + error.what());
   }
@@ -69,7 +86,7 @@ void add_normals(const StreamArguments& arguments, const DecodedStream& decoded,
   set_polygon_normals(decoded.surface, mesh);
   if (arguments.normals == Normals::surface || mesh.vertices_mm.empty()) return;
   if (!arguments.volume.empty())
-    add_gradient_normals(*open_volume_of(decoded.header, arguments), mesh);
+    add_gradient_normals(*open_volume_of(decoded, arguments), mesh);
   else if (!decoded.surface.normals.empty())
     set_told_normals(decoded.surface, mesh);
   else

@@ -6,6 +6,7 @@
 
 #include "extraction/narrowed_volume.hpp"
 #include "volumes/mask_volume.hpp"
+#include "volumes/volume_offset.hpp"
 
 namespace discmc::host {
 namespace {
@@ -64,7 +65,7 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   if (arguments.mask.empty()) return nullptr;
   auto mask = open_mask(arguments.mask, volume_options(arguments.layout), volume);
   write_notes(arguments.mask, mask->info());
-  const double apart = mask_offset_mm(mask->info(), volume);
+  const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
     std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart
               << " mm from those of the volume, and are taken for them one by one\n";

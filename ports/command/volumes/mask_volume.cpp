@@ -1,7 +1,6 @@
 #include "mask_volume.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,39 +49,6 @@ std::string list(const std::array<std::uint32_t, 3>& dims) {
          std::to_string(dims[2]);
 }
 
-VolumePlacement by_spacing(const VolumeInfo& info) {
-  std::array<double, 3> spacing = info.spacing_mm;
-  for (double& length : spacing) length = std::fabs(length);
-  return along_coordinates(spacing);
-}
-
-// Two placements that can be compared; where one tells the patient's space alone, that is by the
-// spacing.
-std::array<VolumePlacement, 2> comparable(const VolumeInfo& a, const VolumeInfo& b) {
-  const VolumePlacement at_a = a.placement.value_or(along_coordinates(a.spacing_mm));
-  const VolumePlacement at_b = b.placement.value_or(along_coordinates(b.spacing_mm));
-  if ((at_a.frame == Frame::none) != (at_b.frame == Frame::none))
-    return {by_spacing(a), by_spacing(b)};
-  return {at_a, in_frame(at_b, at_a.frame)};
-}
-
-// How far apart voxels of the same number are at most: at a corner. Units: millimetres.
-double farthest(const VolumeInfo& a, const VolumeInfo& b) {
-  const auto [at_a, at_b] = comparable(a, b);
-  double result = 0;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    std::array<double, 3> apart{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      apart[i] = at_a.origin_mm[i] - at_b.origin_mm[i];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if ((corner >> axis & 1) != 0)
-          apart[i] += (a.dims[axis] - 1) * (at_a.axes_mm[axis][i] - at_b.axes_mm[axis][i]);
-    }
-    result = std::max(result, std::hypot(apart[0], apart[1], apart[2]));
-  }
-  return result;
-}
-
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
@@ -99,13 +65,6 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   if (options.shrink > 1)
     mask = shrunk(file, std::move(mask), options.shrink, BlockValue::most_frequent);
   return mask;
-}
-
-double mask_offset_mm(const VolumeInfo& mask, const VolumeInfo& volume) {
-  const auto& s = volume.spacing_mm;
-  const double voxel = std::min({std::fabs(s[0]), std::fabs(s[1]), std::fabs(s[2])});
-  const double apart = farthest(mask, volume);
-  return apart > voxel / 10 ? apart : 0;
 }
 
 }  // namespace discmc::host

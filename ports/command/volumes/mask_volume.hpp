@@ -16,10 +16,6 @@ namespace discmc::host {
 std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
                                         const VolumeOptions& options, const VolumeInfo& volume);
 
-/// How far a voxel of the mask is at most from that of the volume which it is taken for, as far as
-/// their files tell; 0 where that is a tenth of a voxel or less. Units: millimetres.
-double mask_offset_mm(const VolumeInfo& mask, const VolumeInfo& volume);
-
 }  // namespace discmc::host
 
 #endif

@@ -1,0 +1,52 @@
+#include "volume_offset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace discmc::host {
+namespace {
+
+VolumePlacement by_spacing(const VolumeInfo& info) {
+  std::array<double, 3> spacing = info.spacing_mm;
+  for (double& length : spacing) length = std::fabs(length);
+  return along_coordinates(spacing);
+}
+
+// Two placements that can be compared; where one tells the patient's space alone, that is by the
+// spacing.
+std::array<VolumePlacement, 2> comparable(const VolumeInfo& a, const VolumeInfo& b) {
+  const VolumePlacement at_a = a.placement.value_or(along_coordinates(a.spacing_mm));
+  const VolumePlacement at_b = b.placement.value_or(along_coordinates(b.spacing_mm));
+  if ((at_a.frame == Frame::none) != (at_b.frame == Frame::none))
+    return {by_spacing(a), by_spacing(b)};
+  return {at_a, in_frame(at_b, at_a.frame)};
+}
+
+// How far apart voxels of the same number are at most: at a corner. Units: millimetres.
+double farthest(const VolumeInfo& a, const VolumeInfo& b) {
+  const auto [at_a, at_b] = comparable(a, b);
+  double result = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    std::array<double, 3> apart{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      apart[i] = at_a.origin_mm[i] - at_b.origin_mm[i];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((corner >> axis & 1) != 0)
+          apart[i] += (a.dims[axis] - 1) * (at_a.axes_mm[axis][i] - at_b.axes_mm[axis][i]);
+    }
+    result = std::max(result, std::hypot(apart[0], apart[1], apart[2]));
+  }
+  return result;
+}
+
+}  // namespace
+
+double offset_mm(const VolumeInfo& a, const VolumeInfo& b) {
+  const auto& s = a.spacing_mm;
+  const double voxel = std::min({std::fabs(s[0]), std::fabs(s[1]), std::fabs(s[2])});
+  const double apart = farthest(a, b);
+  return apart > voxel / 10 ? apart : 0;
+}
+
+}  // namespace discmc::host
