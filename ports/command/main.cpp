@@ -25,8 +25,7 @@ int run(int argc, char** argv) {
   });
   app.failure_message(usage_error);
   const std::vector<Command> commands = add_commands(app);
-  app.footer(
-      "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
+  app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

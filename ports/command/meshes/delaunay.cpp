@@ -46,7 +46,7 @@ void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
   changed_.clear();
   waiting_.clear();
   for (Side side = 0; side < twins_.size(); ++side)
-    if (twins_[side] != no_side && side < twins_[side]) waiting_.push_back(side);
+    if (side < twins_[side] && twins_[side] != no_side) waiting_.push_back(side);
   flip_waiting(points, triangles);
 }
 

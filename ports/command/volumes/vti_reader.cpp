@@ -1,6 +1,7 @@
 // VTK's image in XML, https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html: the
 // samples stand in an element of their own, or behind all elements, which is then no XML any more.
 // So what comes before them is cut off and parsed.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -62,9 +63,10 @@ class Head {
     for (const auto word : words(node.attribute(name).value()))
       numbers.push_back(integer(file_, name, word));
     constexpr std::int64_t most = std::int64_t{1} << 40;
-    for (const std::int64_t number : numbers)
-      if (number < -most || number > most) numbers.clear();
-    if (numbers.size() != 6)
+    const bool are_possible = std::all_of(numbers.begin(), numbers.end(), [](std::int64_t number) {
+      return number >= -most && number <= most;
+    });
+    if (numbers.size() != 6 || !are_possible)
       fail(file_, std::string(name) + " is " + shown(node.attribute(name).value()),
            "give the first and the last point of three axes");
     return numbers;
