@@ -95,7 +95,7 @@ nifti_2_header widened(const std::filesystem::path& file, const nifti_1_header& 
   two.vox_offset = whole_offset(file, one.vox_offset);
   two.scl_slope = decimal(one.scl_slope);
   two.scl_inter = decimal(one.scl_inter);
-  two.xyzt_units = one.xyzt_units;
+  two.xyzt_units = static_cast<unsigned char>(one.xyzt_units);
   two.qform_code = one.qform_code;
   two.sform_code = one.sform_code;
   two.quatern_b = static_cast<double>(one.quatern_b);
