@@ -37,11 +37,11 @@ Command add_decode(CLI::App& app) {
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the file that the stream was made of, for --normals "
                                            "gradient (default: the normals in the stream)");
-  decode->get_option("--dims")->needs(volume);
-  decode->get_option("--spacing")->needs(volume);
-  decode->get_option("--series")->needs(volume);
-  decode->get_option("--crop")->needs(volume);
-  decode->get_option("--shrink")->needs(volume);
+  const auto tells_volume = [](const CLI::Option* option) {
+    return option->get_group() == volume_group;
+  };
+  for (CLI::Option* option : decode->get_options(tells_volume))
+    if (option != volume) option->needs(volume);
   decode->footer(
       "Examples:\n"
       "  discmc decode head.dmc -o head.ply\n"

@@ -45,7 +45,7 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   auto options = extraction_options(arguments.reading, progress, mask.get());
   if (arguments.classic) return classic_mesh(*volume, options);
   options.normals = takes_gradient;
-  if (options.normals) {
+  if (options.normals && !is_scanner_type(volume->info().type)) {
     GradientVolume again =
         open_for_gradient(arguments.input, volume_options(arguments.reading.layout),
                           arguments.reading.selections[0].selection.low);

@@ -270,7 +270,7 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fie
 
 // Returns the encoding by the first of its names.
 std::string encoding_of(const std::filesystem::path& file, const Fields& fields) {
-  const std::string encoding = lower(needed(file, fields, "encoding"));
+  std::string encoding = lower(needed(file, fields, "encoding"));
   if (encoding == "raw") return encoding;
   if (one_of(encoding, {"gzip", "gz"})) return "gzip";
   if (one_of(encoding, {"bzip2", "bz2"})) return "bzip2";
