@@ -53,17 +53,21 @@ void write_vector(const char* name, const std::array<double, 3>& vector, std::os
   out << name << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2] << '\n';
 }
 
-void write_placement(const VolumePlacement& placement, bool is_told, std::ostream& out) {
-  const auto digits = out.precision(15);  // a nanometre of an origin as far away as can be
-  out << "space " << (is_told ? space_name(placement.frame) : "voxel") << '\n';
-  write_vector("origin", placement.origin_mm, out);
-  write_vector("axis_x", placement.axes_mm[0], out);
-  write_vector("axis_y", placement.axes_mm[1], out);
-  write_vector("axis_z", placement.axes_mm[2], out);
+}  // namespace
+
+void write_place(const std::array<double, 3>& spacing_mm,
+                 const std::optional<VolumePlacement>& placement, std::ostream& out) {
+  const auto digits = out.precision(10);  // a nanometre of the largest spacing
+  write_vector("spacing", spacing_mm, out);
+  out.precision(15);  // a nanometre of an origin as far away as can be
+  const VolumePlacement place = placement ? *placement : along_coordinates(spacing_mm);
+  out << "space " << (placement ? space_name(place.frame) : "voxel") << '\n';
+  write_vector("origin", place.origin_mm, out);
+  write_vector("axis_x", place.axes_mm[0], out);
+  write_vector("axis_y", place.axes_mm[1], out);
+  write_vector("axis_z", place.axes_mm[2], out);
   out.precision(digits);
 }
-
-}  // namespace
 
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
                  std::uint64_t slice_encoder_bytes, std::ostream& out) {
@@ -99,12 +103,9 @@ void write_info(const StreamHeader& header, std::uint8_t channel,
                 const std::vector<StreamHeader>& streams, const StreamReport& report,
                 const Counts& counts, const std::optional<VolumePlacement>& placement,
                 std::ostream& out) {
-  const auto spacing = spacing_mm(header);
-  const auto digits = out.precision(10);  // a nanometre of the largest spacing
   out << "dimensions " << header.width << ' ' << header.height << ' '
-      << (report.has_trailer ? report.slices : header.depth) << '\n'
-      << "spacing " << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2] << '\n';
-  write_placement(placement ? *placement : along_coordinates(spacing), placement.has_value(), out);
+      << (report.has_trailer ? report.slices : header.depth) << '\n';
+  write_place(spacing_mm(header), placement, out);
   out << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
       << "scan " << header.scan << '\n'
       << "channel " << int{channel} << '\n'
@@ -136,7 +137,6 @@ void write_info(const StreamHeader& header, std::uint8_t channel,
     for (std::uint32_t surface = 0; surface < stream.surfaces(); ++surface)
       out << "surface scan " << stream.scan << " channel " << stream.channel + surface
           << " threshold " << stream.threshold_of(surface) << '\n';
-  out.precision(digits);
 }
 
 }  // namespace discmc::host

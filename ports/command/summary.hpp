@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_SUMMARY_HPP
 #define DISCMC_COMMAND_SUMMARY_HPP
 
+#include <array>
 #include <optional>
 #include <ostream>
 #include <vector>
@@ -18,6 +19,10 @@ namespace discmc::host {
 /// device's memory for a stream of slices; 0 for regions, which take an arena.
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
                  std::uint64_t slice_encoder_bytes, std::ostream& out);
+
+/// Spacing and placement as lines of `info`, for streams and volumes.
+void write_place(const std::array<double, 3>& spacing_mm,
+                 const std::optional<VolumePlacement>& placement, std::ostream& out);
 
 /// One `key value` a line, for people and programs. channel: of the surface that was counted.
 /// streams: all that share the link with it. placement: where the stream tells one.

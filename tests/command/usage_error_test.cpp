@@ -70,5 +70,5 @@ TEST_CASE("arguments too many and too few are told by name") {
              "discmc: 'b.dmc' is one argument too many; leave it out\nSee discmc info --help.\n");
   check_said("extract --border -o v.dmc v.nrrd --iso 5",
              "discmc: --border: -o not in {closed,open}\nSee discmc extract --help.\n");
-  check_said("info --", "discmc: STREAM is required\nSee discmc info --help.\n");
+  check_said("info --", "discmc: INPUT is required\nSee discmc info --help.\n");
 }

@@ -4,12 +4,12 @@
 
 #include "command_line.hpp"
 #include "commands/commands.hpp"
+#include "input_kind.hpp"
 #include "named_values.hpp"
 #include "option_checks.hpp"
 #include "stream_options.hpp"
 #include "surface_options.hpp"
 #include "volume_options.hpp"
-#include "volumes/volume.hpp"
 
 namespace discmc::host {
 namespace {
@@ -25,28 +25,13 @@ CLI::Validator png_name() {
       "");
 }
 
-// By the name; but what is given a threshold must be a volume.
-bool is_volume(const std::string& input, bool has_iso) {
-  const bool is_stream = std::filesystem::path(input).extension() == ".dmc";
-  return is_volume_name(input) || (has_iso && !is_stream);
-}
-
-// An option under a heading of the other kind of input is a mistake.
-void check_kind(const CLI::App& render, const RenderArguments& arguments) {
-  for (const CLI::Option* option : render.get_options()) {
-    const std::string& group = option->get_group();
-    const bool is_other = arguments.is_volume ? group == stream_group
-                                              : group == volume_group || group == surface_group;
-    if (option->count() > 0 && is_other)
-      throw CLI::ValidationError(
-          option->get_name(),
-          (arguments.is_volume ? "is for streams, and " + arguments.input + " is a volume"
-                               : "is for volumes, and " + arguments.input + " is a stream") +
-              ": leave it out");
-  }
+void check(const CLI::App& render, const RenderArguments& arguments) {
+  check_kind(render, arguments.input, arguments.is_volume);
   if (arguments.is_volume && arguments.reading.selections.empty())
     throw CLI::ValidationError(arguments.input,
                                "a volume is drawn at a threshold: give --iso VALUE");
+  if (arguments.view == std::vector<double>{0, 0, 0})
+    throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
 }
 
 void add_picture_options(CLI::App& app, RenderArguments& arguments) {
@@ -117,10 +102,8 @@ Command add_render(CLI::App& app) {
       "  discmc render head.dmc --edges -o head.png\n"
       "  discmc render head.nii.gz --iso 300 --shade smooth -o head.png");
   render->callback([arguments, render] {
-    arguments->is_volume = is_volume(arguments->input, !arguments->reading.selections.empty());
-    check_kind(*render, *arguments);
-    if (arguments->view == std::vector<double>{0, 0, 0})
-      throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
+    arguments->is_volume = is_volume_input(*render, arguments->input).value_or(false);
+    check(*render, *arguments);
   });
   return {render, [arguments] { return run_render(*arguments); }};
 }

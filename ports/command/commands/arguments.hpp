@@ -77,7 +77,15 @@ struct ExtractArguments {
   bool quiet = false;
 };
 
-/// Of `decode` and `info`; each uses what it needs.
+/// Of `info`.
+struct InfoArguments {
+  std::string input;
+  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  StreamChoice choice;
+  LayoutArguments layout;
+};
+
+/// Of `decode`.
 struct StreamArguments {
   std::string stream;
   StreamChoice choice;

@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sample_type.hpp"
@@ -48,6 +49,8 @@ struct VolumeInfo {
   /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
   double slope = 1;
   double intercept = 0;
+  /// Whether the file says that values are Hounsfield units.
+  bool is_in_hounsfield = false;
   /// The format and the way it is stored, for people: "NRRD, gzip".
   std::string format;
   /// What the file says and the reader dropped or took otherwise: a fourth dimension of size 1.
@@ -126,6 +129,12 @@ bool is_volume_name(const std::filesystem::path& file);
 
 /// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
 bool is_read_once(const std::filesystem::path& file);
+
+/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
+/// that is, and streams never do. head: the first magic_bytes of them, fewer where there are no
+/// more.
+bool is_volume_head(std::string_view head);
+constexpr std::size_t magic_bytes = 348;
 
 /// Opens a volume: a file, a folder of DICOM or of pictures, files by a pattern with *, ? or [...],
 /// a pipe, or standard input by the name "-". With a layout the file is taken as headerless

@@ -209,6 +209,8 @@ void set_values(VolumeInfo& info, const std::filesystem::path& source, const Dic
   // Throws where one is of no use.
   for (const DicomFrame& frame : stack) set_scale(info, source, frame.slope, frame.intercept);
   info.type = stack[0].image->type;
+  // The values of CT that are not shifted may be of any unit.
+  info.is_in_hounsfield = stack[0].image->modality == "CT" && info.intercept < 0;
   if (have_one_scale(stack)) return;
   info.type = SampleType::f32;
   info.slope = 1;

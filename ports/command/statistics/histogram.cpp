@@ -1,0 +1,145 @@
+#include "histogram.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace discmc::host {
+namespace {
+
+constexpr unsigned slot_bits = 17;
+constexpr std::size_t slot_count = std::size_t{1} << slot_bits;
+static_assert(slot_count >= 2 * Histogram::most_bins, "half of the slots stay free");
+
+template <std::size_t size>
+using Bits = std::conditional_t<
+    size == 1, std::uint8_t,
+    std::conditional_t<size == 2, std::uint16_t,
+                       std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>>;
+
+template <class Sample>
+constexpr Bits<sizeof(Sample)> sign_bit =
+    static_cast<Bits<sizeof(Sample)>>(Bits<sizeof(Sample)>{1} << (8 * sizeof(Sample) - 1));
+
+// Keys are in the order of the samples: of IEEE 754, magnitudes are in the order of their bits.
+template <class Sample>
+std::uint64_t key_of(Sample sample) {
+  using Key = Bits<sizeof(Sample)>;
+  if constexpr (std::is_floating_point_v<Sample>) {
+    if (sample == Sample{0}) sample = Sample{0};  // there are two of them
+    Key bits = 0;
+    std::memcpy(&bits, &sample, sizeof bits);
+    return (bits & sign_bit<Sample>) != 0 ? static_cast<Key>(~bits) : bits | sign_bit<Sample>;
+  } else if constexpr (std::is_signed_v<Sample>) {
+    return static_cast<Key>(static_cast<Key>(sample) ^ sign_bit<Sample>);
+  } else {
+    return sample;
+  }
+}
+
+template <class Sample>
+Sample sample_with(std::uint64_t key) {
+  using Key = Bits<sizeof(Sample)>;
+  auto bits = static_cast<Key>(key);
+  if constexpr (std::is_floating_point_v<Sample>)
+    bits = (bits & sign_bit<Sample>) != 0 ? bits ^ sign_bit<Sample> : static_cast<Key>(~bits);
+  else if constexpr (std::is_signed_v<Sample>)
+    bits = static_cast<Key>(bits ^ sign_bit<Sample>);
+  Sample sample{};
+  std::memcpy(&sample, &bits, sizeof sample);
+  return sample;
+}
+
+}  // namespace
+
+Histogram::Histogram(SampleType type)
+    : type_(type), slots_(slot_count), least_key_(std::numeric_limits<std::uint64_t>::max()) {}
+
+void Histogram::add(const void* samples, std::size_t count) {
+  with_sample_type(type_,
+                   [&](auto type) { add_all(static_cast<const decltype(type)*>(samples), count); });
+}
+
+template <class Sample>
+void Histogram::add_all(const Sample* samples, std::size_t count) {
+  double sum = 0;  // of few, so that rounding stays small
+  for (std::size_t i = 0; i < count; ++i) {
+    const Sample sample = samples[i];
+    if constexpr (std::is_floating_point_v<Sample>) {
+      if (!std::isfinite(sample)) {
+        ++(std::isnan(sample) ? not_numbers_ : infinite_);
+        continue;
+      }
+    }
+    sum += static_cast<double>(sample);
+    add_key(key_of(sample));
+  }
+  sum_ += sum;
+}
+
+void Histogram::add_key(std::uint64_t key) {
+  least_key_ = std::min(least_key_, key);
+  greatest_key_ = std::max(greatest_key_, key);
+  ++finite_;
+  Slot* slot = &slot_of(key >> dropped_bits_);
+  if (slot->count == 0) {
+    while (used_ == most_bins) drop_a_bit();
+    slot = &slot_of(key >> dropped_bits_);
+    if (slot->count == 0) ++used_;
+    slot->key = key >> dropped_bits_;
+  }
+  ++slot->count;
+}
+
+Histogram::Slot& Histogram::slot_of(std::uint64_t key) {
+  constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15;  // Knuth's multiplicative hashing
+  std::uint64_t place = key * golden_ratio >> (64 - slot_bits);
+  while (slots_[place].count != 0 && slots_[place].key != key) place = (place + 1) % slot_count;
+  return slots_[place];
+}
+
+void Histogram::drop_a_bit() {
+  std::vector<Slot> before(slot_count);
+  before.swap(slots_);
+  used_ = 0;
+  ++dropped_bits_;
+  for (const Slot& old : before) {
+    if (old.count == 0) continue;
+    Slot& slot = slot_of(old.key >> 1);
+    if (slot.count == 0) ++used_;
+    slot.key = old.key >> 1;
+    slot.count += old.count;
+  }
+}
+
+std::vector<Histogram::Bin> Histogram::bins() const {
+  std::vector<Slot> used;
+  std::copy_if(slots_.begin(), slots_.end(), std::back_inserter(used),
+               [](const Slot& slot) { return slot.count != 0; });
+  std::sort(used.begin(), used.end(), [](const Slot& a, const Slot& b) { return a.key < b.key; });
+  std::vector<Bin> bins;
+  for (const Slot& slot : used)
+    bins.push_back({sample_of(std::max(slot.key << dropped_bits_, least_key_)), slot.count});
+  return bins;
+}
+
+double Histogram::sample_of(std::uint64_t key) const {
+  return with_sample_type(
+      type_, [key](auto type) { return static_cast<double>(sample_with<decltype(type)>(key)); });
+}
+
+double Histogram::least() const {
+  return finite_ > 0 ? sample_of(least_key_) : 0;
+}
+
+double Histogram::greatest() const {
+  return finite_ > 0 ? sample_of(greatest_key_) : 0;
+}
+
+double Histogram::mean() const {
+  return finite_ > 0 ? sum_ / static_cast<double>(finite_) : 0;
+}
+
+}  // namespace discmc::host

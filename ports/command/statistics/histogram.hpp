@@ -1,0 +1,74 @@
+// How often which samples are there.
+#ifndef DISCMC_COMMAND_STATISTICS_HISTOGRAM_HPP
+#define DISCMC_COMMAND_STATISTICS_HISTOGRAM_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "volumes/sample_type.hpp"
+
+namespace discmc::host {
+
+/// Counts samples of one type. As long as no more than most_bins different ones have come, each
+/// has a bin of its own: always, where they are of 8 or 16 bits. Beyond, samples share a bin that
+/// are alike but for their last bits, as few bits as will do: then whole numbers are counted to
+/// 2^n, floating point to a part of 2^-n of them, mostly less than a thousandth.
+/// Memory: 2 MiB, whatever comes.
+class Histogram {
+ public:
+  static constexpr std::size_t most_bins = 65536;
+
+  explicit Histogram(SampleType type);
+
+  /// Takes finite samples, and counts the others. samples: of the type, aligned.
+  void add(const void* samples, std::size_t count);
+
+  struct Bin {
+    double sample;  ///< the least that it can hold, or that has come
+    std::uint64_t count;
+  };
+  /// All that are not empty, in the order of their samples.
+  std::vector<Bin> bins() const;
+
+  /// Whether every bin is of one sample.
+  bool is_exact() const { return dropped_bits_ == 0; }
+
+  /// Of the finite samples; 0 where there are none. Exact, save that a mean is rounded.
+  double least() const;
+  double greatest() const;
+  double mean() const;
+
+  std::uint64_t finite() const { return finite_; }
+  std::uint64_t not_numbers() const { return not_numbers_; }
+  std::uint64_t infinite() const { return infinite_; }
+
+ private:
+  // Open addressing. Keys are samples as whole numbers of the same order.
+  struct Slot {
+    std::uint64_t key;
+    std::uint64_t count;  // 0: free
+  };
+
+  template <class Sample>
+  void add_all(const Sample* samples, std::size_t count);
+  void add_key(std::uint64_t key);
+  Slot& slot_of(std::uint64_t key);
+  void drop_a_bit();
+  double sample_of(std::uint64_t key) const;
+
+  SampleType type_;
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+  unsigned dropped_bits_ = 0;
+  std::uint64_t least_key_;
+  std::uint64_t greatest_key_ = 0;
+  double sum_ = 0;
+  std::uint64_t finite_ = 0;
+  std::uint64_t not_numbers_ = 0;
+  std::uint64_t infinite_ = 0;
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,44 @@
+#include "threshold_rule.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "value_text.hpp"
+
+namespace discmc::host {
+namespace {
+
+std::string range_text(const VolumeStatistics& statistics) {
+  return value_text(statistics.least) + " to " + value_text(statistics.greatest);
+}
+
+RuledThreshold otsu(const VolumeStatistics& statistics) {
+  if (const auto iso = otsu_threshold(statistics)) return {*iso, ThresholdRule::otsu};
+  throw std::invalid_argument(
+      statistics.numbers == 0 ? "no value is a finite number, and none divides them; check the file"
+                              : "all values are " + value_text(statistics.least) +
+                                    ", and none divides them; give --iso " +
+                                    value_text(statistics.least) + " to take them all");
+}
+
+}  // namespace
+
+bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics) {
+  constexpr double air_at_most = -500;
+  return info.is_in_hounsfield ||
+         (statistics.least <= air_at_most && statistics.greatest >= bone_threshold);
+}
+
+RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
+                            const VolumeStatistics& statistics) {
+  if (rule == ThresholdRule::automatic)
+    rule = is_in_hounsfield ? ThresholdRule::bone : ThresholdRule::otsu;
+  if (rule == ThresholdRule::otsu) return otsu(statistics);
+  if (!is_in_hounsfield)
+    throw std::invalid_argument("--iso " + std::string(name(rule)) +
+                                " is of Hounsfield units, and the values are " +
+                                range_text(statistics) + "; give a number or --iso otsu");
+  return {rule == ThresholdRule::bone ? bone_threshold : skin_threshold, rule};
+}
+
+}  // namespace discmc::host

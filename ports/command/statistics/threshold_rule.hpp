@@ -1,0 +1,48 @@
+// Thresholds that follow from the values of a volume.
+#ifndef DISCMC_COMMAND_STATISTICS_THRESHOLD_RULE_HPP
+#define DISCMC_COMMAND_STATISTICS_THRESHOLD_RULE_HPP
+
+#include <string_view>
+#include <utility>
+
+#include "volume_statistics.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// Otsu's threshold, or that of a tissue in CT. Automatic is bone where values are in Hounsfield
+/// units, Otsu elsewhere.
+enum class ThresholdRule { automatic, otsu, bone, skin };
+
+/// All of them, by the names that the command line has for them.
+constexpr std::pair<std::string_view, ThresholdRule> threshold_rules[] = {
+    {"auto", ThresholdRule::automatic},
+    {"otsu", ThresholdRule::otsu},
+    {"bone", ThresholdRule::bone},
+    {"skin", ThresholdRule::skin}};
+
+constexpr std::string_view name(ThresholdRule rule) {
+  return threshold_rules[static_cast<std::size_t>(rule)].first;
+}
+
+/// Units: Hounsfield. Water is 0, air -1000: soft tissue is left below bone, air below skin.
+constexpr double bone_threshold = 300;
+constexpr double skin_threshold = -300;
+
+/// Whether values are Hounsfield units: the file says so, or they reach from air to bone. Other
+/// scanners measure nothing as far below zero.
+bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics);
+
+/// A threshold, and the rule that was followed: never automatic.
+struct RuledThreshold {
+  double iso;
+  ThresholdRule rule;
+};
+
+/// Throws std::invalid_argument, with the range of the values, where the rule does not fit them.
+RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
+                            const VolumeStatistics& statistics);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,90 @@
+#include "volume_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "histogram.hpp"
+
+namespace discmc::host {
+namespace {
+
+double rounded(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return std::strtod(text, nullptr);
+}
+
+// A number with as few digits as possible, above `low` and up to `high`, in their middle if it can.
+double short_number_between(double low, double high) {
+  const double middle = low / 2 + high / 2;
+  for (int digits = 1; digits <= 17; ++digits)
+    for (const double value : {rounded(middle, digits), rounded(high, digits)})
+      if (low < value && value <= high) return value;
+  return high;
+}
+
+}  // namespace
+
+VolumeStatistics volume_statistics(VolumeReader& volume,
+                                   const std::function<void(std::uint32_t)>& progress) {
+  const VolumeInfo& info = volume.info();
+  Histogram histogram(info.type);
+  std::vector<std::uint8_t> slice(info.slice_bytes());
+  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+    volume.read_slice(slice.data());
+    histogram.add(slice.data(), std::size_t{info.dims[0]} * info.dims[1]);
+    progress(z + 1);
+  }
+  const auto value = [&info](double sample) { return info.slope * sample + info.intercept; };
+  VolumeStatistics statistics;
+  statistics.numbers = histogram.finite();
+  statistics.not_numbers = histogram.not_numbers();
+  statistics.infinite = histogram.infinite();
+  statistics.least = value(histogram.least());
+  statistics.greatest = value(histogram.greatest());
+  statistics.mean = value(histogram.mean());
+  for (const Histogram::Bin& bin : histogram.bins())
+    statistics.counts.push_back({value(bin.sample), bin.count});
+  statistics.is_exact = histogram.is_exact();
+  return statistics;
+}
+
+double percentile(const VolumeStatistics& statistics, double percent) {
+  const double wanted = percent * static_cast<double>(statistics.numbers) / 100;
+  std::uint64_t seen = 0;
+  for (const ValueCount& each : statistics.counts) {
+    seen += each.count;
+    if (static_cast<double>(seen) >= wanted) return each.value;
+  }
+  return statistics.greatest;
+}
+
+std::optional<double> otsu_threshold(const VolumeStatistics& statistics) {
+  const std::vector<ValueCount>& counts = statistics.counts;
+  // Shares of the largest magnitude, so that no square overflows.
+  const double unit = std::max(std::fabs(statistics.least), std::fabs(statistics.greatest));
+  double whole_sum = 0;
+  for (const ValueCount& each : counts)
+    whole_sum += each.value / unit * static_cast<double>(each.count);
+  const auto whole = static_cast<double>(statistics.numbers);
+
+  double most = 0;
+  std::size_t best = 0;
+  double below = 0;
+  double sum_below = 0;
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    below += static_cast<double>(counts[i - 1].count);
+    sum_below += counts[i - 1].value / unit * static_cast<double>(counts[i - 1].count);
+    const double difference = sum_below / below - (whole_sum - sum_below) / (whole - below);
+    const double variance = below * (whole - below) * difference * difference;
+    if (variance <= most) continue;
+    most = variance;
+    best = i;
+  }
+  if (best == 0) return std::nullopt;
+  return short_number_between(counts[best - 1].value, counts[best].value);
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,49 @@
+// The values of a volume: what is there, and how often.
+#ifndef DISCMC_COMMAND_STATISTICS_VOLUME_STATISTICS_HPP
+#define DISCMC_COMMAND_STATISTICS_VOLUME_STATISTICS_HPP
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::host {
+
+/// Values that are alike, or all but alike, as Histogram counts them.
+struct ValueCount {
+  double value;
+  std::uint64_t count;
+};
+
+/// Units: those that the file declares. Infinite values count as infinite, and nowhere else.
+struct VolumeStatistics {
+  std::uint64_t numbers = 0;  ///< finite ones
+  std::uint64_t not_numbers = 0;
+  std::uint64_t infinite = 0;
+  double least = 0;
+  double greatest = 0;
+  double mean = 0;
+  std::vector<ValueCount> counts;  ///< in the order of values
+  /// Whether each of `counts` is of one value. Then percentiles and Otsu's threshold are exact,
+  /// too.
+  bool is_exact = true;
+};
+
+/// Reads the volume to its end. progress: called with the number of slices done.
+VolumeStatistics volume_statistics(VolumeReader& volume,
+                                   const std::function<void(std::uint32_t)>& progress);
+
+/// The least value that at least so many percent of the numbers do not exceed.
+/// Limit: there are numbers; 0 < percent <= 100.
+double percentile(const VolumeStatistics& statistics, double percent);
+
+/// Otsu's threshold: of all pairs of what is below a value and what is not, that whose means differ
+/// most, weighed by their sizes. Of the thresholds between the two, one with few digits. Nothing
+/// where there are no two values.
+std::optional<double> otsu_threshold(const VolumeStatistics& statistics);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,180 @@
+// discmc info of volumes, and how it tells them from streams.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace command;
+using volume_files::gzip;
+using volume_files::nrrd;
+using volume_files::SampleType;
+using volume_files::stored;
+
+const std::string directions =
+    "space: LPS\nspace directions: (0.5,0,0) (0,2,0) (0,0,3)\nspace origin: (1,2,3)\n";
+const std::string u8_file =
+    nrrd(volume_files::nrrd_u8 + directions) + "\n" + stored(SampleType::u8);
+
+// Of two millimetres a voxel, as text.
+std::string text_volume(const std::string& type, const std::string& sizes,
+                        const std::string& samples) {
+  return nrrd("type: " + type + "\nencoding: ascii\nspacings: 2 2 2\n", sizes) + "\n" + samples;
+}
+
+bool has_line(const std::string& text, const std::string& line) {
+  return contains("\n" + text, "\n" + line + "\n");
+}
+
+}  // namespace
+
+TEST_CASE("info tells what the file of a volume says, and what its values are") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", u8_file);
+  const std::string info = workshop.done("info v.nrrd");
+  INFO(info);
+  for (const char* line :
+       {"format NRRD, raw", "type u8",           "slope 1",           "intercept 0",
+        "frames 1",         "dimensions 5 3 4",  "extent 2.5 6 12",   "spacing 0.5 2 3",
+        "space lps",        "origin 1 2 3",      "axis_x 0.5 0 0",    "axis_y 0 2 0",
+        "axis_z 0 0 3",     "voxels 60",         "not_numbers 0",     "infinite 0",
+        "range 0 236",      "mean 118",          "percentile_1 0",    "percentile_5 8",
+        "percentile_25 56", "percentile_50 116", "percentile_75 176", "percentile_95 224",
+        "percentile_99 236"})
+    CHECK(has_line(info, line));
+}
+
+TEST_CASE("a stream and the volume that it was made of tell their place alike") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", u8_file);
+  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+  auto volume = workshop.info("v.nrrd");
+  auto stream = workshop.info("v.dmc");
+  for (const char* key : {"dimensions", "spacing", "space", "origin", "axis_x", "axis_y", "axis_z"})
+    CHECK(volume.at(key) == stream.at(key));
+}
+
+TEST_CASE("the histogram counts every voxel once, within 80 columns") {
+  const Workshop workshop;
+  std::string samples = "-100000 90000";  // outliers
+  for (int i = 0; i < 998; ++i) samples += ' ' + std::to_string(i);
+  workshop.write("v.nrrd", text_volume("int", "10 10 10", samples));
+  std::istringstream lines(workshop.done("info v.nrrd"));
+  std::vector<std::array<double, 3>> found;
+  for (std::string line; std::getline(lines, line);) {
+    INFO(line);
+    CHECK(line.size() <= 80);
+    std::istringstream words(line);
+    std::string key, bar;
+    std::array<double, 3> values{};
+    words >> key;
+    if (key != "histogram") continue;
+    words >> values[0] >> values[1] >> values[2] >> bar;
+    found.push_back(values);
+    CHECK(!bar.empty());
+    CHECK(bar.size() <= 34);
+  }
+  REQUIRE(found.size() == 10);
+  CHECK(found.front() == std::array<double, 3>{-100000, 100, 101});
+  CHECK(found[4] == std::array<double, 3>{400, 500, 100});
+  CHECK(found.back() == std::array<double, 3>{900, 90000, 99});
+}
+
+TEST_CASE("few values are told each by itself, and as labels where they are whole") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", text_volume("short", "2 2 2", "0 0 0 0 0 5 5 12"));
+  const std::string info = workshop.done("info v.nrrd");
+  INFO(info);
+  CHECK(contains(info, "histogram          0          0           5 ####"));
+  CHECK(contains(info, "histogram          5          5           2 ####"));
+  CHECK(contains(info, "histogram         12         12           1 ####"));
+  CHECK(has_line(info, "proposal --label N: the values are few and whole, as labels are: 5 12"));
+  workshop.write("v.nrrd", text_volume("float", "2 2 2", "0 0 0 0 0 5 5 12.5"));
+  CHECK(!contains(workshop.done("info v.nrrd"), "--label"));
+}
+
+TEST_CASE("info proposes Otsu's threshold, and those of tissue for Hounsfield units") {
+  const Workshop workshop;
+  workshop.write("ct.nrrd", text_volume("short", "2 2 2", "-1000 -1000 -990 40 50 60 1200 1100"));
+  workshop.write("mri.nrrd", text_volume("float", "2 2 2", "0.1 0.2 0.1 0.3 0.7 0.8 0.75 nan"));
+  const std::string ct = workshop.done("info ct.nrrd");
+  CHECK(contains(ct, "proposal --iso=300 bone"));
+  CHECK(contains(ct, "proposal --iso=-300 skin"));
+  CHECK(contains(ct, "proposal --iso="));
+  const std::string mri = workshop.done("info mri.nrrd");
+  INFO(mri);
+  CHECK(contains(mri, "proposal --iso=0.5 otsu"));
+  CHECK(!contains(mri, "skin"));
+  CHECK(has_line(mri, "range 0.1 0.8"));
+  CHECK(has_line(mri, "not_numbers 1"));
+  const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/";
+  const Result dicom = workshop.run("info " + series + "series");
+  if (dicom.code == 0) CHECK(contains(dicom.out, " bone: "));  // where it is built with DICOM
+}
+
+TEST_CASE("a volume without numbers has no values to tell") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", text_volume("float", "2 1 2", "nan inf nan nan"));
+  const std::string info = workshop.done("info v.nrrd");
+  CHECK(has_line(info, "not_numbers 3"));
+  CHECK(has_line(info, "infinite 1"));
+  CHECK(!contains(info, "range"));
+  CHECK(!contains(info, "proposal"));
+}
+
+TEST_CASE("values at the ends of 64-bit floating point have a histogram, too") {
+  const Workshop workshop;
+  std::string least, most;
+  for (int i = 0; i < 20; ++i) {
+    least += std::to_string(i) + "e-322 ";
+    most += (i % 2 == 0 ? "-0." : "0.") + std::to_string(i + 1) + "e308 ";
+  }
+  for (const std::string& samples : {least, most}) {
+    workshop.write("v.nrrd", text_volume("double", "20 1 1", samples));
+    CHECK(contains(workshop.done("info v.nrrd"), "\nhistogram "));
+  }
+}
+
+TEST_CASE("what has no telling name is a volume by its first bytes, and else a stream") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", u8_file);
+  workshop.write("v.raw", stored(SampleType::u8));
+  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+  const std::string volume = workshop.done("info v.nrrd");
+  const std::string stream = workshop.done("info v.dmc");
+  workshop.write("packed", gzip(u8_file));
+  workshop.shell("cp v.nrrd volume; cp v.dmc stream; cp v.raw samples");
+  CHECK(workshop.done("info volume") == volume);
+  CHECK(workshop.done("info stream") == stream);
+  CHECK(workshop.shell("\"$discmc\" info - <v.nrrd").out == volume);
+  CHECK(workshop.shell("cat v.nrrd | \"$discmc\" info -").out == volume);
+  CHECK(workshop.shell("cat v.dmc | \"$discmc\" info -").out == stream);
+  CHECK(contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw\n"));
+  CHECK(contains(workshop.done("info samples --dims 5,3,4 --type u8"), "\nrange 0 236\n"));
+  CHECK(contains(workshop.shell("\"$discmc\" info - --dims 5,3,4 --type u8 <v.raw").out,
+                 "\nrange 0 236\n"));
+}
+
+TEST_CASE("a large input is replayed whole") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", nrrd(volume_files::nrrd_u8, "300 300 10") + "\n" +
+                               std::string(300 * 300 * 10 - 1, '\1') + '\7');
+  const Result result = workshop.shell("cat v.nrrd | \"$discmc\" info -");
+  CHECK(result.out == workshop.done("info v.nrrd"));
+  CHECK(contains(result.out, "\nhistogram          7          7           1 #\n"));
+}
+
+TEST_CASE("info refuses options of the other kind, and what is neither") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", u8_file);
+  workshop.write("nothing", "words");
+  check_failure(workshop.run("info v.nrrd --channel 1"), 2, {"--channel", "is for streams"});
+  check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "is for volumes"});
+  check_failure(workshop.run("info nothing"), 1, {"nothing", "is this a .dmc file?"});
+  check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});
+  workshop.write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
+  CHECK(workshop.run("info short.nrrd").code == 1);
+}
