@@ -37,7 +37,7 @@ TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
   workshop.write("v.raw", boxes());
   workshop.done(extract + "-o all.jsonl");
   const auto kept = [&](const std::string& options) {
-    const auto result = workshop.run(extract + options + " -q -o kept.jsonl");
+    const auto result = workshop.run(extract + options + " --allow-empty -q -o kept.jsonl");
     CHECK(result.code == 0);
     workshop.done(extract + "-q -o v.dmc");
     const auto decoded = workshop.run("decode v.dmc " + options + " -o decoded.jsonl");

@@ -101,7 +101,7 @@ TEST_CASE("what cannot be compared is refused by its name") {
   workshop.write("empty.stl", "");
   workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
   check_failure(workshop.run("compare v.dmc v.nrrd"), 2, {"v.nrrd", "--iso"});
-  check_failure(workshop.run("compare v.dmc v.nrrd --iso 300"), 1, {"v.nrrd", "empty"});
+  check_failure(workshop.run("compare v.dmc v.nrrd --iso 300"), 1, {"v.nrrd", "no voxel"});
   check_failure(workshop.run("compare v.dmc broken.obj"), 1, {"broken.obj"});
   check_failure(workshop.run("compare v.dmc empty.stl"), 1, {"empty.stl"});
   check_failure(workshop.run("compare v.dmc none.ply"), 1, {"none.ply"});

@@ -40,7 +40,7 @@ TEST_CASE("a label selects the voxels of one value") {
   workshop.write("v.raw", volume_files::stored(volume_files::SampleType::u8));
   CHECK(contains(workshop.done(ramp + "--label 12 -o v.stl"),
                  "classic MC triangles                   8"));
-  CHECK(contains(workshop.done(ramp + "--label 13 -o v.stl"),
+  CHECK(contains(workshop.done(ramp + "--label 13 --allow-empty -o v.stl"),
                  "classic MC triangles                   0"));
 }
 

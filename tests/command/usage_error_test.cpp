@@ -61,8 +61,10 @@ TEST_CASE("a value that is missing or no value of its option is answered with th
   CHECK(contains(Workshop().run("extract v.raw --dims 1,2").error, "2; give --dims X,Y,Z\n"));
   CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error, "; give --dims X,Y,Z\n"));
   CHECK(contains(Workshop().run("extract v.raw --scan").error, "; give --scan N\n"));
-  CHECK(contains(Workshop().run("extract v.raw --iso much").error, "'much' is no finite number\n"));
-  CHECK(contains(Workshop().run("extract v.raw --iso 5x").error, "'5x' is no finite number\n"));
+  CHECK(contains(Workshop().run("extract v.raw --iso much").error,
+                 "'much' is no finite number, auto, otsu, bone or skin\n"));
+  CHECK(contains(Workshop().run("extract v.raw --iso 5x").error,
+                 "'5x' is no finite number, auto, otsu, bone or skin\n"));
 }
 
 TEST_CASE("arguments too many and too few are told by name") {

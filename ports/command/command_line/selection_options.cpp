@@ -18,13 +18,15 @@ std::optional<double> number(const std::string& text) {
   return is_number ? std::optional<double>(value) : std::nullopt;
 }
 
-std::optional<Selection> threshold(const std::string& text) {
+std::optional<NamedSelection> threshold(const std::string& text) {
+  for (const auto& [called, rule] : threshold_rules)
+    if (called == text) return NamedSelection{{}, text, {}, rule};
   const auto low = number(text);
-  return low ? std::optional<Selection>(*low) : std::nullopt;
+  return low ? std::optional(NamedSelection{*low, text}) : std::nullopt;
 }
 
 // An end that is left out is infinite.
-std::optional<Selection> range(const std::string& text) {
+std::optional<NamedSelection> range(const std::string& text) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos || text.size() == 2) return std::nullopt;
   const std::string low = text.substr(0, dots);
@@ -33,16 +35,16 @@ std::optional<Selection> range(const std::string& text) {
   const auto lowest = low.empty() ? -infinity : number(low);
   const auto highest = high.empty() ? infinity : number(high);
   if (!lowest || !highest || *lowest > *highest) return std::nullopt;
-  return Selection(*lowest, *highest);
+  return NamedSelection{{*lowest, *highest}, text};
 }
 
-std::optional<Selection> label(const std::string& text) {
+std::optional<NamedSelection> label(const std::string& text) {
   const auto value = number(text);
   if (!value || *value != std::floor(*value)) return std::nullopt;
-  return Selection(*value, *value);
+  return NamedSelection{{*value, *value}, text};
 }
 
-using Parse = std::optional<Selection> (*)(const std::string&);
+using Parse = std::optional<NamedSelection> (*)(const std::string&);
 
 CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse parse,
                                   const std::string& form, const std::string& wanted,
@@ -52,7 +54,7 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
       .add_option_function<std::vector<std::string>>(
           name,
           [&selections, parse](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) selections.push_back({*parse(text), text});
+            for (const std::string& text : texts) selections.push_back(*parse(text));
           },
           description)
       ->check(CLI::Validator(
@@ -69,8 +71,11 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
 void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections) {
   app.option_defaults()->group(surface_group);
   CLI::Option* iso = add_selection_option(
-      app, "--iso", threshold, "ISO", "finite number", selections,
-      "the threshold, in the units of the file: a voxel is on if its value is >= ISO");
+      app, "--iso", threshold, "ISO|auto|otsu|bone|skin", "finite number, auto, otsu, bone or skin",
+      selections,
+      "the threshold, in the units of the file: a voxel is on if its value is >= ISO; otsu: that "
+      "which divides the values best; bone, skin: of CT, 300 and -300; auto: bone of CT, else "
+      "otsu");
   CLI::Option* between = add_selection_option(
       app, "--range", range, "LOW..HIGH", "range: give LOW..HIGH, one of which may be left out",
       selections, "in place of --iso: a voxel is on if LOW <= value <= HIGH");

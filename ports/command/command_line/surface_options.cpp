@@ -27,6 +27,8 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
           },
           ""))
       ->option_text("FILE");
+  app.add_flag("--allow-empty", arguments.allows_empty,
+               "take a surface without polygons for no failure");
   CLI::Option* memory = add_memory_option(
       app, arguments.memory,
       "bytes that the extractor has, with K or M for 1024 and 1024^2 (default: plenty)");

@@ -10,7 +10,7 @@ namespace discmc::host {
 
 constexpr const char* surface_group = "Surface";
 
-/// --iso, --border, --median, --mask, --memory and --capacities.
+/// Those of selections, --border, --median, --mask, --allow-empty, --memory and --capacities.
 void add_surface_options(CLI::App& app, VolumeArguments& arguments);
 
 }  // namespace discmc::host

@@ -13,6 +13,7 @@
 #include "extraction/selection.hpp"
 #include "meshes/mesh.hpp"
 #include "srgb.hpp"
+#include "statistics/threshold_rule.hpp"
 #include "streams/stream_file.hpp"
 #include "surface/components.hpp"
 #include "volumes/volume.hpp"
@@ -36,15 +37,17 @@ struct LayoutArguments {
 struct NamedSelection {
   Selection selection;
   std::string name;  ///< as it was given, "300"; of a label in the table, its name there
-  std::optional<Srgb> colour{};  ///< of a label in the table, if it has one there
+  std::optional<Srgb> colour{};         ///< of a label in the table, if it has one there
+  std::optional<ThresholdRule> rule{};  ///< by which the selection is still to be found
 };
 
 /// How a volume is read and its surface taken: of every command that takes one.
 struct VolumeArguments {
   std::vector<NamedSelection> selections;  ///< one a surface
   Border border = Border::closed;
-  std::uint32_t median = 0;  ///< voxels across the filter of bits; 0: none
-  std::string mask;          ///< the file of a volume, or none
+  std::uint32_t median = 0;   ///< voxels across the filter of bits; 0: none
+  std::string mask;           ///< the file of a volume, or none
+  bool allows_empty = false;  ///< surfaces
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< records and holes, or none
   LayoutArguments layout;

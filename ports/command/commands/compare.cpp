@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "empty_surface.hpp"
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
 #include "mesh_files/mesh_reader.hpp"
@@ -18,6 +19,7 @@
 #include "progress.hpp"
 #include "require.hpp"
 #include "stream_input.hpp"
+#include "thresholds.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::host {
@@ -45,6 +47,16 @@ Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePl
   return {std::move(mesh), !placement || lies_along_coordinates(*placement), code};
 }
 
+Compared surface_of_volume(const std::string& name, VolumeArguments reading) {
+  reading.selections = with_thresholds(name, reading);
+  const auto volume = open_noted_volume(name, reading);
+  Progress progress("extracting", volume->info().dims[2]);
+  Mesh mesh = classic_mesh(*volume, extraction_options(reading, progress));
+  if (mesh.face_count() == 0)
+    throw VolumeError(why_empty(name, reading, reading.selections[0].selection));
+  return placed(std::move(mesh), name, volume->info().placement, exit_ok);
+}
+
 Compared surface_of(const ComparedInput& input, const CompareArguments& arguments) {
   if (input.kind == ComparedInput::Kind::mesh) return {read_mesh(input.name), false, exit_ok};
   if (input.kind == ComparedInput::Kind::stream) {
@@ -52,10 +64,7 @@ Compared surface_of(const ComparedInput& input, const CompareArguments& argument
     return placed(build_mesh(decoded.surface, {true, Faces::triangles}), input.name,
                   decoded.placement, completeness(input.name, decoded.report));
   }
-  const auto volume = open_noted_volume(input.name, arguments.reading);
-  Progress progress("extracting", volume->info().dims[2]);
-  return placed(classic_mesh(*volume, extraction_options(arguments.reading, progress)), input.name,
-                volume->info().placement, exit_ok);
+  return surface_of_volume(input.name, arguments.reading);
 }
 
 void write_row(const char* name, const Distances& distances) {

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "empty_surface.hpp"
 #include "mesh_files/file_format.hpp"
+#include "thresholds.hpp"
 
 namespace discmc::host {
 
@@ -59,8 +61,18 @@ void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbe
               << " samples are not a number (NaN), and taken as off\n";
 }
 
-int run_extract(const ExtractArguments& arguments) {
-  if (arguments.takes_all_labels) return extract_label_meshes(arguments);
+void require_surfaces(const ExtractArguments& arguments,
+                      const std::vector<Extraction>& extractions) {
+  if (arguments.reading.allows_empty) return;
+  for (std::size_t i = 0; i < extractions.size(); ++i)
+    if (extractions[i].statistics.facets == 0)
+      fail_empty(arguments.volume, arguments.reading, arguments.reading.selections[i].selection);
+}
+
+int run_extract(const ExtractArguments& given) {
+  if (given.takes_all_labels) return extract_label_meshes(given);
+  ExtractArguments arguments = given;
+  arguments.reading.selections = with_thresholds(given.volume, given.reading);
   return format_of(arguments.output) == Format::stream ? extract_stream(arguments)
                                                        : extract_meshes(arguments);
 }

@@ -47,8 +47,13 @@ struct SurfaceOutput {
 };
 
 /// Writes a mesh of what is chosen of the surface, with normals as asked. placement: of the mesh.
+/// Throws VolumeError where nothing is left, and that must not be: of labels it may.
 void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
                    const std::optional<VolumePlacement>& placement);
+
+/// Throws as fail_empty() where a surface is empty and must not be.
+void require_surfaces(const ExtractArguments& arguments,
+                      const std::vector<Extraction>& extractions);
 
 /// Says how many samples are not a number, if any.
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers);

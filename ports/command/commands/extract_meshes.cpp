@@ -37,6 +37,11 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
 void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
                    const std::optional<VolumePlacement>& placement) {
   keep_chosen(arguments.volume, arguments.components, output.surface);
+  if (output.surface.polygons.empty() && !arguments.takes_all_labels &&
+      !arguments.reading.allows_empty)
+    throw VolumeError(arguments.volume +
+                      ": no body is as large as --min-volume says; give less, "
+                      "--allow-empty takes an empty surface");
   OutputFile file(output.file);
   MeshOptions options = arguments.mesh;
   options.crossings = output.crossings;
@@ -52,7 +57,7 @@ void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& outpu
 }
 
 int extract_meshes(const ExtractArguments& arguments) {
-  if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume);
+  if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume, gradient_pass);
   std::vector<NamedSelection> selections = arguments.reading.selections;
   const LabelTable table = label_table_of(arguments);
   for (NamedSelection& each : selections) describe(each, table);
@@ -81,6 +86,7 @@ int extract_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
   const std::vector<Extraction> extractions = extract(*volume, options, requests);
   note_not_numbers(arguments, extractions[0].not_numbers);
+  require_surfaces(arguments, extractions);
 
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();

@@ -104,8 +104,9 @@ int extract_stream(const ExtractArguments& arguments) {
 
   const std::vector<Extraction> extractions =
       extract(*volume, options, requests_of(selections, receivers));
-  file.commit();
   note_not_numbers(arguments, extractions[0].not_numbers);
+  require_surfaces(arguments, extractions);
+  file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
   for (std::size_t i = 0; i < receivers.size(); ++i) {

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "empty_surface.hpp"
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/extraction.hpp"
@@ -14,6 +15,7 @@
 #include "stream_input.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
+#include "thresholds.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::host {
@@ -38,7 +40,7 @@ bool has_gradient(const VolumeArguments& arguments) {
 
 Mesh volume_to_draw(const RenderArguments& arguments) {
   const bool takes_gradient = arguments.smooth && has_gradient(arguments.reading);
-  if (takes_gradient) require_second_pass(arguments.input);
+  if (takes_gradient) require_second_pass(arguments.input, gradient_pass);
   auto volume = open_noted_volume(arguments.input, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
   const auto mask = open_noted_mask(arguments.reading, volume->info());
@@ -73,11 +75,15 @@ PictureOptions picture_options(const RenderArguments& arguments) {
 
 }  // namespace
 
-int run_render(const RenderArguments& arguments) {
+int run_render(const RenderArguments& given) {
+  RenderArguments arguments = given;
   Mesh mesh;
   int code = exit_ok;
   if (arguments.is_volume) {
+    arguments.reading.selections = with_thresholds(given.input, given.reading);
     mesh = volume_to_draw(arguments);
+    if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
+      fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0].selection);
   } else {
     const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
     mesh = mesh_to_draw(arguments, decoded.surface);

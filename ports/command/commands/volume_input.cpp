@@ -43,18 +43,23 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
   return options;
 }
 
-void require_second_pass(const std::string& path) {
+VolumeOptions volume_options(const VolumeArguments& arguments) {
+  VolumeOptions options = volume_options(arguments.layout);
+  if (selects_labels(arguments)) options.block_value = BlockValue::most_frequent;
+  return options;
+}
+
+void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
-    throw VolumeError((path == "-" ? "standard input" : path) +
-                      ": normals of the gradient take a second pass, and this can be read once; "
-                      "store the volume in a file first");
+    throw VolumeError((path == "-" ? "standard input" : path) + ": " + purpose +
+                      ", and this can be read once; store the volume in a file first");
 }
 
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
                                                 const VolumeArguments& arguments,
                                                 bool holds_labels) {
-  VolumeOptions options = volume_options(arguments.layout);
-  if (holds_labels || selects_labels(arguments)) options.block_value = BlockValue::most_frequent;
+  VolumeOptions options = volume_options(arguments);
+  if (holds_labels) options.block_value = BlockValue::most_frequent;
   auto volume = open_volume(path, options);
   write_notes(path, volume->info());
   return volume;
@@ -74,7 +79,7 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
 
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
                                  double iso) {
-  require_second_pass(path);
+  require_second_pass(path, gradient_pass);
   auto volume = open_volume(path, options);
   if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
   const SampleBounds bounds = sample_bounds(*volume);

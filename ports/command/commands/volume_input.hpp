@@ -13,10 +13,14 @@
 
 namespace discmc::host {
 
+/// Of volume arguments with labels: blocks of voxels become one of theirs.
 VolumeOptions volume_options(const LayoutArguments& arguments);
+VolumeOptions volume_options(const VolumeArguments& arguments);
 
-/// Throws when the file can be read once only.
-void require_second_pass(const std::string& path);
+/// Throws when the file can be read once only. purpose: what takes the pass.
+void require_second_pass(const std::string& path, const std::string& purpose);
+
+constexpr const char* gradient_pass = "normals of the gradient take a second pass";
 
 /// Opens the volume, and says what of its file is dropped. holds_labels: whatever is selected.
 std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,

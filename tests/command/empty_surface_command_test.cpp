@@ -1,0 +1,117 @@
+// Thresholds that leave no surface: said with what is there instead, and no file is left.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace command;
+using volume_files::nrrd;
+
+// 60 values: -1000, -900 ... 4900.
+const std::string ramp = [] {
+  std::string samples;
+  for (int i = 0; i < 60; ++i) samples += std::to_string(100 * i - 1000) + " ";
+  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") + "\n" + samples;
+}();
+
+const std::string values = ": the values are -1000 to 4900; discmc info shows more";
+
+}  // namespace
+
+TEST_CASE("an empty surface is a failure that tells the values, and leaves no file") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  workshop.write("none.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\0'));
+  workshop.write("other.stl", "before");
+  const auto names = workshop.names();
+  const std::pair<std::string, std::string> examples[] = {
+      {"--iso 4901", "no voxel reaches 4901"},
+      {"--iso 1e9 --surface interpolated", "no voxel reaches 1000000000"},
+      {"--iso 5000 --normals gradient", "no voxel reaches 5000"},
+      {"--label 33", "no voxel is 33"},
+      {"--range 101..199.5", "no voxel is in 101..199.5"},
+      {"--range=..-1001", "no voxel is in ..-1001"},
+      {"--iso=-1000 --border open", "every voxel reaches -1000, and an open border has no surface"},
+      {"--iso 4901 --median 3", "no voxel reaches 4901"},
+      {"--label 100 --mask none.nrrd", "no voxel that is 100 is left by --mask"},
+      {"--label 100 --median 3", "no voxel that is 100 is left by --median"},
+  };
+  for (const auto& [selection, reason] : examples)
+    for (const std::string file : {"v.stl", "v.jsonl", "v.dmc", "other.stl"}) {
+      const std::string arguments = "extract v.nrrd " + selection + " -o " + file;
+      const Result result = workshop.run(arguments);
+      INFO(arguments, "\n", result.error);
+      if (result.code == 2) continue;  // what does not go together
+      check_failure(result, 1, {"v.nrrd: " + reason + values, "--allow-empty"});
+    }
+  CHECK(workshop.names() == names);
+  CHECK(workshop.read("other.stl") == "before");
+}
+
+TEST_CASE("of several surfaces the empty one is told, and none is written") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  for (const std::string file : {"'{name}.ply'", "v.dmc", "v.dmc --wire slices"})
+    check_failure(workshop.run("extract v.nrrd --iso 100 --iso 7000 --iso 200 -o " + file), 1,
+                  {"no voxel reaches 7000" + values});
+  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+}
+
+TEST_CASE("a surface whose bodies are all too small is empty, too") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
+  const Result result = workshop.run(extract);
+  CHECK(result.code == 1);
+  CHECK(contains(result.error, "no body is as large as --min-volume says"));
+  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+  workshop.done(extract + " --allow-empty");
+}
+
+TEST_CASE("an empty surface is taken where it is meant") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  for (const std::string file : {"v.stl", "v.dmc", "v.png"}) {
+    const std::string command = file == "v.png" ? "render" : "extract";
+    workshop.done(command + " v.nrrd --iso 7000 --allow-empty -o " + file);
+    CHECK(!workshop.read(file).empty());
+  }
+}
+
+TEST_CASE("an empty surface of a pipe is a failure, too") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  for (const std::string file : {"v.stl", "v.dmc"}) {
+    const std::string extract = "cat v.nrrd | \"$discmc\" extract - -o " + file;
+    check_failure(workshop.shell(extract + " --iso 7000"), 1,
+                  {"standard input: no voxel reaches 7000; discmc info shows"});
+    check_failure(workshop.shell(extract + " --iso=-2000 --border open"), 1,
+                  {"standard input: no or every voxel reaches -2000; "});
+  }
+  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+}
+
+TEST_CASE("pictures and distances of empty surfaces are refused with the values") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+  for (const std::string look : {"", " --classic", " --shade smooth"})
+    check_failure(workshop.run("render v.nrrd --iso 7000 -o v.png" + look), 1,
+                  {"v.nrrd: no voxel reaches 7000" + values});
+  check_failure(workshop.run("compare v.dmc v.nrrd --iso 7000"), 1,
+                {"v.nrrd: no voxel reaches 7000" + values});
+  CHECK(workshop.names() == std::vector<std::string>{"v.dmc", "v.nrrd"});
+}
+
+TEST_CASE("values of a volume that is narrowed for its normals are those of the file") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "2 1 2") +
+                               "\n0.25 0.5 nan -8");
+  for (const std::string file : {"v.ply", "v.dmc"})
+    check_failure(workshop.run("extract v.nrrd --iso 3 --normals gradient -o " + file), 1,
+                  {"no voxel reaches 3: the values are -8 to 0.5;"});
+}

@@ -1,0 +1,95 @@
+// Thresholds that the command finds by itself.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace command;
+using volume_files::nrrd;
+
+// Ten voxels a row: air, tissue, bone.
+std::string head(const std::string& values) {
+  std::string samples;
+  for (int row = 0; row < 9; ++row) samples += values;
+  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n", "5 3 3") + "\n" + samples;
+}
+
+const std::string ct = head("-1000 -1000 40 50 900 ");
+const std::string mri = head("0 10 40 500 600 ");
+
+}  // namespace
+
+TEST_CASE("a threshold by name gives the surface of its number, and is told") {
+  const Workshop workshop;
+  workshop.write("ct.nrrd", ct);
+  workshop.write("mri.nrrd", mri);
+  const std::array<std::string, 4> examples[] = {
+      {"ct", "bone", "300", "300"},         {"ct", "skin", "-300", "-300"},
+      {"ct", "auto", "300", "300 (bone)"},  {"ct", "otsu", "-500", "-500"},
+      {"mri", "auto", "300", "300 (otsu)"}, {"mri", "otsu", "300", "300"},
+  };
+  for (const auto& [volume, name, iso, told] : examples) {
+    const std::string file = volume + ".nrrd";
+    const Result result = workshop.run("extract " + file + " --iso " + name + " -q -o named.ply");
+    INFO(result.error);
+    CHECK(result.code == 0);
+    CHECK(result.error == "discmc: " + file + ": --iso " + name + ": " + told + "\n");
+    workshop.done("extract " + file + " --iso=" + iso + " -q -o number.ply");
+    CHECK(workshop.read("named.ply") == workshop.read("number.ply"));
+  }
+}
+
+TEST_CASE("named thresholds go beside numbers, and name their meshes") {
+  const Workshop workshop;
+  workshop.write("ct.nrrd", ct);
+  workshop.done("extract ct.nrrd --iso bone --iso 45 --iso auto -o '{name}.stl'");
+  CHECK(workshop.names() == std::vector<std::string>{"45.stl", "auto.stl", "bone.stl", "ct.nrrd"});
+  CHECK(workshop.read("auto.stl") == workshop.read("bone.stl"));
+  CHECK(workshop.read("45.stl") != workshop.read("bone.stl"));
+}
+
+TEST_CASE("streams, pictures and comparisons take named thresholds") {
+  const Workshop workshop;
+  workshop.write("ct.nrrd", ct);
+  workshop.done("extract ct.nrrd --iso skin -q -o skin.dmc");
+  CHECK(workshop.info("skin.dmc")["threshold"] == "-300");
+  workshop.done("render ct.nrrd --iso skin --size 40,40 -o named.png");
+  workshop.done("render ct.nrrd --iso=-300 --size 40,40 -o number.png");
+  CHECK(workshop.read("named.png") == workshop.read("number.png"));
+  workshop.done("extract ct.nrrd --iso auto --surface interpolated --normals gradient -o v.ply");
+  CHECK(workshop.done("compare skin.dmc ct.nrrd --iso skin") ==
+        workshop.done("compare skin.dmc ct.nrrd --iso=-300"));
+}
+
+TEST_CASE("a named threshold is refused where it cannot be found") {
+  const Workshop workshop;
+  workshop.write("ct.nrrd", ct);
+  workshop.write("mri.nrrd", mri);
+  workshop.write("flat.nrrd", head("7 7 7 7 7 "));
+  const auto names = workshop.names();
+  const std::string mesh = " -o v.stl";
+  check_failure(workshop.run("extract mri.nrrd --iso bone" + mesh), 1,
+                {"mri.nrrd: --iso bone is of Hounsfield units, and the values are 0 to 600; "});
+  check_failure(workshop.run("extract flat.nrrd --iso auto" + mesh), 1,
+                {"flat.nrrd: all values are 7, "});
+  check_failure(workshop.run("extract ct.nrrd --iso bones" + mesh), 2,
+                {"'bones' is no finite number, auto, otsu, bone or skin"});
+  for (const std::string name : {"auto", "otsu", "bone", "skin"})
+    check_failure(workshop.shell("cat ct.nrrd | \"$discmc\" extract - --iso " + name + mesh), 1,
+                  {"standard input: --iso " + name + " takes a pass of its own",
+                   "store the volume in a file first"});
+  CHECK(workshop.names() == names);
+}
+
+TEST_CASE("CT from DICOM is in Hounsfield units, whatever is in view") {
+  const Workshop workshop;
+  const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/u16.dcm";
+  if (workshop.run("info " + series).code != 0) return;  // where it is built without DICOM
+  const Result result = workshop.run("extract " + series + " --iso skin --allow-empty -o v.stl");
+  CHECK(result.code == 0);
+  CHECK(contains(result.error, "--iso skin: -300\n"));
+}
