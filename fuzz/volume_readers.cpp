@@ -87,7 +87,7 @@ constexpr Names names[] = {
     {"v.dcm", nullptr, false, true}, {"v.png", nullptr, false, true},
     {"v.tif", nullptr, false, true}, {"v.vtk", nullptr, false},
     {"v.vti", nullptr, false},       {"v.npy", nullptr, false},
-    {"v.inv3", nullptr, false},
+    {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
 };
 
 /// Whether the environment asks for other names alone.
@@ -147,11 +147,13 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
-  // Text of a byte and a blank may stand for a sample of eight. bzip2 has no such bound, and a list
-  // may name a file as often as it has lines: what is there is read before it is believed.
+  // Text of a byte and a blank may stand for a sample of eight. bzip2 has no such bound, nor has a
+  // zip of pictures, and a list may name a file as often as it has lines: what is there is read
+  // before it is believed.
   constexpr size_t most_inflation = 16384;
   const bool is_bounded = info.format.find("bzip2") == std::string::npos &&
-                          info.format.find("detached") == std::string::npos;
+                          info.format.find("detached") == std::string::npos &&
+                          info.format.find(", zip") == std::string::npos;
   require(!is_bounded || info.slice_bytes() <= most_inflation * file_bytes,
           "a slice that no file can hold");
 }

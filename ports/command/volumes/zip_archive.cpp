@@ -106,9 +106,11 @@ class UnpackedVolume final : public VolumeReader {
   UnpackedVolume(const std::filesystem::path& zip, const VolumeOptions& options) : zip_(zip) {
     unpack(zip, folder_.path());
     renamed([&] { volume_ = open_folder(filled_folder(folder_.path()), options); });
+    info_ = volume_->info();
+    info_.format += ", zip";
   }
 
-  const VolumeInfo& info() const override { return volume_->info(); }
+  const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override {
     renamed([&] { volume_->read_slice(samples); });
   }
@@ -131,6 +133,7 @@ class UnpackedVolume final : public VolumeReader {
   std::filesystem::path zip_;
   TemporaryFolder folder_;
   std::unique_ptr<VolumeReader> volume_;
+  VolumeInfo info_;
 };
 
 }  // namespace
