@@ -120,6 +120,7 @@ std::vector<Histogram::Bin> Histogram::bins() const {
                [](const Slot& slot) { return slot.count != 0; });
   std::sort(used.begin(), used.end(), [](const Slot& a, const Slot& b) { return a.key < b.key; });
   std::vector<Bin> bins;
+  bins.reserve(used.size());
   for (const Slot& slot : used)
     bins.push_back({sample_of(std::max(slot.key << dropped_bits_, least_key_)), slot.count});
   return bins;
