@@ -69,12 +69,11 @@ void require_surfaces(const ExtractArguments& arguments,
       fail_empty(arguments.volume, arguments.reading, arguments.reading.selections[i].selection);
 }
 
-int run_extract(const ExtractArguments& given) {
-  if (given.takes_all_labels) return extract_label_meshes(given);
-  ExtractArguments arguments = given;
-  arguments.reading.selections = with_thresholds(given.volume, given.reading);
-  return format_of(arguments.output) == Format::stream ? extract_stream(arguments)
-                                                       : extract_meshes(arguments);
+int run_extract(const ExtractArguments& arguments) {
+  if (arguments.takes_all_labels) return extract_label_meshes(arguments);
+  ExtractArguments found = arguments;
+  found.reading.selections = with_thresholds(arguments.volume, arguments.reading);
+  return format_of(found.output) == Format::stream ? extract_stream(found) : extract_meshes(found);
 }
 
 }  // namespace discmc::host

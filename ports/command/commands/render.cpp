@@ -75,15 +75,15 @@ PictureOptions picture_options(const RenderArguments& arguments) {
 
 }  // namespace
 
-int run_render(const RenderArguments& given) {
-  RenderArguments arguments = given;
+int run_render(const RenderArguments& arguments) {
   Mesh mesh;
   int code = exit_ok;
   if (arguments.is_volume) {
-    arguments.reading.selections = with_thresholds(given.input, given.reading);
-    mesh = volume_to_draw(arguments);
-    if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
-      fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0].selection);
+    RenderArguments found = arguments;
+    found.reading.selections = with_thresholds(arguments.input, arguments.reading);
+    mesh = volume_to_draw(found);
+    if (mesh.face_count() == 0 && !found.reading.allows_empty)
+      fail_empty(found.input, found.reading, found.reading.selections[0].selection);
   } else {
     const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
     mesh = mesh_to_draw(arguments, decoded.surface);
