@@ -69,7 +69,7 @@ TEST_CASE("labels that cannot be written are refused before any work") {
   check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1, {"none", "no such folder"});
   check_failure(
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
-      {"nothing.raw", "no label"});
+      {"nothing.raw", "no label", "--allow-empty"});
   check_failure(
       workshop.run("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'"), 1,
       {"half.raw", "slice 0", "whole numbers"});

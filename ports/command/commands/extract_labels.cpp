@@ -43,8 +43,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   pattern.require_folder();
   LabelledSurfaces labels = surfaces_of(*volume, arguments);
   note_not_numbers(arguments, labels.not_numbers);
-  if (labels.all.empty())
-    throw std::runtime_error(arguments.volume + ": it holds no label: every voxel is 0");
+  if (labels.all.empty() && !arguments.reading.allows_empty)
+    throw VolumeError(arguments.volume +
+                      ": it holds no label, every voxel is 0; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
   for (const LabelledSurface& each : labels.all) {
