@@ -80,7 +80,7 @@ std::uint64_t place_on_curve(const Corners& triangle, const Box& all) {
   std::uint64_t place = 0;
   for (unsigned bit = 0; bit < bits; ++bit)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      place |= (cell[axis] >> bit & 1) << (3 * bit + axis);
+      place |= (cell[axis] >> bit & 1) << (std::size_t{3} * bit + axis);
   return place;
 }
 
