@@ -8,7 +8,7 @@
 namespace discmc::host {
 namespace {
 
-// Without what would be a path, an option or a control character.
+// Without what would be a path or a control character.
 std::string as_file_name(const std::string& name) {
   constexpr std::string_view forbidden = "/\\:*?\"<>|";
   std::string result;
@@ -34,6 +34,10 @@ std::string FilePattern::file_for(const std::string& name) const {
 }
 
 void FilePattern::require_folder() const {
+  if (std::filesystem::path(pattern_).parent_path().string().find(placeholder) != std::string::npos)
+    throw std::invalid_argument(pattern_ +
+                                ": {name} is of files, not of folders: write it behind "
+                                "the last /");
   const std::filesystem::path folder = std::filesystem::path(file_for("name")).parent_path();
   std::error_code ignored;
   if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))

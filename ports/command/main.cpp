@@ -1,5 +1,6 @@
 // The discmc command.
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -40,6 +41,8 @@ int run(int argc, char** argv) {
 }  // namespace discmc::host
 
 int main(int argc, char** argv) {
+  // A file that grows beyond what is allowed is a failed write, which is told.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return discmc::host::run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -53,6 +53,10 @@ TEST_CASE("a table of BIDS has columns in any order") {
   CHECK(table.at(2).name == "White Matter");
   CHECK_FALSE(table.at(2).colour);
   CHECK_FALSE(table.at(3).colour);
+  const LabelTable marked = table_of(
+      "\xEF\xBB\xBF"
+      "abbreviation\tindex\tname\n\t7\tkidney\r\n");
+  CHECK(marked.at(7).name == "kidney");
 }
 
 TEST_CASE("a line that is no label is refused with its number") {
@@ -69,5 +73,13 @@ TEST_CASE("a line that is no label is refused with its number") {
   check_refused("1 bone\n1 skin\n", "label 1 is there twice; delete line 2");
   CHECK_THROWS_WITH_AS(read_label_table("/none/table"), doctest::Contains("/none/table"),
                        VolumeError);
-  CHECK(table_of("").empty());
+  check_refused("", "the table has no label");
+  check_refused("# nothing\n", "the table has no label");
+  check_refused("3 vena cava 1 2 3\n", "line 1");
+  check_refused("3 vein 1 2 300\n", "line 1");
+  check_refused("3 vein 0.1 0.2 0.3\n", "line 1");
+  check_refused("index\tname\tcolor\n1\tvein\t#zz0000\n", "line 2");
+  const Folder folder;
+  CHECK_THROWS_WITH_AS(read_label_table(folder.path()), doctest::Contains("cannot be read"),
+                       VolumeError);
 }

@@ -47,6 +47,20 @@ TEST_CASE("a table names the meshes of labels") {
   CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::host::Srgb{4, 5, 6});
 }
 
+TEST_CASE("a label without a surface is told, and has no file unless that is allowed") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  for (const std::string cleaning : {"--median 3", "--min-volume 4"}) {
+    INFO(cleaning);
+    const auto result = workshop.run(extract + "--labels all " + cleaning + " -q -o '{name}.stl'");
+    CHECK(result.code == 0);
+    CHECK(contains(result.error, "label 9 has no surface left, so 9.stl is not written"));
+    CHECK(workshop.read("9.stl").empty());
+  }
+  workshop.done(extract + "--labels all --median 3 --allow-empty -q -o '{name}.stl'");
+  CHECK_FALSE(workshop.read("9.stl").empty());
+}
+
 TEST_CASE("labels that cannot be written are refused before any work") {
   const Workshop workshop;
   workshop.write("v.raw", volume);
@@ -66,6 +80,7 @@ TEST_CASE("labels that cannot be written are refused before any work") {
                 {"table.txt", "line 1"});
   check_failure(workshop.run(extract + "--label 1 --label-table table.txt -o v.dmc"), 2,
                 {"--label-table"});
+  check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1, {"{name}", "not of folders"});
   check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1, {"none", "no such folder"});
   check_failure(
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,

@@ -21,7 +21,7 @@ using discmc::Border;
 using discmc::host::extract_labels;
 using discmc::host::LabelledSurfaces;
 using discmc::host::LabelOptions;
-using discmc::host::most_labels_at_once;
+using discmc::host::most_scattered_labels;
 using discmc::host::SampleType;
 using discmc::host::Selection;
 using discmc::reference::Size;
@@ -121,20 +121,29 @@ TEST_CASE("progress is told after every slice") {
 
 TEST_CASE("values that cannot be labels are refused with their slice") {
   CHECK_THROWS_WITH_AS(extracted({1, 2, 3, 0.5F}, {2, 1, 2}),
-                       "the value 0.5 in slice 1: labels are whole numbers up to 2^53; give --iso "
+                       "the value 0.5 in slice 1: labels are whole numbers below 2^53; give --iso "
                        "or --range",
                        std::invalid_argument);
   CHECK_THROWS_AS(extracted({1e20F}, {1, 1, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(extracted({0x1p53F}, {1, 1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(extracted({std::numeric_limits<float>::infinity()}, {1, 1, 1}),
                   std::invalid_argument);
 }
 
+TEST_CASE("as many labels as there are are taken where their voxels lie together") {
+  std::vector<float> samples;
+  for (std::uint32_t i = 0; i < 4 * (most_scattered_labels + 500); ++i)
+    samples.push_back(static_cast<float>(1 + i / 4));
+  CHECK(extracted(samples, {static_cast<std::uint32_t>(samples.size()), 1, 1}).all.size() ==
+        most_scattered_labels + 500);
+}
+
 TEST_CASE("more values in a slice than a segmentation has are refused") {
-  std::vector<float> samples(most_labels_at_once + 2);
+  std::vector<float> samples(most_scattered_labels + 2);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<float>(i);
-  CHECK_THROWS_WITH_AS(extracted(samples, {most_labels_at_once + 2, 1, 1}),
+  CHECK_THROWS_WITH_AS(extracted(samples, {most_scattered_labels + 2, 1, 1}),
                        doctest::Contains("more than 1024 values up to slice 0"),
                        std::invalid_argument);
   samples.pop_back();
-  CHECK(extracted(samples, {most_labels_at_once + 1, 1, 1}).all.size() == most_labels_at_once);
+  CHECK(extracted(samples, {most_scattered_labels + 1, 1, 1}).all.size() == most_scattered_labels);
 }

@@ -92,12 +92,51 @@ TEST_CASE("a zip is read like the folder that was packed, wherever its names lea
   CHECK(folders_left() == before);
 }
 
+TEST_CASE("what else is in a zip is passed over, and names may be in any language") {
+  const std::size_t slices = open_volume(files / "pictures/stack")->info().dims[2];
+  for (const std::string folder : {"Sch\xC3\xA4"
+                                   "del/",
+                                   "\xE5\xA4\xB4/\xC3\xA9/", "a\x1B[1m/"}) {
+    CAPTURE(folder);
+    Members members = members_of(files / "pictures/stack", folder);
+    members.emplace_back("__MACOSX/" + folder + "._slice0.png", "resources");
+    members.emplace_back(folder + "._slice0.png", "resources");
+    members.emplace_back(".DS_Store", "layout");
+    members.emplace_back("README.txt", "read me");
+    const Folder place;
+    CHECK(open_volume(place.write("study.zip", zip(members)))->info().dims[2] == slices);
+  }
+  Members series = members_of(files / "dicom/series", "s/");
+  series.back().first =
+      "Sch\xC3\xA4"
+      "del";
+  const Folder place;
+  CHECK(open_volume(place.write("study.zip", zip(series)))->info().dims[2] == series.size());
+}
+
+TEST_CASE("nothing is left of a zip when a signal ends the program, and two may be open") {
+  const std::size_t before = folders_left();
+  const Folder folder;
+  const std::string packed = zip(members_of(files / "dicom/series", "")),
+                    command = std::string("'") + DISCMC_COMMAND + "' ",
+                    place = "cd '" + folder.path().string() + "' && ";
+  folder.write("study.zip", packed);
+  // Stopped at the opening of its output, a pipe that nobody reads, with the archive unpacked.
+  const std::string stopped = place + "mkfifo v.stl && { timeout -s KILL 2 " + command +
+                              "extract study.zip --iso=-1000 -q -o v.stl; sleep 1; }";
+  CHECK(std::system(stopped.c_str()) == 0);
+  CHECK(folders_left() == before);
+  const std::string both = place + command + "compare study.zip study.zip --iso=-1000 >told 2>&1";
+  CHECK(std::system(both.c_str()) == 0);
+  CHECK(folders_left() == before);
+}
+
 TEST_CASE("errors name the archive, and the member where it is one's") {
   Members members = members_of(files / "dicom/series", "series/");
   REQUIRE(members.size() == 5);
   Members fewer = members;
   fewer.erase(fewer.begin() + 1);
-  CHECK(contains(refusal_of(zip(fewer)), "study.zip/series: 1 slice is missing"));
+  CHECK(contains(refusal_of(zip(fewer)), "study.zip: 1 slice is missing"));
   CHECK(
       contains(refusal_of(zip({{"read me", "nothing"}})), "study.zip: the folder holds no DICOM"));
   CHECK(contains(refusal_of("no zip"), "study.zip: the archive is damaged or no zip; copy"));

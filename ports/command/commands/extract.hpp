@@ -46,8 +46,7 @@ struct SurfaceOutput {
   const Crossings* crossings = nullptr;  ///< as MeshOptions
 };
 
-/// Writes a mesh of what is chosen of the surface, with normals as asked. placement: of the mesh.
-/// Throws VolumeError where nothing is left, and that must not be: of labels it may.
+/// Writes a mesh of the surface, with normals as asked. placement: of the mesh.
 void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
                    const std::optional<VolumePlacement>& placement);
 

@@ -56,7 +56,14 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   const std::vector<std::string> files = files_for(pattern, selections);
   if (!arguments.quiet) std::cout << "   label        voxels    polygons  file\n";
   for (std::size_t i = 0; i < files.size(); ++i) {
-    write_mesh_of(arguments, {labels.all[i].surface, selections[i], files[i]}, placement);
+    Surface& surface = labels.all[i].surface;
+    keep_chosen(arguments.volume, arguments.components, surface);
+    if (surface.polygons.empty() && !arguments.reading.allows_empty) {
+      std::cerr << "discmc: " << arguments.volume << ": label " << labels.all[i].label
+                << " has no surface left, so " << files[i] << " is not written\n";
+      continue;
+    }
+    write_mesh_of(arguments, {surface, selections[i], files[i]}, placement);
     if (!arguments.quiet) write_line(labels.all[i], files[i], std::cout);
   }
   if (!arguments.quiet) require_written(std::cout);

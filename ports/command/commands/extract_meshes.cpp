@@ -36,12 +36,6 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
 
 void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
                    const std::optional<VolumePlacement>& placement) {
-  keep_chosen(arguments.volume, arguments.components, output.surface);
-  if (output.surface.polygons.empty() && !arguments.takes_all_labels &&
-      !arguments.reading.allows_empty)
-    throw VolumeError(arguments.volume +
-                      ": no body is as large as --min-volume says; give less, "
-                      "--allow-empty takes an empty surface");
   OutputFile file(output.file);
   MeshOptions options = arguments.mesh;
   options.crossings = output.crossings;
@@ -91,6 +85,11 @@ int extract_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
+    keep_chosen(arguments.volume, arguments.components, surface);
+    if (surface.polygons.empty() && !arguments.reading.allows_empty)
+      throw VolumeError(arguments.volume +
+                        ": no body is as large as --min-volume says; give less, "
+                        "--allow-empty takes an empty surface");
     write_mesh_of(arguments,
                   {surface, selections[i], files[i],
                    arguments.interpolates ? &finders[i].crossings() : nullptr},

@@ -28,6 +28,13 @@ std::uint64_t arena_bytes(const Limits& limits) {
 
 }  // namespace
 
+std::uint64_t LabelRun::bytes_for(const Limits& limits) {
+  // The extractor, the filter and the slice under way; and the joiner.
+  return minimum_bytes<std::uint32_t>(limits) + MajorityFilter::bytes_for(limits) +
+         bit_row_bytes(limits.width) * std::uint64_t{limits.height} +
+         GrowingJoiner::first_bytes / 8;
+}
+
 LabelRun::LabelRun(const Limits& limits, std::uint32_t first, bool takes_majority, const Sink& sink)
     : limits_(limits),
       row_bytes_(bit_row_bytes(limits.width)),

@@ -19,6 +19,9 @@ namespace discmc::host {
 /// nothing in slices where it is not; one that comes back is scanned by a further run.
 class LabelRun {
  public:
+  /// What a run takes while it lasts, about. Units: bytes.
+  static std::uint64_t bytes_for(const Limits& limits);
+
   /// limits: of the volume. first: the number of the first slice with a voxel of the label.
   /// takes_majority: whether the bits pass a MajorityFilter. sink: must take everything at once;
   /// Owner: the caller.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -23,7 +24,8 @@ struct Label {
   std::unique_ptr<LabelRun> run{};  // null in slices that are far from its voxels
 };
 
-constexpr double most_label = 0x1p53;
+constexpr double end_of_labels = 0x1p53;
+constexpr std::uint64_t most_run_bytes = std::uint64_t{4} << 30;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw std::invalid_argument(what + "; give --iso or --range");
@@ -80,12 +82,23 @@ class LabelScan {
 
   void add_voxels(Label& label, std::uint32_t y, std::uint32_t begin, std::uint32_t end) {
     if (!label.run) {
-      if (++running_ > most_labels_at_once) refuse_count(slice_, most_labels_at_once);
+      require_room(++running_);
       label.run = std::make_unique<LabelRun>(limits_, slice_, options_.takes_majority,
                                              sink_to(label.builder));
     }
     label.run->set(y, begin, end);
     label.voxels += end - begin;
+    voxels_ += end - begin;
+    ++stretches_;
+  }
+
+  void require_room(std::uint32_t running) const {
+    if (running > most_scattered_labels && voxels_ < 2 * stretches_)
+      refuse_count(slice_, most_scattered_labels);
+    if (running > most_run_bytes / LabelRun::bytes_for(limits_))
+      throw std::invalid_argument(std::to_string(running) + " labels at once, up to slice " +
+                                  std::to_string(slice_) +
+                                  ", take more than 4 GiB; take parts with --crop, or --shrink");
   }
 
   void end_slice(Label& label) {
@@ -110,15 +123,19 @@ class LabelScan {
   Label* new_label(Sample sample) {
     const double value = info_.slope * static_cast<double>(sample) + info_.intercept;
     if (value == 0) return nullptr;
-    if (!(std::fabs(value) <= most_label) || value != std::floor(value)) {
+    if (!(std::fabs(value) < end_of_labels) || value != std::floor(value)) {
       std::ostringstream text;
+      text.precision(std::numeric_limits<double>::max_digits10);
       text << "the value " << value << " in slice " << slice_
-           << ": labels are whole numbers up to 2^53";
+           << ": labels are whole numbers below 2^53";
       refuse(text.str());
     }
+    // With a small slope several samples stand for one value.
+    Label*& label = by_value_[static_cast<std::int64_t>(value)];
+    if (label != nullptr) return label;
     if (labels_.size() == most_labels) refuse_count(slice_, most_labels);
     labels_.push_back(std::make_unique<Label>(Label{static_cast<std::int64_t>(value)}));
-    return labels_.back().get();
+    return label = labels_.back().get();
   }
 
   const VolumeInfo& info_;
@@ -127,8 +144,11 @@ class LabelScan {
   std::uint32_t slice_ = 0;  // under way
   std::uint64_t not_numbers_ = 0;
   std::uint32_t running_ = 0;
+  std::uint64_t voxels_ = 0;     // of labels
+  std::uint64_t stretches_ = 0;  // of voxels of one label side by side
   std::vector<std::unique_ptr<Label>> labels_;
   std::unordered_map<Sample, Label*> by_sample_;
+  std::unordered_map<std::int64_t, Label*> by_value_;
   // Neighbours are mostly alike.
   bool has_last_ = false;
   Sample last_sample_{};

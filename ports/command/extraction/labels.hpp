@@ -33,15 +33,17 @@ struct LabelledSurfaces {
   std::uint64_t not_numbers = 0;     ///< samples that are not a number: of no label
 };
 
-/// What a volume may hold. What holds more is none of labels, and its surfaces would be noise.
+/// What a volume may hold.
 constexpr std::uint32_t most_labels = 65536;
-constexpr std::uint32_t most_labels_at_once = 1024;  ///< in a slice and the two before it
+/// In a slice and the two before it, where voxels of one value lie side by side no more than by
+/// chance: such a volume is none of labels, and its surfaces would be noise.
+constexpr std::uint32_t most_scattered_labels = 1024;
 
 /// Reads the volume to its end and takes the surface of every value that occurs but 0, which is the
 /// background. Throws VolumeError as the reader does, std::invalid_argument where a value is no
-/// whole number and where there are too many; the text names the slice.
-/// Cost: memory of the surfaces, and of a slice of bits and an arena a label of the slices under
-/// way; time of a scan a label, of the slices that have it.
+/// whole number below 2^53 and where there are too many; the text names the slice.
+/// Cost: memory of the surfaces, and of some five slices of bits a label of the slices under way, 4
+/// GiB of those at most; time of a scan a label, of the slices that have it.
 LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& options);
 
 }  // namespace discmc::host

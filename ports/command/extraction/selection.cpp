@@ -71,7 +71,8 @@ SampleRange<Sample> selected_floating(const VolumeInfo& info, const Selection& s
   const auto stored = [&](double value) {
     return static_cast<Sample>((value - info.intercept) / info.slope);
   };
-  return {stored(selection.low), stored(selection.high)};
+  return {stored(lowered_by_rounding(info, selection.low)),
+          stored(-lowered_by_rounding(info, -selection.high))};
 }
 
 // Eight flags of a byte each to eight bits, the first one lowest.

@@ -25,8 +25,10 @@ RuledThreshold otsu(const VolumeStatistics& statistics) {
 
 bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics) {
   constexpr double air_at_most = -500;
+  constexpr double beyond = 65536;  // no scanner tells such values, nor their opposites
   return info.is_in_hounsfield ||
-         (statistics.least <= air_at_most && statistics.greatest >= bone_threshold);
+         (statistics.least <= air_at_most && statistics.greatest >= bone_threshold &&
+          statistics.least > -beyond && statistics.greatest < beyond);
 }
 
 RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,

@@ -70,8 +70,10 @@ bool SurfaceBuilder::is_sound(const Chain& chain) {
   if (!is_always_inside || !is_closed) return false;
   links_ += links;
   if (links_ > max_links)
-    throw std::runtime_error("more than " + std::to_string(max_links) +
-                             " links, more than is kept in memory: take the stream in parts");
+    throw std::runtime_error(
+        "more than " + std::to_string(max_links) +
+        " links, more than is kept in memory: take less at once, of a volume by --crop or "
+        "--shrink");
   return true;
 }
 

@@ -4,12 +4,20 @@
 #include <charconv>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "volume_format.hpp"
 
 namespace discmc::host {
 namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+std::string_view without_line_end(std::string_view line) {
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
 
 using Words = std::vector<std::string_view>;
 
@@ -45,7 +53,7 @@ std::optional<Srgb> colour_of(const Words& words, std::size_t first) {
 }
 
 // #RRGGBB
-std::optional<Srgb> colour_of(std::string_view text) {
+std::optional<Srgb> hexadecimal_colour(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   Srgb colour{};
   for (std::size_t i = 0; i < colour.size(); ++i) {
@@ -93,12 +101,16 @@ class Reader {
  private:
   std::optional<Entry> read_columns(const Words& words) const {
     if (index_ >= words.size() || name_ >= words.size()) return std::nullopt;
-    return entry(words[index_], words[name_],
-                 colour_ < words.size() ? colour_of(words[colour_]) : std::nullopt);
+    const std::string_view colour = colour_ < words.size() ? trimmed(words[colour_]) : "";
+    if (colour.empty() || colour == "n/a") return entry(words[index_], words[name_], {});
+    const auto read = hexadecimal_colour(colour);
+    return read ? entry(words[index_], words[name_], read) : std::nullopt;
   }
 
   static std::optional<Entry> read_words(const Words& words) {
-    return words.size() < 2 ? std::nullopt : entry(words[0], words[1], colour_of(words, 2));
+    if (words.size() == 2) return entry(words[0], words[1], {});
+    const auto colour = colour_of(words, 2);
+    return colour && words.size() <= 6 ? entry(words[0], words[1], colour) : std::nullopt;
   }
 
   static std::optional<Entry> read_quoted(std::string_view line, std::size_t quote) {
@@ -116,26 +128,31 @@ class Reader {
 
 LabelTable read_label_table(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) fail(file, "cannot be opened", "check the name of the table");
+  std::error_code ignored;
+  if (!in || std::filesystem::is_directory(file, ignored))
+    fail(file, "the table cannot be read", "check its name");
   LabelTable table;
   Reader reader;
   bool is_first = true;
   std::size_t number = 0;
   for (std::string text; std::getline(in, text);) {
     ++number;
-    const std::string_view line = trimmed(text);
-    if (line.empty() || line.front() == '#') continue;
+    if (number == 1 && text.rfind(byte_order_mark, 0) == 0) text.erase(0, byte_order_mark.size());
+    // Blanks may be empty columns.
+    const std::string_view line = without_line_end(text);
+    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
     const bool is_head = is_first && reader.take_head(line);
     is_first = false;
     if (is_head) continue;
     const auto read = reader.read(line);
     if (!read)
       fail(file, "line " + std::to_string(number) + " is " + shown(line),
-           "give a whole number, a name, and red, green and blue from 0 to 255");
+           "give a whole number, a name of one word, and red, green and blue from 0 to 255");
     if (!table.emplace(read->label, read->description).second)
       fail(file, "label " + std::to_string(read->label) + " is there twice",
            "delete line " + std::to_string(number));
   }
+  if (table.empty()) fail(file, "the table has no label", "check its name");
   return table;
 }
 
