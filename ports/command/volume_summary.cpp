@@ -103,10 +103,12 @@ void write_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
   if (const auto iso = otsu_threshold(statistics))
     out << "proposal --iso=" << value_text(*iso)
         << " otsu: divides the values in two groups that differ most\n";
-  if (is_in_hounsfield(info, statistics))
+  const bool is_hounsfield = is_in_hounsfield(info, statistics);
+  if (is_hounsfield && divides(bone_threshold, statistics))
     out << "proposal --iso=" << value_text(bone_threshold)
-        << " bone: these are Hounsfield units, soft tissue has less\n"
-        << "proposal --iso=" << value_text(skin_threshold)
+        << " bone: these are Hounsfield units, soft tissue has less\n";
+  if (is_hounsfield && divides(skin_threshold, statistics))
+    out << "proposal --iso=" << value_text(skin_threshold)
         << " skin: these are Hounsfield units, air has less\n";
   const std::vector<double> found = labels(statistics);
   if (found.empty()) return;

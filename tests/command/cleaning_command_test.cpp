@@ -82,3 +82,13 @@ TEST_CASE("cleaning that makes no sense is refused") {
   check_failure(workshop.run(extract + "--median 3 --normals gradient -o v.dmc"), 2,
                 {"--median", "--normals"});
 }
+
+TEST_CASE("counts and volumes that are none are refused with what is wanted") {
+  const Workshop workshop;
+  for (const std::string none : {"0", "2.5", "abc", "-1"})
+    command::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --largest=" + none), 2,
+                           {"'" + none + "' is no whole number from 1 on"});
+  for (const std::string none : {"100mm", "-1", "inf"})
+    command::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --min-volume=" + none), 2,
+                           {"'" + none + "' is no number of cubic millimetres"});
+}

@@ -111,7 +111,7 @@ TEST_CASE("info proposes Otsu's threshold, and those of tissue for Hounsfield un
   CHECK(has_line(mri, "range 0.1 0.8"));
   CHECK(has_line(mri, "not_numbers 1"));
   const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/";
-  const Result dicom = workshop.run("info " + series + "series");
+  const Result dicom = workshop.run("info " + series + "u16.dcm");
   if (dicom.code == 0) CHECK(contains(dicom.out, " bone: "));  // where it is built with DICOM
 }
 
@@ -177,4 +177,12 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});
   workshop.write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
   CHECK(workshop.run("info short.nrrd").code == 1);
+}
+
+TEST_CASE("a spacing that is given is not said to be missing") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", volume_files::nrrd(volume_files::nrrd_u8) + "\n" +
+                               volume_files::stored(volume_files::SampleType::u8));
+  CHECK(contains(workshop.done("info v.nrrd"), "no spacing given"));
+  CHECK_FALSE(contains(workshop.done("info v.nrrd --spacing 1,1,2"), "no spacing given"));
 }

@@ -41,7 +41,7 @@ TEST_CASE("a table names the meshes of labels") {
   workshop.done(extract + "--labels all --label-table table.txt -o '{name}.ply'");
   workshop.done(extract +
                 "--label 9 --label 7 --allow-empty --label-table table.txt -o 'one-{name}.ply'");
-  CHECK(workshop.read("bone-2.ply") == workshop.read("one-bone.ply"));
+  CHECK(workshop.read("bone-9.ply") == workshop.read("one-bone.ply"));
   CHECK_FALSE(workshop.read("one-7.ply").empty());
   CHECK(mesh_of_ply(workshop.read("bone.ply")).colour == discmc::host::Srgb{1, 2, 3});
   CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::host::Srgb{4, 5, 6});
@@ -80,6 +80,8 @@ TEST_CASE("labels that cannot be written are refused before any work") {
                 {"table.txt", "line 1"});
   check_failure(workshop.run(extract + "--label 1 --label-table table.txt -o v.dmc"), 2,
                 {"--label-table"});
+  check_failure(workshop.run(extract + "--iso 1 --label-table table.txt -o v.stl"), 2,
+                {"--label-table", "--label N"});
   check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1, {"{name}", "not of folders"});
   check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1, {"none", "no such folder"});
   check_failure(

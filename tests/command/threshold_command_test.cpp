@@ -87,9 +87,12 @@ TEST_CASE("a named threshold is refused where it cannot be found") {
 
 TEST_CASE("CT from DICOM is in Hounsfield units, whatever is in view") {
   const Workshop workshop;
-  const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/u16.dcm";
+  const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/u8.dcm";
   if (workshop.run("info " + series).code != 0) return;  // where it is built without DICOM
   const Result result = workshop.run("extract " + series + " --iso skin --allow-empty -o v.stl");
   CHECK(result.code == 0);
   CHECK(contains(result.error, "--iso skin: -300\n"));
+  // None of its values reaches bone.
+  CHECK(contains(workshop.run("extract " + series + " --iso auto -o v.stl").error, " (otsu)\n"));
+  CHECK_FALSE(contains(workshop.done("info " + series), "bone"));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,12 +52,23 @@ Members members_of(const fs::path& folder, const std::string& prefix) {
   return members;
 }
 
-std::size_t folders_left() {
-  std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path()))
-    count += contains(entry.path().filename().string(), "discmc-zip-") ? 1U : 0U;
-  return count;
-}
+// The folder for temporary files, for as long as this is there: other programs have none in it.
+class TemporaryFiles {
+ public:
+  TemporaryFiles() { setenv("TMPDIR", folder_.path().c_str(), 1); }
+  TemporaryFiles(const TemporaryFiles&) = delete;
+  TemporaryFiles& operator=(const TemporaryFiles&) = delete;
+  ~TemporaryFiles() { unsetenv("TMPDIR"); }
+  std::size_t folders_of_zips() const {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_.path()))
+      count += contains(entry.path().filename().string(), "discmc-zip-") ? 1U : 0U;
+    return count;
+  }
+
+ private:
+  Folder folder_;
+};
 
 std::string refusal_of(const std::string& bytes) {
   const Folder folder;
@@ -72,7 +84,7 @@ std::string refusal_of(const std::string& bytes) {
 }  // namespace
 
 TEST_CASE("a zip is read like the folder that was packed, wherever its names lead") {
-  const std::size_t before = folders_left();
+  const TemporaryFiles temporary;
   for (const fs::path& packed : {files / "dicom/series", files / "pictures/stack"})
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
       CAPTURE(packed.string());
@@ -85,11 +97,11 @@ TEST_CASE("a zip is read like the folder that was packed, wherever its names lea
         CHECK(reader->info().format == unpacked->info().format + ", zip");
         CHECK(reader->info().dims == unpacked->info().dims);
         CHECK(reader->info().placement == unpacked->info().placement);
-        CHECK(folders_left() == before + 1);
+        CHECK(temporary.folders_of_zips() == 1);
         CHECK(read_all(*reader) == read_all(*open_volume(packed)));
       }
     }
-  CHECK(folders_left() == before);
+  CHECK(temporary.folders_of_zips() == 0);
 }
 
 TEST_CASE("what else is in a zip is passed over, and names may be in any language") {
@@ -115,7 +127,7 @@ TEST_CASE("what else is in a zip is passed over, and names may be in any languag
 }
 
 TEST_CASE("nothing is left of a zip when a signal ends the program, and two may be open") {
-  const std::size_t before = folders_left();
+  const TemporaryFiles temporary;
   const Folder folder;
   const std::string packed = zip(members_of(files / "dicom/series", "")),
                     command = std::string("'") + DISCMC_COMMAND + "' ",
@@ -125,10 +137,10 @@ TEST_CASE("nothing is left of a zip when a signal ends the program, and two may 
   const std::string stopped = place + "mkfifo v.stl && { timeout -s KILL 2 " + command +
                               "extract study.zip --iso=-1000 -q -o v.stl; sleep 1; }";
   CHECK(std::system(stopped.c_str()) == 0);
-  CHECK(folders_left() == before);
+  CHECK(temporary.folders_of_zips() == 0);
   const std::string both = place + command + "compare study.zip study.zip --iso=-1000 >told 2>&1";
   CHECK(std::system(both.c_str()) == 0);
-  CHECK(folders_left() == before);
+  CHECK(temporary.folders_of_zips() == 0);
 }
 
 TEST_CASE("errors name the archive, and the member where it is one's") {

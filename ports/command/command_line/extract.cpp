@@ -1,4 +1,5 @@
 // The arguments of discmc extract.
+#include <algorithm>
 #include <memory>
 
 #include "command_line.hpp"
@@ -29,10 +30,18 @@ void check_labels(const ExtractArguments& arguments) {
                                "--surface interpolated");
 }
 
+bool has_label(const std::vector<NamedSelection>& selections) {
+  return std::any_of(selections.begin(), selections.end(), [](const NamedSelection& each) {
+    return each.selection.low == each.selection.high;
+  });
+}
+
 void check_selections(const ExtractArguments& arguments) {
   if (arguments.takes_all_labels) return check_labels(arguments);
   if (!arguments.label_table.empty() && format_of(arguments.output) == Format::stream)
     throw CLI::ValidationError("--label-table", "a stream has no names: write meshes");
+  if (!arguments.label_table.empty() && !has_label(arguments.reading.selections))
+    throw CLI::ValidationError("--label-table", "it is of labels: add --label N or --labels all");
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const std::size_t surfaces = selections.size();
   if (surfaces == 0)

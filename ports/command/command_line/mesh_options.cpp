@@ -1,5 +1,7 @@
 #include "mesh_options.hpp"
 
+#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "mesh_files/file_format.hpp"
@@ -18,6 +20,19 @@ CLI::Validator known_format() {
           return std::string(error.what());
         }
         return std::string();
+      },
+      "");
+}
+
+// A validator, as CLI11's own name the largest number there is.
+template <class Condition>
+CLI::Validator accepted(Condition holds, const std::string& wanted) {
+  return CLI::Validator(
+      [holds, wanted](std::string& text) {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        const bool is_number = !text.empty() && *end == '\0' && std::isfinite(value);
+        return is_number && holds(value) ? std::string() : "'" + text + "' is no " + wanted;
       },
       "");
 }
@@ -57,11 +72,12 @@ void add_component_options(CLI::App& app, ComponentChoice& components) {
   app.option_defaults()->group(mesh_group);
   app.add_option("--largest", components.largest,
                  "keep the N bodies and cavities that enclose most (default: all)")
-      ->check(CLI::PositiveNumber)
+      ->check(accepted([](double count) { return count >= 1 && count == std::floor(count); },
+                       "whole number from 1 on"))
       ->option_text("N");
   app.add_option("--min-volume", components.min_volume_mm3,
                  "drop bodies and cavities that enclose less, in cubic millimetres")
-      ->check(CLI::NonNegativeNumber)
+      ->check(accepted([](double volume) { return volume >= 0; }, "number of cubic millimetres"))
       ->option_text("MM3");
 }
 

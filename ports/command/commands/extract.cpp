@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "empty_surface.hpp"
 #include "mesh_files/file_format.hpp"
+#include "statistics/value_text.hpp"
 #include "thresholds.hpp"
 
 namespace discmc::host {
@@ -47,10 +48,10 @@ std::vector<std::string> files_for(const FilePattern& pattern,
   std::vector<std::string> files;
   std::set<std::string> taken;
   for (const NamedSelection& each : selections) {
-    std::string file = pattern.file_for(each.name);
-    for (int number = 2; !taken.insert(file).second; ++number)
-      file = pattern.file_for(each.name + "-" + std::to_string(number));
-    files.push_back(std::move(file));
+    std::string name = each.name;
+    while (!taken.insert(pattern.file_for(name)).second)
+      name += "-" + value_text(each.selection.low);
+    files.push_back(pattern.file_for(name));
   }
   return files;
 }

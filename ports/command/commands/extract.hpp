@@ -34,7 +34,8 @@ LabelTable label_table_of(const ExtractArguments& arguments);
 /// Gives a label the name and the colour that it has in the table, if it is there.
 void describe(NamedSelection& selection, const LabelTable& table);
 
-/// The files of surfaces, no two the same: of equal names all but the first get a number.
+/// The files of surfaces, no two the same: of equal names all but the first get their label or
+/// threshold as well.
 std::vector<std::string> files_for(const FilePattern& pattern,
                                    const std::vector<NamedSelection>& selections);
 

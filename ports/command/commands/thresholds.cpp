@@ -17,7 +17,7 @@ bool has_rule(const NamedSelection& surface) {
 }
 
 bool needs_values(const NamedSelection& surface) {
-  return surface.rule == ThresholdRule::otsu;
+  return surface.rule == ThresholdRule::otsu || surface.rule == ThresholdRule::automatic;
 }
 
 RuledThreshold found(const std::string& path, const NamedSelection& surface, bool is_in_hounsfield,

@@ -31,10 +31,15 @@ bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics
           statistics.least > -beyond && statistics.greatest < beyond);
 }
 
+bool divides(double threshold, const VolumeStatistics& statistics) {
+  return statistics.least < threshold && threshold <= statistics.greatest;
+}
+
 RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
                             const VolumeStatistics& statistics) {
   if (rule == ThresholdRule::automatic)
-    rule = is_in_hounsfield ? ThresholdRule::bone : ThresholdRule::otsu;
+    rule = is_in_hounsfield && divides(bone_threshold, statistics) ? ThresholdRule::bone
+                                                                   : ThresholdRule::otsu;
   if (rule == ThresholdRule::otsu) return otsu(statistics);
   if (!is_in_hounsfield)
     throw std::invalid_argument("--iso " + std::string(name(rule)) +

@@ -11,7 +11,7 @@
 namespace discmc::host {
 
 /// Otsu's threshold, or that of a tissue in CT. Automatic is bone where values are in Hounsfield
-/// units, Otsu elsewhere.
+/// units and some reach it, Otsu elsewhere.
 enum class ThresholdRule { automatic, otsu, bone, skin };
 
 /// All of them, by the names that the command line has for them.
@@ -32,6 +32,9 @@ constexpr double skin_threshold = -300;
 /// Whether values are Hounsfield units: the file says so, or they reach from air to bone. Other
 /// scanners measure nothing as far below zero.
 bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics);
+
+/// Whether some values reach the threshold and others do not.
+bool divides(double threshold, const VolumeStatistics& statistics);
 
 /// A threshold, and the rule that was followed: never automatic.
 struct RuledThreshold {

@@ -156,7 +156,7 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Des
   auto lengths = header.reals({"ElementSpacing", "ElementSize"});
   const std::size_t axes = words(header.needed("DimSize")).size();
   if (lengths.empty())
-    info.notes.emplace_back("no spacing given, 1 mm taken");
+    info.notes.emplace_back(no_spacing_note);
   else if (lengths.size() < axes)
     fail(file,
          "ElementSpacing holds " + std::to_string(lengths.size()) + " numbers for " +

@@ -201,7 +201,7 @@ std::array<double, 3> spacings_of(VolumeInfo& info, const std::filesystem::path&
   for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
     spacing[axis] = units[axis] * real(file, "spacings", spacings[axis]);
   if (spacings.empty())
-    info.notes.emplace_back("no spacing given, 1 mm taken");
+    info.notes.emplace_back(no_spacing_note);
   else
     expect_per_axis(file, fields, "spacings", spacings.size());
   return spacing;

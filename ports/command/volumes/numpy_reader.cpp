@@ -84,7 +84,7 @@ std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions&
   else
     std::reverse(sizes.begin(), sizes.end());
   set_dims(info, file, sizes, options);
-  info.notes.emplace_back("no spacing given, 1 mm taken");
+  info.notes.emplace_back(no_spacing_note);
   skip_to_frame(stream, info, options);
   return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
 }

@@ -121,6 +121,8 @@ class RespacedVolume final : public VolumeReader {
     const std::array<double, 3> told = info_.spacing_mm;
     for (std::size_t axis = 0; axis < 3; ++axis) spacing_mm[axis] *= std::copysign(1.0, told[axis]);
     set_spacing(info_, spacing_mm);
+    std::vector<std::string>& notes = info_.notes;
+    notes.erase(std::remove(notes.begin(), notes.end(), no_spacing_note), notes.end());
     if (!info_.placement) return;
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (double& along : info_.placement->axes_mm[axis])

@@ -63,6 +63,9 @@ std::optional<std::string_view> format_of_magic(ByteStream& stream);
 /// Returns text from a file in quotes, cut to a length fit for a message, without control bytes.
 std::string shown(std::string_view text);
 
+/// What is noted of a file that tells no spacing.
+constexpr const char* no_spacing_note = "no spacing given, 1 mm taken";
+
 /// Units: bytes of all volumes in a file.
 std::uint64_t bytes_of_all(const VolumeInfo& info);
 

@@ -105,7 +105,7 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
   if (first.spacing_mm)
     set_spacing(info, *first.spacing_mm);
   else
-    info.notes.emplace_back("no spacing given, 1 mm taken");
+    info.notes.emplace_back(no_spacing_note);
   if (first.is_inverted)
     info.notes.emplace_back("the low values are the bright ones, taken as stored");
   info.format = is_png_name(slices[0].file) ? "PNG" : "TIFF";
