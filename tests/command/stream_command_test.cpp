@@ -369,13 +369,3 @@ TEST_CASE("two scans of one number that are mixed are told, with a remedy") {
   CHECK(result.code == 3);
   CHECK(contains(result.error, "give every scan a number of its own"));
 }
-
-TEST_CASE("a stream is not decoded over itself") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", volume_files::nrrd(volume_files::nrrd_u8) + "\n" +
-                               volume_files::stored(volume_files::SampleType::u8));
-  workshop.done("extract v.nrrd --iso 100 --iso 50 -q -o v.dmc");
-  const std::string before = workshop.read("v.dmc");
-  command::check_failure(workshop.run("decode v.dmc -o ./v.dmc"), 1, {"the stream itself"});
-  CHECK(workshop.read("v.dmc") == before);
-}

@@ -1,10 +1,8 @@
 // discmc decode: a stream to a mesh, or to another stream.
-#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "commands.hpp"
@@ -101,10 +99,6 @@ void add_normals(const StreamArguments& arguments, const DecodedStream& decoded,
 
 int run_decode(const StreamArguments& arguments) {
   const Format format = format_of(arguments.output);
-  std::error_code unknown;
-  if (std::filesystem::equivalent(arguments.stream, arguments.output, unknown))
-    throw std::invalid_argument(arguments.output +
-                                ": this is the stream itself: give another name to write");
   OutputFile file(arguments.output);
   StreamReport report;
   if (format == Format::stream) {
