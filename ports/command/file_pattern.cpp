@@ -5,6 +5,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "control_character.hpp"
+
 namespace discmc::host {
 namespace {
 
@@ -13,8 +15,7 @@ std::string as_file_name(const std::string& name) {
   constexpr std::string_view forbidden = "/\\:*?\"<>|";
   std::string result;
   for (const char c : name) {
-    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    const bool is_usable = !is_control && forbidden.find(c) == std::string_view::npos;
+    const bool is_usable = !is_control(c) && forbidden.find(c) == std::string_view::npos;
     result += is_usable ? c : '_';
   }
   if (result.empty() || result.front() == '.') result.insert(0, "_");

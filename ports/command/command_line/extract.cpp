@@ -1,5 +1,4 @@
 // The arguments of discmc extract.
-#include <algorithm>
 #include <memory>
 
 #include "command_line.hpp"
@@ -30,17 +29,11 @@ void check_labels(const ExtractArguments& arguments) {
                                "--surface interpolated");
 }
 
-bool has_label(const std::vector<NamedSelection>& selections) {
-  return std::any_of(selections.begin(), selections.end(), [](const NamedSelection& each) {
-    return each.selection.low == each.selection.high;
-  });
-}
-
 void check_selections(const ExtractArguments& arguments) {
   if (arguments.takes_all_labels) return check_labels(arguments);
   if (!arguments.label_table.empty() && format_of(arguments.output) == Format::stream)
     throw CLI::ValidationError("--label-table", "a stream has no names: write meshes");
-  if (!arguments.label_table.empty() && !has_label(arguments.reading.selections))
+  if (!arguments.label_table.empty() && !arguments.reading.selects_labels())
     throw CLI::ValidationError("--label-table", "it is of labels: add --label N or --labels all");
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const std::size_t surfaces = selections.size();
@@ -90,10 +83,9 @@ void check_surface(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--median",
                                "the crossings are those of the samples, which are not filtered: "
                                "leave out --surface interpolated");
-  for (const NamedSelection& each : arguments.reading.selections)
-    if (each.selection.low == each.selection.high)
-      throw CLI::ValidationError("--surface",
-                                 "there is nothing to interpolate between labels: leave it out");
+  if (arguments.reading.selects_labels())
+    throw CLI::ValidationError("--surface",
+                               "there is nothing to interpolate between labels: leave it out");
 }
 
 void check_wire(const ExtractArguments& arguments) {

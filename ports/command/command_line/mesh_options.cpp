@@ -1,11 +1,11 @@
 #include "mesh_options.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "mesh_files/file_format.hpp"
 #include "named_values.hpp"
+#include "number_text.hpp"
 #include "option_checks.hpp"
 
 namespace discmc::host {
@@ -29,10 +29,8 @@ template <class Condition>
 CLI::Validator accepted(Condition holds, const std::string& wanted) {
   return CLI::Validator(
       [holds, wanted](std::string& text) {
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        const bool is_number = !text.empty() && *end == '\0' && std::isfinite(value);
-        return is_number && holds(value) ? std::string() : "'" + text + "' is no " + wanted;
+        const auto value = finite_number(text);
+        return value && holds(*value) ? std::string() : "'" + text + "' is no " + wanted;
       },
       "");
 }

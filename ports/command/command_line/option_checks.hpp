@@ -9,15 +9,14 @@
 #include <cstdlib>
 #include <string>
 
+#include "number_text.hpp"
+
 namespace discmc::host {
 
 inline CLI::Validator finite() {
   return CLI::Validator(
       [](std::string& text) {
-        char* end = nullptr;
-        const bool is_finite = std::isfinite(std::strtod(text.c_str(), &end));
-        return is_finite && !text.empty() && *end == '\0' ? std::string()
-                                                          : "'" + text + "' is no finite number";
+        return finite_number(text) ? std::string() : "'" + text + "' is no finite number";
       },
       "");
 }

@@ -1,27 +1,20 @@
 #include "selection_options.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string>
 
+#include "number_text.hpp"
 #include "surface_options.hpp"
 
 namespace discmc::host {
 namespace {
 
-std::optional<double> number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool is_number = !text.empty() && *end == '\0' && std::isfinite(value);
-  return is_number ? std::optional<double>(value) : std::nullopt;
-}
-
 std::optional<NamedSelection> threshold(const std::string& text) {
   for (const auto& [called, rule] : threshold_rules)
     if (called == text) return NamedSelection{{}, text, {}, rule};
-  const auto low = number(text);
+  const auto low = finite_number(text);
   return low ? std::optional(NamedSelection{*low, text}) : std::nullopt;
 }
 
@@ -32,14 +25,14 @@ std::optional<NamedSelection> range(const std::string& text) {
   const std::string low = text.substr(0, dots);
   const std::string high = text.substr(dots + 2);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto lowest = low.empty() ? -infinity : number(low);
-  const auto highest = high.empty() ? infinity : number(high);
+  const auto lowest = low.empty() ? -infinity : finite_number(low);
+  const auto highest = high.empty() ? infinity : finite_number(high);
   if (!lowest || !highest || *lowest > *highest) return std::nullopt;
   return NamedSelection{{*lowest, *highest}, text};
 }
 
 std::optional<NamedSelection> label(const std::string& text) {
-  const auto value = number(text);
+  const auto value = finite_number(text);
   if (!value || *value != std::floor(*value)) return std::nullopt;
   return NamedSelection{{*value, *value}, text};
 }

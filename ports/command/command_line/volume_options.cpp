@@ -1,26 +1,18 @@
 #include "volume_options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "named_values.hpp"
+#include "number_text.hpp"
 #include "option_checks.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::host {
 namespace {
-
-std::optional<std::uint32_t> whole_number(std::string_view text) {
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? std::optional(value) : std::nullopt;
-}
 
 std::optional<VoxelRange> voxel_range(std::string_view text) {
   const std::size_t dots = text.find("..");
@@ -28,12 +20,12 @@ std::optional<VoxelRange> voxel_range(std::string_view text) {
   const std::string_view first = text.substr(0, dots), last = text.substr(dots + 2);
   VoxelRange range;
   if (!first.empty()) {
-    const auto value = whole_number(first);
+    const auto value = whole_number<std::uint32_t>(first);
     if (!value) return std::nullopt;
     range.first = *value;
   }
   if (!last.empty()) {
-    range.last = whole_number(last);
+    range.last = whole_number<std::uint32_t>(last);
     if (!range.last || *range.last < range.first) return std::nullopt;
   }
   return range;

@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
 #define DISCMC_COMMAND_COMMANDS_ARGUMENTS_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -51,6 +52,12 @@ struct VolumeArguments {
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< records and holes, or none
   LayoutArguments layout;
+
+  /// Whether some surface is that of one value.
+  bool selects_labels() const {
+    return std::any_of(selections.begin(), selections.end(),
+                       [](const NamedSelection& each) { return each.selection.is_one_value(); });
+  }
 };
 
 /// Where the normals of a mesh's vertices come from: its polygons, or the samples.

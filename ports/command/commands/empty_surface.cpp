@@ -33,7 +33,7 @@ std::string end_text(double value) {
 // As in "no voxel reaches 300".
 std::string condition(const Selection& selection) {
   if (!selection.has_upper_end()) return "reaches " + value_text(selection.low);
-  if (selection.low == selection.high) return "is " + value_text(selection.low);
+  if (selection.is_one_value()) return "is " + value_text(selection.low);
   return "is in " + end_text(selection.low) + ".." + end_text(selection.high);
 }
 

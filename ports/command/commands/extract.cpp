@@ -36,7 +36,7 @@ LabelTable label_table_of(const ExtractArguments& arguments) {
 void describe(NamedSelection& selection, const LabelTable& table) {
   const Selection& values = selection.selection;
   constexpr double exact = 0x1p53;
-  if (values.low != values.high || std::fabs(values.low) > exact) return;
+  if (!values.is_one_value() || std::fabs(values.low) > exact) return;
   const auto found = table.find(static_cast<std::int64_t>(values.low));
   if (found == table.end()) return;
   selection.name = found->second.name;
@@ -74,6 +74,8 @@ int run_extract(const ExtractArguments& arguments) {
   if (arguments.takes_all_labels) return extract_label_meshes(arguments);
   ExtractArguments found = arguments;
   found.reading.selections = with_thresholds(arguments.volume, arguments.reading);
+  const LabelTable table = label_table_of(arguments);
+  for (NamedSelection& each : found.reading.selections) describe(each, table);
   return format_of(found.output) == Format::stream ? extract_stream(found) : extract_meshes(found);
 }
 

@@ -52,9 +52,7 @@ void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& outpu
 
 int extract_meshes(const ExtractArguments& arguments) {
   if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume, gradient_pass);
-  std::vector<NamedSelection> selections = arguments.reading.selections;
-  const LabelTable table = label_table_of(arguments);
-  for (NamedSelection& each : selections) describe(each, table);
+  const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const FilePattern pattern(arguments.output);
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo& info = volume->info();

@@ -1,6 +1,5 @@
 #include "volume_input.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -10,13 +9,6 @@
 
 namespace discmc::host {
 namespace {
-
-// Labels have no mean.
-bool selects_labels(const VolumeArguments& arguments) {
-  return std::any_of(
-      arguments.selections.begin(), arguments.selections.end(),
-      [](const NamedSelection& each) { return each.selection.low == each.selection.high; });
-}
 
 void write_notes(const std::string& path, const VolumeInfo& info) {
   for (const std::string& note : info.notes)
@@ -45,7 +37,8 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
 
 VolumeOptions volume_options(const VolumeArguments& arguments) {
   VolumeOptions options = volume_options(arguments.layout);
-  if (selects_labels(arguments)) options.block_value = BlockValue::most_frequent;
+  // Labels have no mean.
+  if (arguments.selects_labels()) options.block_value = BlockValue::most_frequent;
   return options;
 }
 

@@ -1,7 +1,6 @@
 #include "extraction.hpp"
 
 #include <discmc/learning_extractor.hpp>
-#include <discmc/majority_filter.hpp>
 #include <discmc/surface_group.hpp>
 
 #include <algorithm>
@@ -16,6 +15,7 @@
 
 #include "crossing_counter.hpp"
 #include "mask_bits.hpp"
+#include "own_filter.hpp"
 #include "require.hpp"
 #include "streams/stream_file.hpp"
 
@@ -110,14 +110,6 @@ class BitSource {
   std::uint64_t not_numbers() const { return not_numbers_; }
 
  private:
-  struct OwnFilter {
-    explicit OwnFilter(const Limits& limits) : memory(MajorityFilter::bytes_for(limits)) {
-      require(filter.start(limits, {memory.data(), memory.size()}));
-    }
-    std::vector<std::uint8_t> memory;
-    MajorityFilter filter;
-  };
-
   template <class Call>
   void add_row(std::uint8_t* row, Call call) {
     if (filters_.empty()) return pass_on(row, call);

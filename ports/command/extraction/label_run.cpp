@@ -46,11 +46,7 @@ LabelRun::LabelRun(const Limits& limits, std::uint32_t first, bool takes_majorit
   arena_.reset(new std::uint8_t[bytes]);
   constexpr std::int32_t no_threshold = 0;
   require(extractor_.start(limits_, no_threshold, {arena_.get(), bytes}, sink_to(joiner_)));
-  if (takes_majority) {
-    filter_memory_.resize(MajorityFilter::bytes_for(limits_));
-    filter_ = std::make_unique<MajorityFilter>();
-    require(filter_->start(limits_, {filter_memory_.data(), filter_memory_.size()}));
-  }
+  if (takes_majority) filter_ = std::make_unique<OwnFilter>(limits_);
   for (std::uint32_t i = 0; i < empty_slices_before(first); ++i) end_slice();
   slices_without_voxels_ = 0;
 }
@@ -78,13 +74,13 @@ void LabelRun::end_slice() {
 }
 
 void LabelRun::finish() {
-  while (const std::uint8_t* row = filter_ ? filter_->drain() : nullptr)
+  while (const std::uint8_t* row = filter_ ? filter_->filter.drain() : nullptr)
     require(extractor_.push_bits(row).status);
   require(extractor_.finish());
 }
 
 void LabelRun::push(const std::uint8_t* row) {
-  if (filter_) row = filter_->push(row);
+  if (filter_) row = filter_->filter.push(row);
   if (row != nullptr) require(extractor_.push_bits(row).status);
 }
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <discmc/extractor.hpp>
-#include <discmc/majority_filter.hpp>
 #include <discmc/sink.hpp>
 
+#include "own_filter.hpp"
 #include "surface/growing_joiner.hpp"
 
 namespace discmc::host {
@@ -47,8 +47,7 @@ class LabelRun {
   std::vector<std::uint8_t> slice_;  // bits
   bool has_voxels_ = false;          // the slice
   unsigned slices_without_voxels_ = 0;
-  std::vector<std::uint8_t> filter_memory_;
-  std::unique_ptr<MajorityFilter> filter_;  // or none
+  std::unique_ptr<OwnFilter> filter_;  // or none
   GrowingJoiner joiner_;
   std::unique_ptr<std::uint8_t[]> arena_;
   Extractor32 extractor_;

@@ -22,6 +22,8 @@ struct Selection {
   Selection(double lowest, double highest = std::numeric_limits<double>::infinity())
       : low(lowest), high(highest) {}
 
+  /// As of a label.
+  bool is_one_value() const { return low == high; }
   bool has_upper_end() const { return high < std::numeric_limits<double>::infinity(); }
 };
 

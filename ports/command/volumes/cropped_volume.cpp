@@ -50,13 +50,11 @@ class CroppedVolume final : public VolumeReader {
 
 [[noreturn]] void fail_outside(const std::filesystem::path& file, const VolumeInfo& info,
                                const VoxelRange& range, std::size_t axis) {
-  const auto& dims = info.dims;
   fail(file,
        "--crop asks for the voxels " + std::to_string(range.first) + ".." +
            (range.last ? std::to_string(*range.last) : "") + " along " + "xyz"[axis] +
-           ", but the volume has " + std::to_string(dims[0]) + " x " + std::to_string(dims[1]) +
-           " x " + std::to_string(dims[2]),
-       "give a part of 0.." + std::to_string(dims[axis] - 1));
+           ", but the volume has " + extents(info.dims),
+       "give a part of 0.." + std::to_string(info.dims[axis] - 1));
 }
 
 }  // namespace

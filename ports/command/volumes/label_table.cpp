@@ -1,12 +1,12 @@
 #include "label_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "number_text.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -32,20 +32,12 @@ Words columns(std::string_view line) {
   return columns;
 }
 
-template <class Number>
-std::optional<Number> whole(std::string_view text, int base = 10) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? std::optional<Number>(value) : std::nullopt;
-}
-
 // Three words from 0 to 255.
 std::optional<Srgb> colour_of(const Words& words, std::size_t first) {
   Srgb colour{};
   if (words.size() < first + colour.size()) return std::nullopt;
   for (std::size_t i = 0; i < colour.size(); ++i) {
-    const auto part = whole<std::uint8_t>(words[first + i]);
+    const auto part = whole_number<std::uint8_t>(words[first + i]);
     if (!part) return std::nullopt;
     colour[i] = *part;
   }
@@ -57,7 +49,7 @@ std::optional<Srgb> hexadecimal_colour(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   Srgb colour{};
   for (std::size_t i = 0; i < colour.size(); ++i) {
-    const auto part = whole<std::uint8_t>(text.substr(1 + 2 * i, 2), 16);
+    const auto part = whole_number<std::uint8_t>(text.substr(1 + 2 * i, 2), 16);
     if (!part) return std::nullopt;
     colour[i] = *part;
   }
@@ -71,7 +63,7 @@ struct Entry {
 
 std::optional<Entry> entry(std::string_view index, std::string_view name,
                            const std::optional<Srgb>& colour) {
-  const auto label = whole<std::int64_t>(index);
+  const auto label = whole_number<std::int64_t>(index);
   if (!label || name.empty()) return std::nullopt;
   return Entry{*label, {std::string(name), colour}};
 }

@@ -44,11 +44,6 @@ class Mask final : public VolumeReader {
   std::vector<std::uint8_t> slice_;
 };
 
-std::string list(const std::array<std::uint32_t, 3>& dims) {
-  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " +
-         std::to_string(dims[2]);
-}
-
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
@@ -58,7 +53,8 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   auto mask = open_volume(file, of_all);
   const auto whole = volume.whole_dims.value_or(volume.dims);
   if (mask->info().dims != whole)
-    fail(file, "the mask has " + list(mask->info().dims) + " voxels, and the volume " + list(whole),
+    fail(file,
+         "the mask has " + extents(mask->info().dims) + " voxels, and the volume " + extents(whole),
          "give a mask with a voxel for each of the volume's");
   if (options.crop) mask = cropped(file, std::move(mask), *options.crop);
   mask = std::make_unique<Mask>(std::move(mask));

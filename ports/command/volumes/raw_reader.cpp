@@ -21,9 +21,8 @@ void require_length(const ByteStream& stream, const VolumeInfo& info, const RawL
   std::string what = "the file has " + std::to_string(*left) + " bytes";
   if (layout.skipped_bytes > 0)
     what += " behind the " + std::to_string(layout.skipped_bytes) + " skipped";
-  what += ", but a volume of " + std::to_string(info.dims[0]) + " x " +
-          std::to_string(info.dims[1]) + " x " + std::to_string(info.dims[2]) + " " +
-          std::string(name(info.type)) + " has " + std::to_string(volume);
+  what += ", but a volume of " + extents(info.dims) + " " + std::string(name(info.type)) + " has " +
+          std::to_string(volume);
   fail(stream.file(), what,
        *left < volume ? std::string("correct --dims and --type, or copy the file again")
                       : "correct --dims and --type, or skip a header with --skip-bytes " +

@@ -1,12 +1,13 @@
 #include "volume_format.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <locale>
 #include <sstream>
-#include <system_error>
+
+#include "control_character.hpp"
+#include "number_text.hpp"
 
 namespace discmc::host {
 namespace {
@@ -15,10 +16,6 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 constexpr std::int64_t most_across = 32766;
 // The half-steps of the last slice must fit into 31 bits.
 constexpr std::int64_t most_slices = (std::int64_t{1} << 30) - 1;
-
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
 
 bool usable(double spacing_mm) {
   const double size = std::fabs(spacing_mm);
@@ -132,14 +129,18 @@ std::filesystem::path beside(const std::filesystem::path& header, std::string_vi
   return header.parent_path() / std::filesystem::path(std::string(name));
 }
 
+std::string extents(const std::array<std::uint32_t, 3>& dims) {
+  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " +
+         std::to_string(dims[2]);
+}
+
 std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text) {
-  std::int64_t value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+  const auto value = whole_number<std::int64_t>(text);
+  if (!value)
     fail(file, std::string(field) + " is " + shown(text) + ", which is no whole number in range",
          "correct the header");
-  return value;
+  return *value;
 }
 
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text) {

@@ -66,6 +66,9 @@ std::string shown(std::string_view text);
 /// What is noted of a file that tells no spacing.
 constexpr const char* no_spacing_note = "no spacing given, 1 mm taken";
 
+/// Returns the extents of a volume for a message, as in "8 x 9 x 6".
+std::string extents(const std::array<std::uint32_t, 3>& dims);
+
 /// Units: bytes of all volumes in a file.
 std::uint64_t bytes_of_all(const VolumeInfo& info);
 

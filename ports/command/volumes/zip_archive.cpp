@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "control_character.hpp"
 #include "volume_format.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
@@ -117,7 +118,7 @@ class Utf8Locale {
 // A name that can be shown.
 std::string without_control(std::string text) {
   for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
+    if (is_control(c)) c = '_';
   return text;
 }
 
@@ -176,10 +177,8 @@ void unpack(const std::filesystem::path& zip, const std::filesystem::path& folde
     fail(zip, "the archive is damaged or no zip", "copy or export it again");
 }
 
-// Where pictures are: goes into a folder that is alone, but for files that are none. DICOM is found
-// wherever it is.
-std::filesystem::path filled_folder(std::filesystem::path folder) {
-  if (!dicom_files(folder).empty()) return folder;
+// Where pictures are: goes into a folder that is alone, but for files that are none.
+std::filesystem::path picture_folder(std::filesystem::path folder) {
   for (;;) {
     std::vector<std::filesystem::path> folders;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -193,12 +192,19 @@ std::filesystem::path filled_folder(std::filesystem::path folder) {
   }
 }
 
+std::unique_ptr<VolumeReader> open_unpacked(const std::filesystem::path& folder,
+                                            const VolumeOptions& options) {
+  const auto files = dicom_files(folder);
+  if (!files.empty()) return open_dicom(folder, files, options.series);
+  return open_folder(picture_folder(folder), options);
+}
+
 // A volume whose files are gone when it is closed, and bear the name of the archive in errors.
 class UnpackedVolume final : public VolumeReader {
  public:
   UnpackedVolume(const std::filesystem::path& zip, const VolumeOptions& options) : zip_(zip) {
     unpack(zip, folder_.path());
-    renamed([&] { volume_ = open_folder(filled_folder(folder_.path()), options); });
+    renamed([&] { volume_ = open_unpacked(folder_.path(), options); });
     info_ = volume_->info();
     info_.format += ", zip";
   }
