@@ -1,4 +1,4 @@
-// Thresholds that leave no surface: said with what is there instead, and no file is left.
+// Thresholds that leave no surface, or take the whole volume: said with what is there instead.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -88,11 +88,42 @@ TEST_CASE("an empty surface of a pipe is a failure, too") {
   for (const std::string file : {"v.stl", "v.dmc"}) {
     const std::string extract = "cat v.nrrd | \"$discmc\" extract - -o " + file;
     check_failure(workshop.shell(extract + " --iso 7000"), 1,
-                  {"standard input: no voxel reaches 7000; discmc info shows"});
+                  {"standard input: no voxel reaches 7000" + values});
     check_failure(workshop.shell(extract + " --iso=-2000 --border open"), 1,
-                  {"standard input: no or every voxel reaches -2000; "});
+                  {"standard input: every voxel reaches -2000, and an open border has no surface"});
   }
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+}
+
+TEST_CASE("a surface that is the box of the volume is taken, and said to be one") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  workshop.write("four.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\4'));
+  for (const std::string file : {"v.stl", "v.dmc", "v.dmc --wire slices", "v.png"}) {
+    INFO(file);
+    const std::string command = file == "v.png" ? "render" : "extract";
+    const auto error_of = [&](const std::string& arguments) {
+      const Result result = workshop.run(command + " " + arguments + " -o " + file);
+      CHECK(result.code == 0);
+      return result.error;
+    };
+    const std::string box = ", so the surface is the box of the volume";
+    CHECK(contains(error_of("v.nrrd --iso=-1000"),
+                   "v.nrrd: every voxel reaches -1000" + box + values));
+    CHECK(contains(error_of("four.nrrd --label 4"), "every voxel is 4" + box));
+    CHECK(error_of("v.nrrd --iso=-999").empty());
+  }
+  const Result piped = workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl");
+  CHECK(piped.code == 0);
+  CHECK(contains(piped.error, "standard input: every voxel reaches -2000"));
+}
+
+TEST_CASE("an empty surface of a volume without numbers says so") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "2 1 2") +
+                               "\nnan nan nan nan");
+  check_failure(workshop.run("extract v.nrrd --iso 3 -o v.stl"), 1,
+                {"no voxel reaches 3: no value is a finite number; "});
 }
 
 TEST_CASE("pictures and distances of empty surfaces are refused with the values") {

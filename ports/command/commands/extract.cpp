@@ -62,12 +62,15 @@ void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbe
               << " samples are not a number (NaN), and taken as off\n";
 }
 
-void require_surfaces(const ExtractArguments& arguments,
-                      const std::vector<Extraction>& extractions) {
-  if (arguments.reading.allows_empty) return;
-  for (std::size_t i = 0; i < extractions.size(); ++i)
-    if (extractions[i].statistics.facets == 0)
-      fail_empty(arguments.volume, arguments.reading, arguments.reading.selections[i].selection);
+void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,
+                    const MeasuredVolume& volume) {
+  for (std::size_t i = 0; i < extractions.size(); ++i) {
+    const Selection& selection = arguments.reading.selections[i].selection;
+    const bool is_empty = extractions[i].statistics.facets == 0;
+    if (is_empty && !arguments.reading.allows_empty)
+      fail_empty(arguments.volume, arguments.reading, selection, volume);
+    if (!is_empty && extractions[i].is_full) note_full(arguments.volume, selection, volume);
+  }
 }
 
 int run_extract(const ExtractArguments& arguments) {

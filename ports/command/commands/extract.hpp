@@ -11,6 +11,7 @@
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
 #include "file_pattern.hpp"
+#include "statistics/measured_volume.hpp"
 #include "surface_receiver.hpp"
 #include "volumes/label_table.hpp"
 
@@ -51,9 +52,10 @@ struct SurfaceOutput {
 void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
                    const std::optional<VolumePlacement>& placement);
 
-/// Throws as fail_empty() where a surface is empty and must not be.
-void require_surfaces(const ExtractArguments& arguments,
-                      const std::vector<Extraction>& extractions);
+/// Throws as fail_empty() where a surface is empty and must not be, and says which are a box.
+/// volume: that they are of.
+void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,
+                    const MeasuredVolume& volume);
 
 /// Says how many samples are not a number, if any.
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers);

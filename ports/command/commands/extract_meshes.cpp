@@ -78,7 +78,7 @@ int extract_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
   const std::vector<Extraction> extractions = extract(*volume, options, requests);
   note_not_numbers(arguments, extractions[0].not_numbers);
-  require_surfaces(arguments, extractions);
+  check_surfaces(arguments, extractions, *volume);
 
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();

@@ -6,9 +6,9 @@
 #include <discmc/shared_output.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "exit_codes.hpp"
@@ -63,7 +63,7 @@ void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& inf
 int extract_stream(const ExtractArguments& arguments) {
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
     throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
-  auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
   OutputFile file(arguments.output);
@@ -75,12 +75,12 @@ int extract_stream(const ExtractArguments& arguments) {
   std::vector<NamedSelection> selections = arguments.reading.selections;
   options.normals = arguments.normals == Normals::gradient;
   options.measures_memory = !arguments.quiet;
+  std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);
-    GradientVolume narrow = open_for_gradient(
-        arguments.volume, volume_options(arguments.reading.layout), selections[0].selection.low);
-    volume = std::move(narrow.reader);
-    selections[0].selection = narrow.selection;
+    narrow = narrowed_again(arguments.volume, volume_options(arguments.reading.layout),
+                            selections[0].selection.low, *volume);
+    selections[0].selection = 0;
   }
 
   const SurfaceReceivers receivers = receivers_for(selections);
@@ -103,9 +103,9 @@ int extract_stream(const ExtractArguments& arguments) {
     for (const auto& receiver : receivers) receiver->start_surface();
 
   const std::vector<Extraction> extractions =
-      extract(*volume, options, requests_of(selections, receivers));
+      extract(narrow ? *narrow : *volume, options, requests_of(selections, receivers));
   note_not_numbers(arguments, extractions[0].not_numbers);
-  require_surfaces(arguments, extractions);
+  check_surfaces(arguments, extractions, *volume);
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;

@@ -38,27 +38,38 @@ bool has_gradient(const VolumeArguments& arguments) {
          !arguments.selections[0].selection.has_upper_end();
 }
 
-Mesh volume_to_draw(const RenderArguments& arguments) {
-  const bool takes_gradient = arguments.smooth && has_gradient(arguments.reading);
-  if (takes_gradient) require_second_pass(arguments.input, gradient_pass);
-  auto volume = open_noted_volume(arguments.input, arguments.reading);
-  Progress progress("extracting", volume->info().dims[2]);
-  const auto mask = open_noted_mask(arguments.reading, volume->info());
-  auto options = extraction_options(arguments.reading, progress, mask.get());
-  if (arguments.classic) return classic_mesh(*volume, options);
-  options.normals = takes_gradient;
-  if (options.normals && !is_scanner_type(volume->info().type)) {
-    GradientVolume again =
-        open_for_gradient(arguments.input, volume_options(arguments.reading.layout),
-                          arguments.reading.selections[0].selection.low);
-    volume = std::move(again.reader);
-    options.selection = again.selection;
+// options: of the extraction. volume: not yet read; is at the end.
+Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
+                 ExtractionOptions options) {
+  options.normals = arguments.smooth && has_gradient(arguments.reading);
+  std::unique_ptr<VolumeReader> narrow;
+  if (options.normals && !is_scanner_type(volume.info().type)) {
+    narrow = narrowed_again(arguments.input, volume_options(arguments.reading.layout),
+                            options.selection.low, volume);
+    options.selection = 0;
   }
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
-  extract(*volume, options, sink_to(joiner));
-  builder.surface().spacing_mm = volume->info().spacing_mm;
+  const Selection& asked = arguments.reading.selections[0].selection;
+  if (extract(narrow ? *narrow : volume, options, sink_to(joiner)).is_full)
+    note_full(arguments.input, asked, volume);
+  builder.surface().spacing_mm = volume.info().spacing_mm;
   return mesh_to_draw(arguments, builder.surface());
+}
+
+Mesh volume_to_draw(const RenderArguments& arguments) {
+  if (arguments.smooth && has_gradient(arguments.reading))
+    require_second_pass(arguments.input, gradient_pass);
+  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  Progress progress("extracting", volume->info().dims[2]);
+  const auto mask = open_noted_mask(arguments.reading, volume->info());
+  const auto options = extraction_options(arguments.reading, progress, mask.get());
+  Mesh mesh =
+      arguments.classic ? classic_mesh(*volume, options) : merged_mesh(arguments, *volume, options);
+  if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
+    fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0].selection,
+               *volume);
+  return mesh;
 }
 
 PictureOptions picture_options(const RenderArguments& arguments) {
@@ -82,8 +93,6 @@ int run_render(const RenderArguments& arguments) {
     RenderArguments found = arguments;
     found.reading.selections = with_thresholds(arguments.input, arguments.reading);
     mesh = volume_to_draw(found);
-    if (mesh.face_count() == 0 && !found.reading.allows_empty)
-      fail_empty(found.input, found.reading, found.reading.selections[0].selection);
   } else {
     const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
     mesh = mesh_to_draw(arguments, decoded.surface);

@@ -48,12 +48,12 @@ void require_second_pass(const std::string& path, const std::string& purpose) {
                       ", and this can be read once; store the volume in a file first");
 }
 
-std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
-                                                const VolumeArguments& arguments,
-                                                bool holds_labels) {
+std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
+                                                  const VolumeArguments& arguments,
+                                                  bool holds_labels) {
   VolumeOptions options = volume_options(arguments);
   if (holds_labels) options.block_value = BlockValue::most_frequent;
-  auto volume = open_volume(path, options);
+  auto volume = std::make_unique<MeasuredVolume>(open_volume(path, options));
   write_notes(path, volume->info());
   return volume;
 }
@@ -70,13 +70,19 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   return mask;
 }
 
+std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const VolumeOptions& options,
+                                             double iso, VolumeReader& volume) {
+  require_second_pass(path, gradient_pass);
+  const SampleBounds bounds = sample_bounds(volume);
+  return narrowed(open_volume(path, options), bounds, iso);
+}
+
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
                                  double iso) {
   require_second_pass(path, gradient_pass);
   auto volume = open_volume(path, options);
   if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
-  const SampleBounds bounds = sample_bounds(*volume);
-  return {narrowed(open_volume(path, options), bounds, iso), 0};
+  return {narrowed_again(path, options, iso, *volume), 0};
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

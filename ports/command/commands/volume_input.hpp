@@ -9,6 +9,7 @@
 #include "extraction/extraction.hpp"
 #include "extraction/selection.hpp"
 #include "progress.hpp"
+#include "statistics/measured_volume.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::host {
@@ -23,9 +24,9 @@ void require_second_pass(const std::string& path, const std::string& purpose);
 constexpr const char* gradient_pass = "normals of the gradient take a second pass";
 
 /// Opens the volume, and says what of its file is dropped. holds_labels: whatever is selected.
-std::unique_ptr<VolumeReader> open_noted_volume(const std::string& path,
-                                                const VolumeArguments& arguments,
-                                                bool holds_labels = false);
+std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
+                                                  const VolumeArguments& arguments,
+                                                  bool holds_labels = false);
 
 /// Opens the mask of the volume, if there is one, and says where it is not what it should be.
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
@@ -36,6 +37,11 @@ struct GradientVolume {
   std::unique_ptr<VolumeReader> reader;
   Selection selection;
 };
+
+/// The volume from its first slice on, narrowed for gradients. volume: not yet read; is read to its
+/// end, and so measured.
+std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const VolumeOptions& options,
+                                             double iso, VolumeReader& volume);
 
 /// The volume once more, in samples that the library takes (is_scanner_type()): itself, or else
 /// narrowed, which takes a pass over it. Throws as require_second_pass().

@@ -80,7 +80,11 @@ class BitSource {
       : height_(limits.height),
         row_bytes_(bit_row_bytes(limits.width)),
         bits_(row_bytes_ * surfaces.size() * height_),
-        filtered_(row_bytes_ * surfaces.size()) {
+        filtered_(row_bytes_ * surfaces.size()),
+        full_row_(row_bytes_, 0xff),
+        is_full_(surfaces.size(), true) {
+    if (limits.width % 8 != 0)
+      full_row_.back() = static_cast<std::uint8_t>((1U << limits.width % 8) - 1);
     for (const SurfaceRequest& surface : surfaces) {
       selectors_.emplace_back(info, surface.selection);
       crossings_.emplace_back(limits);
@@ -108,6 +112,7 @@ class BitSource {
 
   std::uint64_t crossings(std::size_t surface) const { return crossings_[surface].count(); }
   std::uint64_t not_numbers() const { return not_numbers_; }
+  bool is_full(std::size_t surface) const { return is_full_[surface]; }
 
  private:
   template <class Call>
@@ -131,7 +136,11 @@ class BitSource {
   template <class Call>
   void pass_on(std::uint8_t* row, Call call) {
     if (!mask_.empty()) apply_mask(row);
-    for (std::size_t i = 0; i < crossings_.size(); ++i) crossings_[i].add_row(row + i * row_bytes_);
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+      const std::uint8_t* const own = row + i * row_bytes_;
+      crossings_[i].add_row(own);
+      is_full_[i] = is_full_[i] && std::equal(full_row_.begin(), full_row_.end(), own);
+    }
     call(row);
   }
   // After the filters, which would put voxels beside the mask's edge on again.
@@ -146,7 +155,9 @@ class BitSource {
   std::size_t row_bytes_;
   std::vector<std::uint8_t> bits_;      // of a slice
   std::vector<std::uint8_t> filtered_;  // a row
-  std::deque<std::uint8_t> mask_;       // rows of the mask that are not yet due
+  std::vector<std::uint8_t> full_row_;
+  std::vector<bool> is_full_;      // so far, of each surface
+  std::deque<std::uint8_t> mask_;  // rows of the mask that are not yet due
   std::vector<SliceSelector> selectors_;
   std::vector<std::unique_ptr<OwnFilter>> filters_;
   std::vector<CrossingCounter> crossings_;
@@ -206,7 +217,7 @@ class Scan {
     std::vector<Extraction> results;
     for (std::size_t i = 0; i < extractors_.size(); ++i)
       results.push_back({extractors_[i].statistics(), voxels, bits.crossings(i), bits.not_numbers(),
-                         use_of(extractors_[i])});
+                         bits.is_full(i), use_of(extractors_[i])});
     return results;
   }
 

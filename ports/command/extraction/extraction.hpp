@@ -55,6 +55,7 @@ struct Extraction {
   std::uint64_t voxels = 0;
   std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
   std::uint64_t not_numbers = 0;       ///< samples that are not a number: off
+  bool is_full = false;                ///< whether every voxel is on
   std::optional<MemoryUse> memory;     ///< if it was measured
 };
 

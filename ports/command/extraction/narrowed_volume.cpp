@@ -56,27 +56,6 @@ class NarrowedVolume final : public VolumeReader {
 
 }  // namespace
 
-SampleBounds sample_bounds(VolumeReader& volume) {
-  const VolumeInfo& info = volume.info();
-  std::vector<std::uint8_t> slice(info.slice_bytes());
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
-  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
-    volume.read_slice(slice.data());
-    with_sample_type(info.type, [&](auto type) {
-      using Sample = decltype(type);
-      const auto* samples = reinterpret_cast<const Sample*>(slice.data());
-      for (std::size_t i = 0; i < slice.size() / sizeof(Sample); ++i) {
-        const auto sample = static_cast<double>(samples[i]);
-        if (!std::isfinite(sample)) continue;
-        least = std::min(least, sample);
-        greatest = std::max(greatest, sample);
-      }
-    });
-  }
-  return least <= greatest ? SampleBounds{least, greatest} : SampleBounds{};
-}
-
 std::unique_ptr<VolumeReader> narrowed(std::unique_ptr<VolumeReader> volume,
                                        const SampleBounds& bounds, double iso) {
   return std::make_unique<NarrowedVolume>(std::move(volume), bounds, iso);

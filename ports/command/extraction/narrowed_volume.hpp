@@ -4,19 +4,10 @@
 
 #include <memory>
 
+#include "statistics/sample_bounds.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::host {
-
-/// The least and the greatest sample, infinities and what is not a number apart; 0 and 0 where
-/// there is none. Units: as stored.
-struct SampleBounds {
-  double least = 0;
-  double greatest = 0;
-};
-
-/// Reads the volume to its end.
-SampleBounds sample_bounds(VolumeReader& volume);
 
 /// The volume as 16-bit samples with sign, whose values are counted from iso: below zero exactly
 /// where the value is below iso, else zero or more, and in proportion as far as 16 bits tell it.

@@ -1,0 +1,16 @@
+#include "measured_volume.hpp"
+
+namespace discmc::host {
+
+void MeasuredVolume::read_slice(void* samples) {
+  volume_->read_slice(samples);
+  bounds_.include(info().type, samples, std::size_t{info().dims[0]} * info().dims[1]);
+}
+
+std::optional<ValueRange> MeasuredVolume::range() const {
+  if (bounds_.is_empty()) return std::nullopt;
+  const auto value = [this](double sample) { return info().slope * sample + info().intercept; };
+  return ValueRange{value(bounds_.least), value(bounds_.greatest)};
+}
+
+}  // namespace discmc::host

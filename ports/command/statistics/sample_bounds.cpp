@@ -1,0 +1,60 @@
+#include "sample_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace discmc::host {
+namespace {
+
+template <class Sample>
+bool is_finite(Sample sample) {
+  if constexpr (std::is_floating_point_v<Sample>)
+    return std::fabs(sample) <= std::numeric_limits<Sample>::max();
+  else
+    return true;
+}
+
+template <class Sample>
+struct Bounds {
+  Sample least = std::numeric_limits<Sample>::max();
+  Sample greatest = std::numeric_limits<Sample>::lowest();
+};
+
+// Without a branch, so that compilers take several at once.
+template <class Sample>
+Bounds<Sample> bounds_of(const Sample* samples, std::size_t count) {
+  Bounds<Sample> bounds;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Sample sample = samples[i];
+    bounds.least = is_finite(sample) && sample < bounds.least ? sample : bounds.least;
+    bounds.greatest = is_finite(sample) && sample > bounds.greatest ? sample : bounds.greatest;
+  }
+  return bounds;
+}
+
+}  // namespace
+
+void SampleBounds::include(SampleType type, const void* samples, std::size_t count) {
+  with_sample_type(type, [&](auto sample) {
+    const auto bounds = bounds_of(static_cast<const decltype(sample)*>(samples), count);
+    if (bounds.least > bounds.greatest) return;
+    least = std::min(least, static_cast<double>(bounds.least));
+    greatest = std::max(greatest, static_cast<double>(bounds.greatest));
+  });
+}
+
+SampleBounds sample_bounds(VolumeReader& volume) {
+  const VolumeInfo& info = volume.info();
+  std::vector<std::uint8_t> slice(info.slice_bytes());
+  SampleBounds bounds;
+  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+    volume.read_slice(slice.data());
+    bounds.include(info.type, slice.data(), std::size_t{info.dims[0]} * info.dims[1]);
+  }
+  return bounds;
+}
+
+}  // namespace discmc::host
