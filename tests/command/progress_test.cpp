@@ -59,6 +59,9 @@ TEST_CASE("a terminal is shown the phases of the whole job, and a clean line aft
   check_phases(on_terminal(workshop, "decode v.dmc -o v.obj"),
                {"reading 0 %", "triangulating", "writing"});
   check_phases(on_terminal(workshop, "render v.dmc -o v.png"), {"reading 0 %", "drawing"});
+  check_phases(on_terminal(workshop, "compare v.dmc v.nrrd --iso 100"),
+               {"reading 0 %", "triangulating", "extracting 0 %", "measuring A to B 0 %",
+                "measuring B to A 0 %"});
 }
 
 TEST_CASE("no progress is shown where there is no terminal") {

@@ -98,9 +98,31 @@ TEST_CASE("the nearest triangle is found, wherever it is") {
                          squared_distance(from.vertices_mm[0], {to.vertices_mm[to.face(face)[0]],
                                                                 to.vertices_mm[to.face(face)[1]],
                                                                 to.vertices_mm[to.face(face)[2]]}));
-    CHECK(distances(from, to, {1, 1, 1}, 10).largest ==
+    CHECK(distances(from, to, {1, 1, 1}, {}, 10).largest ==
           doctest::Approx(std::sqrt(nearest)).epsilon(0.02));
   }
+}
+
+TEST_CASE("what is done of the points is told up to all of them") {
+  std::size_t last = 0;
+  std::size_t calls = 0;
+  const auto progress = [&](std::size_t done, std::size_t all) {
+    CHECK(done > last);
+    CHECK(all == 5000 + 6);
+    last = done;
+    ++calls;
+  };
+  distances(square(1, 0), square(1, 0.5), {1, 1, 1}, progress, 5000);
+  CHECK(last == 5000 + 6);
+  CHECK(calls > 3);
+}
+
+TEST_CASE("the largest distance is found at a vertex, beyond all points between") {
+  Mesh spike = square(1, 0);
+  spike.vertices_mm.push_back({0.5, 0.5, 7});
+  spike.corners.insert(spike.corners.end(), {0, 4, 1});
+  spike.face_begin.push_back(spike.corners.size());
+  CHECK(distances(spike, square(1, 0), {1, 1, 1}, {}, 10).largest == doctest::Approx(7));
 }
 
 TEST_CASE("a mesh without faces or without area has no distance") {

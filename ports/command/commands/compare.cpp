@@ -57,17 +57,35 @@ Compared surface_of_volume(const std::string& name, VolumeArguments reading) {
   return placed(std::move(mesh), name, volume->info().placement, exit_ok);
 }
 
+Compared surface_of_mesh(const std::string& name) {
+  const Progress progress("reading");
+  return {read_mesh(name), false, exit_ok};
+}
+
+Compared surface_of_stream(const std::string& name, const StreamChoice& choice) {
+  const DecodedStream decoded = decode_surface(name, choice);
+  const int code = completeness(name, decoded.report);
+  const Progress progress("triangulating");
+  return placed(build_mesh(decoded.surface, {true, Faces::triangles}), name, decoded.placement,
+                code);
+}
+
 Compared surface_of(const ComparedInput& input, const CompareArguments& arguments) {
-  if (input.kind == ComparedInput::Kind::mesh) return {read_mesh(input.name), false, exit_ok};
-  if (input.kind == ComparedInput::Kind::stream) {
-    const DecodedStream decoded = decode_surface(input.name, arguments.choice);
-    return placed(build_mesh(decoded.surface, {true, Faces::triangles}), input.name,
-                  decoded.placement, completeness(input.name, decoded.report));
-  }
+  if (input.kind == ComparedInput::Kind::mesh) return surface_of_mesh(input.name);
+  if (input.kind == ComparedInput::Kind::stream)
+    return surface_of_stream(input.name, arguments.choice);
   return surface_of_volume(input.name, arguments.reading);
 }
 
-void write_row(const char* name, const Distances& distances) {
+Distances measured(const std::string& direction, const Mesh& from, const Mesh& to,
+                   const Point& unit) {
+  Progress progress("measuring " + direction, 100);
+  return distances(from, to, unit, [&progress](std::size_t done, std::size_t all) {
+    progress.show(100 * done / all);
+  });
+}
+
+void write_row(const std::string& name, const Distances& distances) {
   std::cout << "  " << std::left << std::setw(20) << name << std::right << std::fixed
             << std::setprecision(4);
   for (const double distance : {distances.mean, distances.percentile_99, distances.largest})
@@ -77,8 +95,8 @@ void write_row(const char* name, const Distances& distances) {
 
 void write_distances(const Compared& a, const Compared& b, const Point& unit,
                      const std::string& unit_name) {
-  write_row(("A to B, " + unit_name).c_str(), distances(a.mesh, b.mesh, unit));
-  write_row(("B to A, " + unit_name).c_str(), distances(b.mesh, a.mesh, unit));
+  write_row("A to B, " + unit_name, measured("A to B", a.mesh, b.mesh, unit));
+  write_row("B to A, " + unit_name, measured("B to A", b.mesh, a.mesh, unit));
 }
 
 }  // namespace
@@ -91,7 +109,6 @@ int run_compare(const CompareArguments& arguments) {
     if (compared[i]->mesh.face_count() == 0)
       throw std::invalid_argument(arguments.inputs[i].name +
                                   ": the surface is empty: there is no distance from it");
-  const Progress measuring("measuring");
   std::cout << "  " << std::left << std::setw(20) << "distances" << std::right << std::setw(12)
             << "mean" << std::setw(12) << "99 % within" << std::setw(12) << "largest" << '\n';
   write_distances(a, b, {1, 1, 1}, "mm");

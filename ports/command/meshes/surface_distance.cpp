@@ -107,42 +107,55 @@ class BoxTree {
     }
   }
 
-  double distance(const Point& point) const {
-    double nearest = infinity;
-    std::array<std::size_t, 128> waiting;  // the tree has at most 64 levels
+  /// The distance of a point, or `enough` where it is no more. It takes less time the nearer the
+  /// point is to the one before.
+  double distance(const Point& point, double enough = 0) {
+    const double squared_enough = enough * enough;
+    Nearest nearest{squared_distance(point, triangles_[last_]), last_};
+    std::array<Waiting, 128> waiting;  // the tree has at most 64 levels
     std::size_t count = 0;
-    waiting[count++] = 1;
-    while (count > 0) {
-      std::size_t node = waiting[--count];
-      if (boxes_[node].squared_distance(point) >= nearest) continue;
-      if (node >= leaves_) {
-        nearest = std::min(nearest, nearest_in_leaf(node - leaves_, point));
+    waiting[count++] = {1, boxes_[1].squared_distance(point)};
+    while (count > 0 && nearest.squared_distance > squared_enough) {
+      const Waiting next = waiting[--count];
+      if (next.squared_distance >= nearest.squared_distance) continue;
+      if (next.node >= leaves_) {
+        look_in_leaf(next.node - leaves_, point, nearest);
         continue;
       }
-      std::size_t other = 2 * node + 1;
-      node *= 2;
-      if (boxes_[other].squared_distance(point) < boxes_[node].squared_distance(point))
-        std::swap(node, other);
-      waiting[count++] = other;
-      waiting[count++] = node;
+      Waiting near = {2 * next.node, boxes_[2 * next.node].squared_distance(point)};
+      Waiting far = {2 * next.node + 1, boxes_[2 * next.node + 1].squared_distance(point)};
+      if (far.squared_distance < near.squared_distance) std::swap(near, far);
+      waiting[count++] = far;
+      waiting[count++] = near;
     }
-    return std::sqrt(nearest);
+    last_ = nearest.triangle;
+    return std::max(std::sqrt(nearest.squared_distance), enough);
   }
 
  private:
   static constexpr std::size_t leaf_size = 4;
 
-  double nearest_in_leaf(std::size_t leaf, const Point& point) const {
-    double nearest = infinity;
+  struct Nearest {
+    double squared_distance;
+    std::size_t triangle;
+  };
+  struct Waiting {
+    std::size_t node;
+    double squared_distance;
+  };
+
+  void look_in_leaf(std::size_t leaf, const Point& point, Nearest& nearest) const {
     const std::size_t end = std::min((leaf + 1) * leaf_size, triangles_.size());
-    for (std::size_t i = leaf * leaf_size; i < end; ++i)
-      nearest = std::min(nearest, squared_distance(point, triangles_[i]));
-    return nearest;
+    for (std::size_t i = leaf * leaf_size; i < end; ++i) {
+      const double away = squared_distance(point, triangles_[i]);
+      if (away < nearest.squared_distance) nearest = {away, i};
+    }
   }
 
   std::vector<Corners> triangles_;
   std::size_t leaves_ = 1;
   std::vector<Box> boxes_;  // node i has the children 2 i and 2 i + 1; the leaves are the last ones
+  std::size_t last_ = 0;    // the triangle that was found
 };
 
 // Points in a unit square that fill it evenly, however many (M. Roberts, 2018).
@@ -169,19 +182,28 @@ Point point_in(const Corners& triangle, std::array<double, 2> at) {
 
 }  // namespace
 
-Distances distances(const Mesh& from, const Mesh& to, const Point& unit, std::size_t samples) {
-  const BoxTree tree(triangles_of(to, unit));
+Distances distances(const Mesh& from, const Mesh& to, const Point& unit,
+                    const std::function<void(std::size_t, std::size_t)>& progress,
+                    std::size_t samples) {
+  BoxTree tree(triangles_of(to, unit));
   const std::vector<Corners> triangles = triangles_of(from, unit);
   double whole_area = 0;
   for (const Corners& triangle : triangles) whole_area += area(triangle);
   if (!(whole_area > 0)) throw std::invalid_argument("a mesh without area has no distance");
 
   std::vector<double> measured;
+  const std::size_t all = samples + from.corners.size();
+  const auto show = [&](std::size_t done) {
+    constexpr std::size_t step = 1024;
+    if (progress && (done % step == 0 || done == all)) progress(done, all);
+  };
   EvenPoints even_points;
   double due = 0.5;
   for (const Corners& triangle : triangles)
-    for (due += area(triangle) / whole_area * static_cast<double>(samples); due >= 1; --due)
+    for (due += area(triangle) / whole_area * static_cast<double>(samples); due >= 1; --due) {
       measured.push_back(tree.distance(point_in(triangle, even_points.next())));
+      show(measured.size());
+    }
 
   Distances result;
   std::sort(measured.begin(), measured.end());
@@ -191,9 +213,11 @@ Distances distances(const Mesh& from, const Mesh& to, const Point& unit, std::si
     result.percentile_99 = measured[measured.size() * 99 / 100];
     result.largest = measured.back();
   }
-  for (const std::uint32_t vertex : from.corners)
-    result.largest =
-        std::max(result.largest, tree.distance(divided(from.vertices_mm[vertex], unit)));
+  for (std::size_t i = 0; i < from.corners.size(); ++i) {
+    const Point vertex = divided(from.vertices_mm[from.corners[i]], unit);
+    result.largest = tree.distance(vertex, result.largest);
+    show(samples + i + 1);
+  }
   return result;
 }
 

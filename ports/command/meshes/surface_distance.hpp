@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_MESHES_SURFACE_DISTANCE_HPP
 
 #include <cstddef>
+#include <functional>
 
 #include "mesh.hpp"
 
@@ -23,7 +24,9 @@ constexpr std::size_t default_distance_samples = 200'000;
 /// vertices. unit: coordinates are divided by it, the spacing of a volume to measure in voxels.
 /// Limit: both have faces, otherwise std::invalid_argument. Faces are taken as fans.
 /// Time: n log n for n faces, and so much for each point as there are faces near to it.
+/// progress: called with how many points are done, of how many.
 Distances distances(const Mesh& from, const Mesh& to, const Point& unit = {1, 1, 1},
+                    const std::function<void(std::size_t, std::size_t)>& progress = {},
                     std::size_t samples = default_distance_samples);
 
 }  // namespace discmc::host
