@@ -1,7 +1,9 @@
 #include "summary.hpp"
 
+#include <filesystem>
 #include <iomanip>
 #include <string>
+#include <system_error>
 
 #include "streams/stream_file.hpp"
 
@@ -49,6 +51,19 @@ const char* space_name(Frame frame) {
   return "scanner";
 }
 
+void write_memory(const Extraction& extraction, std::ostream& out) {
+  if (!extraction.memory) return;
+  const MemoryUse& memory = *extraction.memory;
+  row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
+      "of " + grouped(memory.arena_bytes));
+  row(out, "  records at most in use", grouped(memory.high_water.records),
+      "of " + grouped(memory.capacities.records));
+  row(out, "  holes at most waiting", grouped(memory.high_water.holes),
+      "of " + grouped(memory.capacities.holes));
+  row(out, "loose fragments", grouped(extraction.statistics.fragments),
+      shortage(extraction.statistics, memory));
+}
+
 void write_vector(const char* name, const std::array<double, 3>& vector, std::ostream& out) {
   out << name << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2] << '\n';
 }
@@ -67,6 +82,24 @@ void write_place(const std::array<double, 3>& spacing_mm,
   write_vector("axis_y", place.axes_mm[1], out);
   write_vector("axis_z", place.axes_mm[2], out);
   out.precision(digits);
+}
+
+void write_file(const std::string& file, std::ostream& out) {
+  std::error_code error;
+  const std::uint64_t bytes = std::filesystem::file_size(file, error);
+  out << file;
+  if (!error) out << ": " << grouped(bytes) << " bytes";
+  out << '\n';
+}
+
+void write_mesh_table(const std::string& file, const MeshSummary& mesh,
+                      const Extraction& extraction, std::ostream& out) {
+  write_file(file, out);
+  row(out, mesh.faces.c_str(), grouped(mesh.face_count),
+      "classic Marching Cubes: " + grouped(extraction.statistics.classic_triangles) + " triangles");
+  if (mesh.vertex_count > 0) row(out, "vertices", grouped(mesh.vertex_count));
+  if (mesh.is_closed) row(out, "closed", *mesh.is_closed ? "yes" : "no");
+  write_memory(extraction, out);
 }
 
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
@@ -88,15 +121,7 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
     row(out, "bytes of slice encoder", grouped(slice_encoder_bytes));
     return;
   }
-  if (!extraction.memory) return;
-  const MemoryUse& memory = *extraction.memory;
-  row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
-      "of " + grouped(memory.arena_bytes));
-  row(out, "  records at most in use", grouped(memory.high_water.records),
-      "of " + grouped(memory.capacities.records));
-  row(out, "  holes at most waiting", grouped(memory.high_water.holes),
-      "of " + grouped(memory.capacities.holes));
-  row(out, "loose fragments", grouped(statistics.fragments), shortage(statistics, memory));
+  write_memory(extraction, out);
 }
 
 void write_info(const StreamHeader& header, std::uint8_t channel,

@@ -1,10 +1,12 @@
-// What the command says of a surface: the table after `extract`, the lines of `info`.
+// What the command says of a surface: the tables after `extract`, the lines of `info`.
 #ifndef DISCMC_COMMAND_SUMMARY_HPP
 #define DISCMC_COMMAND_SUMMARY_HPP
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include <discmc/decoder.hpp>
@@ -15,7 +17,22 @@
 
 namespace discmc::host {
 
-/// A short table for people: what came in, what came out, what it took. slice_encoder_bytes: of the
+/// As in "v.stl: 684 bytes"; pipes and devices have none.
+void write_file(const std::string& file, std::ostream& out);
+
+/// A mesh that was written.
+struct MeshSummary {
+  std::string faces;  ///< what they are: triangles, or polygons
+  std::uint64_t face_count = 0;
+  std::uint64_t vertex_count = 0;   ///< 0 where the format does not number them
+  std::optional<bool> is_closed{};  ///< if it was checked
+};
+
+/// What was written, for people.
+void write_mesh_table(const std::string& file, const MeshSummary& mesh,
+                      const Extraction& extraction, std::ostream& out);
+
+/// The same of a stream: what came in, what came out, what it took. slice_encoder_bytes: of the
 /// device's memory for a stream of slices; 0 for regions, which take an arena.
 void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
                  std::uint64_t slice_encoder_bytes, std::ostream& out);

@@ -65,6 +65,32 @@ TEST_CASE("decode writes the same files from a stream as extract does from the v
   }
 }
 
+TEST_CASE("what was written is told: the file, its bytes, its faces, and whether they are closed") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
+  BitVolume step = box({8, 8, 4}, {1, 1, 1}, {5, 5, 1});
+  const BitVolume upper = box({8, 8, 4}, {1, 1, 2}, {2, 3, 2});
+  for (std::size_t i = 0; i < step.on.size(); ++i) step.on[i] |= upper.on[i];
+  workshop.write("step.nrrd", step);
+  const std::string extract = "extract v.nrrd --iso 100 ";
+  const auto check_told = [](const std::string& told, const std::vector<std::string>& parts) {
+    INFO(told);
+    for (const std::string& part : parts) CHECK(contains(told, part));
+  };
+  check_told(workshop.done(extract + "-o v.stl"),
+             {"v.stl: 2,284 bytes\n", "triangles                             44",
+              "classic Marching Cubes: 44 triangles", "vertices                              24",
+              "closed                               yes"});
+  CHECK(workshop.read("v.stl").size() == 2284);
+  check_told(workshop.done("extract step.nrrd --iso 100 --no-conforming -o v.glb"),
+             {"v.glb: ", "  no\n"});
+  check_told(workshop.done(extract + "--faces polygons -o v.ply"), {"polygons  ", "  yes\n"});
+  check_told(workshop.done(extract + "-o v.jsonl"), {"polygons  "});
+  check_told(workshop.done(extract + "-o v.dmc"), {"v.dmc: ", "bytes of arena used"});
+  check_told(workshop.done(extract + "--memory 1M -o v.obj"), {"v.obj: ", "bytes of arena used"});
+  CHECK(workshop.done(extract + "-q -o v.stl").empty());
+}
+
 TEST_CASE("a stream goes to standard output when no file is named, and the table elsewhere") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());

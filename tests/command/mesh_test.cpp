@@ -67,6 +67,23 @@ TEST_CASE("a lone voxel is an octahedron of half its spacing") {
   check_closed_and_exact(octahedron());
 }
 
+TEST_CASE("a mesh is closed unless a face is missing, turned or there twice") {
+  const Mesh whole = build_mesh(octahedron());
+  CHECK(is_closed(whole));
+  CHECK(is_closed(Mesh{}));
+  Mesh lacking = whole;
+  lacking.corners.resize(lacking.corners.size() - 3);
+  lacking.face_begin.pop_back();
+  CHECK(!is_closed(lacking));
+  Mesh turned = whole;
+  std::swap(turned.corners[0], turned.corners[1]);
+  CHECK(!is_closed(turned));
+  Mesh doubled = whole;
+  doubled.corners.insert(doubled.corners.end(), whole.corners.begin(), whole.corners.begin() + 3);
+  doubled.face_begin.push_back(doubled.corners.size());
+  CHECK(!is_closed(doubled));
+}
+
 TEST_CASE("polygons with holes are triangulated, the others stay whole") {
   const Surface surface = box_with_hole();
   CHECK(hand_made::six_volumes(surface) == 6 * (8 * 8 * 8 - 4 * 4 * 8));

@@ -163,7 +163,7 @@ Command add_extract(CLI::App& app) {
           "samples with --dims and --type; - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
-  extract->add_flag("-q,--quiet", arguments->quiet, "print no table");
+  extract->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");
   add_volume_options(*extract, arguments->reading.layout);
   add_surface_options(*extract, arguments->reading);
   for (const char* option : {"--iso", "--range", "--label"})

@@ -12,6 +12,7 @@
 #include "extraction/extraction.hpp"
 #include "file_pattern.hpp"
 #include "statistics/measured_volume.hpp"
+#include "summary.hpp"
 #include "surface_receiver.hpp"
 #include "volumes/label_table.hpp"
 
@@ -48,9 +49,10 @@ struct SurfaceOutput {
   const Crossings* crossings = nullptr;  ///< as MeshOptions
 };
 
-/// Writes a mesh of the surface, with normals as asked. placement: of the mesh.
-void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
-                   const std::optional<VolumePlacement>& placement);
+/// Writes a mesh of the surface, with normals as asked, and returns what it was. placement: of the
+/// mesh.
+MeshSummary write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
+                          const std::optional<VolumePlacement>& placement);
 
 /// Throws as fail_empty() where a surface is empty and must not be, and says which are a box.
 /// volume: that they are of.

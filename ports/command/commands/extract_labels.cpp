@@ -27,9 +27,10 @@ LabelledSurfaces surfaces_of(VolumeReader& volume, const ExtractArguments& argum
   }
 }
 
-void write_line(const LabelledSurface& label, const std::string& file, std::ostream& out) {
+void write_line(const LabelledSurface& label, const MeshSummary& mesh, const std::string& file,
+                std::ostream& out) {
   out << std::setw(8) << label.label << std::setw(14) << label.voxels << std::setw(12)
-      << label.surface.polygons.size() << "  " << file << '\n';
+      << mesh.face_count << "  " << file << '\n';
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     describe(selections.back(), table);
   }
   const std::vector<std::string> files = files_for(pattern, selections);
-  if (!arguments.quiet) std::cout << "   label        voxels    polygons  file\n";
+  if (!arguments.quiet) std::cout << "   label        voxels       faces  file\n";
   for (std::size_t i = 0; i < files.size(); ++i) {
     Surface& surface = labels.all[i].surface;
     keep_chosen(arguments.volume, arguments.components, surface);
@@ -63,8 +64,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
                 << " has no surface left, so " << files[i] << " is not written\n";
       continue;
     }
-    write_mesh_of(arguments, {surface, selections[i], files[i]}, placement);
-    if (!arguments.quiet) write_line(labels.all[i], files[i], std::cout);
+    const MeshSummary mesh =
+        write_mesh_of(arguments, {surface, selections[i], files[i]}, placement);
+    if (!arguments.quiet) write_line(labels.all[i], mesh, files[i], std::cout);
   }
   if (!arguments.quiet) require_written(std::cout);
   return exit_ok;

@@ -13,7 +13,6 @@
 #include "output_file.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
-#include "surface/counts.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::host {
@@ -34,9 +33,10 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
 
 }  // namespace
 
-void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
-                   const std::optional<VolumePlacement>& placement) {
+MeshSummary write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
+                          const std::optional<VolumePlacement>& placement) {
   OutputFile file(output.file);
+  MeshSummary summary{"polygons", output.surface.polygons.size()};
   MeshOptions options = arguments.mesh;
   options.crossings = output.crossings;
   write_surface(
@@ -45,9 +45,14 @@ void write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& outpu
         note_left_out(arguments.volume, output.surface, mesh);
         add_normals(arguments, output.selection.selection, output.surface, mesh);
         mesh.colour = output.selection.colour;
+        const bool has_triangles = options.faces == Faces::triangles;
+        summary = {has_triangles ? "triangles" : "polygons", mesh.face_count(),
+                   mesh.vertices_mm.size()};
+        if (!arguments.quiet) summary.is_closed = is_closed(mesh);
       },
       placement, file);
   file.commit();
+  return summary;
 }
 
 int extract_meshes(const ExtractArguments& arguments) {
@@ -64,13 +69,7 @@ int extract_meshes(const ExtractArguments& arguments) {
   const ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
 
   const SurfaceReceivers receivers = receivers_for(selections);
-  StreamOutput no_output(nullptr);  // the table tells what a stream would take
-  for (const auto& receiver : receivers) {
-    receiver->start_surface();
-    if (!arguments.quiet)
-      receiver->start_stream(stream_header(info, options).label(), info.placement,
-                             no_output.byte_output());
-  }
+  for (const auto& receiver : receivers) receiver->start_surface();
   std::vector<SurfaceRequest> requests = requests_of(selections, receivers);
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates)
@@ -88,13 +87,12 @@ int extract_meshes(const ExtractArguments& arguments) {
       throw VolumeError(arguments.volume +
                         ": no body is as large as --min-volume says; give less, "
                         "--allow-empty takes an empty surface");
-    write_mesh_of(arguments,
-                  {surface, selections[i], files[i],
-                   arguments.interpolates ? &finders[i].crossings() : nullptr},
-                  placement);
-    if (arguments.quiet) continue;
-    if (receivers.size() > 1) std::cout << files[i] << '\n';
-    write_table(extractions[i], count(surface), receivers[i]->stream_bytes(), 0, std::cout);
+    const MeshSummary mesh =
+        write_mesh_of(arguments,
+                      {surface, selections[i], files[i],
+                       arguments.interpolates ? &finders[i].crossings() : nullptr},
+                      placement);
+    if (!arguments.quiet) write_mesh_table(files[i], mesh, extractions[i], std::cout);
   }
   if (!arguments.quiet) require_written(std::cout);
   return exit_ok;

@@ -109,6 +109,7 @@ int extract_stream(const ExtractArguments& arguments) {
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  if (arguments.output != "-") write_file(arguments.output, out);
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     if (receivers.size() > 1)
       out << "channel " << i << ", at " << arguments.reading.selections[i].name << '\n';

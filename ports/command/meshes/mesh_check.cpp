@@ -28,6 +28,14 @@ std::vector<DirectedEdge> directed_edges(const Mesh& mesh) {
   return edges;
 }
 
+// Bits of a number, mixed (splitmix64, S. Vigna, 2015).
+std::uint64_t mixed(std::uint64_t number) {
+  number += 0x9E3779B97F4A7C15;
+  number = (number ^ number >> 30) * 0xBF58476D1CE4E5B9;
+  number = (number ^ number >> 27) * 0x94D049BB133111EB;
+  return number ^ number >> 31;
+}
+
 bool repeats_a_vertex(const std::uint32_t* face, std::size_t count,
                       std::vector<std::uint32_t>& sorted) {
   sorted.assign(face, face + count);
@@ -57,6 +65,21 @@ bool has_area(const Mesh& mesh, const std::uint32_t* face, std::size_t count) {
 }
 
 }  // namespace
+
+bool is_closed(const Mesh& mesh) {
+  std::uint64_t sum = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const std::uint32_t* const corners = mesh.face(face);
+    const std::size_t count = mesh.face_size(face);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t a = corners[i];
+      const std::uint32_t b = corners[i + 1 < count ? i + 1 : 0];
+      const std::uint64_t hash = mixed(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b));
+      sum = a < b ? sum + hash : sum - hash;
+    }
+  }
+  return sum == 0;
+}
 
 MeshReport check_mesh(const Mesh& mesh) {
   MeshReport report;

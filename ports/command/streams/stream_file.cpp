@@ -22,9 +22,8 @@ std::int32_t nanometres(double millimetres) {
 ByteOutput StreamOutput::byte_output() {
   return {this, [](void* context, const std::uint8_t* bytes, std::size_t count) {
             auto& self = *static_cast<StreamOutput*>(context);
-            if (self.out_ != nullptr)
-              self.out_->write(reinterpret_cast<const char*>(bytes),
-                               static_cast<std::streamsize>(count));
+            self.out_->write(reinterpret_cast<const char*>(bytes),
+                             static_cast<std::streamsize>(count));
             self.bytes_ += count;
             return count;
           }};

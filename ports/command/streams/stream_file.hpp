@@ -21,7 +21,7 @@
 
 namespace discmc::host {
 
-/// An output that counts what an encoder gives it and passes it on to a stream, if there is one.
+/// An output that counts what an encoder gives it and passes it on to a stream.
 /// Owner: `out` belongs to the caller and outlives the output.
 class StreamOutput {
  public:
