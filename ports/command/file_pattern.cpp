@@ -24,6 +24,17 @@ std::string as_file_name(const std::string& name) {
 
 }  // namespace
 
+std::string FilePattern::unknown_placeholder() const {
+  for (std::size_t at = pattern_.find('{'); at != std::string::npos;
+       at = pattern_.find('{', at + 1)) {
+    const std::size_t end = pattern_.find('}', at);
+    if (end == std::string::npos) break;
+    const std::string found = pattern_.substr(at, end + 1 - at);
+    if (found != placeholder) return found;
+  }
+  return {};
+}
+
 std::string FilePattern::file_for(const std::string& name) const {
   const std::string_view mark = placeholder;
   std::string file = pattern_;

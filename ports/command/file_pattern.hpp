@@ -13,6 +13,9 @@ class FilePattern {
 
   bool has_name() const { return pattern_.find(placeholder) != std::string::npos; }
 
+  /// The first text in braces that is not {name}, with them; empty where there is none.
+  std::string unknown_placeholder() const;
+
   /// What no name of a file can have becomes an underscore.
   std::string file_for(const std::string& name) const;
 

@@ -67,6 +67,8 @@ TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mes
   check_failure(workshop.run(interpolated + "-o v.jsonl"), 2, {"--surface", "v.jsonl"});
   check_failure(workshop.run(interpolated + "--faces polygons -o v.ply"), 2, {"--faces", "flat"});
   check_failure(workshop.run(interpolated + "--no-conforming -o v.ply"), 2, {"--no-conforming"});
+  check_failure(workshop.run(extract + "--tolerance 0.1 -o v.ply"), 2,
+                {"--tolerance", "add --surface interpolated"});
   check_failure(workshop.run(interpolated + "--tolerance=-1 -o v.ply"), 2, {"'-1' is negative"});
   check_failure(workshop.run(interpolated + "--tolerance inf -o v.ply"), 2, {"'inf'"});
   check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --label 1 --surface "

@@ -49,6 +49,17 @@ TEST_CASE("an option that is misspelt is answered with the nearest one of its co
              "See discmc --help.\n");
 }
 
+TEST_CASE("what other programs call a threshold is answered with --iso, where there is one") {
+  for (const std::string option : {"--threshold", "--isovalue", "-threshold"})
+    check_said("extract v.nrrd " + option + " 300",
+               "discmc: '" + option +
+                   "' is not an option of extract; did you mean --iso?\n"
+                   "See discmc extract --help.\n");
+  check_said(
+      "info v.nrrd --threshold 300",
+      "discmc: '--threshold' is not an option of info; leave it out\nSee discmc info --help.\n");
+}
+
 TEST_CASE("an option that is like none is answered without a guess") {
   check_said("info v.dmc --zoom 5",
              "discmc: '--zoom' is not an option of info; leave it out\nSee discmc info --help.\n");

@@ -88,6 +88,20 @@ void check_surface(const ExtractArguments& arguments) {
                                "there is nothing to interpolate between labels: leave it out");
 }
 
+void check_tolerance(const ExtractArguments& arguments, const CLI::Option& tolerance) {
+  if (tolerance.count() > 0 && !arguments.interpolates)
+    throw CLI::ValidationError("--tolerance",
+                               "it is of interpolated surfaces: add --surface interpolated");
+}
+
+void check_output(const std::string& output) {
+  const std::string unknown = FilePattern(output).unknown_placeholder();
+  if (!unknown.empty())
+    throw CLI::ValidationError("--output", unknown +
+                                               " stands for nothing: the name of a surface "
+                                               "is {name}, and nothing else is in braces");
+}
+
 void check_wire(const ExtractArguments& arguments) {
   const bool is_of_slices = arguments.wire == Wire::slices;
   if (is_of_slices && format_of(arguments.output) != Format::stream)
@@ -103,7 +117,8 @@ void check_wire(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
 }
 
-void check(const ExtractArguments& arguments) {
+void check(const ExtractArguments& arguments, const CLI::App& app) {
+  check_output(arguments.output);
   check_faces(arguments.mesh.faces, arguments.output);
   check_components(arguments.components, arguments.output);
   check_cleaning(arguments);
@@ -112,6 +127,7 @@ void check(const ExtractArguments& arguments) {
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
   check_surface(arguments);
+  check_tolerance(arguments, *app.get_option("--tolerance"));
   check_wire(arguments);
 }
 
@@ -186,7 +202,7 @@ Command add_extract(CLI::App& app) {
       "  discmc extract labels.nii.gz --labels all -o 'out/{name}.stl'\n"
       "  discmc extract series/ --iso 300 -o head.stl\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
-  extract->callback([arguments] { check(*arguments); });
+  extract->callback([arguments, extract] { check(*arguments, *extract); });
   return {extract, [arguments] { return run_extract(*arguments); }};
 }
 

@@ -67,10 +67,19 @@ std::string first_unknown(const CLI::App& app) {
   return option != unknown.end() ? *option : unknown.front();
 }
 
+// What other programs call an option.
+std::string meant(const std::string& name) {
+  const std::vector<std::string> thresholds = {"threshold", "isovalue", "iso-value", "isolevel",
+                                               "level"};
+  const bool is_threshold =
+      std::find(thresholds.begin(), thresholds.end(), name) != thresholds.end();
+  return is_threshold ? "iso" : name;
+}
+
 std::string unknown_option(const std::string& argument, const CLI::App& app) {
   const std::string option = argument.substr(0, argument.find('='));
-  const std::string near = nearest(
-      option.substr(std::min(option.size(), option.find_first_not_of('-'))), names_of_options(app));
+  const std::string name = option.substr(std::min(option.size(), option.find_first_not_of('-')));
+  const std::string near = nearest(meant(name), names_of_options(app));
   const std::string remedy = !near.empty() ? "did you mean --" + near + "?"
                              : app.get_parent() == nullptr
                                  ? "options of a command are given after its name"
