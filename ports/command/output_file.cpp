@@ -29,15 +29,27 @@ void set_unfinished(const std::string& file) {
     if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
+// What a link leads to, whether it is there or not. Limit: links end somewhere.
+std::filesystem::path target_of(std::filesystem::path path) {
+  while (std::filesystem::is_symlink(path))
+    path = path.parent_path() / std::filesystem::read_symlink(path);
+  return path;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   if (is_standard_output()) return;
-  const auto status = std::filesystem::status(path);
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::none)
+    throw std::runtime_error(path.string() + ": cannot be written: " + error.message() +
+                             ": give another name");
   if (std::filesystem::is_directory(status))
     throw std::runtime_error(path.string() + ": is a folder: give the name of a file");
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
-    temporary_ = path;
+    target_ = target_of(path);
+    temporary_ = target_;
     temporary_ += ".part" + std::to_string(getpid());
     set_unfinished(temporary_.string());
   }
@@ -45,6 +57,8 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   if (!file_)
     throw std::runtime_error(path.string() +
                              ": cannot be written: check the folder and its permissions");
+  if (!is_in_place() && std::filesystem::exists(status))
+    std::filesystem::permissions(temporary_, status.permissions());
 }
 
 OutputFile::~OutputFile() {
@@ -66,7 +80,7 @@ void OutputFile::commit() {
   file_.close();
   if (!file_) throw std::runtime_error(path_.string() + ": writing failed: is the disk full?");
   std::error_code error;
-  if (!is_in_place()) std::filesystem::rename(temporary_, path_, error);
+  if (!is_in_place()) std::filesystem::rename(temporary_, target_, error);
   if (error) throw std::runtime_error(path_.string() + ": cannot be replaced: " + error.message());
   is_committed_ = true;
   set_unfinished({});

@@ -9,8 +9,9 @@
 namespace discmc::host {
 
 /// A file that appears under its name only when commit() is reached: whatever fails before, and a
-/// signal that ends the program, leaves no half-written file behind. "-" is standard output; pipes
-/// and devices are written in place. Limit: one at a time.
+/// signal that ends the program, leaves no half-written file behind. A link stays, and its target
+/// is written; a file that is replaced keeps its permissions. "-" is standard output; pipes and
+/// devices are written in place. Limit: one at a time.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -25,8 +26,9 @@ class OutputFile {
  private:
   bool is_standard_output() const { return path_ == "-"; }
   bool is_in_place() const { return temporary_.empty(); }
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  std::filesystem::path path_;       // as given
+  std::filesystem::path target_;     // of links
+  std::filesystem::path temporary_;  // beside it
   std::ofstream file_;
   bool is_committed_ = false;
 };

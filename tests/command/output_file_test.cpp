@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <sstream>
 #include <string>
 
 #include "command.hpp"
@@ -56,6 +57,50 @@ TEST_CASE("what is not committed leaves no trace, and the file of before as it w
   file.stream() << "after";
   file.commit();
   CHECK(contents(path) == "after");
+}
+
+TEST_CASE("a link stays one, and what it leads to is written") {
+  const Folder folder;
+  const auto file = folder.write("a.obj", "before");
+  std::filesystem::create_directory(folder.path() / "links");
+  const auto link = folder.path() / "links" / "b.obj", to_nothing = folder.path() / "c.obj";
+  std::filesystem::create_symlink("../a.obj", link);
+  std::filesystem::create_symlink(link, folder.path() / "to_link.obj");
+  std::filesystem::create_symlink("d.obj", to_nothing);
+  for (const auto& path : {link, folder.path() / "to_link.obj", to_nothing}) {
+    OutputFile output(path);
+    output.stream() << path;
+    output.commit();
+    CHECK(std::filesystem::is_symlink(path));
+    std::ostringstream expected;
+    expected << path;
+    CHECK(contents(path == to_nothing ? folder.path() / "d.obj" : file) == expected.str());
+  }
+  CHECK(std::distance(std::filesystem::directory_iterator(link.parent_path()), {}) == 1);
+}
+
+TEST_CASE("links that lead in a circle are refused") {
+  const Folder folder;
+  std::filesystem::create_symlink("b.obj", folder.path() / "a.obj");
+  std::filesystem::create_symlink("a.obj", folder.path() / "b.obj");
+  const std::string text = complaint([&] { OutputFile file(folder.path() / "a.obj"); });
+  CHECK(contains(text, "a.obj: cannot be written"));
+}
+
+TEST_CASE("a file that is replaced keeps its permissions") {
+  using std::filesystem::perms;
+  const Folder folder;
+  const auto path = folder.write("a.obj", "before");
+  for (const perms mode : {perms::owner_read | perms::owner_write,
+                           perms::owner_read | perms::owner_write | perms::group_read}) {
+    std::filesystem::permissions(path, mode);
+    OutputFile file(path);
+    file.stream() << "after";
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      CHECK(entry.status().permissions() == mode);  // never more, while it is written
+    file.commit();
+    CHECK(std::filesystem::status(path).permissions() == mode);
+  }
 }
 
 TEST_CASE("a stream that failed is not committed") {
