@@ -89,32 +89,43 @@ void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
 // Of a segmentation, without its background.
 std::vector<double> labels(const VolumeStatistics& statistics) {
   constexpr std::size_t most = 64;
+  constexpr double exact = 0x1p53;
   std::vector<double> labels;
   if (!statistics.is_exact || statistics.infinite > 0 || statistics.counts.size() > most) return {};
   for (const ValueCount& each : statistics.counts) {
-    if (each.value != std::floor(each.value)) return {};
+    if (each.value != std::floor(each.value) || std::fabs(each.value) >= exact) return {};
     if (each.value != 0) labels.push_back(each.value);
   }
   return labels;
 }
 
-void write_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
-                     std::ostream& out) {
+void propose_labels(const std::vector<double>& labels, std::ostream& out) {
+  if (labels.empty()) return;
+  out << "proposal --labels all: the values are few and whole, as labels are; a mesh each\n"
+      << "proposal --label N: one of";
+  for (const double label : labels) out << ' ' << value_text(label);
+  out << '\n';
+}
+
+void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistics,
+                        std::ostream& out) {
   if (const auto iso = otsu_threshold(statistics))
     out << "proposal --iso=" << value_text(*iso)
         << " otsu: divides the values in two groups that differ most\n";
-  const bool is_hounsfield = is_in_hounsfield(info, statistics);
-  if (is_hounsfield && divides(bone_threshold, statistics))
+  if (is_in_hounsfield && divides(bone_threshold, statistics))
     out << "proposal --iso=" << value_text(bone_threshold)
         << " bone: these are Hounsfield units, soft tissue has less\n";
-  if (is_hounsfield && divides(skin_threshold, statistics))
+  if (is_in_hounsfield && divides(skin_threshold, statistics))
     out << "proposal --iso=" << value_text(skin_threshold)
         << " skin: these are Hounsfield units, air has less\n";
-  const std::vector<double> found = labels(statistics);
-  if (found.empty()) return;
-  out << "proposal --label N: the values are few and whole, as labels are:";
-  for (const double label : found) out << ' ' << value_text(label);
-  out << '\n';
+}
+
+// What is most likely comes first.
+void write_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
+                     std::ostream& out) {
+  const bool is_hounsfield = is_in_hounsfield(info, statistics);
+  if (!is_hounsfield) propose_labels(labels(statistics), out);
+  propose_thresholds(is_hounsfield, statistics, out);
 }
 
 }  // namespace
@@ -139,7 +150,10 @@ void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& sta
   out << "voxels " << std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2] << '\n'
       << "not_numbers " << statistics.not_numbers << '\n'
       << "infinite " << statistics.infinite << '\n';
-  if (statistics.numbers == 0) return;
+  if (statistics.numbers == 0) {
+    out << "note no value is a finite number: check the file\n";
+    return;
+  }
   out << "range " << value_text(statistics.least) << ' ' << value_text(statistics.greatest) << '\n'
       << "mean " << value_text(statistics.mean) << '\n';
   for (const int percent : {1, 5, 25, 50, 75, 95, 99})

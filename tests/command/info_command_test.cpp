@@ -91,8 +91,12 @@ TEST_CASE("few values are told each by itself, and as labels where they are whol
   CHECK(contains(info, "histogram          0          0           5 ####"));
   CHECK(contains(info, "histogram          5          5           2 ####"));
   CHECK(contains(info, "histogram         12         12           1 ####"));
-  CHECK(has_line(info, "proposal --label N: the values are few and whole, as labels are: 5 12"));
+  CHECK(has_line(info, "proposal --label N: one of 5 12"));
+  REQUIRE(contains(info, "proposal --labels all: the values are few and whole"));
+  CHECK(info.find("proposal --label") < info.find("proposal --iso"));
   workshop.write("v.nrrd", text_volume("float", "2 2 2", "0 0 0 0 0 5 5 12.5"));
+  CHECK(!contains(workshop.done("info v.nrrd"), "--label"));
+  workshop.write("v.nrrd", text_volume("double", "2 2 2", "0 0 0 0 0 5 5 1e300"));
   CHECK(!contains(workshop.done("info v.nrrd"), "--label"));
 }
 
@@ -121,6 +125,7 @@ TEST_CASE("a volume without numbers has no values to tell") {
   const std::string info = workshop.done("info v.nrrd");
   CHECK(has_line(info, "not_numbers 3"));
   CHECK(has_line(info, "infinite 1"));
+  CHECK(has_line(info, "note no value is a finite number: check the file"));
   CHECK(!contains(info, "range"));
   CHECK(!contains(info, "proposal"));
 }
@@ -136,6 +141,9 @@ TEST_CASE("values at the ends of 64-bit floating point have a histogram, too") {
     workshop.write("v.nrrd", text_volume("double", "20 1 1", samples));
     CHECK(contains(workshop.done("info v.nrrd"), "\nhistogram "));
   }
+  workshop.write("v.nrrd", text_volume("double", "2 2 2",
+                                       "1.7e308 1.7e308 1.7e308 1.7e308 1.7e308 -1e308 5 1e300"));
+  CHECK(has_line(workshop.done("info v.nrrd"), "mean 9.3750000125e+307"));
 }
 
 TEST_CASE("what has no telling name is a volume by its first bytes, and else a stream") {

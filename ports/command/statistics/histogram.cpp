@@ -74,6 +74,7 @@ void Histogram::add_all(const Sample* samples, std::size_t count) {
       }
     }
     sum += static_cast<double>(sample);
+    if constexpr (std::is_same_v<Sample, double>) small_sum_ += small_unit * sample;
     add_key(key_of(sample));
   }
   sum_ += sum;
@@ -140,7 +141,9 @@ double Histogram::greatest() const {
 }
 
 double Histogram::mean() const {
-  return finite_ > 0 ? sum_ / static_cast<double>(finite_) : 0;
+  if (finite_ == 0) return 0;
+  const auto count = static_cast<double>(finite_);
+  return std::isfinite(sum_) ? sum_ / count : small_sum_ / count / small_unit;
 }
 
 }  // namespace discmc::host

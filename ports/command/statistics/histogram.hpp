@@ -50,6 +50,8 @@ class Histogram {
     std::uint64_t count;  // 0: free
   };
 
+  static constexpr double small_unit = 0x1p-64;  // so that no sum is infinite
+
   template <class Sample>
   void add_all(const Sample* samples, std::size_t count);
   void add_key(std::uint64_t key);
@@ -64,6 +66,7 @@ class Histogram {
   std::uint64_t least_key_;
   std::uint64_t greatest_key_ = 0;
   double sum_ = 0;
+  double small_sum_ = 0;  // of samples of 64-bit floating point, each times small_unit
   std::uint64_t finite_ = 0;
   std::uint64_t not_numbers_ = 0;
   std::uint64_t infinite_ = 0;
