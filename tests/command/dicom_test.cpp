@@ -156,6 +156,26 @@ TEST_CASE("a missing slice is refused with its place") {
                 "2 slices are missing between 100 mm (slice0) and 107.5 mm (slice1)");
 }
 
+TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, and a note tells") {
+  VolumeOptions options;
+  options.allow_gaps = true;
+  const Series series;
+  series.drop(2);
+  series.drop(3);
+  const auto reader = open_volume(series.path(), options);
+  CHECK(noted(reader->info(), "2 slices are missing between 102.5 mm (slice2) and 110 mm"));
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  const std::vector<double> all = values();
+  constexpr std::ptrdiff_t of_slice = width * height;
+  std::vector<double> expected(all.begin(), all.begin() + 2 * of_slice);
+  for (const std::ptrdiff_t z : {1, 4, 4})
+    expected.insert(expected.end(), all.begin() + z * of_slice, all.begin() + (z + 1) * of_slice);
+  CHECK(read_all(*reader) == expected);
+  // Far apart: not of slices that were lost, and without end to fill.
+  series.put(4, replaced(slice(4), place(4), "1100000"));
+  check_refusal(refusal(series.path(), options), "too much to be filled");
+}
+
 TEST_CASE("slices at uneven distances are refused") {
   const Series series;
   series.put(4, replaced(slice(4), place(4), "111.000"));
@@ -203,6 +223,31 @@ TEST_CASE("of several series one is chosen by its number or UID") {
   check_refusal(refusal(series.path(), {{}, {}, "3"}), "no series '3' among\n");
   const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
   check_refusal(refusal(nrrd_file, {{}, {}, "1"}), "leave out --series");
+}
+
+TEST_CASE("of several volumes in one series one is chosen by its number, not by the UID") {
+  const Series series;
+  series.put(0, replaced(slice(0), orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000"));
+  const std::string uid = "1.2.826.0.1.3680043.10.1.1";
+  VolumeOptions by_uid;
+  by_uid.series = uid;
+  for (const VolumeOptions& options : {VolumeOptions{}, by_uid}) {
+    const std::string text = refusal(series.path(), options);
+    check_refusal(text, "several volumes in one series");
+    check_refusal(text, "--series N");
+    CHECK(!contains(text, "--series UID"));
+  }
+  CHECK(open_volume(series.path(), {{}, {}, "2"})->info().dims[2] +
+            open_volume(series.path(), {{}, {}, "1"})->info().dims[2] ==
+        depth);
+}
+
+TEST_CASE("pictures beside DICOM are left out, and a note tells") {
+  const Series series;
+  series.write("preview.png", "of the first slice");
+  const auto reader = open_volume(series.path());
+  CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'"));
+  CHECK(read_all(*reader) == values());
 }
 
 TEST_CASE("the longest UID of a series is listed whole") {

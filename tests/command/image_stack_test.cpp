@@ -114,6 +114,78 @@ TEST_CASE("a slice of another size or type is refused by its name") {
   check_refusal(refusal(no_tiff), "no TIFF file");
 }
 
+VolumeOptions with_gaps_allowed() {
+  VolumeOptions options;
+  options.allow_gaps = true;
+  return options;
+}
+
+std::string slice(int z) {
+  return contents(files / "stack" / ("slice" + std::to_string(z) + ".png"));
+}
+
+// Slices of the stack, by numbers in their names.
+class NumberedStack : public Folder {
+ public:
+  explicit NumberedStack(const std::vector<int>& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      write("a2_" + std::to_string(numbers[i]) + ".png", slice(static_cast<int>(i)));
+  }
+};
+
+TEST_CASE("a number that is missing among the names is refused with its place") {
+  const NumberedStack stack({8, 9, 10, 12, 13, 14, 17});
+  const std::string text = refusal(stack.path());
+  check_refusal(text, "1 slice is missing between a2_10.png and a2_12.png; ");
+  check_refusal(text, "--allow-gaps");
+}
+
+TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, and a note tells") {
+  const NumberedStack stack({8, 9, 11, 12, 13, 16});
+  const auto reader = open_volume(stack.path(), with_gaps_allowed());
+  CHECK(noted(reader->info(), "3 slices are missing, the first of 2 gaps between a2_9.png and"));
+  CHECK(reader->info().dims[2] == 9);
+  const std::vector<double> all = read_all(*reader);
+  const std::vector<double> there = values(6, in_u16);
+  constexpr std::ptrdiff_t of_slice = width * height;
+  std::vector<double> expected;
+  for (const std::ptrdiff_t z : {0, 1, 1, 2, 3, 4, 4, 5, 5})
+    expected.insert(expected.end(), there.begin() + z * of_slice,
+                    there.begin() + (z + 1) * of_slice);
+  CHECK(all == expected);
+}
+
+TEST_CASE("names with even steps, two numbers, or numbers that count nothing have no gaps") {
+  for (const std::vector<int>& numbers :
+       {std::vector<int>{0, 10, 20, 30}, {3, 9}, {17, 23, 31, 40, 45}}) {
+    const NumberedStack stack(numbers);
+    const auto reader = open_volume(stack.path(), {{}, Spacing{1, 1, 1}});
+    CHECK(reader->info().dims[2] == numbers.size());
+    CHECK(reader->info().notes.empty());
+  }
+  const Folder two_numbers;
+  for (int z = 0; z < 4; ++z)
+    two_numbers.write("a" + std::to_string(z / 3) + "b" + std::to_string(z * z) + ".png", slice(z));
+  CHECK(open_volume(two_numbers.path())->info().dims[2] == 4);
+}
+
+TEST_CASE("where more is missing than is there, the numbers are taken as an order, with a note") {
+  const NumberedStack stack({1, 2, 3, 900});
+  const auto reader = open_volume(stack.path(), with_gaps_allowed());
+  CHECK(reader->info().dims[2] == 4);
+  CHECK(noted(reader->info(), "leap between a2_3.png and a2_900.png"));
+}
+
+TEST_CASE("what is of several kinds is refused with the remedy, and not left out") {
+  const NumberedStack stack({1, 2});
+  stack.write("a.tif", contents(files / "u16.tif"));
+  check_refusal(refusal(stack.path()), "2 PNG and 1 TIFF files are not one volume");
+  check_refusal(refusal(stack.path() / "*"), "such as '*.png'");
+  CHECK(open_volume(stack.path() / "*.png")->info().dims[2] == 2);
+  stack.write("notes.txt", "of a colleague");
+  check_refusal(refusal(stack.path() / "*[gt]"), "and others, such as 'notes.txt'");
+}
+
 TEST_CASE("damaged pictures are refused, wherever they are cut") {
   const Folder folder;
   for (const std::string name : {"stack/slice0.png", "u16.tif", "tiles.tif", "deflate.tif"}) {

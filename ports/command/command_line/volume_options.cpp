@@ -101,6 +101,9 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
                  "of a folder of DICOM with several: its UID, or its number in the list that is "
                  "shown without this")
       ->option_text("SERIES");
+  app.add_flag("--allow-gaps", arguments.allow_gaps,
+               "repeat the nearest slice where slices are missing, of DICOM or pictures (default: "
+               "refuse them)");
   add_part_options(app, arguments);
 }
 

@@ -11,7 +11,7 @@ namespace discmc::host {
 constexpr const char* volume_group = "Volume";
 
 /// --dims, --type, --big-endian and --skip-bytes, the layout of a headerless file; --spacing,
-/// --frame and --series; --crop and --shrink.
+/// --frame, --series and --allow-gaps; --crop and --shrink.
 void add_volume_options(CLI::App& app, LayoutArguments& arguments);
 
 }  // namespace discmc::host

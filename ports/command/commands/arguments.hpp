@@ -29,6 +29,7 @@ struct LayoutArguments {
   std::vector<double> spacing;
   std::uint64_t skipped_bytes = 0;
   std::string series;
+  bool allow_gaps = false;
   std::optional<std::uint32_t> frame;
   std::optional<Crop> crop;
   std::uint32_t shrink = 1;

@@ -50,6 +50,7 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
                                         const VolumeOptions& options, const VolumeInfo& volume) {
   VolumeOptions of_all;
   of_all.spacing_mm = options.spacing_mm;
+  of_all.allow_gaps = options.allow_gaps;
   auto mask = open_volume(file, of_all);
   const auto whole = volume.whole_dims.value_or(volume.dims);
   if (mask->info().dims != whole)

@@ -64,9 +64,14 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
 std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
                                            const VolumeOptions& options) {
   const auto files = files_of_pattern(pattern);
-  if (std::all_of(files.begin(), files.end(), is_picture_name))
-    return open_pictures(pattern, files);
-  return open_dicom(pattern, files, options.series);
+  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
+  if (other == files.end()) return open_pictures(pattern, files, options);
+  if (std::any_of(files.begin(), files.end(), is_picture_name))
+    fail(pattern,
+         "there are PNG or TIFF files of such a name, and others, such as " +
+             shown(other->filename().string()),
+         "give a pattern of one kind, such as '*.png'");
+  return open_dicom(pattern, files, options);
 }
 
 bool is_folder(const std::filesystem::path& file) {
@@ -94,8 +99,8 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   }
   if (is_folder(file)) return open_folder(file, options);
   if (is_pattern(file)) return open_pattern(file, options);
-  if (is_picture_name(file)) return open_pictures(file, {file});
-  if (has_dicom_name(file)) return open_dicom(file, {file}, options.series);
+  if (is_picture_name(file)) return open_pictures(file, {file}, options);
+  if (has_dicom_name(file)) return open_dicom(file, {file}, options);
   if (has_zip_name(file)) return open_zip(file, options);
 
   ByteStream stream = open_content(file);
@@ -105,7 +110,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   for (const Format& format : formats)
     if (found == format.name) return format.open(std::move(stream), options);
   const bool is_bare_file = !stream.is_decoded() && !stream.is_read_once();
-  if (found == "DICOM" && is_bare_file) return open_dicom(file, {file}, options.series);
+  if (found == "DICOM" && is_bare_file) return open_dicom(file, {file}, options);
   if (found == "zip" && is_bare_file) return open_zip(file, options);
   fail(
       stream.file(), found ? std::string(*found) + " is not read" : "the format is not known",
@@ -137,14 +142,21 @@ class RespacedVolume final : public VolumeReader {
   VolumeInfo info_;
 };
 
+std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures) {
+  if (pictures.empty()) return {};
+  return {"PNG or TIFF files beside the DICOM left out: " + std::to_string(pictures.size()) +
+          ", such as " + shown(pictures[0].filename().string()) +
+          "; to read them give a pattern, such as '*.png'"};
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options) {
   const auto files = dicom_files(folder);
-  if (!files.empty()) return open_dicom(folder, files, options.series);
   const auto pictures = picture_files(folder);
-  if (!pictures.empty()) return open_pictures(folder, pictures);
+  if (!files.empty()) return open_dicom(folder, files, options, notes_of_left_out(pictures));
+  if (!pictures.empty()) return open_pictures(folder, pictures, options);
   fail(folder, "the folder holds no DICOM, PNG or TIFF files",
        "name a file, or the folder of a series");
 }

@@ -95,6 +95,8 @@ struct VolumeOptions {
   /// Of DICOM: the UID of the series, or its number in the list that the refusal shows where there
   /// are several.
   std::string series = {};
+  /// Whether slices that are missing in a folder are filled with the nearest ones, not refused.
+  bool allow_gaps = false;
   /// Which of the volumes of a file, the first is 0. Without it, a file of several is refused.
   std::optional<std::uint32_t> frame = {};
   /// The part of the volume that is taken; otherwise all of it.

@@ -25,16 +25,20 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
 std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const RawLayout& layout);
-/// source: what was named, of which these are the DICOM files.
+/// source: what was named, of which these are the DICOM files. notes: of what else it holds, told
+/// with those of the volume.
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
-                                         const std::string& series);
+                                         const VolumeOptions& options,
+                                         std::vector<std::string> notes = {});
 
 /// The same of pictures, a slice each.
 std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
-                                            std::vector<std::filesystem::path> files);
+                                            std::vector<std::filesystem::path> files,
+                                            const VolumeOptions& options);
 
-/// Opens what is in a folder: DICOM, or else pictures. Throws when there is neither.
+/// Opens what is in a folder: DICOM, with a note of pictures beside it, or else pictures. Throws
+/// when there is neither.
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options);
 

@@ -194,9 +194,7 @@ std::filesystem::path picture_folder(std::filesystem::path folder) {
 
 std::unique_ptr<VolumeReader> open_unpacked(const std::filesystem::path& folder,
                                             const VolumeOptions& options) {
-  const auto files = dicom_files(folder);
-  if (!files.empty()) return open_dicom(folder, files, options.series);
-  return open_folder(picture_folder(folder), options);
+  return open_folder(dicom_files(folder).empty() ? picture_folder(folder) : folder, options);
 }
 
 // A volume whose files are gone when it is closed, and bear the name of the archive in errors.

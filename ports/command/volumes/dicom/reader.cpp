@@ -1,6 +1,7 @@
 // DICOM: a file, or the files of a folder, whatever their names.
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -107,7 +108,8 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
 
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
-                                         const std::string& series) {
+                                         const VolumeOptions& options,
+                                         std::vector<std::string> notes) {
   const Found found = find_frames(files);
   if (found.frames.empty())
     fail(source,
@@ -116,8 +118,10 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
              : "none of " + std::to_string(files.size()) +
                    " DICOM files holds an image to read; the first is " + found.instead,
          "give the images of a CT, an MRI or the like, one grey value a voxel");
-  DicomStack stack = chosen_stack(source, dicom_stacks(found.frames), series);
-  VolumeInfo info = order_stack(source, stack, have_same_pixels);
+  DicomStack stack = chosen_stack(source, dicom_stacks(found.frames), options.series);
+  VolumeInfo info = order_stack(source, stack, have_same_pixels, options.allow_gaps);
+  info.notes.insert(info.notes.begin(), std::make_move_iterator(notes.begin()),
+                    std::make_move_iterator(notes.end()));
   for (const DicomFrame& frame : stack) require_possible(*frame.image);
   if (found.skipped > 0)
     info.notes.push_back(std::to_string(found.skipped) +

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "volumes/gaps.hpp"
 #include "volumes/volume_format.hpp"
 
 namespace discmc::host {
@@ -66,14 +67,23 @@ std::string description(const DicomStack& stack) {
   return text + ", UID " + shown_uid(image.series);
 }
 
-std::string list(const std::vector<DicomStack>& stacks) {
+using Places = std::vector<std::size_t>;
+
+// places: of those to show among the stacks, the first is 0.
+std::string list(const std::vector<DicomStack>& stacks, const Places& places) {
   constexpr std::size_t most_shown = 50;
   std::string text;
-  for (std::size_t i = 0; i < std::min(stacks.size(), most_shown); ++i)
-    text += "\n  " + std::to_string(i + 1) + ": " + description(stacks[i]);
-  if (stacks.size() > most_shown)
-    text += "\n  and " + std::to_string(stacks.size() - most_shown) + " more";
+  for (std::size_t i = 0; i < std::min(places.size(), most_shown); ++i)
+    text += "\n  " + std::to_string(places[i] + 1) + ": " + description(stacks[places[i]]);
+  if (places.size() > most_shown)
+    text += "\n  and " + std::to_string(places.size() - most_shown) + " more";
   return text + "\n";
+}
+
+bool have_one_series(const std::vector<DicomStack>& stacks, const Places& places) {
+  return std::all_of(places.begin(), places.end(), [&](std::size_t place) {
+    return stacks[place][0].image->series == stacks[places[0]][0].image->series;
+  });
 }
 
 // ---- the order of a stack ----
@@ -112,9 +122,15 @@ std::size_t drop_duplicates(const std::filesystem::path& source, DicomStack& sta
   return dropped;
 }
 
-// Throws unless all slices are as far from each other. Returns how far.
-double even_distance(const std::filesystem::path& source, const DicomStack& stack,
-                     const Along& along) {
+// How far slices are from each other, and where some are missing.
+struct Distances {
+  double step = 0;
+  std::vector<Gap> gaps;
+};
+
+// Throws unless the slices are as far from each other everywhere, but for gaps.
+Distances even_distances(const std::filesystem::path& source, const DicomStack& stack,
+                         const Along& along) {
   constexpr double tolerance = 0.02;  // of the distance: positions are rounded decimals
   std::vector<double> steps;
   for (std::size_t i = 1; i < stack.size(); ++i)
@@ -123,22 +139,24 @@ double even_distance(const std::filesystem::path& source, const DicomStack& stac
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   const double step = *middle;
+  std::vector<Gap> gaps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (std::fabs(steps[i] - step) <= tolerance * step) continue;
-    const double missing = std::round(steps[i] / step) - 1;
+    const double missing =
+        std::min(std::round(steps[i] / step) - 1, static_cast<double>(most_missing));
     const std::string where = "between " + number(along(stack[i])) + " mm (" + name(stack[i]) +
                               ") and " + number(along(stack[i + 1])) + " mm (" +
                               name(stack[i + 1]) + ")";
-    if (missing >= 1 && std::fabs(steps[i] - (missing + 1) * step) <= tolerance * steps[i])
+    if (missing < 1 || std::fabs(steps[i] - (missing + 1) * step) > tolerance * steps[i])
       fail(source,
-           number(missing) + (missing > 1 ? " slices are" : " slice is") + " missing " + where +
-               "; the others are " + number(step) + " mm apart",
-           "export or copy the series again");
-    fail(source,
-         "the slices are " + number(step) + " mm apart, but " + number(steps[i]) + " mm " + where,
-         "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
+           "the slices are " + number(step) + " mm apart, but " + number(steps[i]) + " mm " + where,
+           "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
+    gaps.push_back({i, static_cast<std::uint64_t>(missing),
+                    where + ", where the others are " + number(step) + " mm apart"});
   }
-  return (along(stack.back()) - along(stack.front())) / static_cast<double>(steps.size());
+  const std::uint64_t all_steps = steps.size() + missing_slices(gaps);
+  return {(along(stack.back()) - along(stack.front())) / static_cast<double>(all_steps),
+          std::move(gaps)};
 }
 
 // Throws where the slices do not lie straight above each other.
@@ -164,7 +182,7 @@ void require_straight(const std::filesystem::path& source, const DicomStack& sta
 }
 
 double distance_by_places(const std::filesystem::path& source, VolumeInfo& info, DicomStack& stack,
-                          const SamePixels& same_pixels) {
+                          const SamePixels& same_pixels, bool allow_gaps) {
   const Along along(stack[0]);
   std::stable_sort(stack.begin(), stack.end(),
                    [&](const DicomFrame& a, const DicomFrame& b) { return along(a) < along(b); });
@@ -174,7 +192,12 @@ double distance_by_places(const std::filesystem::path& source, VolumeInfo& info,
                                                         : " slices that are there twice dropped"));
   if (stack.size() == 1) return stack[0].slice_spacing_mm;
   require_straight(source, stack, along);
-  return even_distance(source, stack, along);
+  const Distances distances = even_distances(source, stack, along);
+  if (!distances.gaps.empty()) {
+    info.notes.push_back(note_of_filling(source, distances.gaps, stack.size(), allow_gaps));
+    fill_gaps(stack, distances.gaps);
+  }
+  return distances.step;
 }
 
 double distance_without_places(const std::filesystem::path& source, VolumeInfo& info,
@@ -260,28 +283,32 @@ const DicomStack& chosen_stack(const std::filesystem::path& source,
                                const std::vector<DicomStack>& stacks, const std::string& series) {
   const bool is_number = !series.empty() && series.size() < 6 &&
                          series.find_first_not_of("0123456789") == std::string::npos;
-  const DicomStack* chosen = nullptr;
-  std::size_t count = 0;
+  Places all, chosen;
   for (std::size_t i = 0; i < stacks.size(); ++i) {
-    if (!series.empty() && series != stacks[i][0].image->series &&
-        !(is_number && series == std::to_string(i + 1)))
-      continue;
-    chosen = &stacks[i];
-    ++count;
+    all.push_back(i);
+    if (series.empty() || series == stacks[i][0].image->series ||
+        (is_number && series == std::to_string(i + 1)))
+      chosen.push_back(i);
   }
-  if (count == 1) return *chosen;
-  const std::string listed = list(stacks);
-  if (count == 0)
-    fail(source, "no series " + shown(series) + " among" + listed, "give one of them to --series");
-  fail(source, "several volumes:" + listed,
+  if (chosen.size() == 1) return stacks[chosen[0]];
+  if (chosen.empty())
+    fail(source, "no series " + shown(series) + " among" + list(stacks, all),
+         "give one of them to --series");
+  if (have_one_series(stacks, chosen))
+    fail(source,
+         "several volumes in one series, of different extents, samples or directions:" +
+             list(stacks, chosen),
+         "choose one with --series N, its number in this list");
+  fail(source, "several volumes:" + list(stacks, chosen),
        "choose one with --series N, its number in this list, or --series UID");
 }
 
 VolumeInfo order_stack(const std::filesystem::path& source, DicomStack& stack,
-                       const SamePixels& same_pixels) {
+                       const SamePixels& same_pixels, bool allow_gaps) {
   VolumeInfo info;
-  const double distance = stack[0].place ? distance_by_places(source, info, stack, same_pixels)
-                                         : distance_without_places(source, info, stack);
+  const double distance = stack[0].place
+                              ? distance_by_places(source, info, stack, same_pixels, allow_gaps)
+                              : distance_without_places(source, info, stack);
   require_one_spacing(source, stack);
   const DicomImage& image = *stack[0].image;
   set_dims(info, source, {image.columns, image.rows, static_cast<std::int64_t>(stack.size())});

@@ -1,10 +1,14 @@
 #include "picture_names.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "number_text.hpp"
 #include "volumes/volume_format.hpp"
 
 namespace discmc::host {
@@ -21,6 +25,48 @@ std::string_view take_number(std::string_view& text) {
   text.remove_prefix(number.size());
   number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
   return number;
+}
+
+// A name as the texts between its numbers, and these.
+struct NumberedName {
+  std::vector<std::string_view> texts;
+  std::vector<std::string_view> numbers;
+};
+
+NumberedName numbered(std::string_view name) {
+  NumberedName result;
+  while (!name.empty()) {
+    const auto end = std::find_if(name.begin(), name.end(), is_digit);
+    const auto length = static_cast<std::size_t>(end - name.begin());
+    result.texts.push_back(name.substr(0, length));
+    name.remove_prefix(length);
+    result.numbers.push_back(take_number(name));
+  }
+  return result;
+}
+
+// The values of the one number in which the names differ; empty where they differ in more.
+std::vector<std::uint64_t> varying_numbers(const std::vector<std::filesystem::path>& files) {
+  const std::string first_name = files.front().filename().string();
+  const NumberedName first = numbered(first_name);
+  const std::string last_name = files.back().filename().string();
+  const NumberedName last = numbered(last_name);
+  if (last.numbers.size() != first.numbers.size()) return {};
+  const auto differing =
+      std::mismatch(first.numbers.begin(), first.numbers.end(), last.numbers.begin()).first;
+  if (differing == first.numbers.end()) return {};
+  const auto varying = static_cast<std::size_t>(differing - first.numbers.begin());
+  std::vector<std::uint64_t> values;
+  for (const auto& file : files) {
+    const std::string name = file.filename().string();
+    NumberedName parts = numbered(name);
+    if (parts.texts != first.texts || parts.numbers.size() != first.numbers.size()) return {};
+    const std::string_view number = std::exchange(parts.numbers[varying], first.numbers[varying]);
+    const auto value = number.empty() ? 0 : whole_number<std::uint64_t>(number);
+    if (parts.numbers != first.numbers || !value) return {};
+    values.push_back(*value);
+  }
+  return values;
 }
 
 bool is_before(std::string_view a, std::string_view b) {
@@ -63,6 +109,27 @@ void sort_naturally(std::vector<std::filesystem::path>& files) {
   std::sort(files.begin(), files.end());
   std::stable_sort(files.begin(), files.end(),
                    [](const auto& a, const auto& b) { return is_before(a.native(), b.native()); });
+}
+
+std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files) {
+  if (files.size() < 3) return {};
+  std::vector<std::uint64_t> steps = varying_numbers(files);
+  std::adjacent_difference(steps.begin(), steps.end(), steps.begin());
+  if (!steps.empty()) steps.erase(steps.begin());
+  if (steps.empty()) return {};
+  std::vector<std::uint64_t> sorted = steps;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const std::uint64_t step = *middle;
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (step == 0 || steps[i] == 0 || steps[i] % step != 0) return {};
+    if (steps[i] > step)
+      gaps.push_back(
+          {i, std::min(steps[i] / step - 1, most_missing),
+           "between " + files[i].filename().string() + " and " + files[i + 1].filename().string()});
+  }
+  return gaps;
 }
 
 }  // namespace discmc::host

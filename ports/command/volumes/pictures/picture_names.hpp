@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "volumes/gaps.hpp"
+
 namespace discmc::host {
 
 bool is_png_name(const std::filesystem::path& file);
@@ -17,6 +19,11 @@ std::vector<std::filesystem::path> picture_files(const std::filesystem::path& fo
 
 /// Orders by names in which numbers count as such: slice2 before slice10.
 void sort_naturally(std::vector<std::filesystem::path>& files);
+
+/// Returns where names are missing, of files in their natural order: those that are alike but for
+/// one number that grows by even steps, and in places by a multiple of them. Other numbers count
+/// nothing, and leave no gaps.
+std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files);
 
 }  // namespace discmc::host
 

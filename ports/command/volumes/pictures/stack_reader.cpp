@@ -1,5 +1,9 @@
 // A stack of pictures as a volume: a slice a picture, in the order of their names.
+#include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "picture_file.hpp"
 #include "picture_names.hpp"
@@ -82,10 +86,39 @@ void require_possible(const std::filesystem::path& file, const PictureHeader& he
          "copy or export the file again");
 }
 
+void require_one_kind(const std::filesystem::path& source,
+                      const std::vector<std::filesystem::path>& files) {
+  const auto png = std::count_if(files.begin(), files.end(), is_png_name);
+  const auto others = static_cast<std::ptrdiff_t>(files.size()) - png;
+  if (png > 0 && others > 0)
+    fail(source,
+         std::to_string(png) + " PNG and " + std::to_string(others) +
+             " TIFF files are not one volume",
+         "give a pattern of one kind, such as '*.png'");
+}
+
+// Where a file is a slice, names that are missing are slices that are missing.
+void close_gaps(const std::filesystem::path& source,
+                const std::vector<std::filesystem::path>& files, bool allow_gaps,
+                std::vector<Slice>& slices, std::vector<std::string>& notes) {
+  if (files.size() != slices.size()) return;
+  const std::vector<Gap> gaps = gaps_of_names(files);
+  if (gaps.empty()) return;
+  if (!can_be_filled(gaps, slices.size())) {
+    notes.push_back("the numbers of the names leap " + gaps[0].place +
+                    ", and are taken for no more than their order");
+    return;
+  }
+  notes.push_back(note_of_filling(source, gaps, slices.size(), allow_gaps));
+  fill_gaps(slices, gaps);
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
-                                            std::vector<std::filesystem::path> files) {
+                                            std::vector<std::filesystem::path> files,
+                                            const VolumeOptions& options) {
+  require_one_kind(source, files);
   sort_naturally(files);
   std::vector<Slice> slices;
   PictureHeader first;
@@ -100,6 +133,7 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
     }
   }
   VolumeInfo info;
+  close_gaps(source, files, options.allow_gaps, slices, info.notes);
   set_dims(info, source, {first.width, first.height, static_cast<std::int64_t>(slices.size())});
   info.type = first.type;
   if (first.spacing_mm)

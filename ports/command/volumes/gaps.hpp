@@ -1,0 +1,56 @@
+// Slices that are missing within a stack of files: refused, or filled.
+#ifndef DISCMC_COMMAND_VOLUMES_GAPS_HPP
+#define DISCMC_COMMAND_VOLUMES_GAPS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace discmc::host {
+
+/// More than that are no more of a gap.
+constexpr std::uint64_t most_missing = 1000000000;
+
+/// A place where slices are missing.
+struct Gap {
+  /// The slice before it, the first is 0.
+  std::size_t slice = 0;
+  /// Limit: most_missing.
+  std::uint64_t missing = 0;
+  /// For people: "between a7.png and a9.png".
+  std::string place;
+};
+
+/// Units: slices that are missing in all of them.
+std::uint64_t missing_slices(const std::vector<Gap>& gaps);
+
+/// Whether the gaps may be filled: at most as many slices are missing as are there.
+bool can_be_filled(const std::vector<Gap>& gaps, std::size_t slices);
+
+/// Returns the note that the gaps are filled. Throws VolumeError where that is not allowed, or not
+/// possible. Limit: one gap or more.
+std::string note_of_filling(const std::filesystem::path& source, const std::vector<Gap>& gaps,
+                            std::size_t slices, bool is_allowed);
+
+/// Puts the nearest slice in the place of each that is missing, of two the one before it.
+template <class Slice>
+void fill_gaps(std::vector<Slice>& stack, const std::vector<Gap>& gaps) {
+  std::vector<Slice> filled;
+  auto gap = gaps.begin();
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    filled.push_back(stack[i]);
+    if (gap == gaps.end() || gap->slice != i) continue;
+    const std::size_t of_the_next = gap->missing / 2;
+    filled.insert(filled.end(), gap->missing - of_the_next, stack[i]);
+    filled.insert(filled.end(), of_the_next, stack[i + 1]);
+    ++gap;
+  }
+  stack = std::move(filled);
+}
+
+}  // namespace discmc::host
+
+#endif
