@@ -128,6 +128,31 @@ TEST_CASE("frames of one file are in the order of their positions, in every tran
   }
 }
 
+TEST_CASE("JPEG with losses is near what it was, of 8 bits and of 12") {
+  struct Case {
+    std::string name;
+    double factor;
+    std::string format;
+  };
+  for (const Case& one : {Case{"u8-lossy", 5, "DICOM, JPEG Baseline"},
+                          Case{"u12-lossy", 80, "DICOM, JPEG Extended, Process 2+4"}}) {
+    INFO(one.name);
+    const auto reader = open_volume(files / (one.name + ".dcm"));
+    CHECK(reader->info().format == one.format);
+    const std::vector<double> all = read_all(*reader);
+    REQUIRE(all.size() == values().size());
+    for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+      const int x = i % width, y = i / width % height, z = i / width / height;
+      CHECK(std::fabs(all[static_cast<std::size_t>(i)] - one.factor * (x + 2 * y + 4 * z)) <=
+            0.5 * one.factor);
+    }
+  }
+}
+
+TEST_CASE("what is deflated as a whole is refused with the remedy") {
+  check_refusal(refusal(files / "deflated.dcm"), "deflated as a whole (dcmconv +te inflates it)");
+}
+
 TEST_CASE("bits above those of a sample are none of its value") {
   CHECK(read_all(*open_volume(files / "packed")) == values());
 }
@@ -174,6 +199,21 @@ TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, a
   // Far apart: not of slices that were lost, and without end to fill.
   series.put(4, replaced(slice(4), place(4), "1100000"));
   check_refusal(refusal(series.path(), options), "too much to be filled");
+}
+
+TEST_CASE("a frame stands for one that is missing, however it is compressed") {
+  const Folder folder;
+  VolumeOptions options;
+  options.allow_gaps = true;
+  std::vector<double> expected = changed(values(), [](double v) { return v + 2000; });
+  constexpr std::ptrdiff_t of_slice = width * height;
+  const std::vector<double> repeated(expected.end() - 2 * of_slice, expected.end() - of_slice);
+  expected.insert(expected.end() - of_slice, repeated.begin(), repeated.end());
+  for (const std::string name : {"u16.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-j2k.dcm"}) {
+    INFO(name);
+    const auto file = folder.write(name, replaced(contents(files / name), place(4), "112.500"));
+    CHECK(read_all(*open_volume(file, options)) == expected);
+  }
 }
 
 TEST_CASE("slices at uneven distances are refused") {

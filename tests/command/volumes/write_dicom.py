@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""write_dicom.py FOLDER: writes the DICOM files of dicom_test.cpp, by pydicom, GDCM and Pillow.
+"""write_dicom.py FOLDER: writes the DICOM files of dicom_test.cpp, by pydicom, GDCM, DCMTK and Pillow.
 
-On Debian: python3-pydicom, python3-numpy, python3-pil and libgdcm-tools. The volume is 8 by 6 by 5 voxels of
+On Debian: python3-pydicom, python3-numpy, python3-pil, libgdcm-tools and dcmtk. The volume is 8 by 6 by 5 voxels of
 0.5, 0.75 and 2.5 mm; the test knows its values by the same formula.
 """
 import io
@@ -14,8 +14,9 @@ import PIL.Image
 from pydicom.dataset import Dataset, FileDataset, FileMetaDataset
 from pydicom.encaps import encapsulate
 from pydicom.sequence import Sequence
-from pydicom.uid import (CTImageStorage, EnhancedCTImageStorage, ExplicitVRBigEndian,
-                         ExplicitVRLittleEndian, ImplicitVRLittleEndian, JPEG2000Lossless)
+from pydicom.uid import (CTImageStorage, DeflatedExplicitVRLittleEndian, EnhancedCTImageStorage,
+                         ExplicitVRBigEndian, ExplicitVRLittleEndian, ImplicitVRLittleEndian,
+                         JPEG2000Lossless)
 
 WIDTH, HEIGHT, DEPTH = 8, 6, 5
 BASIC_TEXT = "1.2.840.10008.5.1.4.1.1.88.11"
@@ -100,7 +101,8 @@ def jpeg2000(samples):
     return stream.getvalue()
 
 
-def write_frames(path, samples, syntax=ExplicitVRLittleEndian, storage=EnhancedCTImageStorage):
+def write_frames(path, samples, syntax=ExplicitVRLittleEndian, storage=EnhancedCTImageStorage,
+                 bits=None):
     """One file of all slices, their order told by positions alone."""
     order = [2, 0, 4, 1, 3]
     data = dataset(storage, syntax, f"{SERIES}.9")
@@ -130,7 +132,7 @@ def write_frames(path, samples, syntax=ExplicitVRLittleEndian, storage=EnhancedC
         data.BitsAllocated = 32
         data.FloatPixelData = pixels.astype("<f4").tobytes()
     else:
-        add_pixels(data, pixels)
+        add_pixels(data, pixels, bits)
     if syntax == JPEG2000Lossless:
         data.PixelData = encapsulate([jpeg2000(frame) for frame in pixels])
         data["PixelData"].VR = "OB"
@@ -158,6 +160,13 @@ def main(folder):
         for name in ["u16", "u8"]:
             subprocess.run(["gdcmconv", "--" + kind, folder / f"{name}.dcm",
                             folder / f"{name}-{kind}.dcm"], check=True)
+    write_frames(folder / "deflated.dcm", i16, DeflatedExplicitVRLittleEndian)
+    # Smooth, so that little is lost.
+    smooth = x + 2 * y + 4 * z
+    for name, samples, bits, process in [("u8-lossy", (5 * smooth).astype(numpy.uint8), 8, "+eb"),
+                                         ("u12-lossy", (80 * smooth).astype(numpy.uint16), 12, "+ee")]:
+        write_frames(folder / f"{name}.dcm", samples, bits=bits)
+        subprocess.run(["dcmcjpeg", process, folder / f"{name}.dcm", folder / f"{name}.dcm"], check=True)
     report = dataset(BASIC_TEXT, ExplicitVRLittleEndian, f"{SERIES}.99")
     report.Modality = "SR"
     save(report, folder / "report.dcm")

@@ -166,7 +166,10 @@ std::array<double, 3> normal_of(const DicomPlace& place) {
 
 DicomContent dicom_content(const std::filesystem::path& file) {
   auto opened = open_dicom_file(file, Pixels::left_out);
-  if (!opened) return {{}, "no DICOM file, a damaged one, or one that is deflated as a whole"};
+  if (!opened)
+    return {{},
+            "no DICOM file, a damaged one, or one that is deflated as a whole (dcmconv +te "
+            "inflates it)"};
   DcmDataset& dataset = *opened->getDataset();
   const auto image = std::make_shared<DicomImage>();
   image->file = file;
