@@ -51,6 +51,17 @@ TEST_CASE("a mask is 1 where the value is a number that is not 0") {
   CHECK(mask_of(Nifti().scale(0.5F, -4).file(stored(SampleType::u8))) == all_but_third);
 }
 
+TEST_CASE("a mask of several volumes is refused, whichever frame of the volume is taken") {
+  const Folder folder;
+  const auto mask = folder.write(
+      "m.nii",
+      Nifti().dims({4, 5, 3, 4, 2}).file(std::string(2 * stored(SampleType::u8).size(), 1)));
+  VolumeOptions options;
+  options.frame = 1;
+  CHECK_THROWS_WITH(open_mask(mask, options, volume_of()),
+                    doctest::Contains("the mask holds 2 volumes; store the one to take in a file"));
+}
+
 TEST_CASE("a mask is cropped as its volume is, and of a block has what most of it has") {
   // Of labels, no two alike: in the second block 0 is the most frequent, but most of it is on.
   std::string labels = stored(SampleType::u8);

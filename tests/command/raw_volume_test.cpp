@@ -38,6 +38,18 @@ TEST_CASE("a file that is longer or shorter than its dimensions and type say is 
                 "1 bytes of it are missing");
 }
 
+TEST_CASE("the type or the number of slices that fits the length is proposed") {
+  const Folder folder;
+  const auto check = [&](std::size_t bytes, const std::string& part) {
+    const auto file = folder.write("v.raw", std::string(bytes, 'x'));
+    check_refusal(refusal(file, layout_of(SampleType::i16)), part);
+  };
+  check(60, "has 120; give --type u8 or i8, which is as long, or copy the file again");
+  check(240, "has 120; give --type u32 or i32 or f32, which is as long, or skip a header with");
+  check(90, "has 120; give --dims 5,3,3, which is as long");
+  check(150, "has 120; give --dims 5,3,5, which is as long");
+}
+
 TEST_CASE("what stands before headerless samples is skipped where that is asked") {
   const Folder folder;
   const std::string i16 = stored(SampleType::i16);

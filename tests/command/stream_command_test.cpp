@@ -42,6 +42,23 @@ void check_size(const std::string& png, std::uint32_t width, std::uint32_t heigh
 
 }  // namespace
 
+TEST_CASE("what is no stream is refused by the name of the command that takes it") {
+  const Workshop workshop;
+  write_stream(workshop, "v.dmc");
+  workshop.done("decode v.dmc -o v.stl");
+  const auto refusal = [&](const std::string& arguments) {
+    const Result result = workshop.run(arguments);
+    CHECK(result.code == 1);
+    return result.error;
+  };
+  CHECK(contains(refusal("decode v.nrrd -o o.stl"),
+                 "v.nrrd: this is a volume, not a stream; give it to discmc extract"));
+  CHECK(contains(refusal("decode . -o o.stl"), "this is a volume, not a stream"));
+  for (const std::string arguments :
+       {"decode v.stl -o o.ply", "info v.stl", "render v.stl -o o.png"})
+    CHECK(contains(refusal(arguments), "v.stl: this is a mesh, not a stream; only discmc compare"));
+}
+
 TEST_CASE("info tells one key and value a line") {
   const Workshop workshop;
   const std::string stream = write_stream(workshop, "v.dmc");

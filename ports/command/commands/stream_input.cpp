@@ -12,6 +12,8 @@
 #include "streams/application_text.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
+#include "volumes/other_kinds.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::host {
 namespace {
@@ -49,12 +51,25 @@ struct RecordNotes {
   }
 };
 
+// Says which command takes what is no stream.
+void refuse_other_kinds(const std::string& path) {
+  if (is_volume_name(path))
+    throw std::runtime_error(
+        path + ": this is a volume, not a stream; give it to discmc extract, info or render");
+  if (is_mesh_name(path))
+    throw std::runtime_error(path +
+                             ": this is a mesh, not a stream; only discmc compare takes meshes");
+}
+
 }  // namespace
 
 void read_file(const std::string& path, StreamReader& reader) {
   std::ifstream file;
   if (path != "-") {
-    if (!std::filesystem::is_directory(path)) file.open(path, std::ios::binary);
+    if (!std::filesystem::is_directory(path))
+      file.open(path, std::ios::binary);
+    else
+      refuse_other_kinds(path);
     if (!file.is_open())
       throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
   }
@@ -71,6 +86,7 @@ void read_file(const std::string& path, StreamReader& reader) {
   if (!reader.headers().empty())
     throw std::runtime_error(path + ": no such surface: it has " +
                              joined(list_of_surfaces(reader)));
+  refuse_other_kinds(path);
   throw std::runtime_error(path + ": no header of a discmc stream in " +
                            std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
 }

@@ -80,6 +80,8 @@ std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file) {
   if (file == "-") return std::make_unique<StandardInput>();
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
+  if (error == std::errc::filename_too_long)
+    fail(file, "the name is longer than the system takes", "give a shorter one");
   if (!std::filesystem::exists(status)) fail(file, "there is no such file", "check the name");
   const bool is_regular = std::filesystem::is_regular_file(status);
   if (!is_regular && !is_read_once(file))

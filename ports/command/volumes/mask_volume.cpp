@@ -51,7 +51,12 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   VolumeOptions of_all;
   of_all.spacing_mm = options.spacing_mm;
   of_all.allow_gaps = options.allow_gaps;
+  // The options are those of the volume: none tells what is in a mask.
+  of_all.frame = 0;
   auto mask = open_volume(file, of_all);
+  if (mask->info().frames > 1)
+    fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",
+         "store the one to take in a file of its own");
   const auto whole = volume.whole_dims.value_or(volume.dims);
   if (mask->info().dims != whole)
     fail(file,

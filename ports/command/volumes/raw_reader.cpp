@@ -1,5 +1,7 @@
 // Headerless samples. The layout is the user's word, so the file must agree with it: what has a
 // header would otherwise be read as voxels.
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "volume_format.hpp"
@@ -13,6 +15,20 @@ void require_no_header(ByteStream& stream) {
          "leave out --dims and --type, or skip its header with --skip-bytes");
 }
 
+// What the user may have meant, where the file has so many bytes.
+std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes) {
+  const std::uint64_t slice = info.slice_bytes();
+  const std::uint64_t voxels = slice / sample_bytes(info.type) * info.dims[2];
+  std::string types;
+  for (const auto& [called, type] : sample_types)
+    if (voxels * sample_bytes(type) == bytes)
+      types += (types.empty() ? "" : " or ") + std::string(called);
+  if (!types.empty()) return "give --type " + types + ", which is as long";
+  if (bytes == 0 || bytes % slice != 0) return std::nullopt;
+  return "give --dims " + std::to_string(info.dims[0]) + ',' + std::to_string(info.dims[1]) + ',' +
+         std::to_string(bytes / slice) + ", which is as long";
+}
+
 // As far as the length is known: of compressed samples and of pipes at their end.
 void require_length(const ByteStream& stream, const VolumeInfo& info, const RawLayout& layout) {
   const auto left = stream.left();
@@ -23,10 +39,11 @@ void require_length(const ByteStream& stream, const VolumeInfo& info, const RawL
     what += " behind the " + std::to_string(layout.skipped_bytes) + " skipped";
   what += ", but a volume of " + extents(info.dims) + " " + std::string(name(info.type)) + " has " +
           std::to_string(volume);
+  const std::string correct = proposal(info, *left).value_or("correct --dims and --type");
   fail(stream.file(), what,
-       *left < volume ? std::string("correct --dims and --type, or copy the file again")
-                      : "correct --dims and --type, or skip a header with --skip-bytes " +
-                            std::to_string(layout.skipped_bytes + *left - volume));
+       correct + (*left < volume ? ", or copy the file again"
+                                 : ", or skip a header with --skip-bytes " +
+                                       std::to_string(layout.skipped_bytes + *left - volume)));
 }
 
 }  // namespace

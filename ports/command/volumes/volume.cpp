@@ -13,6 +13,7 @@
 
 #include "cropped_volume.hpp"
 #include "dicom/files.hpp"
+#include "other_kinds.hpp"
 #include "pictures/picture_names.hpp"
 #include "shrunk_volume.hpp"
 #include "volume_format.hpp"
@@ -106,6 +107,11 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   ByteStream stream = open_content(file);
   for (const Format& format : formats)
     if (ends_with_one_of(file, format.ends)) return format.open(std::move(stream), options);
+  if (is_stream_name(file))
+    fail(file, "this is a stream, not a volume", "give it to discmc decode, info or render");
+  if (is_mesh_name(file))
+    fail(file, "this is a mesh, not a volume",
+         "give the volume that it was made of; only discmc compare takes meshes");
   const auto found = format_of_magic(stream);
   for (const Format& format : formats)
     if (found == format.name) return format.open(std::move(stream), options);
