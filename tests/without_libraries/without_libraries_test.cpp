@@ -1,0 +1,31 @@
+// What a discmc says that was built without a library, and what it reads all the same.
+#include <doctest/doctest.h>
+
+#include "command/volume_files.hpp"
+#include "mesh_files/mesh_reader.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
+
+TEST_CASE("a file that needs a library is refused by the name of the library") {
+  check_refusal(refusal(files / "dicom/series"), "built without DCMTK and OpenJPEG");
+  check_refusal(refusal(files / "dicom/u16.dcm"), "install libdcmtk-dev");
+  check_refusal(refusal(files / "pictures/u16.tif"), "built without LibTIFF; install libtiff-dev");
+  check_refusal(refusal(files / "vti/u8-little-appended-raw.vti"), "built without pugixml");
+  check_refusal(refusal(files / "invesalius/i16-little.inv3"), "libarchive or pugixml");
+  check_refusal(refusal(files / "nrrd/i16-big-bzip2.nrrd"), "bzip2");
+  const Folder folder;
+  check_refusal(refusal(folder.write("series.zip", "PK\3\4")), "built without libarchive");
+  CHECK_THROWS_WITH(discmc::host::read_mesh("a.stl"),
+                    doctest::Contains("built without Assimp, which reads meshes: install it"));
+}
+
+TEST_CASE("what needs no library is read") {
+  check_volume(files / "nrrd/u16-little.nrrd", SampleType::u16, "NRRD, raw");
+  CHECK(open_volume(files / "pictures/stack")->info().format == "PNG");
+}
+
+}  // namespace
