@@ -9,11 +9,14 @@
 #include <set>
 #include <string>
 
+#include "command.hpp"
 #include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
+using command::contains;
+using command::contents;
 using discmc::host::sample_type_called;
 
 const fs::path folder = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes";
@@ -23,20 +26,12 @@ const std::set<std::string> all_types = {"u8",  "i8",  "u16", "i16", "u32",
 
 // Containers with the sample types of which there are files.
 const std::map<std::string, std::set<std::string>> table = {
-    {"nrrd", all_types},
-    {"nifti1", all_types},
-    {"nifti2", all_types},
-    {"analyze", {"u8", "i16", "i32", "f32", "f64"}},
-    {"metaimage", {"u8", "i8", "u16", "i16", "u32", "i32", "f32", "f64"}},
-    {"vtk", all_types},
-    {"vti", all_types},
-    {"numpy", all_types},
+    {"nrrd", all_types},      {"nifti1", all_types},
+    {"nifti2", all_types},    {"analyze", {"u8", "i16", "i32", "f32", "f64"}},
+    {"metaimage", all_types}, {"vtk", all_types},
+    {"vti", all_types},       {"numpy", all_types},
     {"invesalius", {"i16"}},
 };
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 VolumeOptions frame(std::uint32_t number) {
   VolumeOptions options;
@@ -72,7 +67,8 @@ bool is_data(const fs::path& file) {
 }  // namespace
 
 TEST_CASE("every container of other programs holds the same volume in every type and byte order") {
-  for (const auto& [container, types] : table) {
+  for (const auto& row : table) {
+    const std::string& container = row.first;
     std::set<std::string> found;
     for (const auto& entry : fs::directory_iterator(folder / container)) {
       if (is_data(entry.path())) continue;
@@ -81,7 +77,16 @@ TEST_CASE("every container of other programs holds the same volume in every type
       found.insert(called.substr(0, called.find('-')));
     }
     INFO(container);
-    CHECK(found == types);
+    CHECK(found == row.second);
+  }
+}
+
+TEST_CASE("both files of a pair may be packed") {
+  const Folder packed;
+  for (const std::string pair : {"analyze/i16-big", "nifti1/i16-big", "nifti2/i16-big"}) {
+    const auto file = packed.write("i16-.hdr.gz", gzip(contents(folder / (pair + ".hdr"))));
+    packed.write("i16-.img.gz", gzip(contents(folder / (pair + ".img"))));
+    check_file(pair, file);
   }
 }
 

@@ -17,6 +17,7 @@ using volume_files::Nifti;
 using volume_files::nrrd;
 using volume_files::stored;
 
+const std::filesystem::path files = DISCMC_SOURCE_DIR "/tests/command/volumes";
 const std::string u8 = stored(volume_files::SampleType::u8);
 const std::string nrrd_file = nrrd(volume_files::nrrd_u8) + "\n" + u8;
 
@@ -27,12 +28,17 @@ TEST_CASE("a pipe is read as a file of its content is") {
   const auto pipe = folder.path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   const std::string local = metaimage(volume_files::metaimage_u8 + "ElementDataFile = LOCAL\n");
-  const std::pair<std::string, std::string> contents[] = {
-      {nrrd_file, "NRRD, raw"},       {gzip(nrrd_file), "NRRD, raw"},
-      {Nifti().file(u8), "NIfTI-1"},  {gzip(Nifti().file(u8)), "NIfTI-1, gzip"},
+  const std::pair<std::string, std::string> cases[] = {
+      {nrrd_file, "NRRD, raw"},
+      {gzip(nrrd_file), "NRRD, raw"},
+      {Nifti().file(u8), "NIfTI-1"},
+      {gzip(Nifti().file(u8)), "NIfTI-1, gzip"},
       {local + u8, "MetaImage, raw"},
+      {contents(files / "vtk/u8-big.vtk"), "VTK, raw"},
+      {contents(files / "numpy/u8-little.npy"), "NumPy"},
+      {contents(files / "vti/u8-little-appended-raw.vti"), "VTK XML, raw"},
   };
-  for (const auto& [content, format] : contents) {
+  for (const auto& [content, format] : cases) {
     std::thread writer([&, bytes = content] { std::ofstream(pipe, std::ios::binary) << bytes; });
     volume_files::check_volume(pipe, volume_files::SampleType::u8, format);
     writer.join();

@@ -130,7 +130,7 @@ def image_data(name):
     return image
 
 
-# MetaImage, by the library of its authors in VTK: little-endian, and without 64 bit integers.
+# MetaImage, by VTK: little-endian, and without 64 bit integers, for which write_metaimage.cpp is.
 def write_metaimage():
     for name in TYPES:
         if name in ('u64', 'i64'):
