@@ -47,6 +47,28 @@ TEST_CASE("a table names the meshes of labels") {
   CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::host::Srgb{4, 5, 6});
 }
 
+TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is given") {
+  const Workshop workshop;
+  workshop.write("v.seg.nrrd",
+                 "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n"
+                 "Segment0_Color:=0.5 1 0\nSegment0_ID:=a\nSegment0_LabelValue:=2\n"
+                 "Segment0_Name:=left lung/top\nSegment10_LabelValue:=1\nSegment10_Name:=bone\n"
+                 "Segment10_Color:=1 2 3\nSegmentation_MasterRepresentation:=Binary labelmap\n"
+                 "Segment1_LabelValue:=none\nSegment1_Name:=lost\n\n" +
+                     volume);
+  workshop.done("extract v.seg.nrrd --labels all -o '{name}.ply'");
+  const auto colour = [&](const std::string& name) {
+    return mesh_of_ply(workshop.read(name)).colour;
+  };
+  CHECK(colour("left lung_top.ply") == discmc::host::Srgb{128, 255, 0});
+  CHECK_FALSE(workshop.read("bone.ply").empty());
+  CHECK(colour("bone.ply") == colour("9.ply"));
+  workshop.write("table.txt", "1 tibia 1 2 3\n");
+  workshop.done("extract v.seg.nrrd --labels all --label-table table.txt -o 'own-{name}.ply'");
+  CHECK_FALSE(workshop.read("own-tibia.ply").empty());
+  CHECK_FALSE(workshop.read("own-2.ply").empty());
+}
+
 TEST_CASE("a label without a surface is told, and has no file unless that is allowed") {
   const Workshop workshop;
   workshop.write("v.raw", volume);

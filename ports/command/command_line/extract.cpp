@@ -143,7 +143,8 @@ void add_label_options(CLI::App& app, ExtractArguments& arguments) {
     labels->excludes(app.get_option(other));
   app.add_option("--label-table", arguments.label_table,
                  "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "
-                 ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS")
+                 ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS (default: with "
+                 "--labels what a .seg.nrrd of 3D Slicer tells itself)")
       ->option_text("FILE");
 }
 

@@ -37,9 +37,10 @@ void write_line(const LabelledSurface& label, const MeshSummary& mesh, const std
 
 int extract_label_meshes(const ExtractArguments& arguments) {
   const FilePattern pattern(arguments.output);
-  const LabelTable table = label_table_of(arguments);
+  const LabelTable given = label_table_of(arguments);
   const auto volume = open_noted_volume(arguments.volume, arguments.reading, true);
   const VolumeInfo& info = volume->info();
+  const LabelTable& table = given.empty() ? info.labels : given;
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
   pattern.require_folder();
   LabelledSurfaces labels = surfaces_of(*volume, arguments);

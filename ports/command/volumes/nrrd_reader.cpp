@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "data_files.hpp"
+#include "segment_labels.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -18,6 +19,7 @@ using Fields = std::map<std::string, std::string, std::less<>>;
 
 struct Header {
   Fields fields;
+  SegmentLabels segments{};
   bool closed = false;  // by the empty line that data may follow
 };
 
@@ -58,8 +60,11 @@ Header parse(const std::filesystem::path& file, ByteStream& stream) {
     if (colon == std::string::npos)
       fail(file, "the header line " + shown(*line) + " has no colon",
            "end the header with an empty line");
-    if (line->substr(colon, 2) == ":=") continue;  // a key of some program, with its value
     const std::string_view text = *line;
+    if (text.substr(colon, 2) == ":=") {  // a key of some program, with its value
+      header.segments.take(text.substr(0, colon), text.substr(colon + 2));
+      continue;
+    }
     const std::string name = field_name(file, text.substr(0, colon));
     const auto [entry, is_new] = header.fields.emplace(name, trimmed(text.substr(colon + 1)));
     if (!is_new)
@@ -341,6 +346,7 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
   info.type = sample_type(file, needed(file, header.fields, "type"));
   set_sizes(info, file, header.fields, options);
   set_geometry(info, file, header.fields);
+  info.labels = header.segments.table();
   const bool is_big_endian = big_endian(file, header.fields, info.type);
 
   const std::string_view name = field(header.fields, "data file");

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "label_table.hpp"
 #include "sample_type.hpp"
 #include "volume_placement.hpp"
 
@@ -51,6 +52,8 @@ struct VolumeInfo {
   double intercept = 0;
   /// Whether the file says that values are Hounsfield units.
   bool is_in_hounsfield = false;
+  /// The names and colours of labels that the file tells.
+  LabelTable labels;
   /// The format and the way it is stored, for people: "NRRD, gzip".
   std::string format;
   /// What the file says and the reader dropped or took otherwise: a fourth dimension of size 1.
