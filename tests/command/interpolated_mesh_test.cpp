@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 
+#include "meshes/intersections.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/point_distance.hpp"
 #include "sampled_field.hpp"
@@ -37,6 +41,21 @@ double enclosed_volume(const Mesh& mesh) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     volume += dot(area_vector(mesh, face), mesh.vertices_mm[mesh.face(face)[0]]) / 3;
   return volume;
+}
+
+// One voxel thick, in terraces, and mostly just above the threshold: two sheets, very near.
+Field plate(std::uint32_t seed) {
+  discmc::test::Chance chance(seed);
+  return field_of({20, 20, 8}, [&](double x, double, double z) {
+    if (z != std::floor(4 - x / 8) + 2) return chance.below(40);
+    return 50 + chance.below(4) * (chance.below(4) == 0 ? 10 : 1);
+  });
+}
+
+std::size_t intersections_of(const Mesh& mesh) {
+  FaceList faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return intersecting_faces(mesh, faces).size();
 }
 
 // A crossing next to a voxel keeps off it.
@@ -71,6 +90,18 @@ TEST_CASE("an interpolated mesh is closed and has its outside outside, whichever
         CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
         CHECK(mesh.polygons.size() == mesh.face_count());
       }
+}
+
+TEST_CASE("triangles go through each other only where the interpolated surface does") {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Extracted of = extracted(plate(seed));
+    const std::size_t own = intersections_of(interpolated(of, 0));
+    for (const double tolerance : {0.05, 0.1}) {
+      const Mesh mesh = interpolated(of, tolerance);
+      CHECK(intersections_of(mesh) <= own);
+      CHECK(check_mesh(mesh).closed());
+    }
+  }
 }
 
 TEST_CASE("a ball gets its volume, from fewer triangles than Marching Cubes takes") {

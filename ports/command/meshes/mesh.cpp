@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "intersections.hpp"
 #include "lattice_plane.hpp"
 #include "refinement.hpp"
 #include "triangulate.hpp"
@@ -30,32 +32,97 @@ class Builder {
   }
 
   Mesh build() {
+    mesh_.spacing_mm = surface_.spacing_mm;
+    mesh_.lattice.reserve(all_numbers_.positions().size());
+    mesh_.vertices_mm.reserve(all_numbers_.positions().size());
     place_vertices();
     reserve_faces();
-    const std::uint32_t* number = corner_numbers_.data();
-    for (std::size_t i = 0; i < surface_.polygons.size(); ++i) {
-      const Polygon& polygon = surface_.polygons[i];
-      numbers_.clear();
-      ring_ends_.clear();
-      for (const Ring& ring : polygon.rings) {
-        add_ring(ring, number);
-        number += ring.size();
-      }
-      add_polygon(static_cast<std::uint32_t>(i), polygon.incidence);
-    }
+    for_each_polygon([this](std::uint32_t polygon) { add_polygon(polygon); });
+    if (refinement_) separate_faces();
     return std::move(mesh_);
   }
 
  private:
+  // Those that are new.
   void place_vertices() {
-    const Point& s = surface_.spacing_mm;
-    mesh_.spacing_mm = s;
-    mesh_.lattice = all_numbers_.positions();
-    mesh_.vertices_mm.reserve(mesh_.lattice.size());
-    for (const Vertex& position : mesh_.lattice) {
-      if (refinement_) moved_.push_back(refinement_->moved(position));
-      mesh_.vertices_mm.push_back(in_mm(refinement_ ? moved_.back() : point_of(position)));
+    const std::vector<Vertex>& positions = all_numbers_.positions();
+    for (std::size_t i = mesh_.lattice.size(); i < positions.size(); ++i) {
+      if (refinement_) moved_.push_back(refinement_->moved(positions[i]));
+      mesh_.lattice.push_back(positions[i]);
+      mesh_.vertices_mm.push_back(in_mm(refinement_ ? moved_.back() : point_of(positions[i])));
     }
+  }
+
+  // Collects the corners and junctions of each before the call.
+  template <class Call>
+  void for_each_polygon(Call call) {
+    const std::uint32_t* number = corner_numbers_.data();
+    for (std::size_t i = 0; i < surface_.polygons.size(); ++i) {
+      numbers_.clear();
+      ring_ends_.clear();
+      for (const Ring& ring : surface_.polygons[i].rings) {
+        add_ring(ring, number);
+        number += ring.size();
+      }
+      call(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  // Where two sheets are near to each other, triangles that leave out crossings may go through each
+  // other. They get theirs, until what is left does so in the interpolated surface itself.
+  void separate_faces() {
+    FaceList faces(mesh_.face_count());
+    std::iota(faces.begin(), faces.end(), 0U);
+    for (;;) {
+      const std::size_t vertices = all_numbers_.positions().size();
+      std::vector<bool> is_outdated(surface_.polygons.size());
+      for (const auto& pair : intersecting_faces(mesh_, faces))
+        for (const std::uint32_t face : pair)
+          if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
+      if (all_numbers_.positions().size() == vertices) return;
+      faces = near_faces(mesh_, renewed_faces(is_outdated, vertices));
+    }
+  }
+
+  // Whether there are new ones in the face or on its sides.
+  bool number_crossings(std::size_t face) {
+    const std::size_t vertices = all_numbers_.positions().size();
+    const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
+    const std::uint32_t* corners = mesh_.face(face);
+    const LatticePlane plane(mesh_.lattice[corners[0]], incidence);
+    std::array<PlanePoint, 3> points;
+    for (std::size_t i = 0; i < 3; ++i)
+      points[i] = plane.at(mesh_.lattice[corners[mirrored_ ? 2 - i : i]]);
+    Refinement::add_crossings(plane, points, all_numbers_);
+    return all_numbers_.positions().size() > vertices;
+  }
+
+  // Makes those anew that are of an outdated polygon, or of one with a new vertex on a side.
+  FaceList renewed_faces(const std::vector<bool>& is_outdated, std::size_t first_new) {
+    place_vertices();
+    Mesh earlier;
+    std::swap(earlier.corners, mesh_.corners);
+    std::swap(earlier.face_begin, mesh_.face_begin);
+    std::swap(earlier.polygons, mesh_.polygons);
+    mesh_.left_out.clear();
+    reserve_faces();
+    FaceList renewed;
+    std::size_t end = 0;
+    for_each_polygon([&](std::uint32_t polygon) {
+      const std::size_t begin = end;
+      while (end < earlier.face_count() && earlier.polygons[end] == polygon) ++end;
+      const bool has_new_side = std::any_of(numbers_.begin(), numbers_.end(),
+                                            [&](std::uint32_t each) { return each >= first_new; });
+      if (!is_outdated[polygon] && !has_new_side) {
+        for (std::size_t face = begin; face < end; ++face)
+          add_triangle(polygon, earlier.face(face));
+        return;
+      }
+      std::size_t face = mesh_.face_count();
+      add_polygon(polygon);
+      for (; face < mesh_.face_count(); ++face) renewed.push_back(static_cast<std::uint32_t>(face));
+    });
+    return renewed;
   }
 
   // A closed surface has two triangles a vertex (Euler), and more only with many handles. What is
@@ -125,7 +192,8 @@ class Builder {
     }
   }
 
-  void add_polygon(std::uint32_t polygon, Incidence incidence) {
+  void add_polygon(std::uint32_t polygon) {
+    const Incidence incidence = surface_.polygons[polygon].incidence;
     const bool is_whole = options_.faces == Faces::polygons && ring_ends_.size() == 1 &&
                           numbers_.size() >= 3 && numbers_.size() <= max_face_corners;
     if (is_whole) return add_face(polygon, incidence, numbers_);
@@ -154,18 +222,21 @@ class Builder {
     refined_.moved.clear();
     for (const std::uint32_t number : numbers_) refined_.moved.push_back(moved_[number]);
     refined_.triangles = triangles;
-    refinement_->refine(plane, refined_);
-    for (std::size_t i = numbers_.size(); i < refined_.points.size(); ++i) {
-      numbers_.push_back(static_cast<std::uint32_t>(mesh_.vertices_mm.size()));
-      mesh_.lattice.push_back(plane.vertex(refined_.points[i]));
-      mesh_.vertices_mm.push_back(in_mm(refined_.moved[i]));
-    }
+    refinement_->refine(plane, all_numbers_, refined_);
+    for (std::size_t i = numbers_.size(); i < refined_.points.size(); ++i)
+      numbers_.push_back(all_numbers_.add(plane.vertex(refined_.points[i])));
+    place_vertices();
     for (const Triangle& triangle : refined_.triangles) {
-      for (std::size_t i = 0; i < 3; ++i)
-        mesh_.corners.push_back(numbers_[triangle[mirrored_ ? 2 - i : i]]);
-      mesh_.face_begin.push_back(mesh_.corners.size());
-      mesh_.polygons.push_back(polygon);
+      std::array<std::uint32_t, 3> corners;
+      for (std::size_t i = 0; i < 3; ++i) corners[i] = numbers_[triangle[mirrored_ ? 2 - i : i]];
+      add_triangle(polygon, corners.data());
     }
+  }
+
+  void add_triangle(std::uint32_t polygon, const std::uint32_t* corners) {
+    mesh_.corners.insert(mesh_.corners.end(), corners, corners + 3);
+    mesh_.face_begin.push_back(mesh_.corners.size());
+    mesh_.polygons.push_back(polygon);
   }
 
   template <class Numbers>

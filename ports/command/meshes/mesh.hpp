@@ -30,7 +30,8 @@ struct MeshOptions {
   /// has no T-junctions. Without them it is smaller and only looks closed.
   bool conforming = true;
   Faces faces = Faces::polygons;
-  /// Moves the vertices to where the samples cross the threshold: Crossings::interpolated(). Limit:
+  /// Moves the vertices to where the samples cross the threshold: Crossings::interpolated(). Faces
+  /// then go through each other only where the interpolated surface does so itself. Limit:
   /// triangles, conforming. Owner: the caller.
   const Crossings* crossings = nullptr;
   /// How far a crossing may be from the mesh then: where it would be farther, sides and triangles

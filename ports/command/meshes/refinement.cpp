@@ -53,6 +53,22 @@ class RowWithin {
   std::int64_t v_;
 };
 
+// Calls for all crossings in a triangle but its corners. with_side: those on a side as well, one
+// for each, from its corner to the next.
+template <class Call>
+void for_each_crossing(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
+                       const std::array<bool, 3>& with_side, Call call) {
+  const auto [low, high] = std::minmax({corners[0].v, corners[1].v, corners[2].v});
+  for (std::int64_t v = low; v <= high; ++v) {
+    RowWithin row(v);
+    for (std::size_t i = 0; i < 3; ++i) row.cut(corners[i], corners[(i + 1) % 3], with_side[i]);
+    for (std::int64_t u = row.first; u <= row.last; ++u) {
+      const Vertex vertex = plane.vertex({u, v});
+      if (is_crossing(vertex) && !is_corner(corners, {u, v})) call(PlanePoint{u, v}, vertex);
+    }
+  }
+}
+
 }  // namespace
 
 Refinement::Refinement(const Crossings& crossings, double tolerance)
@@ -83,7 +99,8 @@ const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& si
   return needed_;
 }
 
-void Refinement::refine(const LatticePlane& plane, MovedTriangles& triangles) {
+void Refinement::refine(const LatticePlane& plane, const VertexNumbers& required,
+                        MovedTriangles& triangles) {
   flips_.improve(triangles.points, triangles.triangles);
   waiting_.resize(triangles.triangles.size());
   std::iota(waiting_.begin(), waiting_.end(), 0U);
@@ -92,7 +109,7 @@ void Refinement::refine(const LatticePlane& plane, MovedTriangles& triangles) {
     const std::uint32_t triangle = waiting_.back();
     waiting_.pop_back();
     waits_[triangle] = false;
-    const Farthest added = farthest(plane, triangles, triangle);
+    const Farthest added = farthest(plane, required, triangles, triangle);
     if (added.squared_distance <= squared_tolerance_) continue;
     triangles.points.push_back(added.point);
     triangles.moved.push_back(added.moved);
@@ -106,30 +123,32 @@ void Refinement::refine(const LatticePlane& plane, MovedTriangles& triangles) {
   }
 }
 
-Refinement::Farthest Refinement::farthest(const LatticePlane& plane,
+Refinement::Farthest Refinement::farthest(const LatticePlane& plane, const VertexNumbers& required,
                                           const MovedTriangles& triangles,
                                           std::uint32_t triangle) const {
   std::array<PlanePoint, 3> corners;
   std::array<Point, 3> moved_corners;
-  for (std::size_t i = 0; i < 3; ++i) {
+  std::array<bool, 3> is_shared;
+  for (std::uint32_t i = 0; i < 3; ++i) {
     corners[i] = triangles.points[triangles.triangles[triangle][i]];
     moved_corners[i] = triangles.moved[triangles.triangles[triangle][i]];
+    is_shared[i] = flips_.is_shared(triangle, i);
   }
   Farthest result{};
-  const auto [low, high] = std::minmax({corners[0].v, corners[1].v, corners[2].v});
-  for (std::int64_t v = low; v <= high; ++v) {
-    RowWithin row(v);
-    for (std::uint32_t i = 0; i < 3; ++i)
-      row.cut(corners[i], corners[(i + 1) % 3], flips_.is_shared(triangle, i));
-    for (std::int64_t u = row.first; u <= row.last; ++u) {
-      const Vertex vertex = plane.vertex({u, v});
-      if (!is_crossing(vertex) || is_corner(corners, {u, v})) continue;
-      const Point point = moved(vertex);
-      const double distance = squared_distance(point, moved_corners);
-      if (distance > result.squared_distance) result = {distance, {u, v}, point};
-    }
-  }
+  for_each_crossing(plane, corners, is_shared, [&](const PlanePoint& at, const Vertex& vertex) {
+    const Point point = moved(vertex);
+    const double distance = required.find(vertex) != VertexNumbers::none
+                                ? std::numeric_limits<double>::infinity()
+                                : squared_distance(point, moved_corners);
+    if (distance > result.squared_distance) result = {distance, at, point};
+  });
   return result;
+}
+
+void Refinement::add_crossings(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
+                               VertexNumbers& vertices) {
+  for_each_crossing(plane, corners, {true, true, true},
+                    [&vertices](const PlanePoint&, const Vertex& vertex) { vertices.add(vertex); });
 }
 
 }  // namespace discmc::host

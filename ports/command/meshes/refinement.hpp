@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_MESHES_REFINEMENT_HPP
 #define DISCMC_COMMAND_MESHES_REFINEMENT_HPP
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "extraction/crossings.hpp"
 #include "lattice_plane.hpp"
 #include "point.hpp"
+#include "vertex_numbers.hpp"
 
 namespace discmc::host {
 
@@ -39,8 +41,12 @@ class Refinement {
   const std::vector<std::size_t>& needed(const std::vector<Vertex>& side);
 
   /// Adds the points that the polygon needs inside. triangles: Delaunay's, but for the sides of the
-  /// polygon.
-  void refine(const LatticePlane& plane, MovedTriangles& triangles);
+  /// polygon. required: vertices that it gets in any case.
+  void refine(const LatticePlane& plane, const VertexNumbers& required, MovedTriangles& triangles);
+
+  /// Adds the crossings in a triangle and on its sides to the vertices.
+  static void add_crossings(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
+                            VertexNumbers& vertices);
 
  private:
   struct Farthest {
@@ -48,8 +54,8 @@ class Refinement {
     PlanePoint point;
     Point moved;
   };
-  Farthest farthest(const LatticePlane& plane, const MovedTriangles& triangles,
-                    std::uint32_t triangle) const;
+  Farthest farthest(const LatticePlane& plane, const VertexNumbers& required,
+                    const MovedTriangles& triangles, std::uint32_t triangle) const;
 
   const Crossings& crossings_;
   double squared_tolerance_;  // Units: square half-steps

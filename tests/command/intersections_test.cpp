@@ -1,0 +1,100 @@
+// Faces that go through each other.
+#include "meshes/intersections.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "meshes/box_tree.hpp"
+#include "oracle/stream.hpp"
+
+namespace {
+
+using namespace discmc::host;
+using discmc::test::Chance;
+
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+// corners: three a face.
+Mesh mesh_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners) {
+  Mesh mesh;
+  mesh.vertices_mm = std::move(vertices);
+  mesh.corners = std::move(corners);
+  for (std::size_t end = 3; end <= mesh.corners.size(); end += 3) mesh.face_begin.push_back(end);
+  return mesh;
+}
+
+Pairs intersections_of(const Mesh& mesh) {
+  FaceList faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return intersecting_faces(mesh, faces);
+}
+
+// A triangle in the plane z = 0, and another one.
+bool goes_through_floor(const Point& a, const Point& b, const Point& c) {
+  const Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, a, b, c}, {0, 1, 2, 3, 4, 5});
+  return !intersections_of(mesh).empty();
+}
+
+}  // namespace
+
+TEST_CASE("two triangles go through each other where an edge of one meets the other") {
+  CHECK(goes_through_floor({1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}));
+  CHECK(goes_through_floor({-9, 1, 1}, {9, 1, 1}, {1, 1, -3}));
+  CHECK(goes_through_floor({1, 1, 0}, {1, 1, 1}, {2, 1, 1}));
+  CHECK(goes_through_floor({2, 0, 0}, {2, -1, 1}, {3, -1, 1}));
+  CHECK(goes_through_floor({1, -1, -1}, {1, -1, 1}, {1, 9, 0}));
+}
+
+TEST_CASE("they do not where they miss each other or lie in one plane") {
+  CHECK_FALSE(goes_through_floor({1, 1, 0.01}, {2, 1, 1}, {1, 2, 1}));
+  CHECK_FALSE(goes_through_floor({3, 3, -1}, {3, 3, 1}, {9, 9, 0}));
+  CHECK_FALSE(goes_through_floor({-1, -1, -1}, {-1, -1, 1}, {9, -2, 0}));
+  CHECK_FALSE(goes_through_floor({1, 1, 0}, {2, 1, 0}, {1, 2, 0}));
+  CHECK_FALSE(goes_through_floor({5, 5, 0}, {6, 5, 0}, {5, 6, 0}));
+}
+
+TEST_CASE("what two triangles share does not count, what they do beside it does") {
+  const std::vector<Point> vertices = {{0, 0, 0}, {4, 0, 0},  {0, 4, 0},  {4, 4, 1},
+                                       {1, 1, 1}, {1, 1, -1}, {-1, -1, 1}};
+  CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 2, 1, 3})).empty());
+  CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 0, 4, 6})).empty());
+  CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 0, 4, 5})).size() == 1);
+}
+
+TEST_CASE("the intersections are the same in any units, also where an axis runs backwards") {
+  for (const Point& spacing : {Point{1e-3, 1e-3, 1e-3}, Point{1e4, 1e4, 1e4}, Point{-1, 2, -3}}) {
+    Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}},
+                        {0, 1, 2, 3, 4, 5});
+    for (Point& vertex : mesh.vertices_mm)
+      for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] *= spacing[axis];
+    CHECK(intersections_of(mesh).size() == 1);
+  }
+}
+
+TEST_CASE("a tree finds any two triangles whose boxes overlap, and each two once") {
+  for (const std::size_t count : {0U, 1U, 4U, 5U, 100U}) {
+    Chance chance(static_cast<std::uint32_t>(count) + 1);
+    std::vector<Corners> triangles(count);
+    std::vector<Box> boxes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = chance.below(20), y = chance.below(20), z = chance.below(20);
+      for (Point& corner : triangles[i]) {
+        corner = {x + chance.below(5), y + chance.below(5), z + chance.below(5)};
+        boxes[i].include(corner);
+      }
+    }
+    std::vector<std::vector<int>> calls(count, std::vector<int>(count));
+    BoxTree(triangles).for_each_near_pair([&](std::uint32_t a, std::uint32_t b) {
+      ++calls[a][b];
+      ++calls[b][a];
+    });
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t b = 0; b < count; ++b)
+        CHECK(calls[a][b] == (a != b && boxes[a].overlaps(boxes[b]) ? 1 : 0));
+  }
+}
