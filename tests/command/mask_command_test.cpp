@@ -53,6 +53,24 @@ struct Masked {
 
 }  // namespace
 
+TEST_CASE("all labels with a mask are as many meshes as if each were asked for with it") {
+  const Workshop workshop;
+  Masked masked(workshop);
+  for (char& sample : masked.samples) sample = static_cast<char>(sample & 3);
+  workshop.write("v.nrrd", nrrd_of(masked.samples));
+  workshop.done("extract v.nrrd --labels all --mask m.nrrd -o 'all-{name}.stl'");
+  workshop.done("extract v.nrrd --label 1 --label 2 --label 3 --mask m.nrrd -o 'one-{name}.stl'");
+  for (const std::string label : {"1.stl", "2.stl", "3.stl"})
+    CHECK(workshop.read("all-" + label) == workshop.read("one-" + label));
+  const std::string refused = "extract v.nrrd --labels all --mask m.nrrd -o '{name}.stl' ";
+  check_failure(workshop.run(refused + "--median 3"), 2, {"labels are masked before"});
+  // Values from 1 on: none of them is 0.
+  std::string samples = masked.samples;
+  workshop.write("v.nii", volume_files::Nifti().dims({3, 9, 8, 7}).scale(1, 1).file(samples));
+  check_failure(workshop.run("extract v.nii --labels all --mask m.nrrd -o '{name}.stl'"), 1,
+                {"no sample has the value 0"});
+}
+
 TEST_CASE("what the mask has as 0 is off, whatever is selected") {
   const Workshop workshop;
   const Masked masked(workshop);

@@ -74,6 +74,10 @@ void check_mask(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--mask",
                                "where the mask ends the samples have no gradient that points out: "
                                "give --normals surface, or leave it out");
+  if (!arguments.reading.mask.empty() && arguments.takes_all_labels && arguments.reading.median > 0)
+    throw CLI::ValidationError("--mask",
+                               "labels are masked before they are filtered, and would grow over "
+                               "the mask again: leave out --median, or give each --label");
 }
 
 void check_surface(const ExtractArguments& arguments) {
@@ -139,7 +143,7 @@ void add_label_options(CLI::App& app, ExtractArguments& arguments) {
              "a surface of every value but 0, in one pass: a mesh each")
           ->check(CLI::IsMember({"all"}))
           ->option_text("all");
-  for (const char* other : {"--iso", "--range", "--label", "--mask", "--memory", "--capacities"})
+  for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
     labels->excludes(app.get_option(other));
   app.add_option("--label-table", arguments.label_table,
                  "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "

@@ -1,8 +1,10 @@
 // discmc extract --labels all: a segmentation to meshes, one a label.
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exit_codes.hpp"
@@ -13,6 +15,7 @@
 #include "progress.hpp"
 #include "require.hpp"
 #include "volume_input.hpp"
+#include "volumes/mask_volume.hpp"
 
 namespace discmc::host {
 namespace {
@@ -38,7 +41,10 @@ void write_line(const LabelledSurface& label, const MeshSummary& mesh, const std
 int extract_label_meshes(const ExtractArguments& arguments) {
   const FilePattern pattern(arguments.output);
   const LabelTable given = label_table_of(arguments);
-  const auto volume = open_noted_volume(arguments.volume, arguments.reading, true);
+  std::unique_ptr<VolumeReader> volume =
+      open_noted_volume(arguments.volume, arguments.reading, true);
+  if (auto mask = open_noted_mask(arguments.reading, volume->info()))
+    volume = masked(arguments.volume, std::move(volume), std::move(mask));
   const VolumeInfo& info = volume->info();
   const LabelTable& table = given.empty() ? info.labels : given;
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);

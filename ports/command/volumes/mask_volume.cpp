@@ -1,6 +1,10 @@
 #include "mask_volume.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,7 +48,58 @@ class Mask final : public VolumeReader {
   std::vector<std::uint8_t> slice_;
 };
 
+// The sample that stands for 0; nothing where the type has none.
+template <class Sample>
+std::optional<Sample> zero_of(const VolumeInfo& info) {
+  const double stored = std::round(-info.intercept / info.slope);
+  if (!(stored >= static_cast<double>(std::numeric_limits<Sample>::lowest()) &&
+        stored < static_cast<double>(std::numeric_limits<Sample>::max())))
+    return std::nullopt;
+  const auto sample = static_cast<Sample>(stored);
+  const double value = info.slope * static_cast<double>(sample) + info.intercept;
+  return value == 0 ? std::optional(sample) : std::nullopt;
+}
+
+class MaskedVolume final : public VolumeReader {
+ public:
+  MaskedVolume(std::unique_ptr<VolumeReader> volume, std::unique_ptr<VolumeReader> mask)
+      : volume_(std::move(volume)), mask_(std::move(mask)), on_(mask_->info().slice_bytes()) {}
+
+  const VolumeInfo& info() const override { return volume_->info(); }
+
+  void read_slice(void* samples) override {
+    volume_->read_slice(samples);
+    mask_->read_slice(on_.data());
+    with_sample_type(info().type, [&](auto typed) {
+      using Sample = decltype(typed);
+      const Sample zero = *zero_of<Sample>(info());
+      auto* sample = static_cast<Sample*>(samples);
+      for (const std::uint8_t is_on : on_) {
+        if (is_on == 0) *sample = zero;
+        ++sample;
+      }
+    });
+  }
+
+ private:
+  std::unique_ptr<VolumeReader> volume_;
+  std::unique_ptr<VolumeReader> mask_;
+  std::vector<std::uint8_t> on_;
+};
+
 }  // namespace
+
+std::unique_ptr<VolumeReader> masked(const std::filesystem::path& file,
+                                     std::unique_ptr<VolumeReader> volume,
+                                     std::unique_ptr<VolumeReader> mask) {
+  const VolumeInfo& info = volume->info();
+  with_sample_type(info.type, [&](auto typed) {
+    if (!zero_of<decltype(typed)>(info))
+      fail(file, "no sample has the value 0, which voxels would get where the mask is 0",
+           "leave out --mask, or store the labels as they are");
+  });
+  return std::make_unique<MaskedVolume>(std::move(volume), std::move(mask));
+}
 
 std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
                                         const VolumeOptions& options, const VolumeInfo& volume) {
