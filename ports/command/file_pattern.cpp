@@ -29,7 +29,7 @@ std::string FilePattern::unknown_placeholder() const {
        at = pattern_.find('{', at + 1)) {
     const std::size_t end = pattern_.find('}', at);
     if (end == std::string::npos) break;
-    const std::string found = pattern_.substr(at, end + 1 - at);
+    std::string found = pattern_.substr(at, end + 1 - at);
     if (found != placeholder) return found;
   }
   return {};

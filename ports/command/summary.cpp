@@ -92,9 +92,7 @@ void write_file(const std::string& file, std::ostream& out) {
   out << '\n';
 }
 
-void write_mesh_table(const std::string& file, const MeshSummary& mesh,
-                      const Extraction& extraction, std::ostream& out) {
-  write_file(file, out);
+void write_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std::ostream& out) {
   row(out, mesh.faces.c_str(), grouped(mesh.face_count),
       "classic Marching Cubes: " + grouped(extraction.statistics.classic_triangles) + " triangles");
   if (mesh.vertex_count > 0) row(out, "vertices", grouped(mesh.vertex_count));

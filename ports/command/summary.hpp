@@ -28,9 +28,8 @@ struct MeshSummary {
   std::optional<bool> is_closed{};  ///< if it was checked
 };
 
-/// What was written, for people.
-void write_mesh_table(const std::string& file, const MeshSummary& mesh,
-                      const Extraction& extraction, std::ostream& out);
+/// The same in lines, for people.
+void write_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std::ostream& out);
 
 /// The same of a stream: what came in, what came out, what it took. slice_encoder_bytes: of the
 /// device's memory for a stream of slices; 0 for regions, which take an arena.

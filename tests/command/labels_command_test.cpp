@@ -69,6 +69,55 @@ TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is giv
   CHECK_FALSE(workshop.read("own-2.ply").empty());
 }
 
+TEST_CASE("a file of a format that holds several has all meshes, with their names and colours") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "1 a<&\xC3\xA4\xFF 1 2 3\n2 skin 4 5 6\n9 skin 7 8 9\n");
+  const std::string options = " --label-table table.txt ";
+  workshop.done(extract + "--labels all -o '{name}.ply'");
+  const auto meshes_in = [&](const std::string& file) {
+    const std::string bytes = workshop.read(file);
+    return contains(file, ".glb") ? command::meshes_of_glb(bytes) : command::meshes_of_3mf(bytes);
+  };
+  for (const std::string file : {"all.glb", "all.3mf"}) {
+    INFO(file);
+    const std::string told = workshop.done(extract + "--labels all" + options + "-o " + file);
+    CHECK(contains(told, "  skin\n"));
+    CHECK(contains(told, file + ": "));
+    const auto all = meshes_in(file);
+    REQUIRE(all.size() == 3);
+    const std::string labels[] = {"1", "2", "9"};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto alone = mesh_of_ply(workshop.read(labels[i] + ".ply"));
+      CHECK(all[i].corners == alone.corners);
+      REQUIRE(all[i].vertices_mm.size() == alone.vertices_mm.size());
+      for (std::size_t v = 0; v < alone.vertices_mm.size(); ++v)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          CHECK(all[i].vertices_mm[v][axis] == doctest::Approx(alone.vertices_mm[v][axis]));
+    }
+    CHECK(all[0].name == "a<&\xC3\xA4\xEF\xBF\xBD");
+    CHECK(all[2].name == "skin");
+    CHECK(all[0].colour == discmc::host::Srgb{1, 2, 3});
+    CHECK(all[2].colour == discmc::host::Srgb{7, 8, 9});
+
+    workshop.done(extract + "--label 2 --label 9 -o " + file);
+    const auto two = meshes_in(file);
+    REQUIRE(two.size() == 2);
+    CHECK(two[0].name == "2");
+    CHECK(two[1].corners == all[2].corners);
+
+    const auto result = workshop.run(extract + "--labels all --median 3 -q -o " + file);
+    CHECK(contains(result.error, "label 9 has no surface left, so it is not in " + file));
+    CHECK(meshes_in(file).size() == 1);
+    check_failure(workshop.run(extract + "--labels all -q --min-volume 99 -o no" + file), 1,
+                  {"no label has a surface left, so no" + file + " is not written"});
+    CHECK(workshop.read("no" + file).empty());
+  }
+  for (const std::string file : {"all.stl", "all.ply", "all.obj", "all.vtp", "all.jsonl"})
+    check_failure(workshop.run(extract + "--label 2 --label 9 -o " + file), 2,
+                  {"--output", "{name}", ".glb or .3mf"});
+}
+
 TEST_CASE("a label without a surface is told, and has no file unless that is allowed") {
   const Workshop workshop;
   workshop.write("v.raw", volume);
@@ -91,7 +140,7 @@ TEST_CASE("labels that cannot be written are refused before any work") {
   workshop.write("half.raw", std::string(96, '\x3f'));  // 0.747...
   const auto names = workshop.names();
   const std::string all = extract + "--labels all ";
-  check_failure(workshop.run(all + "-o v.stl"), 2, {"--labels", "{name}"});
+  check_failure(workshop.run(all + "-o v.stl"), 2, {"--labels", "{name}", ".glb or .3mf"});
   check_failure(workshop.run(all + "-o '{name}.dmc'"), 2, {"--labels", "4 surfaces", "meshes"});
   check_failure(workshop.run(all + "--iso 1 -o '{name}.stl'"), 2, {"--labels", "--iso"});
   check_failure(workshop.run(all + "--memory 1M -o '{name}.stl'"), 2, {"--labels", "--memory"});

@@ -13,6 +13,7 @@
 #include "command.hpp"
 #include "hand_made.hpp"
 #include "mesh_files/base64.hpp"
+#include "mesh_files/name_text.hpp"
 #include "mesh_formats.hpp"
 
 namespace {
@@ -195,7 +196,7 @@ TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
   mesh.normals.assign(mesh.vertices_mm.size(), {1, 0, 0});
   mesh.normals[3] = {};
   std::ostringstream out;
-  write_glb(mesh, out);
+  write_glb({&mesh}, out);
   const Mesh read = command::mesh_of_glb(out.str());
   REQUIRE(read.normals.size() == mesh.normals.size());
   for (std::size_t i = 0; i < read.normals.size(); ++i)
@@ -266,6 +267,24 @@ TEST_CASE("every writer reports a stream that fails, early or late") {
     for (const Format format : mesh_formats)
       check_writer([&](std::ostream& out) { write_mesh(mesh, format, out); });
     check_writer([&](std::ostream& out) { write_jsonl(surface, out); });
+  }
+}
+
+TEST_CASE("names of any bytes are valid text in JSON and XML") {
+  using discmc::host::json_string;
+  using discmc::host::xml_attribute;
+  CHECK(json_string("a\"b\\c\n\x7F") == "\"a\\\"b\\\\c\\u000a\\u007f\"");
+  CHECK(xml_attribute("<a & \"b\">\t") == "&lt;a &amp; &quot;b&quot;&gt;\xEF\xBF\xBD");
+  const std::string whole = "\xC3\xA4 \xE2\x82\xAC \xF0\x9D\x84\x9E";
+  CHECK(xml_attribute(whole) == whole);
+  CHECK(json_string(whole) == "\"" + whole + "\"");
+  // Cut short, out of place, too long, a surrogate, no character, beyond the last one.
+  for (const std::string bytes : {"\xC3", "\xA4", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80",
+                                  "\xEF\xBF\xBF", "\xF4\x90\x80\x80", "\xFF", "\xE2\x82"}) {
+    std::string replaced;
+    for (std::size_t i = 0; i < bytes.size(); ++i) replaced += "\xEF\xBF\xBD";
+    CHECK(xml_attribute("<" + bytes + "x") == "&lt;" + replaced + "x");
+    CHECK(xml_attribute(bytes) == replaced);
   }
 }
 

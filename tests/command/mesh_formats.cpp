@@ -183,16 +183,13 @@ discmc::host::Srgb srgb_of(const Json& factor) {
   return colour;
 }
 
-}  // namespace
-
-Mesh mesh_of_glb(const std::string& bytes) {
-  const Glb glb(bytes);
+Mesh mesh_of_node(const Glb& glb, const Json& node) {
   const Json& json = glb.json();
   Mesh mesh;
-  const Json& scene = json["scenes"].at(json["scene"].get<std::size_t>());
-  if (!scene.contains("nodes")) return mesh;
-  const Json& node = json["nodes"].at(scene["nodes"].at(0).get<std::size_t>());
-  const Json& primitive = json["meshes"].at(node["mesh"].get<std::size_t>())["primitives"].at(0);
+  mesh.name = node.value("name", "");
+  const Json& parts = json["meshes"].at(node["mesh"].get<std::size_t>());
+  CHECK(parts.value("name", "") == mesh.name);
+  const Json& primitive = parts["primitives"].at(0);
   const Json& material = json["materials"].at(primitive["material"].get<std::size_t>());
   mesh.colour = srgb_of(material["pbrMetallicRoughness"]["baseColorFactor"]);
   const Json& attributes = primitive["attributes"];
@@ -210,7 +207,50 @@ Mesh mesh_of_glb(const std::string& bytes) {
   return mesh;
 }
 
-Mesh mesh_of_3mf(const std::string& bytes) {
+Mesh mesh_of_object(const pugi::xml_node& resources, const pugi::xml_node& object) {
+  Mesh mesh;
+  mesh.name = object.attribute("name").value();
+  if (const pugi::xml_attribute group = object.attribute("pid")) {
+    auto base =
+        resources.find_child_by_attribute("basematerials", "id", group.value()).first_child();
+    for (unsigned left = object.attribute("pindex").as_uint(); left > 0; --left)
+      base = base.next_sibling();
+    const std::string colour = base.attribute("displaycolor").value();
+    REQUIRE(colour.size() == 7);
+    mesh.colour.emplace();
+    for (std::size_t i = 0; i < 3; ++i)
+      (*mesh.colour)[i] =
+          static_cast<std::uint8_t>(std::stoul(colour.substr(1 + 2 * i, 2), nullptr, 16));
+  }
+  for (const auto& vertex : object.child("mesh").child("vertices"))
+    mesh.vertices_mm.push_back({vertex.attribute("x").as_double(),
+                                vertex.attribute("y").as_double(),
+                                vertex.attribute("z").as_double()});
+  for (const auto& triangle : object.child("mesh").child("triangles"))
+    add_face(mesh, {triangle.attribute("v1").as_uint(), triangle.attribute("v2").as_uint(),
+                    triangle.attribute("v3").as_uint()});
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<Mesh> meshes_of_glb(const std::string& bytes) {
+  const Glb glb(bytes);
+  const Json& json = glb.json();
+  const Json& scene = json["scenes"].at(json["scene"].get<std::size_t>());
+  std::vector<Mesh> meshes;
+  for (const Json& number : scene.value("nodes", Json::array()))
+    meshes.push_back(mesh_of_node(glb, json["nodes"].at(number.get<std::size_t>())));
+  return meshes;
+}
+
+Mesh mesh_of_glb(const std::string& bytes) {
+  const std::vector<Mesh> meshes = meshes_of_glb(bytes);
+  CHECK(meshes.size() <= 1);
+  return meshes.empty() ? Mesh{} : meshes[0];
+}
+
+std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
   CHECK(Taker(bytes, 4).integer(2) <= 20);  // the release of ZIP that a reader has to know: 2.0
   const auto files = files_in(bytes);
   REQUIRE(files.count("[Content_Types].xml") == 1);
@@ -226,31 +266,21 @@ Mesh mesh_of_3mf(const std::string& bytes) {
   const auto document = document_of(files.at(target.substr(1)));
   const pugi::xml_node model = document.child("model");
   CHECK(model.attribute("unit").value() == std::string("millimeter"));
-  const char* item = model.child("build").child("item").attribute("objectid").value();
-  const pugi::xml_node object =
-      model.child("resources").find_child_by_attribute("object", "id", item);
-  REQUIRE(object);
-  Mesh mesh;
-  if (const pugi::xml_attribute group = object.attribute("pid")) {
-    const std::string colour = model.child("resources")
-                                   .find_child_by_attribute("basematerials", "id", group.value())
-                                   .child("base")
-                                   .attribute("displaycolor")
-                                   .value();
-    REQUIRE(colour.size() == 7);
-    mesh.colour.emplace();
-    for (std::size_t i = 0; i < 3; ++i)
-      (*mesh.colour)[i] =
-          static_cast<std::uint8_t>(std::stoul(colour.substr(1 + 2 * i, 2), nullptr, 16));
+  const pugi::xml_node resources = model.child("resources");
+  std::vector<Mesh> meshes;
+  for (const auto& item : model.child("build")) {
+    const pugi::xml_node object =
+        resources.find_child_by_attribute("object", "id", item.attribute("objectid").value());
+    REQUIRE(object);
+    meshes.push_back(mesh_of_object(resources, object));
   }
-  for (const auto& vertex : object.child("mesh").child("vertices"))
-    mesh.vertices_mm.push_back({vertex.attribute("x").as_double(),
-                                vertex.attribute("y").as_double(),
-                                vertex.attribute("z").as_double()});
-  for (const auto& triangle : object.child("mesh").child("triangles"))
-    add_face(mesh, {triangle.attribute("v1").as_uint(), triangle.attribute("v2").as_uint(),
-                    triangle.attribute("v3").as_uint()});
-  return mesh;
+  return meshes;
+}
+
+Mesh mesh_of_3mf(const std::string& bytes) {
+  const std::vector<Mesh> meshes = meshes_of_3mf(bytes);
+  REQUIRE(meshes.size() == 1);
+  return meshes[0];
 }
 
 Mesh mesh_of_vtp(const std::string& bytes) {

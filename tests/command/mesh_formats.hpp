@@ -4,15 +4,18 @@
 #define DISCMC_TESTS_COMMAND_MESH_FORMATS_HPP
 
 #include <string>
+#include <vector>
 
 #include "meshes/mesh.hpp"
 
 namespace command {
 
 /// Brought from the metres of the file, y upwards, to millimetres, z upwards.
+std::vector<discmc::host::Mesh> meshes_of_glb(const std::string& bytes);
 discmc::host::Mesh mesh_of_glb(const std::string& bytes);
 
 /// Also checks that the parts of the package find each other.
+std::vector<discmc::host::Mesh> meshes_of_3mf(const std::string& bytes);
 discmc::host::Mesh mesh_of_3mf(const std::string& bytes);
 
 discmc::host::Mesh mesh_of_vtp(const std::string& bytes);

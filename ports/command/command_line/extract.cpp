@@ -14,11 +14,19 @@
 namespace discmc::host {
 namespace {
 
+// Whether a file of this name can hold no more than a mesh.
+bool is_one_mesh(const std::string& output) {
+  return !FilePattern(output).has_name() && format_of(output) != Format::stream &&
+         !traits_of(format_of(output)).holds_several;
+}
+
 void check_labels(const ExtractArguments& arguments) {
-  if (!FilePattern(arguments.output).has_name())
+  if (is_one_mesh(arguments.output))
     throw CLI::ValidationError("--labels",
                                "every label is a mesh of its own: give -o 'FOLDER/{name}.stl', or "
-                               "another format");
+                               "a " +
+                                   extensions(&FormatTraits::holds_several) +
+                                   " name, which holds them all");
   if (format_of(arguments.output) == Format::stream)
     throw CLI::ValidationError("--labels", "a stream holds " +
                                                std::to_string(StreamHeader::max_surfaces) +
@@ -46,10 +54,12 @@ void check_selections(const ExtractArguments& arguments) {
     throw CLI::ValidationError(
         "--iso", std::to_string(surfaces) + " surfaces are too many for a stream: give " +
                      std::to_string(StreamHeader::max_surfaces) + " at most");
-  if (!is_stream && surfaces > 1 && !FilePattern(arguments.output).has_name())
+  if (surfaces > 1 && is_one_mesh(arguments.output))
     throw CLI::ValidationError("--output",
-                               "several surfaces are as many meshes: write {name} in "
-                               "the name, as in -o 'surface-{name}.stl'");
+                               "several surfaces are as many meshes: write {name} in the name, as "
+                               "in -o 'surface-{name}.stl', or give a " +
+                                   extensions(&FormatTraits::holds_several) +
+                                   " name, which holds them all");
   for (const NamedSelection& each : selections)
     if (each.selection.has_upper_end() && arguments.normals == Normals::gradient)
       throw CLI::ValidationError("--normals",
@@ -140,7 +150,9 @@ void add_label_options(CLI::App& app, ExtractArguments& arguments) {
   CLI::Option* labels =
       app.add_option_function<std::string>(
              "--labels", [&arguments](const std::string&) { arguments.takes_all_labels = true; },
-             "a surface of every value but 0, in one pass: a mesh each")
+             "a surface of every value but 0, in one pass: a mesh each, in a file each or in "
+             "one " +
+                 extensions(&FormatTraits::holds_several) + " file")
           ->check(CLI::IsMember({"all"}))
           ->option_text("all");
   for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})

@@ -43,8 +43,15 @@ void describe(NamedSelection& selection, const LabelTable& table) {
   selection.colour = found->second.colour;
 }
 
+bool shares_file(const ExtractArguments& arguments) {
+  const bool has_several = arguments.takes_all_labels || arguments.reading.selections.size() > 1;
+  return has_several && !FilePattern(arguments.output).has_name();
+}
+
 std::vector<std::string> files_for(const FilePattern& pattern,
                                    const std::vector<NamedSelection>& selections) {
+  if (!pattern.has_name())
+    return std::vector<std::string>(selections.size(), pattern.file_for(std::string()));
   std::vector<std::string> files;
   std::set<std::string> taken;
   for (const NamedSelection& each : selections) {

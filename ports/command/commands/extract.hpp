@@ -36,8 +36,8 @@ LabelTable label_table_of(const ExtractArguments& arguments);
 /// Gives a label the name and the colour that it has in the table, if it is there.
 void describe(NamedSelection& selection, const LabelTable& table);
 
-/// The files of surfaces, no two the same: of equal names all but the first get their label or
-/// threshold as well.
+/// The files of surfaces. Where the pattern has their names no two are the same: of equal names all
+/// but the first get their label or threshold as well.
 std::vector<std::string> files_for(const FilePattern& pattern,
                                    const std::vector<NamedSelection>& selections);
 
@@ -53,6 +53,16 @@ struct SurfaceOutput {
 /// mesh.
 MeshSummary write_mesh_of(const ExtractArguments& arguments, const SurfaceOutput& output,
                           const std::optional<VolumePlacement>& placement);
+
+/// Whether all meshes go into one file, as its name has no place for theirs.
+bool shares_file(const ExtractArguments& arguments);
+
+/// The same mesh for such a file, with its name.
+Mesh part_of(const ExtractArguments& arguments, const SurfaceOutput& output,
+             const std::optional<VolumePlacement>& placement);
+void write_parts(const ExtractArguments& arguments, const std::vector<Mesh>& parts);
+
+MeshSummary summary_of(const Mesh& mesh, const ExtractArguments& arguments);
 
 /// Throws as fail_empty() where a surface is empty and must not be, and says which are a box.
 /// volume: that they are of.

@@ -30,10 +30,11 @@ LabelledSurfaces surfaces_of(VolumeReader& volume, const ExtractArguments& argum
   }
 }
 
-void write_line(const LabelledSurface& label, const MeshSummary& mesh, const std::string& file,
+// target: the file, or the name in it.
+void write_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
                 std::ostream& out) {
-  out << std::setw(8) << label.label << std::setw(14) << label.voxels << std::setw(12)
-      << mesh.face_count << "  " << file << '\n';
+  out << std::setw(8) << label.label << std::setw(14) << label.voxels << std::setw(12) << faces
+      << "  " << target << '\n';
 }
 
 }  // namespace
@@ -61,19 +62,37 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     selections.push_back({Selection(value, value), std::to_string(each.label)});
     describe(selections.back(), table);
   }
+  const bool is_shared = shares_file(arguments);
   const std::vector<std::string> files = files_for(pattern, selections);
-  if (!arguments.quiet) std::cout << "   label        voxels       faces  file\n";
+  if (!arguments.quiet)
+    std::cout << "   label        voxels       faces  " << (is_shared ? "name" : "file") << '\n';
+  std::vector<Mesh> parts;
   for (std::size_t i = 0; i < files.size(); ++i) {
+    const LabelledSurface& label = labels.all[i];
     Surface& surface = labels.all[i].surface;
     keep_chosen(arguments.volume, arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty) {
-      std::cerr << "discmc: " << arguments.volume << ": label " << labels.all[i].label
-                << " has no surface left, so " << files[i] << " is not written\n";
+      std::cerr << "discmc: " << arguments.volume << ": label " << label.label
+                << " has no surface left, so "
+                << (is_shared ? "it is not in " + files[i] : files[i] + " is not written") << '\n';
       continue;
     }
-    const MeshSummary mesh =
-        write_mesh_of(arguments, {surface, selections[i], files[i]}, placement);
-    if (!arguments.quiet) write_line(labels.all[i], mesh, files[i], std::cout);
+    const SurfaceOutput output{surface, selections[i], files[i]};
+    if (is_shared) {
+      parts.push_back(part_of(arguments, output, placement));
+      if (!arguments.quiet)
+        write_line(label, parts.back().face_count(), parts.back().name, std::cout);
+    } else {
+      const MeshSummary mesh = write_mesh_of(arguments, output, placement);
+      if (!arguments.quiet) write_line(label, mesh.face_count, files[i], std::cout);
+    }
+  }
+  if (is_shared) {
+    if (parts.empty() && !arguments.reading.allows_empty)
+      throw VolumeError(arguments.volume + ": no label has a surface left, so " + arguments.output +
+                        " is not written; --allow-empty takes that");
+    write_parts(arguments, parts);
+    if (!arguments.quiet) write_file(arguments.output, std::cout);
   }
   if (!arguments.quiet) require_written(std::cout);
   return exit_ok;

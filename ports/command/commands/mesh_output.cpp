@@ -31,20 +31,32 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
   return in_frame(*told, asked == MeshSpace::ras ? Frame::ras : Frame::lps);
 }
 
-void write_surface(const Surface& surface, Format format, const MeshOptions& options,
-                   const std::function<void(Mesh&)>& add_normals,
-                   const std::optional<VolumePlacement>& placement, OutputFile& file) {
+Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
+                 const std::function<void(Mesh&)>& add_normals,
+                 const std::optional<VolumePlacement>& placement) {
+  Mesh mesh = triangulated(surface, options);
+  add_normals(mesh);
+  if (placement) place(mesh, *placement);
+  return mesh;
+}
+
+void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write) {
+  const Progress writing("writing");
   try {
-    if (format == Format::jsonl) return write_jsonl(surface, file.stream());
-    Mesh mesh = triangulated(surface, options);
-    add_normals(mesh);
-    if (placement) place(mesh, *placement);
-    const Progress writing("writing");
-    write_mesh(mesh, format, file.stream());
+    write(file.stream());
   } catch (const std::runtime_error&) {
     if (!file.stream()) file.commit();  // throws
     throw;
   }
+}
+
+void write_surface(const Surface& surface, Format format, const MeshOptions& options,
+                   const std::function<void(Mesh&)>& add_normals,
+                   const std::optional<VolumePlacement>& placement, OutputFile& file) {
+  if (format == Format::jsonl)
+    return write_to(file, [&](std::ostream& out) { write_jsonl(surface, out); });
+  const Mesh mesh = placed_mesh(surface, options, add_normals, placement);
+  write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out); });
 }
 
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {

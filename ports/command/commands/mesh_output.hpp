@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <ostream>
 #include <string>
 
 #include "arguments.hpp"
@@ -23,9 +24,16 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
                                               const std::optional<VolumePlacement>& told,
                                               const std::optional<MeshSpace>& asked);
 
-/// Writes a surface to the file, as a mesh or as lines of polygons; what goes wrong is told with
-/// the file's name. add_normals: called with a mesh before it is placed and written. Limit: not
-/// Format::stream.
+/// The mesh of a surface. add_normals: called with it before it is placed.
+Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
+                 const std::function<void(Mesh&)>& add_normals,
+                 const std::optional<VolumePlacement>& placement);
+
+/// Calls write with the stream of the file; what goes wrong is told with the file's name.
+void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write);
+
+/// Writes a surface to the file, as a mesh or as lines of polygons, with both of the above.
+/// Limit: not Format::stream.
 void write_surface(const Surface& surface, Format format, const MeshOptions& options,
                    const std::function<void(Mesh&)>& add_normals,
                    const std::optional<VolumePlacement>& placement, OutputFile& file);

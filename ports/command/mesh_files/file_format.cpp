@@ -9,11 +9,11 @@ namespace discmc::host {
 namespace {
 
 constexpr FormatTraits all_formats[] = {
-    // extension, polygons, normals
-    {Format::stream, ".dmc", false, false}, {Format::stl, ".stl", false, false},
-    {Format::ply, ".ply", true, true},      {Format::obj, ".obj", true, true},
-    {Format::glb, ".glb", false, true},     {Format::three_mf, ".3mf", false, false},
-    {Format::vtp, ".vtp", true, true},      {Format::jsonl, ".jsonl", true, false},
+    // extension, polygons, normals, several meshes
+    {Format::stream, ".dmc", false, false, false}, {Format::stl, ".stl", false, false, false},
+    {Format::ply, ".ply", true, true, false},      {Format::obj, ".obj", true, true, false},
+    {Format::glb, ".glb", false, true, true},      {Format::three_mf, ".3mf", false, false, true},
+    {Format::vtp, ".vtp", true, true, false},      {Format::jsonl, ".jsonl", true, false, false},
 };
 
 }  // namespace

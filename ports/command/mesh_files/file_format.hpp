@@ -15,6 +15,7 @@ struct FormatTraits {
   const char* extension;
   bool holds_polygons;  ///< faces of more than three corners
   bool holds_normals;   ///< of vertices
+  bool holds_several;   ///< meshes, each with its name and colour
 };
 
 /// By the extension; "-" is the stream on standard output. Throws std::invalid_argument with the

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesh_files.hpp"
+#include "name_text.hpp"
 #include "writer.hpp"
 
 namespace discmc::host {
@@ -36,10 +37,16 @@ Point linear(const Srgb& colour) {
   return light;
 }
 
+// As a member of an object that has more; nothing without a name.
+std::string name_member(const Mesh& mesh) {
+  return mesh.name.empty() ? "" : "\"name\":" + json_string(mesh.name) + ",";
+}
+
 // Seen from both sides: a surface may be open.
 std::string material(const Mesh& mesh) {
   const Point colour = mesh.colour ? linear(*mesh.colour) : plaster;
-  return R"({"doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[)" + decimal(colour[0]) +
+  return "{" + name_member(mesh) +
+         R"("doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[)" + decimal(colour[0]) +
          "," + decimal(colour[1]) + "," + decimal(colour[2]) +
          R"(,1],"metallicFactor":0,"roughnessFactor":0.8}})";
 }
@@ -88,10 +95,7 @@ class Arrays {
   std::string accessors_, views_;
 };
 
-// The format knows no empty arrays: a mesh without faces is a scene without nodes.
-std::string describe(const Mesh& mesh, Arrays& arrays) {
-  std::string json = R"({"asset":{"version":"2.0","generator":"discmc"},"scene":0,"scenes":[{)";
-  if (mesh.face_count() == 0) return json + "}]}";
+std::string primitive(const Mesh& mesh, const std::string& material_number, Arrays& arrays) {
   const std::uint64_t vertices = mesh.vertices_mm.size(), corners = mesh.corners.size();
   std::string attributes = "\"POSITION\":" + arrays.add(floats, "VEC3", vertices, 12 * vertices,
                                                         vertex_buffer, extent_of(mesh.vertices_mm));
@@ -100,22 +104,53 @@ std::string describe(const Mesh& mesh, Arrays& arrays) {
         ",\"NORMAL\":" + arrays.add(floats, "VEC3", vertices, 12 * vertices, vertex_buffer);
   const std::string indices =
       arrays.add(unsigned_integers, "SCALAR", corners, 4 * corners, index_buffer);
-  json += "\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"matrix\":";
-  json += matrix;
-  json += "}],\"meshes\":[{\"extras\":{\"comment\":\"";
-  json += header_text(mesh);
-  json += "\"},\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" + indices +
-          ",\"material\":0}]}],\"materials\":[";
-  json += material(mesh);
-  return json + "]," + arrays.json() + "}";
+  return "{\"attributes\":{" + attributes + "},\"indices\":" + indices +
+         ",\"material\":" + material_number + "}";
+}
+
+// meshes: with faces.
+std::string describe(const Meshes& meshes, Arrays& arrays) {
+  std::string json = R"({"asset":{"version":"2.0","generator":"discmc"},"scene":0,"scenes":[{)";
+  if (meshes.empty()) return json + "}]}";
+  std::string numbers, nodes, descriptions, materials;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const Mesh& mesh = *meshes[i];
+    const std::string comma = i == 0 ? "" : ",";
+    const std::string number = std::to_string(i);
+    numbers += comma + number;
+    nodes += comma + "{" + name_member(mesh) + "\"mesh\":" + number + ",\"matrix\":" + matrix + "}";
+    descriptions += comma + "{" + name_member(mesh) + "\"extras\":{\"comment\":\"";
+    descriptions += header_text(mesh);
+    descriptions += "\"},\"primitives\":[" + primitive(mesh, number, arrays) + "]}";
+    materials += comma + material(mesh);
+  }
+  return json + "\"nodes\":[" + numbers + "]}],\"nodes\":[" + nodes + "],\"meshes\":[" +
+         descriptions + "],\"materials\":[" + materials + "]," + arrays.json() + "}";
+}
+
+// The format knows no empty arrays: a mesh without faces is a scene without its node.
+Meshes with_faces(Meshes meshes) {
+  meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
+                              [](const Mesh* mesh) { return mesh->face_count() == 0; }),
+               meshes.end());
+  return meshes;
+}
+
+void write_arrays(const Mesh& mesh, Writer& writer) {
+  for (const Point& vertex : mesh.vertices_mm) writer.point(vertex);
+  // The format knows no vertex without a normal either.
+  for (const Point& normal : mesh.normals)
+    writer.point(normal == Point{} ? Point{0, 0, 1} : normal);
+  for (const std::uint32_t corner : mesh.corners) writer.bytes(corner, 4);
 }
 
 }  // namespace
 
-void write_glb(const Mesh& mesh, std::ostream& out) {
-  require_triangles(mesh, "GLB");
+void write_glb(const Meshes& meshes, std::ostream& out) {
+  const Meshes seen = with_faces(meshes);
+  for (const Mesh* mesh : seen) require_triangles(*mesh, "GLB");
   Arrays arrays;
-  std::string json = describe(mesh, arrays);
+  std::string json = describe(seen, arrays);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::uint64_t binary = arrays.bytes() > 0 ? 8 + arrays.bytes() : 0;
   const std::uint64_t total = 12 + 8 + json.size() + binary;
@@ -131,11 +166,7 @@ void write_glb(const Mesh& mesh, std::ostream& out) {
   if (binary > 0) {
     writer.bytes(arrays.bytes(), 4);
     writer.bytes(binary_chunk, 4);
-    for (const Point& vertex : mesh.vertices_mm) writer.point(vertex);
-    // The format knows no vertex without a normal either.
-    for (const Point& normal : mesh.normals)
-      writer.point(normal == Point{} ? Point{0, 0, 1} : normal);
-    for (const std::uint32_t corner : mesh.corners) writer.bytes(corner, 4);
+    for (const Mesh* mesh : seen) write_arrays(*mesh, writer);
   }
   writer.finish();
 }

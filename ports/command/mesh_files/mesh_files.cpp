@@ -13,9 +13,9 @@ void write_mesh(const Mesh& mesh, Format format, std::ostream& out) {
     case Format::obj:
       return write_obj(mesh, out);
     case Format::glb:
-      return write_glb(mesh, out);
+      return write_glb({&mesh}, out);
     case Format::three_mf:
-      return write_3mf(mesh, out);
+      return write_3mf({&mesh}, out);
     case Format::vtp:
       return write_vtp(mesh, out);
     case Format::stream:
@@ -23,6 +23,13 @@ void write_mesh(const Mesh& mesh, Format format, std::ostream& out) {
       break;
   }
   throw std::invalid_argument("no format of meshes");
+}
+
+void write_meshes(const Meshes& meshes, Format format, std::ostream& out) {
+  if (format == Format::glb) return write_glb(meshes, out);
+  if (format == Format::three_mf) return write_3mf(meshes, out);
+  if (meshes.size() != 1) throw std::invalid_argument("the format holds one mesh a file");
+  write_mesh(*meshes[0], format, out);
 }
 
 }  // namespace discmc::host

@@ -6,14 +6,22 @@
 #define DISCMC_COMMAND_MESH_FILES_MESH_FILES_HPP
 
 #include <ostream>
+#include <vector>
 
 #include "file_format.hpp"
 #include "meshes/mesh.hpp"
 
 namespace discmc::host {
 
+/// What goes into one file.
+using Meshes = std::vector<const Mesh*>;
+
 /// By the writer of the format, of those below that take a mesh; otherwise std::invalid_argument.
 void write_mesh(const Mesh& mesh, Format format, std::ostream& out);
+
+/// The same of several in one file, each with its name and colour. Limit: a format that holds
+/// several, or one mesh; otherwise std::invalid_argument.
+void write_meshes(const Meshes& meshes, Format format, std::ostream& out);
 
 /// Binary STL, coordinates as 32-bit floats. Units: millimetres.
 /// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
@@ -31,13 +39,13 @@ void write_obj(const Mesh& mesh, std::ostream& out);
 
 /// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, under a node that scales them to
 /// the metres of the format and turns z upwards, which there is y. Normals where the mesh has them;
-/// one material, in the colour of the mesh if it has one.
+/// a material each, in the colour of the mesh if it has one. Each mesh has a node, with its name.
 /// Limit: triangles only, and 4 GiB; otherwise std::invalid_argument.
-void write_glb(const Mesh& mesh, std::ostream& out);
+void write_glb(const Meshes& meshes, std::ostream& out);
 
-/// 3MF, exact decimal coordinates, and the colour of the mesh if it has one. Units: millimetres,
-/// and the file says so. Limit: triangles only, otherwise std::invalid_argument.
-void write_3mf(const Mesh& mesh, std::ostream& out);
+/// 3MF, an object a mesh: exact decimal coordinates, its name, and its colour if it has one. Units:
+/// millimetres, and the file says so. Limit: triangles only, otherwise std::invalid_argument.
+void write_3mf(const Meshes& meshes, std::ostream& out);
 
 /// VTK's XML PolyData, coordinates as 32-bit floats, and so are normals, where the mesh has them.
 /// Units: millimetres.

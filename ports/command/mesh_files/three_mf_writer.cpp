@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "mesh_files.hpp"
+#include "name_text.hpp"
 #include "writer.hpp"
 #include "zip_file.hpp"
 
@@ -35,21 +37,18 @@ std::string hexadecimal(const Srgb& colour) {
   return text;
 }
 
-void write_model(const Mesh& mesh, std::ostream& out) {
-  Writer writer(out);
-  writer.text(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<model unit=\"millimeter\" xml:lang=\"en-US\" "
-      "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-      "<metadata name=\"Application\">discmc</metadata>\n<metadata name=\"Description\">");
-  writer.text(header_text(mesh));
-  writer.text("</metadata>\n<resources>\n");
-  if (mesh.colour)
-    writer.text("<basematerials id=\"2\">\n<base name=\"label\" displaycolor=\"" +
-                hexadecimal(*mesh.colour) + "\"/>\n</basematerials>\n");
-  writer.text("<object id=\"1\" type=\"model\"");
-  if (mesh.colour) writer.text(" pid=\"2\" pindex=\"0\"");
-  writer.text(">\n<mesh>\n<vertices>\n");
+// The names and colours of all meshes that have a colour.
+void write_materials(const Meshes& meshes, const std::string& id, Writer& writer) {
+  writer.text("<basematerials id=\"" + id + "\">\n");
+  for (const Mesh* mesh : meshes)
+    if (mesh->colour)
+      writer.text("<base name=\"" + (mesh->name.empty() ? "label" : xml_attribute(mesh->name)) +
+                  "\" displaycolor=\"" + hexadecimal(*mesh->colour) + "\"/>\n");
+  writer.text("</basematerials>\n");
+}
+
+void write_object(const Mesh& mesh, const std::string& attributes, Writer& writer) {
+  writer.text("<object" + attributes + ">\n<mesh>\n<vertices>\n");
   for (const Point& vertex : mesh.vertices_mm) {
     const char* before[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -67,22 +66,52 @@ void write_model(const Mesh& mesh, std::ostream& out) {
     }
     writer.text("\"/>\n");
   }
+  writer.text("</triangles>\n</mesh>\n</object>\n");
+}
+
+// Objects are numbered from 1 on; the materials come after them.
+void write_model(const Meshes& meshes, std::ostream& out) {
+  Writer writer(out);
   writer.text(
-      "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"1\"/>\n</build>\n"
-      "</model>\n");
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<model unit=\"millimeter\" xml:lang=\"en-US\" "
+      "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+      "<metadata name=\"Application\">discmc</metadata>\n<metadata name=\"Description\">");
+  writer.text(meshes.empty() ? header_text({}) : header_text(*meshes[0]));
+  writer.text("</metadata>\n<resources>\n");
+  const std::string materials = std::to_string(meshes.size() + 1);
+  if (std::any_of(meshes.begin(), meshes.end(), [](const Mesh* mesh) { return !!mesh->colour; }))
+    write_materials(meshes, materials, writer);
+  std::size_t number = 0, material = 0;
+  std::string items;
+  for (const Mesh* mesh : meshes) {
+    const std::string id = std::to_string(++number);
+    std::string attributes = " id=\"" + id + "\" type=\"model\"";
+    if (!mesh->name.empty()) attributes += " name=\"" + xml_attribute(mesh->name) + "\"";
+    if (mesh->colour)
+      attributes += " pid=\"" + materials + "\" pindex=\"" + std::to_string(material++) + "\"";
+    write_object(*mesh, attributes, writer);
+    items += "<item objectid=\"" + id + "\"/>\n";
+  }
+  writer.text("</resources>\n<build>\n" + items + "</build>\n</model>\n");
   writer.finish();
 }
 
 }  // namespace
 
-void write_3mf(const Mesh& mesh, std::ostream& out) {
-  require_triangles(mesh, "3MF");
+void write_3mf(const Meshes& meshes, std::ostream& out) {
   constexpr std::uint64_t vertex_line = 100, triangle_line = 70, the_rest = 1000;  // at most
-  ZipFile zip(out,
-              vertex_line * mesh.vertices_mm.size() + triangle_line * mesh.face_count() + the_rest);
+  constexpr std::uint64_t letter = 12;  // of a name, in both places, escaped
+  std::uint64_t bytes = the_rest;
+  for (const Mesh* mesh : meshes) {
+    require_triangles(*mesh, "3MF");
+    bytes += vertex_line * mesh->vertices_mm.size() + triangle_line * mesh->face_count() +
+             letter * mesh->name.size() + the_rest;
+  }
+  ZipFile zip(out, bytes);
   zip.add("[Content_Types].xml", [](std::ostream& part) { part << content_types; });
   zip.add("_rels/.rels", [](std::ostream& part) { part << relationships; });
-  zip.add("3D/3dmodel.model", [&mesh](std::ostream& part) { write_model(mesh, part); });
+  zip.add("3D/3dmodel.model", [&meshes](std::ostream& part) { write_model(meshes, part); });
   zip.finish();
   Writer(out).finish();
 }

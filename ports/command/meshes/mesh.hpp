@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <discmc/placement.hpp>
@@ -54,6 +55,7 @@ struct Mesh {
   /// One a vertex, or none at all: unit vectors that point outside, zero where there is none.
   std::vector<Point> normals;
   std::optional<Srgb> colour;  ///< of all of it, where one was given
+  std::string name;            ///< in a file that holds several
   Frame frame = Frame::none;   ///< of a mesh that has been placed: what its coordinates are
   /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
   /// Polygon) and cannot be triangulated.
