@@ -24,22 +24,31 @@ struct Bounds {
 };
 
 // Without a branch, so that compilers take several at once.
-template <class Sample>
-Bounds<Sample> bounds_of(const Sample* samples, std::size_t count) {
+template <class Sample, class Condition>
+Bounds<Sample> bounds_of(const Sample* samples, std::size_t count, Condition is_taken) {
   Bounds<Sample> bounds;
   for (std::size_t i = 0; i < count; ++i) {
     const Sample sample = samples[i];
-    bounds.least = is_finite(sample) && sample < bounds.least ? sample : bounds.least;
-    bounds.greatest = is_finite(sample) && sample > bounds.greatest ? sample : bounds.greatest;
+    bounds.least = is_taken(sample) && sample < bounds.least ? sample : bounds.least;
+    bounds.greatest = is_taken(sample) && sample > bounds.greatest ? sample : bounds.greatest;
   }
   return bounds;
+}
+
+// Infinite samples are few: they are looked for only where there are any. Of what is not a number
+// no comparison holds.
+template <class Sample>
+Bounds<Sample> finite_bounds(const Sample* samples, std::size_t count) {
+  const auto all = bounds_of(samples, count, [](Sample) { return true; });
+  if (is_finite(all.least) && is_finite(all.greatest)) return all;
+  return bounds_of(samples, count, [](Sample sample) { return is_finite(sample); });
 }
 
 }  // namespace
 
 void SampleBounds::include(SampleType type, const void* samples, std::size_t count) {
   with_sample_type(type, [&](auto sample) {
-    const auto bounds = bounds_of(static_cast<const decltype(sample)*>(samples), count);
+    const auto bounds = finite_bounds(static_cast<const decltype(sample)*>(samples), count);
     if (bounds.least > bounds.greatest) return;
     least = std::min(least, static_cast<double>(bounds.least));
     greatest = std::max(greatest, static_cast<double>(bounds.greatest));
