@@ -40,7 +40,7 @@ Status MajorityFilter::start(const Limits& limits, Memory memory) {
 
 const uint8_t* MajorityFilter::push(const uint8_t* bits) {
   const uint32_t words = words_of(limits_.width);
-  uint32_t* const row = rows_ + place_ * words;
+  uint32_t* const row = rows_ + size_t{place_} * words;
   for (uint32_t word = 0; word < words; ++word) row[word] = 0;
   for (uint32_t byte = 0; byte < (limits_.width + 7) / 8; ++byte)
     row[byte / 4] |= uint32_t{bits[byte]} << 8 * (byte % 4);
@@ -67,7 +67,7 @@ const uint32_t* MajorityFilter::held(int32_t y, int32_t z) const {
   int32_t place = static_cast<int32_t>(due_place_) + y + z * static_cast<int32_t>(limits_.height);
   if (place < 0) place += rows;
   if (place >= rows) place -= rows;
-  return rows_ + static_cast<uint32_t>(place) * words_of(limits_.width);
+  return rows_ + static_cast<size_t>(place) * words_of(limits_.width);
 }
 
 // The row that is due, and the next one is.

@@ -30,7 +30,7 @@ std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const RawLayout& layou
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
                                          const VolumeOptions& options,
-                                         std::vector<std::string> notes = {});
+                                         const std::vector<std::string>& notes = {});
 
 /// The same of pictures, a slice each.
 std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,

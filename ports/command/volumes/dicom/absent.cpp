@@ -5,7 +5,7 @@ namespace discmc::host {
 
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>&,
-                                         const VolumeOptions&, std::vector<std::string>) {
+                                         const VolumeOptions&, const std::vector<std::string>&) {
   fail(
       source, "this is DICOM, and discmc was built without DCMTK and OpenJPEG",
       "install libdcmtk-dev and libopenjp2-7-dev and build again, or convert to NIfTI-1, e.g. with "

@@ -1,7 +1,6 @@
 // DICOM: a file, or the files of a folder, whatever their names.
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -109,7 +108,7 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
                                          const VolumeOptions& options,
-                                         std::vector<std::string> notes) {
+                                         const std::vector<std::string>& notes) {
   const Found found = find_frames(files);
   if (found.frames.empty())
     fail(source,
@@ -120,8 +119,7 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
          "give the images of a CT, an MRI or the like, one grey value a voxel");
   DicomStack stack = chosen_stack(source, dicom_stacks(found.frames), options.series);
   VolumeInfo info = order_stack(source, stack, have_same_pixels, options.allow_gaps);
-  info.notes.insert(info.notes.begin(), std::make_move_iterator(notes.begin()),
-                    std::make_move_iterator(notes.end()));
+  info.notes.insert(info.notes.begin(), notes.begin(), notes.end());
   for (const DicomFrame& frame : stack) require_possible(*frame.image);
   if (found.skipped > 0)
     info.notes.push_back(std::to_string(found.skipped) +
