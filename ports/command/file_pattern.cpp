@@ -29,8 +29,8 @@ std::string FilePattern::unknown_placeholder() const {
        at = pattern_.find('{', at + 1)) {
     const std::size_t end = pattern_.find('}', at);
     if (end == std::string::npos) break;
-    std::string found = pattern_.substr(at, end + 1 - at);
-    if (found != placeholder) return found;
+    const std::string_view found = std::string_view(pattern_).substr(at, end + 1 - at);
+    if (found != placeholder) return std::string(found);
   }
   return {};
 }

@@ -84,7 +84,7 @@ TEST_CASE("meshes that discmc writes are those that it reads") {
   const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
   workshop.write("v.nrrd", ball, "spacings: 1 1 2\n");
   workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
-  for (const std::string name : {"v.ply", "v.obj", "v.stl"}) {
+  for (const std::string name : {"v.ply", "v.obj", "v.stl", "v.glb", "v.3mf"}) {
     workshop.done("extract v.nrrd --iso 100 -q -o " + name);
     const Result result = workshop.run("compare " + name + " v.dmc");
     if (lacks_assimp(result)) return;

@@ -6,10 +6,25 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <stdexcept>
+
+#include "volumes/volume_format.hpp"
 
 namespace discmc::host {
 namespace {
+
+// glTF is in metres with y upwards.
+bool is_gltf(const std::string& file) {
+  const std::string extension = lower(std::filesystem::path(file).extension().string());
+  return extension == ".glb" || extension == ".gltf";
+}
+
+Point in_mm(const aiVector3D& at, bool is_gltf) {
+  const Point point = {static_cast<double>(at.x), static_cast<double>(at.y),
+                       static_cast<double>(at.z)};
+  return is_gltf ? Point{1000 * point[0], -1000 * point[2], 1000 * point[1]} : point;
+}
 
 void add(const aiMesh& part, const std::string& file, Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices_mm.size());
@@ -18,8 +33,7 @@ void add(const aiMesh& part, const std::string& file, Mesh& mesh) {
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
       throw std::runtime_error(file + ": vertex " + std::to_string(first + i) +
                                " is not finite: write the mesh anew");
-    mesh.vertices_mm.push_back(
-        {static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)});
+    mesh.vertices_mm.push_back(in_mm(at, is_gltf(file)));
   }
   for (unsigned i = 0; i < part.mNumFaces; ++i) {
     const aiFace& face = part.mFaces[i];
