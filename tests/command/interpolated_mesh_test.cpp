@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "meshes/intersections.hpp"
 #include "meshes/mesh.hpp"
@@ -96,9 +97,11 @@ TEST_CASE("triangles go through each other only where the interpolated surface d
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Extracted of = extracted(plate(seed));
     const std::size_t own = intersections_of(interpolated(of, 0));
-    for (const double tolerance : {0.05, 0.1}) {
+    for (const double tolerance : {0.05, 0.1, 1e300}) {
       const Mesh mesh = interpolated(of, tolerance);
       CHECK(intersections_of(mesh) <= own);
+      CHECK(std::set<std::uint32_t>(mesh.corners.begin(), mesh.corners.end()).size() ==
+            mesh.vertices_mm.size());
       CHECK(check_mesh(mesh).closed());
     }
   }

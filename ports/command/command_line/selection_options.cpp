@@ -33,7 +33,9 @@ std::optional<NamedSelection> range(const std::string& text) {
 
 std::optional<NamedSelection> label(const std::string& text) {
   const auto value = finite_number(text);
-  if (!value || *value != std::floor(*value)) return std::nullopt;
+  constexpr double first_unsure = 0x1p53;  // it might be another one, rounded
+  if (!value || *value != std::floor(*value) || std::fabs(*value) >= first_unsure)
+    return std::nullopt;
   return NamedSelection{{*value, *value}, text};
 }
 
@@ -73,7 +75,7 @@ void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selection
       app, "--range", range, "LOW..HIGH", "range: give LOW..HIGH, one of which may be left out",
       selections, "in place of --iso: a voxel is on if LOW <= value <= HIGH");
   CLI::Option* label_option = add_selection_option(
-      app, "--label", label, "N", "whole number", selections,
+      app, "--label", label, "N", "whole number of up to 53 bits", selections,
       "in place of --iso: a voxel is on if its value is N, as in a segmentation");
   iso->excludes(between)->excludes(label_option);
   between->excludes(label_option);

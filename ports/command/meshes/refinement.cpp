@@ -72,7 +72,9 @@ void for_each_crossing(const LatticePlane& plane, const std::array<PlanePoint, 3
 }  // namespace
 
 Refinement::Refinement(const Crossings& crossings, double tolerance)
-    : crossings_(crossings), squared_tolerance_(4 * tolerance * tolerance) {}
+    : crossings_(crossings),
+      // Finite: what is required is farther than any tolerance.
+      squared_tolerance_(std::min(4 * tolerance * tolerance, std::numeric_limits<double>::max())) {}
 
 const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& side) {
   side_.clear();
