@@ -4,11 +4,24 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "control_character.hpp"
 
 namespace discmc::host {
 namespace {
+
+// Cut, between two characters of UTF-8, so that a name of a file still holds it and what is around.
+std::string shortened(std::string name) {
+  constexpr std::size_t most = 100;  // of the 255 bytes that file systems give a name
+  if (name.size() <= most) return name;
+  const auto continues = [&name](std::size_t at) {
+    return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80;
+  };
+  std::size_t end = most;
+  while (end > most - 4 && continues(end)) --end;
+  return name.substr(0, end);
+}
 
 // Without what would be a path or a control character.
 std::string as_file_name(const std::string& name) {
@@ -19,7 +32,7 @@ std::string as_file_name(const std::string& name) {
     result += is_usable ? c : '_';
   }
   if (result.empty() || result.front() == '.') result.insert(0, "_");
-  return result;
+  return shortened(std::move(result));
 }
 
 }  // namespace
@@ -35,10 +48,10 @@ std::string FilePattern::unknown_placeholder() const {
   return {};
 }
 
-std::string FilePattern::file_for(const std::string& name) const {
+std::string FilePattern::file_for(const std::string& name, const std::string& addition) const {
   const std::string_view mark = placeholder;
   std::string file = pattern_;
-  const std::string text = as_file_name(name);
+  const std::string text = as_file_name(name) + addition;
   for (std::size_t at = file.find(mark); at != std::string::npos;
        at = file.find(mark, at + text.size()))
     file.replace(at, mark.size(), text);

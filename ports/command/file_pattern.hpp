@@ -16,8 +16,9 @@ class FilePattern {
   /// The first text in braces that is not {name}, with them; empty where there is none.
   std::string unknown_placeholder() const;
 
-  /// What no name of a file can have becomes an underscore.
-  std::string file_for(const std::string& name) const;
+  /// What no name of a file can have becomes an underscore; a long name is cut, but not the
+  /// addition that tells it from others.
+  std::string file_for(const std::string& name, const std::string& addition = {}) const;
 
   /// Throws std::invalid_argument, before work is done, when there is no folder for the files.
   void require_folder() const;

@@ -43,17 +43,20 @@ TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
     const auto decoded = workshop.run("decode v.dmc " + options + " -o decoded.jsonl");
     CHECK(decoded.code == 0);
     CHECK(lines(workshop.read("kept.jsonl")) == lines(workshop.read("decoded.jsonl")));
-    CHECK(contains(result.error, "v.raw: "));
-    CHECK(contains(decoded.error, result.error.substr(result.error.find("raw: ") + 5)));
+    const std::string told = "v.raw: ";
+    CHECK(result.error.empty() == decoded.error.empty());
+    if (result.error.empty()) return result.error;
+    CHECK(contains(result.error, told));
+    CHECK(contains(decoded.error, result.error.substr(result.error.find(told) + told.size())));
     return result.error;
   };
   constexpr std::size_t of_box = 26, of_voxel = 8;
   CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities kept"));
   CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box);
   CHECK(contains(kept("--largest 1"), "1 of 3"));
-  CHECK(contains(kept("--largest 9"), "3 of 3"));
+  CHECK(kept("--largest 9").empty());
   CHECK(workshop.read("kept.jsonl") == workshop.read("all.jsonl"));
-  CHECK(contains(kept("--min-volume 0.15"), "3 of 3"));
+  CHECK(kept("--min-volume 0.15").empty());
   CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box + of_voxel);
   CHECK(contains(kept("--min-volume 0.2"), "2 of 3"));
   CHECK(contains(kept("--min-volume 200"), "1 of 3"));
@@ -63,7 +66,8 @@ TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
 TEST_CASE("a median leaves boxes with rounded edges and no speck, in meshes and in both streams") {
   const Workshop workshop;
   workshop.write("v.raw", boxes());
-  CHECK(contains(workshop.run(extract + "--median 3 --largest 9 -o v.jsonl").error, "2 of 2"));
+  CHECK(contains(workshop.run(extract + "--median 3 --largest 1 -o one.jsonl").error, "1 of 2"));
+  workshop.done(extract + "--median 3 --largest 2 -o v.jsonl");
   for (const std::string wire : {"regions", "slices"}) {
     workshop.done(extract + "--median 3 --wire " + wire + " -o v.dmc");
     workshop.done("decode v.dmc -o decoded.jsonl");

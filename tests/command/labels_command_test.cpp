@@ -132,12 +132,73 @@ TEST_CASE("a label without a surface is told, and has no file unless that is all
   CHECK_FALSE(workshop.read("9.stl").empty());
 }
 
+TEST_CASE("objects without triangles are in no file that holds several") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  for (const std::string file : {"all.glb", "all.3mf"}) {
+    INFO(file);
+    workshop.done(extract + "--labels all --min-volume 1 --allow-empty -q -o " + file);
+    const std::string bytes = workshop.read(file);
+    const auto left =
+        file == "all.glb" ? command::meshes_of_glb(bytes) : command::meshes_of_3mf(bytes);
+    REQUIRE(left.size() == 1);
+    CHECK(left[0].name == "1");
+  }
+}
+
+TEST_CASE("what a choice takes from a label is said with its name") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "1 bone 1 2 3\n2 skin 4 5 6\n");
+  const std::string named = extract + "--label-table table.txt -q -o v.glb --largest 1 ";
+  CHECK(workshop.run(named + "--labels all").error ==
+        "discmc: v.raw: label 2 (skin): 1 of 2 bodies and cavities kept\n");
+  CHECK(workshop.run(named + "--label 1 --label 2").error ==
+        "discmc: v.raw: skin: 1 of 2 bodies and cavities kept\n");
+}
+
+TEST_CASE("control characters of names are not printed") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "1 \x1b[31mred 1 2 3\n2 bell\a 4 5 6\n");
+  for (const std::string labels : {"--labels all", "--label 1 --label 2"})
+    for (const std::string file : {"v.glb", "v.3mf", "'{name}.stl'"}) {
+      const auto result =
+          workshop.run(extract + labels + " --label-table table.txt --largest 1 -o " + file);
+      CHECK(contains(result.out, "_[31mred"));
+      CHECK(contains(result.error, "bell_"));
+      for (const std::string control : {"\x1b", "\a"})
+        CHECK_FALSE(contains(result.out + result.error, control));
+    }
+}
+
+TEST_CASE("names too long for a file are cut, and stay apart") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  std::string whole;
+  for (int i = 0; i < 50; ++i) whole += "\xC3\xA4";
+  const std::string name = whole + whole + whole;  // 300 bytes
+  workshop.write("table.txt",
+                 "1 " + name + "1 1 2 3\n2 " + name + "2 4 5 6\n9 x" + name + " 1 1 1\n");
+  workshop.done(extract + "--labels all --label-table table.txt -q -o 'v-{name}.stl'");
+  for (const std::string& file : {whole, whole + "-2", "x" + whole.substr(2)}) {
+    INFO(file);
+    CHECK_FALSE(workshop.read("v-" + file + ".stl").empty());
+  }
+}
+
 TEST_CASE("labels that cannot be written are refused before any work") {
   const Workshop workshop;
   workshop.write("v.raw", volume);
   workshop.write("table.txt", "no table\n");
   workshop.write("nothing.raw", std::string(24, '\0'));
   workshop.write("half.raw", std::string(96, '\x3f'));  // 0.747...
+  std::string nan;
+  for (int i = 0; i < 24; ++i) nan += std::string("\0\0\xc0\x7f", 4);
+  workshop.write("nan.raw", nan);
+  workshop.write("nothing.nrrd",
+                 "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n\n" +
+                     std::string(24, '\0'));
   const auto names = workshop.names();
   const std::string all = extract + "--labels all ";
   check_failure(workshop.run(all + "-o v.stl"), 2, {"--labels", "{name}", ".glb or .3mf"});
@@ -158,6 +219,10 @@ TEST_CASE("labels that cannot be written are refused before any work") {
   check_failure(
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
       {"nothing.raw", "no label", "--allow-empty"});
+  check_failure(workshop.run(all + "--mask nothing.nrrd -o '{name}.stl'"), 1,
+                {"v.raw: it holds no label that --mask leaves; --allow-empty"});
+  check_failure(workshop.run("extract nan.raw --dims 4,2,3 --type f32 --labels all -o v.glb"), 1,
+                {"nan.raw: it holds no label, every voxel is 0 or not a number"});
   check_failure(
       workshop.run("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'"), 1,
       {"half.raw", "slice 0", "whole numbers"});

@@ -278,9 +278,11 @@ TEST_CASE("names of any bytes are valid text in JSON and XML") {
   const std::string whole = "\xC3\xA4 \xE2\x82\xAC \xF0\x9D\x84\x9E";
   CHECK(xml_attribute(whole) == whole);
   CHECK(json_string(whole) == "\"" + whole + "\"");
-  // Cut short, out of place, too long, a surrogate, no character, beyond the last one.
-  for (const std::string bytes : {"\xC3", "\xA4", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80",
-                                  "\xEF\xBF\xBF", "\xF4\x90\x80\x80", "\xFF", "\xE2\x82"}) {
+  // Cut short, out of place, too long, a surrogate, no character, beyond the last one, bytes that
+  // begin none.
+  for (const std::string bytes :
+       {"\xC3", "\xA4", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xEF\xBF\xBF",
+        "\xF4\x90\x80\x80", "\xF8\x90\x80\x80", "\xFC\x90\x80\x80", "\xFF", "\xE2\x82"}) {
     std::string replaced;
     for (std::size_t i = 0; i < bytes.size(); ++i) replaced += "\xEF\xBF\xBD";
     CHECK(xml_attribute("<" + bytes + "x") == "&lt;" + replaced + "x");

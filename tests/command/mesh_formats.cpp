@@ -232,6 +232,12 @@ Mesh mesh_of_object(const pugi::xml_node& resources, const pugi::xml_node& objec
   return mesh;
 }
 
+// A surface of nothing has none.
+Mesh only_mesh(const std::vector<Mesh>& meshes) {
+  CHECK(meshes.size() <= 1);
+  return meshes.empty() ? Mesh{} : meshes[0];
+}
+
 }  // namespace
 
 std::vector<Mesh> meshes_of_glb(const std::string& bytes) {
@@ -245,9 +251,7 @@ std::vector<Mesh> meshes_of_glb(const std::string& bytes) {
 }
 
 Mesh mesh_of_glb(const std::string& bytes) {
-  const std::vector<Mesh> meshes = meshes_of_glb(bytes);
-  CHECK(meshes.size() <= 1);
-  return meshes.empty() ? Mesh{} : meshes[0];
+  return only_mesh(meshes_of_glb(bytes));
 }
 
 std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
@@ -278,9 +282,7 @@ std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
 }
 
 Mesh mesh_of_3mf(const std::string& bytes) {
-  const std::vector<Mesh> meshes = meshes_of_3mf(bytes);
-  REQUIRE(meshes.size() == 1);
-  return meshes[0];
+  return only_mesh(meshes_of_3mf(bytes));
 }
 
 Mesh mesh_of_vtp(const std::string& bytes) {

@@ -1,12 +1,14 @@
 // discmc extract: a volume to a stream or to meshes.
 #include "extract.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <set>
 #include <utility>
 
 #include "commands.hpp"
+#include "control_character.hpp"
 #include "empty_surface.hpp"
 #include "mesh_files/file_format.hpp"
 #include "statistics/value_text.hpp"
@@ -40,6 +42,7 @@ void describe(NamedSelection& selection, const LabelTable& table) {
   const auto found = table.find(static_cast<std::int64_t>(values.low));
   if (found == table.end()) return;
   selection.name = found->second.name;
+  std::replace_if(selection.name.begin(), selection.name.end(), is_control, '_');
   selection.colour = found->second.colour;
 }
 
@@ -55,10 +58,10 @@ std::vector<std::string> files_for(const FilePattern& pattern,
   std::vector<std::string> files;
   std::set<std::string> taken;
   for (const NamedSelection& each : selections) {
-    std::string name = each.name;
-    while (!taken.insert(pattern.file_for(name)).second)
-      name += "-" + value_text(each.selection.low);
-    files.push_back(pattern.file_for(name));
+    std::string addition;
+    while (!taken.insert(pattern.file_for(each.name, addition)).second)
+      addition += "-" + value_text(each.selection.low);
+    files.push_back(pattern.file_for(each.name, addition));
   }
   return files;
 }

@@ -33,7 +33,8 @@ std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selec
 /// The table of labels that was given, or an empty one.
 LabelTable label_table_of(const ExtractArguments& arguments);
 
-/// Gives a label the name and the colour that it has in the table, if it is there.
+/// Gives a label the name and the colour that it has in the table, if it is there. Control
+/// characters of the name, which a terminal would obey, become underscores.
 void describe(NamedSelection& selection, const LabelTable& table);
 
 /// The files of surfaces. Where the pattern has their names no two are the same: of equal names all

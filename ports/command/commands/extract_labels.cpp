@@ -30,6 +30,18 @@ LabelledSurfaces surfaces_of(VolumeReader& volume, const ExtractArguments& argum
   }
 }
 
+// As in "it holds no label, every voxel is 0".
+std::string why_none(const ExtractArguments& arguments, std::uint64_t not_numbers) {
+  if (!arguments.reading.mask.empty()) return " that --mask leaves";
+  return not_numbers > 0 ? ", every voxel is 0 or not a number" : ", every voxel is 0";
+}
+
+// As in "label 2 (bone)".
+std::string title(const LabelledSurface& label, const NamedSelection& selection) {
+  const std::string number = std::to_string(label.label);
+  return "label " + number + (selection.name == number ? "" : " (" + selection.name + ")");
+}
+
 // target: the file, or the name in it.
 void write_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
                 std::ostream& out) {
@@ -53,8 +65,8 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   LabelledSurfaces labels = surfaces_of(*volume, arguments);
   note_not_numbers(arguments, labels.not_numbers);
   if (labels.all.empty() && !arguments.reading.allows_empty)
-    throw VolumeError(arguments.volume +
-                      ": it holds no label, every voxel is 0; --allow-empty takes that");
+    throw VolumeError(arguments.volume + ": it holds no label" +
+                      why_none(arguments, labels.not_numbers) + "; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
   for (const LabelledSurface& each : labels.all) {
@@ -70,9 +82,10 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const LabelledSurface& label = labels.all[i];
     Surface& surface = labels.all[i].surface;
-    keep_chosen(arguments.volume, arguments.components, surface);
+    keep_chosen(arguments.volume + ": " + title(label, selections[i]), arguments.components,
+                surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty) {
-      std::cerr << "discmc: " << arguments.volume << ": label " << label.label
+      std::cerr << "discmc: " << arguments.volume << ": " << title(label, selections[i])
                 << " has no surface left, so "
                 << (is_shared ? "it is not in " + files[i] : files[i] + " is not written") << '\n';
       continue;
@@ -80,6 +93,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     const SurfaceOutput output{surface, selections[i], files[i]};
     if (is_shared) {
       parts.push_back(part_of(arguments, output, placement));
+      surface = {};  // its memory is the next part's
       if (!arguments.quiet)
         write_line(label, parts.back().face_count(), parts.back().name, std::cout);
     } else {

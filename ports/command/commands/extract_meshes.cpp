@@ -116,7 +116,8 @@ int extract_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
-    keep_chosen(arguments.volume, arguments.components, surface);
+    keep_chosen(arguments.volume + (files.size() > 1 ? ": " + selections[i].name : ""),
+                arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
       throw VolumeError(arguments.volume +
                         ": no body is as large as --min-volume says; give less, "
@@ -125,6 +126,7 @@ int extract_meshes(const ExtractArguments& arguments) {
                                arguments.interpolates ? &finders[i].crossings() : nullptr};
     if (is_shared) {
       parts.push_back(part_of(arguments, output, placement));
+      surface = {};  // its memory is the next part's
       continue;
     }
     const MeshSummary mesh = write_mesh_of(arguments, output, placement);

@@ -72,6 +72,7 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
   if (choice.is_any()) return;
   const Progress progress("choosing");
   const ComponentCounts counts = keep_components(surface, choice);
+  if (counts.kept == counts.found) return;
   std::cerr << "discmc: " << name << ": " << counts.kept << " of " << counts.found
             << " bodies and cavities kept\n";
 }

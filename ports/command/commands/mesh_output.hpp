@@ -41,8 +41,8 @@ void write_surface(const Surface& surface, Format format, const MeshOptions& opt
 /// Says which polygons of the surface of this input the mesh has not, if there are any.
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);
 
-/// Takes away what is not chosen, and says how much that was, unless all is. name: of the volume or
-/// stream.
+/// Takes away what is not chosen, and says how much is left, where that is not all. name: of the
+/// volume or stream, and of the surface where it has several.
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface);
 
 /// A second pass over the volume of a mesh.

@@ -128,14 +128,6 @@ std::string describe(const Meshes& meshes, Arrays& arrays) {
          descriptions + "],\"materials\":[" + materials + "]," + arrays.json() + "}";
 }
 
-// The format knows no empty arrays: a mesh without faces is a scene without its node.
-Meshes with_faces(Meshes meshes) {
-  meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
-                              [](const Mesh* mesh) { return mesh->face_count() == 0; }),
-               meshes.end());
-  return meshes;
-}
-
 void write_arrays(const Mesh& mesh, Writer& writer) {
   for (const Point& vertex : mesh.vertices_mm) writer.point(vertex);
   // The format knows no vertex without a normal either.
@@ -147,7 +139,7 @@ void write_arrays(const Mesh& mesh, Writer& writer) {
 }  // namespace
 
 void write_glb(const Meshes& meshes, std::ostream& out) {
-  const Meshes seen = with_faces(meshes);
+  const Meshes seen = with_faces(meshes);  // the format knows no empty arrays
   for (const Mesh* mesh : seen) require_triangles(*mesh, "GLB");
   Arrays arrays;
   std::string json = describe(seen, arrays);

@@ -39,12 +39,13 @@ void write_obj(const Mesh& mesh, std::ostream& out);
 
 /// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, under a node that scales them to
 /// the metres of the format and turns z upwards, which there is y. Normals where the mesh has them;
-/// a material each, in the colour of the mesh if it has one. Each mesh has a node, with its name.
-/// Limit: triangles only, and 4 GiB; otherwise std::invalid_argument.
+/// a material each, in the colour of the mesh if it has one. Each mesh that has faces has a node,
+/// with its name. Limit: triangles only, and 4 GiB; otherwise std::invalid_argument.
 void write_glb(const Meshes& meshes, std::ostream& out);
 
-/// 3MF, an object a mesh: exact decimal coordinates, its name, and its colour if it has one. Units:
-/// millimetres, and the file says so. Limit: triangles only, otherwise std::invalid_argument.
+/// 3MF, an object a mesh that has faces: exact decimal coordinates, its name, and its colour if it
+/// has one. Units: millimetres, and the file says so. Limit: triangles only, otherwise
+/// std::invalid_argument.
 void write_3mf(const Meshes& meshes, std::ostream& out);
 
 /// VTK's XML PolyData, coordinates as 32-bit floats, and so are normals, where the mesh has them.

@@ -11,8 +11,10 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
+// 0: none begins with it.
 std::size_t length_by_first_byte(unsigned char first) {
   if (first < 0x80) return 1;
+  if (first < 0xC0 || first >= 0xF8) return 0;
   if (first >= 0xF0) return 4;
   return first >= 0xE0 ? 3 : 2;
 }
@@ -21,8 +23,8 @@ std::size_t length_by_first_byte(unsigned char first) {
 std::size_t character_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   const std::size_t length = length_by_first_byte(first);
-  if (length == 1) return 1;
-  if (first < 0xC0 || length > text.size()) return 0;
+  if (length <= 1) return length;
+  if (length > text.size()) return 0;
   std::uint32_t code = first & (0x7FU >> length);
   for (std::size_t i = 1; i < length; ++i) {
     const auto next = static_cast<unsigned char>(text[i]);

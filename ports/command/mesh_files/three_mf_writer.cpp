@@ -103,7 +103,8 @@ void write_3mf(const Meshes& meshes, std::ostream& out) {
   constexpr std::uint64_t vertex_line = 100, triangle_line = 70, the_rest = 1000;  // at most
   constexpr std::uint64_t letter = 12;  // of a name, in both places, escaped
   std::uint64_t bytes = the_rest;
-  for (const Mesh* mesh : meshes) {
+  const Meshes seen = with_faces(meshes);  // the format knows no object without triangles
+  for (const Mesh* mesh : seen) {
     require_triangles(*mesh, "3MF");
     bytes += vertex_line * mesh->vertices_mm.size() + triangle_line * mesh->face_count() +
              letter * mesh->name.size() + the_rest;
@@ -111,7 +112,7 @@ void write_3mf(const Meshes& meshes, std::ostream& out) {
   ZipFile zip(out, bytes);
   zip.add("[Content_Types].xml", [](std::ostream& part) { part << content_types; });
   zip.add("_rels/.rels", [](std::ostream& part) { part << relationships; });
-  zip.add("3D/3dmodel.model", [&meshes](std::ostream& part) { write_model(meshes, part); });
+  zip.add("3D/3dmodel.model", [&seen](std::ostream& part) { write_model(seen, part); });
   zip.finish();
   Writer(out).finish();
 }

@@ -10,6 +10,13 @@ void require_triangles(const Mesh& mesh, const std::string& format) {
     if (mesh.face_size(face) != 3) throw std::invalid_argument(format + " takes triangles only");
 }
 
+Meshes with_faces(Meshes meshes) {
+  meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
+                              [](const Mesh* mesh) { return mesh->face_count() == 0; }),
+               meshes.end());
+  return meshes;
+}
+
 void Writer::text(std::string_view text) {
   while (!text.empty()) {
     const std::size_t part = std::min(text.size(), full);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh_files.hpp"
 #include "meshes/mesh.hpp"
 
 namespace discmc::host {
@@ -33,6 +34,9 @@ constexpr std::string_view header_text(const Mesh& mesh) {
 
 /// Throws std::invalid_argument where a face is no triangle. format: its name.
 void require_triangles(const Mesh& mesh, const std::string& format);
+
+/// Those of the meshes that have faces.
+Meshes with_faces(Meshes meshes);
 
 /// The shortest decimal that reads back as the same value.
 template <typename Number>
