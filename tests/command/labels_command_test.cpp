@@ -69,6 +69,29 @@ TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is giv
   CHECK_FALSE(workshop.read("own-2.ply").empty());
 }
 
+TEST_CASE(
+    "a label of several segments has the name of its layer, or none where that is open") {
+  const Workshop workshop;
+  const std::string keys =
+      "Segment0_Layer:=0\nSegment0_Name:=Bone\nSegment0_LabelValue:=1\n"
+      "Segment1_Layer:=1\nSegment1_Name:=Skin\nSegment1_LabelValue:=1\n"
+      "Segment2_Layer:=0\nSegment2_Name:=Teeth\nSegment2_LabelValue:=2\n\n";
+  const std::string head = "NRRD0005\ntype: uchar\nencoding: raw\n";
+  workshop.write("layers.seg.nrrd",
+                 head + "dimension: 4\nsizes: 4 2 3 2\n" + keys + volume + volume);
+  const auto layer = [&](const std::string& number) {
+    return workshop.done("extract layers.seg.nrrd --labels all --frame " + number + " -o 'layer" +
+                         number + "-{name}.stl'");
+  };
+  CHECK(contains(layer("0"), "layer0-Bone.stl"));
+  CHECK(contains(layer("1"), "layer1-Skin.stl"));
+  workshop.write("one.seg.nrrd", head + "dimension: 3\nsizes: 4 2 3\n" + keys + volume);
+  const auto one = workshop.run("extract one.seg.nrrd --labels all -o 'one-{name}.stl'");
+  CHECK(contains(one.out, "one-1.stl"));
+  CHECK(contains(one.out, "one-Teeth.stl"));
+  CHECK(contains(one.error, "left without a name: 1, such as label 1 of 'Bone' and 'Skin'"));
+}
+
 TEST_CASE("a file of a format that holds several has all meshes, with their names and colours") {
   const Workshop workshop;
   workshop.write("v.raw", volume);

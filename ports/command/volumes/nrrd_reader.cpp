@@ -346,7 +346,8 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
   info.type = sample_type(file, needed(file, header.fields, "type"));
   set_sizes(info, file, header.fields, options);
   set_geometry(info, file, header.fields);
-  info.labels = header.segments.table();
+  info.labels = header.segments.table(
+      info.frames > 1 ? options.frame : std::optional<std::uint32_t>(), info.notes);
   const bool is_big_endian = big_endian(file, header.fields, info.type);
 
   const std::string_view name = field(header.fields, "data file");
