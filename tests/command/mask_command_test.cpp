@@ -69,6 +69,21 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
   workshop.write("v.nii", volume_files::Nifti().dims({3, 9, 8, 7}).scale(1, 1).file(samples));
   check_failure(workshop.run("extract v.nii --labels all --mask m.nrrd -o '{name}.stl'"), 1,
                 {"no sample has the value 0"});
+  // The largest sample, and a half, stand for 0.
+  std::string floats;
+  for (char& sample : samples) {
+    const float value = static_cast<float>(sample) + 0.5F;
+    floats.append(reinterpret_cast<const char*>(&value), sizeof value);
+    sample = static_cast<char>(255 - sample);
+  }
+  const auto nifti = [] { return volume_files::Nifti().dims({3, 9, 8, 7}); };
+  workshop.write("255.nii", nifti().scale(1, -255).file(samples));
+  workshop.write("half.nii", nifti().type(16).scale(1, -0.5F).file(floats));
+  for (const std::string name : {"255", "half"})
+    workshop.done("extract " + name + ".nii --labels all --mask m.nrrd --space voxel -o '" + name +
+                  "-{name}.stl'");
+  CHECK(workshop.read("half-1.stl") == workshop.read("all-1.stl"));
+  CHECK(workshop.shell("ls 255-*").out == "255--1.stl\n255--2.stl\n255--3.stl\n");
 }
 
 TEST_CASE("what the mask has as 0 is off, whatever is selected") {

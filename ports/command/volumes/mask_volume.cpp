@@ -51,13 +51,16 @@ class Mask final : public VolumeReader {
 // The sample that stands for 0; nothing where the type has none.
 template <class Sample>
 std::optional<Sample> zero_of(const VolumeInfo& info) {
-  const double stored = std::round(-info.intercept / info.slope);
-  if (!(stored >= static_cast<double>(std::numeric_limits<Sample>::lowest()) &&
-        stored < static_cast<double>(std::numeric_limits<Sample>::max())))
-    return std::nullopt;
-  const auto sample = static_cast<Sample>(stored);
-  const double value = info.slope * static_cast<double>(sample) + info.intercept;
-  return value == 0 ? std::optional(sample) : std::nullopt;
+  const double exact = -info.intercept / info.slope;
+  for (const double stored : {std::round(exact), exact}) {
+    // The largest sample of 64 bits is none of double, but the one above it is.
+    if (!(stored >= static_cast<double>(std::numeric_limits<Sample>::lowest()) &&
+          stored < static_cast<double>(std::numeric_limits<Sample>::max()) + 1))
+      continue;
+    const auto sample = static_cast<Sample>(stored);
+    if (info.slope * static_cast<double>(sample) + info.intercept == 0) return sample;
+  }
+  return std::nullopt;
 }
 
 class MaskedVolume final : public VolumeReader {
