@@ -124,6 +124,9 @@ TEST_CASE("what else is in a zip is passed over, and names may be in any languag
       "del";
   const Folder place;
   CHECK(open_volume(place.write("study.zip", zip(series)))->info().dims[2] == series.size());
+  series.emplace_back("preview.png", "of the first slice");
+  CHECK(noted(open_volume(place.write("with-picture.zip", zip(series)))->info(),
+              "such as 'preview.png'; to read them unpack the zip"));
 }
 
 TEST_CASE("nothing is left of a zip when a signal ends the program, and two may be open") {

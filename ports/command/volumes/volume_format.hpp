@@ -37,10 +37,11 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
                                             std::vector<std::filesystem::path> files,
                                             const VolumeOptions& options);
 
-/// Opens what is in a folder: DICOM, with a note of pictures beside it, or else pictures. Throws
-/// when there is neither.
+/// Opens what is in a folder: DICOM, with a note of pictures beside it and the remedy that reads
+/// them, or else pictures. Throws when there is neither.
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
-                                          const VolumeOptions& options);
+                                          const VolumeOptions& options,
+                                          const std::string& remedy_of_pictures);
 
 /// Whether a file is named as archives of zip are.
 bool has_zip_name(const std::filesystem::path& file);

@@ -194,7 +194,8 @@ std::filesystem::path picture_folder(std::filesystem::path folder) {
 
 std::unique_ptr<VolumeReader> open_unpacked(const std::filesystem::path& folder,
                                             const VolumeOptions& options) {
-  return open_folder(dicom_files(folder).empty() ? picture_folder(folder) : folder, options);
+  return open_folder(dicom_files(folder).empty() ? picture_folder(folder) : folder, options,
+                     "unpack the zip, and give a pattern, such as 'FOLDER/*.png'");
 }
 
 // A volume whose files are gone when it is closed, and bear the name of the archive in errors.
