@@ -222,6 +222,19 @@ TEST_CASE("slices at uneven distances are refused") {
   check_refusal(refusal(series.path()), "2.5 mm apart, but 3.5 mm between 107.5 mm");
 }
 
+TEST_CASE("a gap is a whole number of slices, however many are missing") {
+  VolumeOptions options;
+  options.allow_gaps = true;
+  const Series series;
+  series.put(4, replaced(slice(4), place(4), "120.000"));
+  CHECK(open_volume(series.path(), options)->info().dims[2] == 9);
+  // 4.92 and 5.04 slices on.
+  for (const std::string along : {"119.800", "120.100"}) {
+    series.put(4, replaced(slice(4), place(4), along));
+    check_refusal(refusal(series.path(), options), "2.5 mm apart, but 12.");
+  }
+}
+
 TEST_CASE("a slice that is there twice counts once, and another in its place is refused") {
   const Series series;
   series.write("copy", slice(1));

@@ -136,14 +136,15 @@ class NumberedStack : public Folder {
 TEST_CASE("a number that is missing among the names is refused with its place") {
   const NumberedStack stack({8, 9, 10, 12, 13, 14, 17});
   const std::string text = refusal(stack.path());
-  check_refusal(text, "1 slice is missing between a2_10.png and a2_12.png; ");
+  check_refusal(text,
+                "3 slices are missing, the largest of 2 gaps between a2_14.png and a2_17.png; ");
   check_refusal(text, "--allow-gaps");
 }
 
 TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, and a note tells") {
   const NumberedStack stack({8, 9, 11, 12, 13, 16});
   const auto reader = open_volume(stack.path(), with_gaps_allowed());
-  CHECK(noted(reader->info(), "3 slices are missing, the first of 2 gaps between a2_9.png and"));
+  CHECK(noted(reader->info(), "3 slices are missing, the largest of 2 gaps between a2_13.png and"));
   CHECK(reader->info().dims[2] == 9);
   const std::vector<double> all = read_all(*reader);
   const std::vector<double> there = values(6, in_u16);
@@ -169,11 +170,12 @@ TEST_CASE("names with even steps, two numbers, or numbers that count nothing hav
   CHECK(open_volume(two_numbers.path())->info().dims[2] == 4);
 }
 
-TEST_CASE("where more is missing than is there, the numbers are taken as an order, with a note") {
-  const NumberedStack stack({1, 2, 3, 900});
-  const auto reader = open_volume(stack.path(), with_gaps_allowed());
-  CHECK(reader->info().dims[2] == 4);
-  CHECK(noted(reader->info(), "leap between a2_3.png and a2_900.png"));
+TEST_CASE("where more is missing than is there, that is refused with the largest gap") {
+  const NumberedStack stack({1, 2, 3, 5, 900});
+  for (const VolumeOptions& options : {VolumeOptions{}, with_gaps_allowed()})
+    check_refusal(refusal(stack.path(), options),
+                  "895 slices are missing, the largest of 2 gaps between a2_5.png and a2_900.png, "
+                  "which is too much to be filled");
 }
 
 TEST_CASE("what is of several kinds is refused with the remedy, and not left out") {

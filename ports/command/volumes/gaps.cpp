@@ -1,5 +1,6 @@
 #include "gaps.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "volume_format.hpp"
@@ -7,8 +8,13 @@
 namespace discmc::host {
 namespace {
 
-std::string are_missing(std::uint64_t slices) {
-  return std::to_string(slices) + (slices == 1 ? " slice is missing" : " slices are missing");
+std::string are_missing(const std::vector<Gap>& gaps) {
+  const std::uint64_t slices = missing_slices(gaps);
+  const auto largest = std::max_element(
+      gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.missing < b.missing; });
+  return std::to_string(slices) + (slices == 1 ? " slice is missing" : " slices are missing") +
+         (gaps.size() == 1 ? " " : ", the largest of " + std::to_string(gaps.size()) + " gaps ") +
+         largest->place;
 }
 
 }  // namespace
@@ -18,21 +24,13 @@ std::uint64_t missing_slices(const std::vector<Gap>& gaps) {
                          [](std::uint64_t sum, const Gap& gap) { return sum + gap.missing; });
 }
 
-bool can_be_filled(const std::vector<Gap>& gaps, std::size_t slices) {
-  return missing_slices(gaps) <= slices;
-}
-
 std::string note_of_filling(const std::filesystem::path& source, const std::vector<Gap>& gaps,
-                            std::size_t slices, bool is_allowed) {
-  const std::string first = are_missing(gaps[0].missing) + ' ' + gaps[0].place;
-  if (!can_be_filled(gaps, slices))
-    fail(source, first + ", which is too much to be filled", "export or copy the series again");
-  if (!is_allowed)
-    fail(source, first,
-         "export or copy the series again, or let --allow-gaps repeat the nearest slice");
-  if (gaps.size() == 1) return first + ", filled with the nearest ones";
-  return are_missing(missing_slices(gaps)) + ", the first of " + std::to_string(gaps.size()) +
-         " gaps " + gaps[0].place + ", filled with the nearest ones";
+                            std::size_t slices, bool is_allowed, const std::string& remedy) {
+  const std::string what = are_missing(gaps);
+  if (missing_slices(gaps) > slices)
+    fail(source, what + ", which is too much to be filled", remedy);
+  if (!is_allowed) fail(source, what, remedy + ", or let --allow-gaps repeat the nearest slice");
+  return what + ", filled with the nearest ones";
 }
 
 }  // namespace discmc::host

@@ -27,13 +27,10 @@ struct Gap {
 /// Units: slices that are missing in all of them.
 std::uint64_t missing_slices(const std::vector<Gap>& gaps);
 
-/// Whether the gaps may be filled: at most as many slices are missing as are there.
-bool can_be_filled(const std::vector<Gap>& gaps, std::size_t slices);
-
-/// Returns the note that the gaps are filled. Throws VolumeError where that is not allowed, or not
-/// possible. Limit: one gap or more.
+/// Returns the note that the gaps are filled. Throws VolumeError with the remedy where that is not
+/// allowed, or more slices are missing than are there. Limit: one gap or more.
 std::string note_of_filling(const std::filesystem::path& source, const std::vector<Gap>& gaps,
-                            std::size_t slices, bool is_allowed);
+                            std::size_t slices, bool is_allowed, const std::string& remedy);
 
 /// Puts the nearest slice in the place of each that is missing, of two the one before it.
 template <class Slice>

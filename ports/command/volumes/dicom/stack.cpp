@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <locale>
+#include <numeric>
 #include <sstream>
 #include <string_view>
 #include <tuple>
@@ -138,16 +139,22 @@ Distances even_distances(const std::filesystem::path& source, const DicomStack& 
   std::vector<double> sorted = steps;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
-  const double step = *middle;
+  const auto is_even = [median = *middle](double distance) {
+    return std::fabs(distance - median) <= tolerance * median;
+  };
+  // The mean of them, as what is rounded adds up over a gap.
+  const auto odd = std::partition(sorted.begin(), sorted.end(), is_even);
+  const double step = std::accumulate(sorted.begin(), odd, 0.0) /
+                      static_cast<double>(std::distance(sorted.begin(), odd));
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (std::fabs(steps[i] - step) <= tolerance * step) continue;
+    if (is_even(steps[i])) continue;
     const double missing =
         std::min(std::round(steps[i] / step) - 1, static_cast<double>(most_missing));
     const std::string where = "between " + number(along(stack[i])) + " mm (" + name(stack[i]) +
                               ") and " + number(along(stack[i + 1])) + " mm (" +
                               name(stack[i + 1]) + ")";
-    if (missing < 1 || std::fabs(steps[i] - (missing + 1) * step) > tolerance * steps[i])
+    if (!(missing >= 1 && std::fabs(steps[i] - (missing + 1) * step) <= tolerance * step))
       fail(source,
            "the slices are " + number(step) + " mm apart, but " + number(steps[i]) + " mm " + where,
            "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
@@ -194,7 +201,8 @@ double distance_by_places(const std::filesystem::path& source, VolumeInfo& info,
   require_straight(source, stack, along);
   const Distances distances = even_distances(source, stack, along);
   if (!distances.gaps.empty()) {
-    info.notes.push_back(note_of_filling(source, distances.gaps, stack.size(), allow_gaps));
+    info.notes.push_back(note_of_filling(source, distances.gaps, stack.size(), allow_gaps,
+                                         "export or copy the series again"));
     fill_gaps(stack, distances.gaps);
   }
   return distances.step;

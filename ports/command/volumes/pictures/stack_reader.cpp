@@ -104,12 +104,9 @@ void close_gaps(const std::filesystem::path& source,
   if (files.size() != slices.size()) return;
   const std::vector<Gap> gaps = gaps_of_names(files);
   if (gaps.empty()) return;
-  if (!can_be_filled(gaps, slices.size())) {
-    notes.push_back("the numbers of the names leap " + gaps[0].place +
-                    ", and are taken for no more than their order");
-    return;
-  }
-  notes.push_back(note_of_filling(source, gaps, slices.size(), allow_gaps));
+  notes.push_back(
+      note_of_filling(source, gaps, slices.size(), allow_gaps,
+                      "export or copy the pictures again, or number their names without gaps"));
   fill_gaps(slices, gaps);
 }
 
