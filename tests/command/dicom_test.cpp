@@ -286,7 +286,7 @@ TEST_CASE("of several volumes in one series one is chosen by its number, not by 
   by_uid.series = uid;
   for (const VolumeOptions& options : {VolumeOptions{}, by_uid}) {
     const std::string text = refusal(series.path(), options);
-    check_refusal(text, "several volumes in one series");
+    check_refusal(text, "several volumes in one series, of different directions:");
     check_refusal(text, "--series N");
     CHECK(!contains(text, "--series UID"));
   }
@@ -295,11 +295,20 @@ TEST_CASE("of several volumes in one series one is chosen by its number, not by 
         depth);
 }
 
+TEST_CASE("a slice without position in a series is told") {
+  const Series series;
+  series.put(2, replaced(slice(2), "-10.000\\-20.000\\" + place(2), "                       "));
+  const std::string text = refusal(series.path());
+  check_refusal(text, "several volumes in one series, with and without position (");
+  check_refusal(text, "1 slice of 8 x 6 without position, 'CT'");
+  check_refusal(text, "4 slices of 8 x 6, 'CT'");
+}
+
 TEST_CASE("pictures beside DICOM are left out, and a note tells") {
   const Series series;
   series.write("preview.png", "of the first slice");
   const auto reader = open_volume(series.path());
-  CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'"));
+  CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'; to read them give a pattern"));
   CHECK(read_all(*reader) == values());
 }
 

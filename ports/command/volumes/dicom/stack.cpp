@@ -63,6 +63,7 @@ std::string description(const DicomStack& stack) {
   const DicomImage& image = *stack[0].image;
   std::string text = std::to_string(stack.size()) + (stack.size() == 1 ? " slice" : " slices") +
                      " of " + std::to_string(image.columns) + " x " + std::to_string(image.rows);
+  if (!stack[0].place) text += " without position";
   if (!image.modality.empty()) text += ", " + shown(image.modality);
   if (!image.description.empty()) text += ", " + shown(image.description);
   return text + ", UID " + shown_uid(image.series);
@@ -85,6 +86,33 @@ bool have_one_series(const std::vector<DicomStack>& stacks, const Places& places
   return std::all_of(places.begin(), places.end(), [&](std::size_t place) {
     return stacks[place][0].image->series == stacks[places[0]][0].image->series;
   });
+}
+
+// What makes volumes of one series several.
+std::string differences(const std::vector<DicomStack>& stacks, const Places& places) {
+  const auto differ = [&](auto are_alike) {
+    return std::any_of(places.begin(), places.end(), [&](std::size_t a) {
+      return std::any_of(places.begin(), places.end(),
+                         [&](std::size_t b) { return !are_alike(stacks[a][0], stacks[b][0]); });
+    });
+  };
+  std::string text;
+  if (differ([](const DicomFrame& a, const DicomFrame& b) {
+        return a.image->columns == b.image->columns && a.image->rows == b.image->rows;
+      }))
+    text += ", of different extents";
+  if (differ(
+          [](const DicomFrame& a, const DicomFrame& b) { return a.image->type == b.image->type; }))
+    text += ", of different types of samples";
+  if (differ([](const DicomFrame& a, const DicomFrame& b) {
+        return !a.place || !b.place || have_one_direction(a, b);
+      }))
+    text += ", of different directions";
+  if (differ([](const DicomFrame& a, const DicomFrame& b) {
+        return a.place.has_value() == b.place.has_value();
+      }))
+    text += ", with and without position (ImagePositionPatient and ImageOrientationPatient)";
+  return text;
 }
 
 // ---- the order of a stack ----
@@ -304,8 +332,7 @@ const DicomStack& chosen_stack(const std::filesystem::path& source,
          "give one of them to --series");
   if (have_one_series(stacks, chosen))
     fail(source,
-         "several volumes in one series, of different extents, samples or directions:" +
-             list(stacks, chosen),
+         "several volumes in one series" + differences(stacks, chosen) + ":" + list(stacks, chosen),
          "choose one with --series N, its number in this list");
   fail(source, "several volumes:" + list(stacks, chosen),
        "choose one with --series N, its number in this list, or --series UID");
