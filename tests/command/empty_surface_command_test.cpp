@@ -39,6 +39,8 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
       {"--iso 4901 --median 3", "no voxel reaches 4901"},
       {"--label 100 --mask none.nrrd", "no voxel that is 100 is left by --mask"},
       {"--label 100 --median 3", "no voxel that is 100 is left by --median"},
+      {"--iso=-1000 --border open --median 3",
+       "after --median every voxel reaches -1000, and an open border has no surface"},
   };
   for (const auto& [selection, reason] : examples)
     for (const std::string file : {"v.stl", "v.jsonl", "v.dmc", "other.stl"}) {
@@ -116,6 +118,40 @@ TEST_CASE("a surface that is the box of the volume is taken, and said to be one"
   const Result piped = workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl");
   CHECK(piped.code == 0);
   CHECK(contains(piped.error, "standard input: every voxel reaches -2000"));
+}
+
+TEST_CASE("what fills the volume after the median, or by infinite values, is told as that") {
+  const Workshop workshop;
+  const auto write = [&](const std::string& name, const std::string& sample, int hole) {
+    std::string samples;
+    for (int i = 0; i < 60; ++i) samples += (i == hole ? "0" : sample) + " ";
+    workshop.write(
+        name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") + "\n" + samples);
+  };
+  write("hole.nrrd", "7", 22);
+  write("inf.nrrd", "inf", -1);
+  write("mixed.nrrd", "inf", 22);
+  std::string mostly_off = "inf ";
+  for (int i = 0; i < 59; ++i) mostly_off += "0 ";
+  workshop.write("one.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") +
+                                 "\n" + mostly_off);
+  const std::string open = ", and an open border has no surface: ";
+  const std::pair<std::string, std::string> examples[] = {
+      {"hole.nrrd --median 3 --border open", "after --median every voxel reaches 5" + open},
+      {"inf.nrrd --border open", "every voxel reaches 5" + open},
+      {"mixed.nrrd --median 3 --border open", "after --median every voxel reaches 5" + open},
+      {"one.nrrd --median 3", "no voxel that reaches 5 is left by --median"},
+  };
+  for (const std::string command : {"extract", "render"})
+    for (const auto& [arguments, reason] : examples)
+      check_failure(workshop.run(command + " " + arguments + " --iso 5 -o v." +
+                                 (command == "extract" ? "stl" : "png")),
+                    1, {reason});
+  check_failure(workshop.run("render inf.nrrd --classic --border open --iso 5 -o v.png"), 1,
+                {"inf.nrrd: every voxel reaches 5" + open});
+  for (const std::string command : {"extract hole.nrrd -q -o v.stl", "render hole.nrrd -o v.png"})
+    CHECK(contains(workshop.run(command + " --iso 5 --median 3 ").error,
+                   "hole.nrrd: after --median every voxel reaches 5, so the surface is the box"));
 }
 
 TEST_CASE("an empty surface of a volume without numbers says so") {

@@ -20,17 +20,22 @@ std::string condition(const Selection& selection) {
   return "is in " + end_text(selection.low) + ".." + end_text(selection.high);
 }
 
+// As in "every voxel reaches 300".
+std::string every_voxel(const VolumeArguments& arguments, const Selection& selection) {
+  return (arguments.median > 0 ? "after --median every voxel " : "every voxel ") +
+         condition(selection);
+}
+
 std::string reason(const VolumeArguments& arguments, const Selection& selection,
-                   const std::optional<ValueRange>& range) {
-  const bool is_reached =
-      range && selection.low <= range->greatest && selection.high >= range->least;
+                   const ValueRange& range, bool is_full) {
+  const bool has_all = selection.low <= range.least && range.greatest <= selection.high;
+  if (is_full || (arguments.border == Border::open && has_all && arguments.mask.empty()))
+    return every_voxel(arguments, selection) + ", and an open border has no surface";
+  const bool is_reached = selection.low <= range.greatest && selection.high >= range.least;
   if (is_reached && !arguments.mask.empty())
     return "no voxel that " + condition(selection) + " is left by --mask";
   if (is_reached && arguments.median > 0)
     return "no voxel that " + condition(selection) + " is left by --median";
-  if (arguments.border == Border::open && range && selection.low <= range->least &&
-      range->greatest <= selection.high)
-    return "every voxel " + condition(selection) + ", and an open border has no surface";
   return "no voxel " + condition(selection);
 }
 
@@ -47,20 +52,26 @@ std::string values_text(const std::optional<ValueRange>& range) {
 }  // namespace
 
 std::string why_empty(const std::string& path, const VolumeArguments& arguments,
-                      const Selection& selection, const MeasuredVolume& volume) {
-  const auto range = volume.range();
-  return name_for_people(path) + ": " + reason(arguments, selection, range) + ": " +
-         values_text(range) + "; discmc info shows more of the values";
+                      const Selection& selection, const MeasuredVolume& volume, bool is_full) {
+  return name_for_people(path) + ": " +
+         reason(arguments, selection, volume.range_with_infinities(), is_full) + ": " +
+         values_text(volume.range()) + "; discmc info shows more of the values";
 }
 
 void fail_empty(const std::string& path, const VolumeArguments& arguments,
-                const Selection& selection, const MeasuredVolume& volume) {
-  throw VolumeError(why_empty(path, arguments, selection, volume) +
+                const Selection& selection, const MeasuredVolume& volume, bool is_full) {
+  throw VolumeError(why_empty(path, arguments, selection, volume, is_full) +
                     ", --allow-empty takes an empty surface");
 }
 
-void note_full(const std::string& path, const Selection& selection, const MeasuredVolume& volume) {
-  std::cerr << "discmc: " << name_for_people(path) << ": every voxel " << condition(selection)
+void check_surface(const std::string& path, const VolumeArguments& arguments,
+                   const Selection& selection, const MeasuredVolume& volume,
+                   const Extraction& extraction) {
+  const bool is_empty = extraction.statistics.facets == 0;
+  if (is_empty && !arguments.allows_empty)
+    fail_empty(path, arguments, selection, volume, extraction.is_full);
+  if (is_empty || !extraction.is_full) return;
+  std::cerr << "discmc: " << name_for_people(path) << ": " << every_voxel(arguments, selection)
             << ", so the surface is the box of the volume: " << values_text(volume.range())
             << "; discmc info shows more of the values\n";
 }

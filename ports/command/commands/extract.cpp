@@ -74,13 +74,9 @@ void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbe
 
 void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,
                     const MeasuredVolume& volume) {
-  for (std::size_t i = 0; i < extractions.size(); ++i) {
-    const Selection& selection = arguments.reading.selections[i].selection;
-    const bool is_empty = extractions[i].statistics.facets == 0;
-    if (is_empty && !arguments.reading.allows_empty)
-      fail_empty(arguments.volume, arguments.reading, selection, volume);
-    if (!is_empty && extractions[i].is_full) note_full(arguments.volume, selection, volume);
-  }
+  for (std::size_t i = 0; i < extractions.size(); ++i)
+    check_surface(arguments.volume, arguments.reading, arguments.reading.selections[i].selection,
+                  volume, extractions[i]);
 }
 
 int run_extract(const ExtractArguments& arguments) {

@@ -65,8 +65,7 @@ void write_parts(const ExtractArguments& arguments, const std::vector<Mesh>& par
 
 MeshSummary summary_of(const Mesh& mesh, const ExtractArguments& arguments);
 
-/// Throws as fail_empty() where a surface is empty and must not be, and says which are a box.
-/// volume: that they are of.
+/// As check_surface(), of each. volume: that they are of.
 void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,
                     const MeasuredVolume& volume);
 

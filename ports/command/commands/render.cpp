@@ -51,8 +51,8 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
   const Selection& asked = arguments.reading.selections[0].selection;
-  if (extract(narrow ? *narrow : volume, options, sink_to(joiner)).is_full)
-    note_full(arguments.input, asked, volume);
+  const Extraction extraction = extract(narrow ? *narrow : volume, options, sink_to(joiner));
+  check_surface(arguments.input, arguments.reading, asked, volume, extraction);
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return mesh_to_draw(arguments, builder.surface());
 }

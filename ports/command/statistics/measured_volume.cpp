@@ -13,4 +13,14 @@ std::optional<ValueRange> MeasuredVolume::range() const {
   return ValueRange{value(bounds_.least), value(bounds_.greatest)};
 }
 
+ValueRange MeasuredVolume::range_with_infinities() const {
+  constexpr double infinity = SampleBounds::infinity;
+  ValueRange all = range().value_or(ValueRange{infinity, -infinity});
+  if (bounds_.has_minus_infinity) all.least = -infinity;
+  if (bounds_.has_infinity) all.greatest = infinity;
+  if (bounds_.is_empty() && bounds_.has_infinity && !bounds_.has_minus_infinity)
+    all.least = infinity;
+  return all;
+}
+
 }  // namespace discmc::host

@@ -29,6 +29,9 @@ class MeasuredVolume final : public VolumeReader {
   /// Of the finite values that were read so far, if there are any.
   std::optional<ValueRange> range() const;
 
+  /// The same with the infinite values; least > greatest where none is a number.
+  ValueRange range_with_infinities() const;
+
  private:
   std::unique_ptr<VolumeReader> volume_;
   SampleBounds bounds_;

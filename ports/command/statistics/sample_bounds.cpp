@@ -35,20 +35,20 @@ Bounds<Sample> bounds_of(const Sample* samples, std::size_t count, Condition is_
   return bounds;
 }
 
-// Infinite samples are few: they are looked for only where there are any. Of what is not a number
-// no comparison holds.
-template <class Sample>
-Bounds<Sample> finite_bounds(const Sample* samples, std::size_t count) {
-  const auto all = bounds_of(samples, count, [](Sample) { return true; });
-  if (is_finite(all.least) && is_finite(all.greatest)) return all;
-  return bounds_of(samples, count, [](Sample sample) { return is_finite(sample); });
-}
-
 }  // namespace
 
+// Infinite samples are few: they are looked for only where there are any. Of what is not a number
+// no comparison holds.
 void SampleBounds::include(SampleType type, const void* samples, std::size_t count) {
-  with_sample_type(type, [&](auto sample) {
-    const auto bounds = finite_bounds(static_cast<const decltype(sample)*>(samples), count);
+  with_sample_type(type, [&](auto type_of) {
+    using Sample = decltype(type_of);
+    const auto* const typed = static_cast<const Sample*>(samples);
+    auto bounds = bounds_of(typed, count, [](Sample) { return true; });
+    const bool has_low = !is_finite(bounds.least), has_high = !is_finite(bounds.greatest);
+    has_minus_infinity = has_minus_infinity || has_low;
+    has_infinity = has_infinity || has_high;
+    if (has_low || has_high)
+      bounds = bounds_of(typed, count, [](Sample sample) { return is_finite(sample); });
     if (bounds.least > bounds.greatest) return;
     least = std::min(least, static_cast<double>(bounds.least));
     greatest = std::max(greatest, static_cast<double>(bounds.greatest));

@@ -9,10 +9,14 @@
 
 namespace discmc::host {
 
-/// Of the finite samples that have come. Units: as stored.
+/// Of the finite samples that have come, and whether infinite ones have. Units: as stored.
 struct SampleBounds {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -std::numeric_limits<double>::infinity();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  double least = infinity;
+  double greatest = -infinity;
+  bool has_infinity = false;
+  bool has_minus_infinity = false;
 
   /// Whether no finite sample has come.
   bool is_empty() const { return least > greatest; }
