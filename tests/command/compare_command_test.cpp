@@ -108,6 +108,20 @@ TEST_CASE("what cannot be compared is refused by its name") {
   check_failure(workshop.run("compare v.dmc"), 2, {"B"});
 }
 
+TEST_CASE("a mesh that has no distance, or is not read, is refused before anything is told") {
+  const Workshop workshop;
+  workshop.write("square.obj", square(0));
+  workshop.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  workshop.write("v.vtp", "<VTKFile type=\"PolyData\"/>");
+  if (lacks_assimp(workshop.run("compare square.obj square.obj"))) return;
+  for (const std::string inputs : {"square.obj line.obj", "line.obj square.obj"})
+    check_failure(workshop.run("compare " + inputs), 1,
+                  {"line.obj: no triangle has an area", "give the mesh"});
+  check_failure(workshop.run("compare v.vtp square.obj"), 1, {"v.vtp", "write it as .ply or .stl"});
+  for (const std::string command : {"info v.vtp", "render v.vtp -o v.png", "decode v.vtp -o v.stl"})
+    check_failure(workshop.run(command), 1, {"v.vtp: this is a mesh", ".stl, .ply"});
+}
+
 TEST_CASE("a volume is compared where it lies in space, as its mesh is") {
   const Workshop workshop;
   const auto ball = discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 100);

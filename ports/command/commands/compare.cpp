@@ -105,10 +105,16 @@ int run_compare(const CompareArguments& arguments) {
   const Compared a = surface_of(arguments.inputs[0], arguments);
   const Compared b = surface_of(arguments.inputs[1], arguments);
   const Compared* const compared[] = {&a, &b};
-  for (std::size_t i = 0; i < 2; ++i)
-    if (compared[i]->mesh.face_count() == 0)
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Mesh& mesh = compared[i]->mesh;
+    if (mesh.face_count() == 0)
       throw std::invalid_argument(arguments.inputs[i].name +
                                   ": the surface is empty: there is no distance from it");
+    if (!has_area(mesh))
+      throw std::invalid_argument(arguments.inputs[i].name +
+                                  ": no triangle has an area: there is no distance from it; give "
+                                  "the mesh of a surface");
+  }
   std::cout << "  " << std::left << std::setw(20) << "distances" << std::right << std::setw(12)
             << "mean" << std::setw(12) << "99 % within" << std::setw(12) << "largest" << '\n';
   write_distances(a, b, {1, 1, 1}, "mm");

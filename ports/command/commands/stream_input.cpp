@@ -57,8 +57,7 @@ void refuse_other_kinds(const std::string& path) {
     throw std::runtime_error(
         path + ": this is a volume, not a stream; give it to discmc extract, info or render");
   if (is_mesh_name(path))
-    throw std::runtime_error(path +
-                             ": this is a mesh, not a stream; only discmc compare takes meshes");
+    throw std::runtime_error(path + ": this is a mesh, not a stream; " + who_takes_meshes);
 }
 
 }  // namespace

@@ -14,9 +14,13 @@
 namespace discmc::host {
 namespace {
 
+std::string extension_of(const std::string& file) {
+  return lower(std::filesystem::path(file).extension().string());
+}
+
 // glTF is in metres with y upwards.
 bool is_gltf(const std::string& file) {
-  const std::string extension = lower(std::filesystem::path(file).extension().string());
+  const std::string extension = extension_of(file);
   return extension == ".glb" || extension == ".gltf";
 }
 
@@ -50,6 +54,9 @@ Mesh read_mesh(const std::string& file) {
   Assimp::Importer importer;
   const aiScene* scene =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  if (scene == nullptr && !importer.IsExtensionSupported(extension_of(file)))
+    throw std::runtime_error(file +
+                             ": meshes of this format are not read: write it as .ply or .stl");
   if (scene == nullptr)
     throw std::runtime_error(file + ": cannot be read as a mesh: " + importer.GetErrorString());
   Mesh mesh;

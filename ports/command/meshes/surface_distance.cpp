@@ -58,6 +58,15 @@ Point point_in(const Corners& triangle, std::array<double, 2> at) {
 
 }  // namespace
 
+bool has_area(const Mesh& mesh) {
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const auto at = [&](std::size_t i) { return mesh.vertices_mm[mesh.face(face)[i]]; };
+    for (std::size_t i = 2; i < mesh.face_size(face); ++i)
+      if (area({at(0), at(i - 1), at(i)}) > 0) return true;
+  }
+  return false;
+}
+
 Distances distances(const Mesh& from, const Mesh& to, const Point& unit,
                     const std::function<void(std::size_t, std::size_t)>& progress,
                     std::size_t samples) {

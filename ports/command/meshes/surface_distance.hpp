@@ -9,6 +9,9 @@
 
 namespace discmc::host {
 
+/// Whether any face is more than a line or a point.
+bool has_area(const Mesh& mesh);
+
 /// Of points of one mesh from the nearest points of another.
 struct Distances {
   double mean = 0;
@@ -22,8 +25,8 @@ constexpr std::size_t default_distance_samples = 200'000;
 /// The distances of the points of `from` from the faces of `to`. The mean and the percentile are
 /// of points spread evenly over the area, always the same ones; the largest is of these and of all
 /// vertices. unit: coordinates are divided by it, the spacing of a volume to measure in voxels.
-/// Limit: both have faces, otherwise std::invalid_argument. Faces are taken as fans.
-/// Time: n log n for n faces, and so much for each point as there are faces near to it.
+/// Limit: both have faces, and `from` has_area(); otherwise std::invalid_argument. Faces are taken
+/// as fans. Time: n log n for n faces, and so much for each point as there are faces near to it.
 /// progress: called with how many points are done, of how many.
 Distances distances(const Mesh& from, const Mesh& to, const Point& unit = {1, 1, 1},
                     const std::function<void(std::size_t, std::size_t)>& progress = {},

@@ -9,6 +9,10 @@ namespace discmc::host {
 bool is_stream_name(const std::filesystem::path& file);
 bool is_mesh_name(const std::filesystem::path& file);
 
+/// The end of an error where a mesh is given to another command.
+constexpr const char* who_takes_meshes =
+    "only discmc compare takes meshes: .stl, .ply, .obj, .glb or .3mf";
+
 }  // namespace discmc::host
 
 #endif

@@ -111,7 +111,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     fail(file, "this is a stream, not a volume", "give it to discmc decode, info or render");
   if (is_mesh_name(file))
     fail(file, "this is a mesh, not a volume",
-         "give the volume that it was made of; only discmc compare takes meshes");
+         std::string("give the volume that it was made of; ") + who_takes_meshes);
   const auto found = format_of_magic(stream);
   for (const Format& format : formats)
     if (found == format.name) return format.open(std::move(stream), options);
