@@ -37,13 +37,13 @@ std::string as_file_name(const std::string& name) {
 
 }  // namespace
 
-std::string FilePattern::unknown_placeholder() const {
+std::string FilePattern::first_in_braces(std::string_view but_for) const {
   for (std::size_t at = pattern_.find('{'); at != std::string::npos;
        at = pattern_.find('{', at + 1)) {
     const std::size_t end = pattern_.find('}', at);
     if (end == std::string::npos) break;
     const std::string_view found = std::string_view(pattern_).substr(at, end + 1 - at);
-    if (found != placeholder) return std::string(found);
+    if (found != but_for) return std::string(found);
   }
   return {};
 }

@@ -3,6 +3,8 @@
 #define DISCMC_COMMAND_FILE_PATTERN_HPP
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace discmc::host {
 
@@ -13,8 +15,11 @@ class FilePattern {
 
   bool has_name() const { return pattern_.find(placeholder) != std::string::npos; }
 
+  /// The first text in braces, with them; empty where there is none.
+  std::string first_placeholder() const { return first_in_braces({}); }
+
   /// The first text in braces that is not {name}, with them; empty where there is none.
-  std::string unknown_placeholder() const;
+  std::string unknown_placeholder() const { return first_in_braces(placeholder); }
 
   /// What no name of a file can have becomes an underscore; a long name is cut, but not the
   /// addition that tells it from others.
@@ -25,6 +30,8 @@ class FilePattern {
 
  private:
   static constexpr const char* placeholder = "{name}";
+
+  std::string first_in_braces(std::string_view but_for) const;
 
   std::string pattern_;
 };

@@ -129,5 +129,9 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
     CHECK(result.code == 2);
     CHECK(contains(result.error, usage.second));
   }
+  for (const std::string braces : {"{name}", "{n}", "{}"})
+    for (const std::string command : {"render v.nrrd --iso 100 -o 'a", "decode v.dmc -o 'a"})
+      check_failure(workshop.run(command + braces + (command[0] == 'r' ? ".png'" : ".stl'")), 2,
+                    {"--output: ", braces + " stands for nothing"});
   CHECK(workshop.names() == names);
 }

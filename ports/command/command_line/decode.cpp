@@ -4,6 +4,7 @@
 #include "command_line.hpp"
 #include "commands/commands.hpp"
 #include "mesh_options.hpp"
+#include "option_checks.hpp"
 #include "stream_options.hpp"
 #include "volume_options.hpp"
 
@@ -26,7 +27,9 @@ Command add_decode(CLI::App& app) {
   CLI::App* decode = app.add_subcommand("decode", "Turn a stream into a mesh, or pack it anew");
   decode->add_option("STREAM", arguments->stream, "a .dmc file; - reads standard input")
       ->required();
-  add_output_option(*decode, arguments->output, "a stream on standard output")->required();
+  add_output_option(*decode, arguments->output, "a stream on standard output")
+      ->check(without_braces())
+      ->required();
   add_choice_options(*decode, arguments->choice);
   add_normals_option(*decode, arguments->normals,
                      "those that the stream tells, or from the samples of --volume");

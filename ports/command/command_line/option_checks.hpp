@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "file_pattern.hpp"
 #include "number_text.hpp"
 
 namespace discmc::host {
@@ -36,6 +37,18 @@ inline CLI::Validator not_negative() {
   return CLI::Validator(
       [](std::string& text) {
         return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
+      },
+      "");
+}
+
+/// For commands that write one surface, where no name stands in braces.
+inline CLI::Validator without_braces() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const std::string found = FilePattern(text).first_placeholder();
+        return found.empty() ? std::string()
+                             : text + ": " + found +
+                                   " stands for nothing, as there is one surface: leave it out";
       },
       "");
 }

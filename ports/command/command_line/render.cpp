@@ -91,6 +91,7 @@ Command add_render(CLI::App& app) {
   render
       ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")
       ->check(png_name())
+      ->check(without_braces())
       ->required();
   add_picture_options(*render, *arguments);
   add_choice_options(*render, arguments->choice);
