@@ -69,8 +69,7 @@ TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is giv
   CHECK_FALSE(workshop.read("own-2.ply").empty());
 }
 
-TEST_CASE(
-    "a label of several segments has the name of its layer, or none where that is open") {
+TEST_CASE("a label of several segments has the name of its layer, or none where that is open") {
   const Workshop workshop;
   const std::string keys =
       "Segment0_Layer:=0\nSegment0_Name:=Bone\nSegment0_LabelValue:=1\n"
