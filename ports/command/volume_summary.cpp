@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "extraction/labels.hpp"
 #include "statistics/threshold_rule.hpp"
 #include "statistics/value_text.hpp"
 #include "summary.hpp"
@@ -89,11 +90,10 @@ void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
 // Of a segmentation, without its background.
 std::vector<double> labels(const VolumeStatistics& statistics) {
   constexpr std::size_t most = 64;
-  constexpr double exact = 0x1p53;
   std::vector<double> labels;
   if (!statistics.is_exact || statistics.infinite > 0 || statistics.counts.size() > most) return {};
   for (const ValueCount& each : statistics.counts) {
-    if (each.value != std::floor(each.value) || std::fabs(each.value) >= exact) return {};
+    if (each.value != std::floor(each.value) || std::fabs(each.value) >= end_of_labels) return {};
     if (each.value != 0) labels.push_back(each.value);
   }
   return labels;

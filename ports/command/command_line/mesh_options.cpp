@@ -5,7 +5,6 @@
 
 #include "mesh_files/file_format.hpp"
 #include "named_values.hpp"
-#include "number_text.hpp"
 #include "option_checks.hpp"
 
 namespace discmc::host {
@@ -20,17 +19,6 @@ CLI::Validator known_format() {
           return std::string(error.what());
         }
         return std::string();
-      },
-      "");
-}
-
-// A validator, as CLI11's own name the largest number there is.
-template <class Condition>
-CLI::Validator accepted(Condition holds, const std::string& wanted) {
-  return CLI::Validator(
-      [holds, wanted](std::string& text) {
-        const auto value = finite_number(text);
-        return value && holds(*value) ? std::string() : "'" + text + "' is no " + wanted;
       },
       "");
 }

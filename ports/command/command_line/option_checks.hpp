@@ -14,12 +14,20 @@
 
 namespace discmc::host {
 
-inline CLI::Validator finite() {
+/// A finite number for which the condition holds. wanted: what it is called, as CLI11 would name
+/// the largest number there is.
+template <class Condition>
+CLI::Validator accepted(Condition holds, const std::string& wanted) {
   return CLI::Validator(
-      [](std::string& text) {
-        return finite_number(text) ? std::string() : "'" + text + "' is no finite number";
+      [holds, wanted](std::string& text) {
+        const auto value = finite_number(text);
+        return value && holds(*value) ? std::string() : "'" + text + "' is no " + wanted;
       },
       "");
+}
+
+inline CLI::Validator finite() {
+  return accepted([](double) { return true; }, "finite number");
 }
 
 /// The spacing of a stream is a count of nanometres in 32 bits.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "extraction/labels.hpp"
 #include "number_text.hpp"
 #include "surface_options.hpp"
 
@@ -33,8 +34,7 @@ std::optional<NamedSelection> range(const std::string& text) {
 
 std::optional<NamedSelection> label(const std::string& text) {
   const auto value = finite_number(text);
-  constexpr double first_unsure = 0x1p53;  // it might be another one, rounded
-  if (!value || *value != std::floor(*value) || std::fabs(*value) >= first_unsure)
+  if (!value || *value != std::floor(*value) || std::fabs(*value) >= end_of_labels)
     return std::nullopt;
   return NamedSelection{{*value, *value}, text};
 }

@@ -1,7 +1,6 @@
 // discmc extract: a volume to a stream or to meshes.
 #include "extract.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <set>
@@ -10,6 +9,7 @@
 #include "commands.hpp"
 #include "control_character.hpp"
 #include "empty_surface.hpp"
+#include "extraction/labels.hpp"
 #include "mesh_files/file_format.hpp"
 #include "statistics/value_text.hpp"
 #include "thresholds.hpp"
@@ -37,12 +37,10 @@ LabelTable label_table_of(const ExtractArguments& arguments) {
 
 void describe(NamedSelection& selection, const LabelTable& table) {
   const Selection& values = selection.selection;
-  constexpr double exact = 0x1p53;
-  if (!values.is_one_value() || std::fabs(values.low) > exact) return;
+  if (!values.is_one_value() || std::fabs(values.low) >= end_of_labels) return;
   const auto found = table.find(static_cast<std::int64_t>(values.low));
   if (found == table.end()) return;
-  selection.name = found->second.name;
-  std::replace_if(selection.name.begin(), selection.name.end(), is_control, '_');
+  selection.name = without_control(found->second.name);
   selection.colour = found->second.colour;
 }
 

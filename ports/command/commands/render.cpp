@@ -64,8 +64,8 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   Progress progress("extracting", volume->info().dims[2]);
   const auto mask = open_noted_mask(arguments.reading, volume->info());
   const auto options = extraction_options(arguments.reading, progress, mask.get());
-  Mesh mesh =
-      arguments.classic ? classic_mesh(*volume, options) : merged_mesh(arguments, *volume, options);
+  if (!arguments.classic) return merged_mesh(arguments, *volume, options);
+  Mesh mesh = classic_mesh(*volume, options);
   if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
     fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0].selection,
                *volume);

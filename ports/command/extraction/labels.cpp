@@ -24,7 +24,6 @@ struct Label {
   std::unique_ptr<LabelRun> run{};  // null in slices that are far from its voxels
 };
 
-constexpr double end_of_labels = 0x1p53;
 constexpr std::uint64_t most_run_bytes = std::uint64_t{4} << 30;
 
 [[noreturn]] void refuse(const std::string& what) {

@@ -33,6 +33,9 @@ struct LabelledSurfaces {
   std::uint64_t not_numbers = 0;     ///< samples that are not a number: of no label
 };
 
+/// Labels are whole numbers of a magnitude below this: of greater ones double rounds some.
+constexpr double end_of_labels = 0x1p53;
+
 /// What a volume may hold.
 constexpr std::uint32_t most_labels = 65536;
 /// In a slice and the two before it, where voxels of one value lie side by side no more than by

@@ -19,7 +19,7 @@ std::string extension_of(const std::string& file) {
 }
 
 // glTF is in metres with y upwards.
-bool is_gltf(const std::string& file) {
+bool is_gltf_name(const std::string& file) {
   const std::string extension = extension_of(file);
   return extension == ".glb" || extension == ".gltf";
 }
@@ -30,14 +30,14 @@ Point in_mm(const aiVector3D& at, bool is_gltf) {
   return is_gltf ? Point{1000 * point[0], -1000 * point[2], 1000 * point[1]} : point;
 }
 
-void add(const aiMesh& part, const std::string& file, Mesh& mesh) {
+void add(const aiMesh& part, const std::string& file, bool is_gltf, Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices_mm.size());
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
     const aiVector3D& at = part.mVertices[i];
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
       throw std::runtime_error(file + ": vertex " + std::to_string(first + i) +
                                " is not finite: write the mesh anew");
-    mesh.vertices_mm.push_back(in_mm(at, is_gltf(file)));
+    mesh.vertices_mm.push_back(in_mm(at, is_gltf));
   }
   for (unsigned i = 0; i < part.mNumFaces; ++i) {
     const aiFace& face = part.mFaces[i];
@@ -60,7 +60,8 @@ Mesh read_mesh(const std::string& file) {
   if (scene == nullptr)
     throw std::runtime_error(file + ": cannot be read as a mesh: " + importer.GetErrorString());
   Mesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) add(*scene->mMeshes[i], file, mesh);
+  const bool is_gltf = is_gltf_name(file);
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) add(*scene->mMeshes[i], file, is_gltf, mesh);
   if (mesh.face_count() == 0)
     throw std::runtime_error(file + ": holds no triangle: give a mesh with faces");
   return mesh;

@@ -7,6 +7,8 @@
 namespace discmc::host {
 namespace {
 
+constexpr std::size_t most_waiting = 128;  // the tree has at most 64 levels
+
 // The place of a triangle on a curve through space on which neighbours are mostly near: the bits of
 // its three coordinates in turn (G. M. Morton, 1966).
 std::uint64_t place_on_curve(const Corners& triangle, const Box& all) {
@@ -64,7 +66,7 @@ double BoxTree::distance(const Point& point, double enough) {
   };
   const double squared_enough = enough * enough;
   Nearest nearest{squared_distance(point, triangle(last_)), last_};
-  std::array<Waiting, 128> waiting;  // the tree has at most 64 levels
+  std::array<Waiting, most_waiting> waiting;
   std::size_t count = 0;
   waiting[count++] = {1, boxes_[1].squared_distance(point)};
   while (count > 0 && nearest.squared_distance > squared_enough) {
@@ -92,13 +94,15 @@ void BoxTree::look_in_leaf(std::size_t leaf, const Point& point, Nearest& neares
 }
 
 bool BoxTree::is_near(const Box& box) const {
-  std::vector<std::size_t> waiting{1};
-  while (!waiting.empty()) {
-    const std::size_t node = waiting.back();
-    waiting.pop_back();
+  std::array<std::size_t, most_waiting> waiting;
+  std::size_t count = 0;
+  waiting[count++] = 1;
+  while (count > 0) {
+    const std::size_t node = waiting[--count];
     if (!boxes_[node].overlaps(box)) continue;
     if (node < leaves_) {
-      waiting.insert(waiting.end(), {2 * node, 2 * node + 1});
+      waiting[count++] = 2 * node;
+      waiting[count++] = 2 * node + 1;
       continue;
     }
     const std::size_t leaf = node - leaves_;

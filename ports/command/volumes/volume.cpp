@@ -98,7 +98,8 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     require_headerless_name(file);
     return open_raw(ByteStream(file), *options.layout);
   }
-  if (is_folder(file)) return open_folder(file, options, "give a pattern, such as '*.png'");
+  if (is_folder(file))
+    return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");
   if (is_pattern(file)) return open_pattern(file, options);
   if (is_picture_name(file)) return open_pictures(file, {file}, options);
   if (has_dicom_name(file)) return open_dicom(file, {file}, options);
@@ -158,12 +159,12 @@ std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::pa
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
+                                          const std::vector<std::filesystem::path>& dicom,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures) {
-  const auto files = dicom_files(folder);
   const auto pictures = picture_files(folder);
-  if (!files.empty())
-    return open_dicom(folder, files, options, notes_of_left_out(pictures, remedy_of_pictures));
+  if (!dicom.empty())
+    return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
   fail(folder, "the folder holds no DICOM, PNG or TIFF files",
        "name a file, or the folder of a series");

@@ -38,8 +38,9 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
                                             const VolumeOptions& options);
 
 /// Opens what is in a folder: DICOM, with a note of pictures beside it and the remedy that reads
-/// them, or else pictures. Throws when there is neither.
+/// them, or else pictures. Throws when there is neither. dicom: dicom_files() of it.
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
+                                          const std::vector<std::filesystem::path>& dicom,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures);
 

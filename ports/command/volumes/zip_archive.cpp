@@ -1,5 +1,4 @@
 // A zip of DICOM or pictures: unpacked into a folder for temporary files, and read from there.
-#include <algorithm>
 #include <utility>
 
 #include "control_character.hpp"
@@ -115,13 +114,6 @@ class Utf8Locale {
   locale_t before_{};
 };
 
-// A name that can be shown.
-std::string without_control(std::string text) {
-  for (char& c : text)
-    if (is_control(c)) c = '_';
-  return text;
-}
-
 // The name of a member; its number where the archive has it in a way that is not known.
 std::string name_of(archive_entry* entry, std::size_t number) {
   const char* name = archive_entry_pathname_utf8(entry);
@@ -194,7 +186,8 @@ std::filesystem::path picture_folder(std::filesystem::path folder) {
 
 std::unique_ptr<VolumeReader> open_unpacked(const std::filesystem::path& folder,
                                             const VolumeOptions& options) {
-  return open_folder(dicom_files(folder).empty() ? picture_folder(folder) : folder, options,
+  const auto dicom = dicom_files(folder);
+  return open_folder(dicom.empty() ? picture_folder(folder) : folder, dicom, options,
                      "unpack the zip, and give a pattern, such as 'FOLDER/*.png'");
 }
 
