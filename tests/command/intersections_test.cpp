@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -76,20 +78,32 @@ TEST_CASE("the intersections are the same in any units, also where an axis runs 
   }
 }
 
-TEST_CASE("a tree finds any two triangles whose boxes overlap, and each two once") {
+TEST_CASE("a box holds its triangle, as near as its bounds can be") {
+  const Corners triangle = {{{0.1, -0.1, 1e9 + 1}, {0.7, -0.7, 1e-9}, {1.0 / 3, -1.0 / 3, 0}}};
+  const Box box(triangle);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [least, most] =
+        std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
+    CHECK(static_cast<double>(box.low[axis]) <= least);
+    CHECK(static_cast<double>(box.high[axis]) >= most);
+    CHECK(static_cast<double>(std::nextafter(box.low[axis], Box::infinity)) > least);
+    CHECK(static_cast<double>(std::nextafter(box.high[axis], -Box::infinity)) < most);
+  }
+}
+
+TEST_CASE("a tree finds any two boxes that overlap, and each two once") {
   for (const std::size_t count : {0U, 1U, 4U, 5U, 100U}) {
     Chance chance(static_cast<std::uint32_t>(count) + 1);
-    std::vector<Corners> triangles(count);
-    std::vector<Box> boxes(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    std::vector<Box> boxes;
+    while (boxes.size() < count) {
       const double x = chance.below(20), y = chance.below(20), z = chance.below(20);
-      for (Point& corner : triangles[i]) {
+      Corners triangle;
+      for (Point& corner : triangle)
         corner = {x + chance.below(5), y + chance.below(5), z + chance.below(5)};
-        boxes[i].include(corner);
-      }
+      boxes.emplace_back(triangle);
     }
     std::vector<std::vector<int>> calls(count, std::vector<int>(count));
-    BoxTree(triangles).for_each_near_pair([&](std::uint32_t a, std::uint32_t b) {
+    BoxTree(boxes).for_each_near_pair([&](std::uint32_t a, std::uint32_t b) {
       ++calls[a][b];
       ++calls[b][a];
     });

@@ -135,8 +135,8 @@ class CrossingFinder::SlicesOf final : public Slices {
         selector_(info, selection),
         width_(info.dims[0]),
         height_(info.dims[1]),
-        row_bytes_(bit_row_bytes(width_)) {
-    range_ = selected_samples<Sample>(info, selection);
+        row_bytes_(bit_row_bytes(width_)),
+        range_(selected_samples<Sample>(info, selection)) {
     const double half = is_floating(info.type) ? 0 : 0.5;
     low_level_ = static_cast<double>(range_.low) - half;
     high_level_ = static_cast<double>(range_.high) + half;

@@ -77,8 +77,9 @@ Refinement::Refinement(const Crossings& crossings, double tolerance)
       squared_tolerance_(std::min(4 * tolerance * tolerance, std::numeric_limits<double>::max())) {}
 
 const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& side) {
-  side_.clear();
-  for (const Vertex& vertex : side) side_.push_back(moved(vertex));
+  side_.resize(side.size());
+  for (std::size_t i = 0; i < side.size(); ++i)
+    if (i == 0 || i + 1 == side.size() || is_crossing(side[i])) side_[i] = moved(side[i]);
   needed_.clear();
   spans_.assign(1, {0, side.size() - 1});
   while (!spans_.empty()) {

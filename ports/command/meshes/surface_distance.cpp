@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "box_tree.hpp"
+#include "point_distance.hpp"
 
 namespace discmc::host {
 namespace {
@@ -71,7 +72,11 @@ Distances distances(const Mesh& from, const Mesh& to, const Point& unit,
                     const std::function<void(std::size_t, std::size_t)>& progress,
                     std::size_t samples) {
   const std::vector<Corners> others = triangles_of(to, unit);
-  BoxTree tree(others);
+  BoxTree tree(std::vector<Box>(others.begin(), others.end()));
+  const auto distance_of = [&](const Point& point, double enough) {
+    return tree.distance(
+        point, enough, [&](std::uint32_t place) { return squared_distance(point, others[place]); });
+  };
   const std::vector<Corners> triangles = triangles_of(from, unit);
   double whole_area = 0;
   for (const Corners& triangle : triangles) whole_area += area(triangle);
@@ -87,7 +92,7 @@ Distances distances(const Mesh& from, const Mesh& to, const Point& unit,
   double due = 0.5;
   for (const Corners& triangle : triangles)
     for (due += area(triangle) / whole_area * static_cast<double>(samples); due >= 1; --due) {
-      measured.push_back(tree.distance(point_in(triangle, even_points.next())));
+      measured.push_back(distance_of(point_in(triangle, even_points.next()), 0));
       show(measured.size());
     }
 
@@ -101,7 +106,7 @@ Distances distances(const Mesh& from, const Mesh& to, const Point& unit,
   }
   for (std::size_t i = 0; i < from.corners.size(); ++i) {
     const Point vertex = divided(from.vertices_mm[from.corners[i]], unit);
-    result.largest = tree.distance(vertex, result.largest);
+    result.largest = distance_of(vertex, result.largest);
     show(samples + i + 1);
   }
   return result;
