@@ -4,7 +4,7 @@
 
 #include "extraction.hpp"
 #include "meshes/mesh.hpp"
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
 

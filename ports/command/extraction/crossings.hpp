@@ -12,7 +12,7 @@
 
 #include "meshes/point.hpp"
 #include "selection.hpp"
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
 

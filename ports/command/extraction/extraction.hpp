@@ -13,7 +13,7 @@
 
 #include "crossings.hpp"
 #include "selection.hpp"
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "statistics/sample_bounds.hpp"
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
 

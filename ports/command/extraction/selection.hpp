@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
 

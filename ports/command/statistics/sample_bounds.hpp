@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
 

@@ -1,23 +1,10 @@
 #include "stream_file.hpp"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace discmc::host {
-namespace {
-
-std::int32_t nanometres(double millimetres) {
-  const double value = std::round(millimetres * 1e6);
-  if (!(std::fabs(value) <= 2147483647.0))
-    throw std::invalid_argument("spacing " + std::to_string(millimetres) +
-                                " mm is more than the 2147 mm that a stream can hold: give the "
-                                "volume a smaller unit");
-  return static_cast<std::int32_t>(value);
-}
-
-}  // namespace
 
 ByteOutput StreamOutput::byte_output() {
   return {this, [](void* context, const std::uint8_t* bytes, std::size_t count) {
@@ -127,17 +114,6 @@ Status StreamReader::give_memory() {
   const std::uint64_t bytes = minimum_surface_bytes(limits, header().surfaces()) + for_chains;
   memory_.reset(new std::uint8_t[bytes]);
   return decoder_.give_memory({memory_.get(), bytes});
-}
-
-std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm) {
-  return {nanometres(spacing_mm[0]), nanometres(spacing_mm[1]), nanometres(spacing_mm[2])};
-}
-
-std::array<double, 3> spacing_mm(const StreamHeader& header) {
-  std::array<double, 3> spacing{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    spacing[axis] = header.spacing_nm[axis] != 0 ? header.spacing_nm[axis] * 1e-6 : 1.0;
-  return spacing;
 }
 
 }  // namespace discmc::host

@@ -2,7 +2,6 @@
 #ifndef DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
 #define DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <istream>
@@ -15,6 +14,7 @@
 #include <discmc/surface_decoder.hpp>
 
 #include "scan_filter.hpp"
+#include "spacing.hpp"
 #include "stream_census.hpp"
 #include "streams/version1/decoder.hpp"
 #include "version_search.hpp"
@@ -82,12 +82,6 @@ class StreamReader {
   Status status_ = Status::ok;
   std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
 };
-
-/// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
-std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
-
-/// The header's spacing, 1 where the stream does not say. Units: millimetres.
-std::array<double, 3> spacing_mm(const StreamHeader& header);
 
 }  // namespace discmc::host
 

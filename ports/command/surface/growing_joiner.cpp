@@ -12,7 +12,7 @@ bool is_of_region(Event::Kind kind) {
 
 }  // namespace
 
-GrowingJoiner::GrowingJoiner(const Sink& sink, std::uint64_t bytes)
+GrowingJoiner::GrowingJoiner(const Sink& sink, std::size_t bytes)
     : sink_(sink), bytes_(bytes), memory_(new std::uint8_t[bytes]) {
   const Sink joined{this, [](void* context, const Event& event) {
                       return static_cast<GrowingJoiner*>(context)->pass(event);

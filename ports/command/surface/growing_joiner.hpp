@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_SURFACE_GROWING_JOINER_HPP
 #define DISCMC_COMMAND_SURFACE_GROWING_JOINER_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -14,11 +15,11 @@ namespace discmc::host {
 /// passes on what it holds; then the next one, with four times as much, goes on.
 class GrowingJoiner {
  public:
-  static constexpr std::uint64_t first_bytes = std::uint64_t{1} << 20;
+  static constexpr std::size_t first_bytes = std::size_t{1} << 20;
 
   /// sink: must take everything at once; Owner: the caller, as long as events are taken. bytes: of
   /// the first joiner.
-  explicit GrowingJoiner(const Sink& sink, std::uint64_t bytes = first_bytes);
+  explicit GrowingJoiner(const Sink& sink, std::size_t bytes = first_bytes);
   GrowingJoiner(const GrowingJoiner&) = delete;
   GrowingJoiner& operator=(const GrowingJoiner&) = delete;
 
@@ -32,7 +33,7 @@ class GrowingJoiner {
   bool is_unmatched();
 
   Sink sink_;
-  std::uint64_t bytes_;
+  std::size_t bytes_;
   std::unique_ptr<std::uint8_t[]> memory_;
   Joiner joiner_;
   bool has_fragments_ = false;   // before any a region is whole, and the joiner need not see it

@@ -1,24 +1,12 @@
-// The names and colours of the labels of a segmentation.
+// Tables of labels as files.
 #ifndef DISCMC_COMMAND_VOLUMES_LABEL_TABLE_HPP
 #define DISCMC_COMMAND_VOLUMES_LABEL_TABLE_HPP
 
-#include <cstdint>
 #include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
 
-#include "srgb.hpp"
+#include "label_description.hpp"
 
 namespace discmc::host {
-
-struct LabelDescription {
-  std::string name;
-  std::optional<Srgb> colour;
-};
-
-/// What is known of labels, by their values.
-using LabelTable = std::map<std::int64_t, LabelDescription>;
 
 /// Reads a table of labels, as programs write them: lines of "INDEX NAME RED GREEN BLUE" (3D
 /// Slicer, FreeSurfer), of "INDEX RED GREEN BLUE ALPHA VISIBLE MESH "NAME"" (ITK-SNAP), or columns

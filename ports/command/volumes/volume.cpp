@@ -6,7 +6,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
-#include <limits>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -191,32 +190,6 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);
   return volume;
-}
-
-double lowered_by_rounding(const VolumeInfo& info, double iso) {
-  // iso, slope and intercept are decimal numbers, each rounded once.
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-  if (info.slope == 1 && info.intercept == 0) return iso;
-  return iso - rounding * std::fabs(iso) - rounding * std::fabs(info.intercept);
-}
-
-std::int32_t stored_threshold(const VolumeInfo& info, double iso) {
-  constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  if (!std::isfinite(iso)) return static_cast<std::int32_t>(iso < 0 ? least : most);
-
-  const double reached = lowered_by_rounding(info, iso);
-  // Bisection, since it is exact where a quotient would be rounded, and saturates by itself.
-  std::int64_t low = least;
-  std::int64_t high = most;
-  while (low < high) {
-    const std::int64_t middle = low + (high - low) / 2;
-    if (info.slope * static_cast<double>(middle) + info.intercept >= reached)
-      high = middle;
-    else
-      low = middle + 1;
-  }
-  return static_cast<std::int32_t>(low);
 }
 
 }  // namespace discmc::host

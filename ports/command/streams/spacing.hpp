@@ -1,0 +1,20 @@
+// The distance between voxels, as volumes and as streams tell it.
+#ifndef DISCMC_COMMAND_STREAMS_SPACING_HPP
+#define DISCMC_COMMAND_STREAMS_SPACING_HPP
+
+#include <array>
+#include <cstdint>
+
+#include <discmc/stream_header.hpp>
+
+namespace discmc::host {
+
+/// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
+std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
+
+/// The header's spacing, 1 where the stream does not say. Units: millimetres.
+std::array<double, 3> spacing_mm(const StreamHeader& header);
+
+}  // namespace discmc::host
+
+#endif
