@@ -1,0 +1,55 @@
+#include "corner_set.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace discmc::web {
+namespace {
+
+template <class Call>
+void for_each_corner(const std::vector<host::Polygon>& polygons, Call call) {
+  for (const host::Polygon& polygon : polygons)
+    for (const host::Ring& ring : polygon.rings)
+      for (const Vertex& corner : ring) call(corner);
+}
+
+}  // namespace
+
+void CornerSet::fill(const std::vector<host::Polygon>& polygons) {
+  blocks_.clear();
+  lay_out(polygons);
+  for_each_corner(polygons, [this](const Vertex& corner) {
+    const Place place = place_of(corner);
+    std::uint32_t& block = numbers_[place.block];
+    if (block == none) {
+      block = static_cast<std::uint32_t>(blocks_.size());
+      blocks_.emplace_back();
+    }
+    blocks_[block][place.word] |= std::uint64_t{1} << place.bit;
+  });
+}
+
+void CornerSet::lay_out(const std::vector<host::Polygon>& polygons) {
+  numbers_.clear();
+  if (polygons.empty()) return;
+  least_ = polygons[0].rings[0][0];
+  Vertex most = least_;
+  for_each_corner(polygons, [&](const Vertex& corner) {
+    least_ = {std::min(least_.x, corner.x), std::min(least_.y, corner.y),
+              std::min(least_.z, corner.z)};
+    most = {std::max(most.x, corner.x), std::max(most.y, corner.y), std::max(most.z, corner.z)};
+  });
+  const auto blocks = [](std::int32_t low, std::int32_t high) {
+    return (std::uint64_t{static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low)} / 8) +
+           1;
+  };
+  const std::uint64_t columns = blocks(least_.x, most.x), rows = blocks(least_.y, most.y),
+                      layers = blocks(least_.z, most.z);
+  if (columns > most_blocks / rows || columns * rows > most_blocks / layers)
+    throw std::runtime_error("the surface is larger than the page can draw");
+  columns_ = columns;
+  rows_ = rows;
+  numbers_.assign(columns * rows * layers, none);
+}
+
+}  // namespace discmc::web

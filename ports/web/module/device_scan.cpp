@@ -1,0 +1,71 @@
+#include "device_scan.hpp"
+
+#include <algorithm>
+#include <discmc/encoder.hpp>
+#include <discmc/extractor.hpp>
+#include <discmc/slice_encoder.hpp>
+
+#include "extraction/extraction.hpp"
+#include "require.hpp"
+
+namespace discmc::web {
+namespace {
+
+ByteOutput output_to(std::vector<std::uint8_t>& stream) {
+  return {&stream, [](void* context, const std::uint8_t* bytes, std::size_t count) {
+            auto& all = *static_cast<std::vector<std::uint8_t>*>(context);
+            all.insert(all.end(), bytes, bytes + count);
+            return count;
+          }};
+}
+
+Limits limits_of(const StreamHeader& header) {
+  return {header.width, header.height, header.border};
+}
+
+template <class Index>
+DeviceScan scan(const VoxelBits& bits, const StreamHeader& header, std::uint64_t bytes) {
+  DeviceScan result;
+  std::vector<std::uint8_t> memory(bytes);
+  Encoder encoder;
+  host::require(encoder.start(header.label(), output_to(result.stream)));
+  Extractor<Index> extractor;
+  host::require(extractor.start(limits_of(header), header.threshold, {memory.data(), memory.size()},
+                                sink_to(encoder)));
+  for (std::uint32_t row = 0; row < bits.rows(); ++row)
+    host::require(extractor.push_bits(bits.row(row)).status);
+  host::require(extractor.finish());
+  const Statistics statistics = extractor.statistics();
+  result.regions = statistics.regions;
+  result.fragments = statistics.fragments;
+  result.memory_used = extractor.bytes_used();
+  return result;
+}
+
+}  // namespace
+
+std::uint64_t least_memory(const StreamHeader& header) {
+  return minimum_bytes<std::uint16_t>(limits_of(header));
+}
+
+DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::uint64_t memory) {
+  return host::takes_narrow_indices(limits_of(header), memory)
+             ? scan<std::uint16_t>(bits, header, memory)
+             : scan<std::uint32_t>(bits, header, memory);
+}
+
+DeviceScan scan_slices(const VoxelBits& bits, const StreamHeader& header) {
+  DeviceScan result;
+  constexpr KeySlices first_only{};
+  std::vector<std::uint8_t> memory(slice_encoder_bytes(limits_of(header), first_only));
+  SliceEncoder encoder;
+  host::require(
+      encoder.start(header, first_only, {memory.data(), memory.size()}, output_to(result.stream)));
+  for (std::uint32_t row = 0; row < bits.rows(); ++row)
+    host::require(encoder.push_bits(bits.row(row)).status);
+  host::require(encoder.finish());
+  result.memory_used = memory.size();
+  return result;
+}
+
+}  // namespace discmc::web

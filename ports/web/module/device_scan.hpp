@@ -1,0 +1,32 @@
+// The same scan on a device: the bytes that leave it, given so much memory.
+#ifndef DISCMC_WEB_DEVICE_SCAN_HPP
+#define DISCMC_WEB_DEVICE_SCAN_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include <discmc/stream_header.hpp>
+
+#include "voxel_bits.hpp"
+
+namespace discmc::web {
+
+struct DeviceScan {
+  std::vector<std::uint8_t> stream;  ///< all of it: a .dmc file
+  std::uint64_t regions = 0;         ///< sent whole
+  std::uint64_t fragments = 0;       ///< sent loose, for the receiver to join
+  std::uint64_t memory_used = 0;     ///< Units: bytes
+};
+
+/// The least memory that scan_regions() takes. Units: bytes.
+std::uint64_t least_memory(const StreamHeader& header);
+
+/// As a stream of regions. Limit: memory >= least_memory(header).
+DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::uint64_t memory);
+
+/// As a stream of slices, with one key slice.
+DeviceScan scan_slices(const VoxelBits& bits, const StreamHeader& header);
+
+}  // namespace discmc::web
+
+#endif

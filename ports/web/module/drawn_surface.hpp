@@ -1,0 +1,63 @@
+// A surface as graphics cards take it: triangles of the merged polygons, and their edges.
+#ifndef DISCMC_WEB_DRAWN_SURFACE_HPP
+#define DISCMC_WEB_DRAWN_SURFACE_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include <discmc/normal.hpp>
+
+#include "corner_set.hpp"
+#include "meshes/triangulate.hpp"
+#include "surface/surface.hpp"
+#include "triangle_store.hpp"
+
+namespace discmc::web {
+
+/// A corner of one polygon. Units: half-steps.
+struct DrawnVertex {
+  std::int16_t x, y, z;
+  std::uint8_t incidence;
+  std::uint8_t colour;  ///< a number that tells the polygon from those beside it, mostly
+};
+static_assert(sizeof(DrawnVertex) == 8, "the page reads them so");
+
+/// Vertices on straight sides where other polygons end are kept, so the triangles have no
+/// T-junctions: no pixel shows through, and meshes of them are closed.
+class DrawnSurface {
+ public:
+  /// The most voxels along an axis whose coordinates a vertex holds.
+  static constexpr std::uint32_t most_extent = 16383;
+
+  /// is_hostile: polygons may be none that a sweep makes; those that cannot be triangulated are
+  /// left out and counted. Limit: coordinates of volumes up to most_extent.
+  void make(const std::vector<host::Polygon>& polygons, bool is_hostile);
+
+  const std::vector<DrawnVertex>& vertices() const { return vertices_; }
+  /// Numbers of vertices, three a triangle, counter-clockwise from outside as the lattice has it.
+  const std::vector<std::uint32_t>& triangles() const { return triangles_; }
+  /// Numbers of vertices, two an edge of a polygon, which the polygons on its sides both have.
+  const std::vector<std::uint32_t>& edges() const { return edges_; }
+  std::uint32_t left_out() const { return left_out_; }
+
+ private:
+  void add_polygon(const host::Polygon& polygon);
+  void add_ring(const host::Ring& ring, const host::Polygon& polygon);
+  void add_triangles();
+
+  CornerSet corners_;
+  std::vector<DrawnVertex> vertices_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<std::uint32_t> edges_;
+  std::uint32_t left_out_ = 0;
+  // Of the polygon under way.
+  std::uint32_t number_ = 0;
+  std::uint32_t first_vertex_ = 0;
+  std::vector<host::PlanePoint> points_;
+  std::vector<std::uint32_t> ring_ends_;
+  TriangleStore store_;
+};
+
+}  // namespace discmc::web
+
+#endif

@@ -1,0 +1,18 @@
+// What is thrown here the page catches: there is no unwinding in the module.
+#ifndef DISCMC_WEB_FAILURE_HPP
+#define DISCMC_WEB_FAILURE_HPP
+
+namespace discmc::web {
+
+/// Calls, and returns whether nothing was thrown. What was on the stack then is dropped as it
+/// stands: no destructor runs.
+bool attempt(void (*call)(void* context), void* context);
+
+template <class Call>
+bool succeeds(Call call) {
+  return attempt([](void* context) { (*static_cast<Call*>(context))(); }, &call);
+}
+
+}  // namespace discmc::web
+
+#endif

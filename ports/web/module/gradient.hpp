@@ -1,0 +1,21 @@
+// Normals of a drawn surface, from the samples.
+#ifndef DISCMC_WEB_GRADIENT_HPP
+#define DISCMC_WEB_GRADIENT_HPP
+
+#include <vector>
+
+#include <discmc/normal.hpp>
+
+#include "drawn_surface.hpp"
+#include "memory_volume.hpp"
+
+namespace discmc::web {
+
+/// One a vertex, in space: the direction in which the samples fall there; none where they are
+/// level, and on the walls around the volume. iso: the threshold of the surface.
+std::vector<OctahedralNormal> gradient_normals(const std::vector<DrawnVertex>& vertices,
+                                               const MemoryVolume& volume, double iso);
+
+}  // namespace discmc::web
+
+#endif

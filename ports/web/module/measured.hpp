@@ -1,0 +1,28 @@
+// What values a volume has, and thresholds to try.
+#ifndef DISCMC_WEB_MEASURED_HPP
+#define DISCMC_WEB_MEASURED_HPP
+
+#include <array>
+#include <cstdint>
+
+#include "memory_volume.hpp"
+
+namespace discmc::web {
+
+/// Units: those that the file declares. Not a number where there is none.
+struct Measured {
+  static constexpr std::size_t bars = 256;
+
+  double least, greatest;              ///< of the finite values
+  double dark, bright;                 ///< nearly all values lie between them
+  double automatic, otsu, bone, skin;  ///< thresholds by the command's rules, where they fit
+  double numbers;                      ///< finite values
+  std::array<double, bars> histogram;  ///< values in equal steps from least to greatest
+};
+
+/// Time: a pass over the volume.
+Measured measured(const MemoryVolume& volume);
+
+}  // namespace discmc::web
+
+#endif

@@ -1,0 +1,50 @@
+// A volume whose samples are all in memory, as a page has it.
+#ifndef DISCMC_WEB_MEMORY_VOLUME_HPP
+#define DISCMC_WEB_MEMORY_VOLUME_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "volumes/volume_reader.hpp"
+
+namespace discmc::web {
+
+class MemoryVolume {
+ public:
+  explicit MemoryVolume(host::VolumeInfo info)
+      : info_(std::move(info)), samples_(info_.slice_bytes() * info_.dims[2]) {}
+
+  const host::VolumeInfo& info() const { return info_; }
+  /// Slice after slice, rows of x from y = 0, in the byte order of the machine.
+  std::uint8_t* samples() { return samples_.data(); }
+  const std::uint8_t* slice(std::uint32_t z) const {
+    return samples_.data() + info_.slice_bytes() * z;
+  }
+
+ private:
+  host::VolumeInfo info_;
+  std::vector<std::uint8_t> samples_;
+};
+
+/// One pass over it. Owner: the volume is the caller's.
+class MemoryReader final : public host::VolumeReader {
+ public:
+  explicit MemoryReader(const MemoryVolume& volume) : volume_(volume) {}
+
+  const host::VolumeInfo& info() const override { return volume_.info(); }
+  /// Limit: as many calls as slices.
+  void read_slice(void* samples) override {
+    std::memcpy(samples, volume_.slice(next_++), info().slice_bytes());
+  }
+
+ private:
+  const MemoryVolume& volume_;
+  std::uint32_t next_ = 0;
+};
+
+}  // namespace discmc::web
+
+#endif

@@ -1,0 +1,255 @@
+// What the page calls: page/module.js. One volume or stream at a time, and its surface.
+//
+// What is thrown reaches the page as an error; the module is then as it was before the call, or the
+// page starts another. Memory that a call returns is the module's, until the next call of that
+// name.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "device_scan.hpp"
+#include "drawn_surface.hpp"
+#include "extraction/classic.hpp"
+#include "gradient.hpp"
+#include "measured.hpp"
+#include "memory_volume.hpp"
+#include "stream_surface.hpp"
+#include "streams/spacing.hpp"
+#include "sweep.hpp"
+#include "voxel_bits.hpp"
+
+#define EXPORT(name) extern "C" __attribute__((export_name(#name), used))
+
+namespace discmc::web {
+namespace {
+
+struct Bytes {
+  const void* data;
+  std::size_t count;
+};
+
+template <class Item>
+const Bytes* bytes_of(const std::vector<Item>& items) {
+  static Bytes bytes;
+  bytes = {items.data(), items.size() * sizeof(Item)};
+  return &bytes;
+}
+
+// All numbers in one list: the page names them.
+template <class... Numbers>
+const double* numbers(Numbers... each) {
+  static double list[32];
+  double* next = list;
+  ((*next++ = static_cast<double>(each)), ...);
+  return list;
+}
+
+struct State {
+  std::unique_ptr<MemoryVolume> volume;
+  std::unique_ptr<StreamSurface> stream;
+  double iso = 0;
+  VoxelBits bits;
+  Sweep sweep;
+  Sweep::Result swept;
+  DrawnSurface drawn;
+  std::vector<OctahedralNormal> normals;
+  std::vector<std::int32_t> polygons;
+  host::Mesh classic;
+  std::vector<float> classic_vertices;
+  DeviceScan scan;
+  std::vector<std::uint8_t> picture;
+};
+
+State& state() {
+  static State* const all = new State;
+  return *all;
+}
+
+StreamHeader header() {
+  const host::VolumeInfo& info = state().volume->info();
+  StreamHeader header;
+  header.width = info.dims[0];
+  header.height = info.dims[1];
+  header.depth = info.dims[2];
+  const auto spacing = host::spacing_nm(info.spacing_mm);
+  for (std::size_t axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = spacing[axis];
+  header.threshold = host::stored_threshold(info, state().iso);
+  return header;
+}
+
+const std::vector<host::Polygon>& polygons() {
+  return state().stream ? state().stream->polygons() : state().swept.polygons;
+}
+
+}  // namespace
+
+EXPORT(allocate) void* allocate(std::size_t bytes) {
+  return std::malloc(bytes);
+}
+EXPORT(release) void release(void* data) {
+  std::free(data);
+}
+
+/// Returns where the samples go.
+EXPORT(new_volume)
+std::uint8_t* new_volume(std::uint32_t type, std::uint32_t width, std::uint32_t height,
+                         std::uint32_t depth, double x_mm, double y_mm, double z_mm, double slope,
+                         double intercept, std::uint32_t is_in_hounsfield) {
+  host::VolumeInfo info;
+  info.type = static_cast<host::SampleType>(type);
+  info.dims = {width, height, depth};
+  info.spacing_mm = {x_mm, y_mm, z_mm};
+  info.slope = slope;
+  info.intercept = intercept;
+  info.is_in_hounsfield = is_in_hounsfield != 0;
+  state().volume = std::make_unique<MemoryVolume>(info);
+  return state().volume->samples();
+}
+
+EXPORT(measure) const Measured* measure() {
+  static Measured result;
+  result = measured(*state().volume);
+  return &result;
+}
+
+/// Sweeps the volume. Returns how many there are: cells, facets, triangles of classic Marching
+/// Cubes, polygons, rings, voxels that are on.
+EXPORT(extract) const double* extract(double iso, std::uint32_t is_filtered) {
+  State& all = state();
+  const host::VolumeInfo& info = all.volume->info();
+  all.iso = iso;
+  all.bits.select(*all.volume, iso);
+  if (is_filtered != 0) all.bits.filter();
+  all.swept = all.sweep.run(all.bits, info.dims[0], info.dims[1]);
+  const Statistics& statistics = all.swept.statistics;
+  return numbers(statistics.cells, statistics.facets, statistics.classic_triangles,
+                 statistics.regions, statistics.rings);
+}
+
+/// Triangulates the polygons. Returns how many had to be left out.
+EXPORT(draw) std::uint32_t draw() {
+  state().drawn.make(polygons(), state().stream != nullptr);
+  return state().drawn.left_out();
+}
+EXPORT(vertices) const Bytes* vertices() {
+  return bytes_of(state().drawn.vertices());
+}
+EXPORT(triangles) const Bytes* triangles() {
+  return bytes_of(state().drawn.triangles());
+}
+EXPORT(edges) const Bytes* edges() {
+  return bytes_of(state().drawn.edges());
+}
+EXPORT(normals) const Bytes* normals() {
+  state().normals = gradient_normals(state().drawn.vertices(), *state().volume, state().iso);
+  return bytes_of(state().normals);
+}
+
+/// The polygons as numbers: incidence, count of rings, and of each ring the count of its corners
+/// and their coordinates.
+EXPORT(polygons) const Bytes* polygons_as_numbers() {
+  std::vector<std::int32_t>& list = state().polygons;
+  list.clear();
+  for (const host::Polygon& polygon : polygons()) {
+    list.push_back(polygon.incidence);
+    list.push_back(static_cast<std::int32_t>(polygon.rings.size()));
+    for (const host::Ring& ring : polygon.rings) {
+      list.push_back(static_cast<std::int32_t>(ring.size()));
+      for (const Vertex& corner : ring)
+        for (const std::int32_t coordinate : {corner.x, corner.y, corner.z})
+          list.push_back(coordinate);
+    }
+  }
+  return bytes_of(list);
+}
+
+/// Triangles of classic Marching Cubes of the same threshold, without the filter.
+EXPORT(classic) void classic() {
+  State& all = state();
+  MemoryReader reader(*all.volume);
+  host::ExtractionOptions options;
+  options.selection = all.iso;
+  all.classic = host::classic_mesh(reader, options);
+  all.classic_vertices.clear();
+  for (const host::Point& vertex : all.classic.vertices_mm)
+    for (const double coordinate : vertex)
+      all.classic_vertices.push_back(static_cast<float>(coordinate));
+  all.classic.vertices_mm = {};
+}
+EXPORT(classic_vertices) const Bytes* classic_vertices() {
+  return bytes_of(state().classic_vertices);
+}
+EXPORT(classic_triangles) const Bytes* classic_triangles() {
+  return bytes_of(state().classic.corners);
+}
+
+EXPORT(least_memory) double least_memory() {
+  return static_cast<double>(web::least_memory(header()));
+}
+/// The extracted scan on a device; memory 0: as a stream of slices. Returns: bytes, regions sent
+/// whole, loose fragments, bytes of memory used.
+EXPORT(scan) const double* scan(double memory) {
+  DeviceScan& scan = state().scan;
+  scan = memory > 0 ? scan_regions(state().bits, header(), static_cast<std::uint64_t>(memory))
+                    : scan_slices(state().bits, header());
+  return numbers(scan.stream.size(), scan.regions, scan.fragments, scan.memory_used);
+}
+EXPORT(stream) const Bytes* stream() {
+  return bytes_of(state().scan.stream);
+}
+
+/// The voxels of a plane across an axis (0, 1, 2), a byte each: of their values those from dark to
+/// bright in steps 0 to 127, and 128 more where the voxel is on. Rows along the first of the other
+/// two axes.
+EXPORT(picture)
+const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, double bright) {
+  const MemoryVolume& volume = *state().volume;
+  const host::VolumeInfo& info = volume.info();
+  const std::uint32_t along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2;
+  std::vector<std::uint8_t>& picture = state().picture;
+  picture.clear();
+  constexpr double steps = 127;
+  const double scale = bright > dark ? steps / (bright - dark) : 0;
+  std::uint32_t at[3] = {place, place, place};
+  host::with_sample_type(info.type, [&](auto type) {
+    using Sample = decltype(type);
+    for (at[across] = 0; at[across] < info.dims[across]; ++at[across])
+      for (at[along] = 0; at[along] < info.dims[along]; ++at[along]) {
+        const auto* slice = reinterpret_cast<const Sample*>(volume.slice(at[2]));
+        const auto sample = static_cast<double>(slice[std::size_t{at[1]} * info.dims[0] + at[0]]);
+        const double step = (info.slope * sample + info.intercept - dark) * scale;
+        const double shown = step > steps ? steps : step > 0 ? step : 0;
+        picture.push_back(static_cast<std::uint8_t>(
+            static_cast<unsigned>(shown) | (state().bits.at(at[0], at[1], at[2]) ? 128U : 0U)));
+      }
+  });
+  return bytes_of(picture);
+}
+
+EXPORT(new_stream) void new_stream() {
+  state().stream = std::make_unique<StreamSurface>();
+}
+EXPORT(push_stream) void push_stream(const std::uint8_t* bytes, std::size_t count) {
+  state().stream->push(bytes, count);
+}
+/// Returns what is known of the stream: see page/module.js.
+EXPORT(end_stream) const double* end_stream() {
+  StreamSurface& stream = *state().stream;
+  stream.finish();
+  const StreamHeader& header = stream.header();
+  const StreamReport report = stream.report();
+  const auto spacing = host::spacing_mm(header);
+  return numbers(report.has_header, header.width, header.height,
+                 report.has_trailer ? report.slices : header.depth, spacing[0], spacing[1],
+                 spacing[2], header.threshold, stream.polygons().size(), report.is_complete(),
+                 report.has_trailer, report.lost_packets, report.damaged_packets,
+                 report.holds_slices ? report.lost_rows : report.lost_pieces, report.holds_slices,
+                 report.totals.classic_triangles, report.bytes, header.surfaces(),
+                 header.border == Border::closed);
+}
+
+}  // namespace discmc::web

@@ -1,0 +1,36 @@
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "require.hpp"
+#include "surface/surface_builder.hpp"
+
+namespace discmc::web {
+namespace {
+
+// As the command has it.
+constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
+constexpr std::size_t learnt_bytes = std::size_t{1} << 20;
+
+}  // namespace
+
+Sweep::Result Sweep::run(const VoxelBits& bits, std::uint32_t width, std::uint32_t height) {
+  const Limits limits{width, height};
+  const std::uint64_t bytes = std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t>(limits));
+  if (learnt_.empty()) {
+    learnt_.resize(learnt_bytes);
+    extractor_.learn_in({learnt_.data(), learnt_.size()});
+  }
+  if (memory_.size() < bytes) memory_.resize(bytes);
+  constexpr std::int32_t threshold = 1;  // of bits
+  host::SurfaceBuilder builder;
+  host::require(
+      extractor_.start(limits, threshold, {memory_.data(), memory_.size()}, sink_to(builder)));
+  for (std::uint32_t row = 0; row < bits.rows(); ++row)
+    host::require(extractor_.push_bits(bits.row(row)).status);
+  host::require(extractor_.finish());
+  return {std::move(builder.surface().polygons), extractor_.statistics()};
+}
+
+}  // namespace discmc::web

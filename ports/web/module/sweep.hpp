@@ -1,0 +1,34 @@
+// Polygons from bits, as often as the threshold changes.
+#ifndef DISCMC_WEB_SWEEP_HPP
+#define DISCMC_WEB_SWEEP_HPP
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <discmc/learning_extractor.hpp>
+
+#include "surface/surface.hpp"
+#include "voxel_bits.hpp"
+
+namespace discmc::web {
+
+/// Keeps its memory, and what it learnt, from one sweep to the next.
+class Sweep {
+ public:
+  struct Result {
+    std::vector<host::Polygon> polygons;
+    Statistics statistics{};
+  };
+  /// Border::closed. Throws std::runtime_error beyond SurfaceBuilder::max_links.
+  Result run(const VoxelBits& bits, std::uint32_t width, std::uint32_t height);
+
+ private:
+  LearningExtractor extractor_;
+  std::vector<std::uint8_t> learnt_;
+  std::vector<std::uint8_t> memory_;
+};
+
+}  // namespace discmc::web
+
+#endif

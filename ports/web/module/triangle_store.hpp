@@ -1,0 +1,52 @@
+// Triangulations that are remembered: most polygons of a surface have few corners, and few shapes.
+#ifndef DISCMC_WEB_TRIANGLE_STORE_HPP
+#define DISCMC_WEB_TRIANGLE_STORE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meshes/triangulate.hpp"
+
+namespace discmc::web {
+
+/// As a Triangulator, which it asks for shapes that it does not know. It keeps its memory, and what
+/// it knows, from one surface to the next.
+class TriangleStore {
+ public:
+  TriangleStore();
+
+  /// As Triangulator::triangulate(). points: the first is at 0, 0. The triples are valid until the
+  /// next call.
+  struct Triangles {
+    const host::Triangle* begin;
+    std::size_t count;
+  };
+  Triangles triangulate(const std::vector<host::PlanePoint>& points,
+                        const std::vector<std::uint32_t>& ring_ends);
+
+ private:
+  static constexpr std::size_t most_points = 16;
+  static constexpr std::size_t slot_count = std::size_t{1} << 15;
+
+  // One ring of few points, none of them far from the first.
+  struct Shape {
+    std::uint32_t points = 0;
+    std::int8_t at[2 * most_points] = {};
+  };
+  struct Slot {
+    Shape shape;
+    std::uint32_t triangles = 0;
+    host::Triangle triangle[most_points - 2];
+  };
+
+  static bool shape_of(const std::vector<host::PlanePoint>& points, Shape& shape);
+  Slot& slot_of(const Shape& shape);
+
+  host::Triangulator triangulator_;
+  std::vector<Slot> slots_;  // one shape each: the last that fell there
+};
+
+}  // namespace discmc::web
+
+#endif

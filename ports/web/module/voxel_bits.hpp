@@ -1,0 +1,37 @@
+// Which voxels of a volume are on, all of them.
+#ifndef DISCMC_WEB_VOXEL_BITS_HPP
+#define DISCMC_WEB_VOXEL_BITS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "memory_volume.hpp"
+
+namespace discmc::web {
+
+/// Rows of bits as Extractor::push_bits() takes them: eight voxels a byte, the first in bit 0.
+class VoxelBits {
+ public:
+  /// A voxel is on where its value is >= iso. Memory: an eighth of a byte a voxel.
+  void select(const MemoryVolume& volume, double iso);
+  /// Takes noise away: see majority_filter.hpp. Limit: after select().
+  void filter();
+
+  std::uint32_t rows() const { return height_ * depth_; }
+  const std::uint8_t* row(std::uint32_t number) const { return bits_.data() + number * row_bytes_; }
+  bool at(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    return (row(z * height_ + y)[x / 8] >> x % 8 & 1) != 0;
+  }
+
+ private:
+  std::uint32_t width_ = 0;
+  std::uint32_t height_ = 0;
+  std::uint32_t depth_ = 0;
+  std::size_t row_bytes_ = 0;
+  std::vector<std::uint8_t> bits_;
+};
+
+}  // namespace discmc::web
+
+#endif

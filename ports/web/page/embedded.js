@@ -1,0 +1,29 @@
+// What the page has inside: the module, and data that opens at once if there is some.
+
+/** @param {string} id of a script element with base64 @param {CompressionFormat} [encoding] */
+async function bytesIn(id, encoding) {
+  const text = document.getElementById(id)?.textContent?.trim();
+  if (!text) return null;
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  if (!encoding) return bytes;
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(encoding));
+  return new Uint8Array(await new Response(unpacked).arrayBuffer());
+}
+
+/** The module of WebAssembly. */
+export async function embeddedModule() {
+  const bytes = await bytesIn('module', 'deflate');
+  if (!bytes) throw new Error('It lacks its module.');
+  return bytes;
+}
+
+/** A file that the element `data` holds: data-name, data-encoding (gzip, deflate or none), data-iso. */
+export async function embeddedFile() {
+  const data = document.getElementById('data')?.dataset;
+  const bytes = data && (await bytesIn('data', /** @type {any} */ (data.encoding)));
+  if (!bytes) return null;
+  return {
+    file: new File([bytes], data.name ?? 'volume'),
+    iso: data.iso === undefined ? undefined : Number(data.iso),
+  };
+}

@@ -1,0 +1,60 @@
+// What a file says of its volume, whatever its format.
+
+/**
+ * @typedef {object} VolumeInfo
+ * @property {string} format for people
+ * @property {[number, number, number]} dims voxels along x, y and z
+ * @property {SampleType} type how samples are stored
+ * @property {boolean} bigEndian
+ * @property {[number, number, number]} spacing millimetres from voxel to voxel; negative where the
+ *   axis runs backwards
+ * @property {number} slope value = slope * stored + intercept
+ * @property {number} intercept
+ * @property {boolean} isInHounsfield whether the file says so
+ */
+
+/** @typedef {'u8'|'i8'|'u16'|'i16'|'u32'|'i32'|'u64'|'i64'|'f32'|'f64'} SampleType */
+
+/** In the order in which the module numbers them. @type {SampleType[]} */
+export const sampleTypes = ['u8', 'i8', 'u16', 'i16', 'u32', 'i32', 'u64', 'i64', 'f32', 'f64'];
+
+/** @param {SampleType} type */
+export const sampleBytes = (type) => Number(type.slice(1)) / 8;
+
+/** @param {VolumeInfo} info */
+export const volumeBytes = (info) =>
+  info.dims[0] * info.dims[1] * info.dims[2] * sampleBytes(info.type);
+
+/** An error that names the file, what is wrong with it, and what to do. */
+export class FileError extends Error {
+  /** @param {string} file @param {string} what @param {string} remedy */
+  constructor(file, what, remedy) {
+    super(`${file}: ${what}; ${remedy}`);
+    this.name = 'FileError';
+  }
+}
+
+/** What the page takes: beyond, a browser's memory may not hold the surface. */
+export const mostBytes = 2 ** 30;
+export const mostExtent = 16383;
+
+/**
+ * Refuses what is too large before anything is allocated.
+ * @param {string} file @param {VolumeInfo} info
+ */
+export function requireSize(file, info) {
+  const sizes = info.dims.join(' x ');
+  if (!info.dims.every((extent) => Number.isInteger(extent) && extent > 0))
+    throw new FileError(file, `the header gives ${sizes} voxels`, 'correct the header');
+  if (Math.max(...info.dims) > mostExtent)
+    throw new FileError(file, `${sizes} voxels; the page takes at most ${mostExtent} along an axis`,
+      'crop it with discmc extract --crop');
+  if (volumeBytes(info) > mostBytes)
+    throw new FileError(file,
+      `${sizes} voxels are ${inMebibytes(volumeBytes(info))}; the page takes at most ` +
+        inMebibytes(mostBytes),
+      'make a smaller stream of it with discmc extract --shrink 2 -o FILE.dmc, which opens here');
+}
+
+/** @param {number} bytes */
+export const inMebibytes = (bytes) => `${Math.round(bytes / 2 ** 20).toLocaleString('en')} MiB`;

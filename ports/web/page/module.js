@@ -1,0 +1,145 @@
+// The WebAssembly module: its calls with names, and its memory as typed arrays.
+
+/** Owner of a volume or stream, and of its surface: see module/module.cpp. */
+export class Module {
+  /** @param {BufferSource} bytes */
+  static async start(bytes) {
+    const module = new Module();
+    const { instance } = await WebAssembly.instantiate(bytes, {
+      page: {
+        fail: (/** @type {number} */ text) => {
+          throw new Error(module.textAt(text));
+        },
+        attempt: (/** @type {number} */ call, /** @type {number} */ context) =>
+          module.attempt(call, context),
+      },
+      // Nothing is written or read; the C library has the calls all the same.
+      wasi_snapshot_preview1: { fd_close: () => 8, fd_seek: () => 8, fd_write: () => 8 },
+    });
+    module.exports = /** @type {any} */ (instance.exports);
+    module.exports._initialize();
+    return module;
+  }
+
+  /** Calls; what is thrown is dropped, and the stack is as before. */
+  attempt(/** @type {number} */ call, /** @type {number} */ context) {
+    const stack = this.exports.__stack_pointer.value;
+    try {
+      this.exports.__indirect_function_table.get(call)(context);
+      return 1;
+    } catch {
+      this.exports.__stack_pointer.value = stack;
+      return 0;
+    }
+  }
+
+  /**
+   * Makes room for a volume; returns where its samples go: valid until the next call.
+   * @param {import('./formats/volume_info.js').VolumeInfo} info @param {number} type its number
+   * @param {number} bytes
+   */
+  newVolume(info, type, bytes) {
+    const at = this.exports.new_volume(type, ...info.dims, ...info.spacing, info.slope,
+      info.intercept, info.isInHounsfield ? 1 : 0);
+    return new Uint8Array(this.exports.memory.buffer, at, bytes);
+  }
+
+  /** The values of the volume. Costs a pass over it. */
+  measure() {
+    const bars = 256;
+    const numbers = this.numbersAt(this.exports.measure(), 9 + bars);
+    const [least, greatest, dark, bright, automatic, otsu, bone, skin, count] = numbers;
+    return {
+      least, greatest, dark, bright, automatic, otsu, bone, skin, count,
+      histogram: numbers.slice(9),
+    };
+  }
+
+  /** Sweeps the volume. @param {number} iso @param {boolean} isFiltered */
+  extract(iso, isFiltered) {
+    const [cells, facets, classicTriangles, polygons, rings] =
+      this.numbersAt(this.exports.extract(iso, isFiltered ? 1 : 0), 5);
+    return { cells, facets, classicTriangles, polygons, rings };
+  }
+
+  /** Triangulates what was swept or decoded. */
+  draw() {
+    const leftOut = this.exports.draw();
+    return { leftOut, vertices: this.copy('vertices'), triangles: this.copy('triangles') };
+  }
+  edges() {
+    return this.copy('edges');
+  }
+  normals() {
+    return this.copy('normals');
+  }
+  /** The polygons as numbers: see save/jsonl.js. */
+  polygons() {
+    return new Int32Array(this.copy('polygons').buffer);
+  }
+
+  classic() {
+    this.exports.classic();
+    return { vertices: this.copy('classic_vertices'), triangles: this.copy('classic_triangles') };
+  }
+
+  /** @param {number} axis @param {number} place @param {number} dark @param {number} bright */
+  picture(axis, place, dark, bright) {
+    return this.copy('picture', axis, place, dark, bright);
+  }
+
+  leastMemory() {
+    return this.exports.least_memory();
+  }
+  /** The scan on a device. @param {number} memory in bytes; 0: as a stream of slices */
+  scan(memory) {
+    const [bytes, regions, fragments, used] = this.numbersAt(this.exports.scan(memory), 4);
+    return { bytes, regions, fragments, used };
+  }
+  /** The stream of the last scan. */
+  stream() {
+    return this.copy('stream');
+  }
+
+  newStream() {
+    this.exports.new_stream();
+  }
+  /** @param {Uint8Array} bytes */
+  pushStream(bytes) {
+    const at = this.exports.allocate(bytes.length);
+    new Uint8Array(this.exports.memory.buffer, at, bytes.length).set(bytes);
+    this.exports.push_stream(at, bytes.length);
+    this.exports.release(at);
+  }
+  endStream() {
+    const list = this.numbersAt(this.exports.end_stream(), 19);
+    return {
+      hasHeader: list[0] !== 0,
+      dims: /** @type {[number, number, number]} */ (list.slice(1, 4)),
+      spacing: /** @type {[number, number, number]} */ (list.slice(4, 7)),
+      threshold: list[7], polygons: list[8], isComplete: list[9] !== 0, hasTrailer: list[10] !== 0,
+      lostPackets: list[11], damagedPackets: list[12], lostPieces: list[13],
+      holdsSlices: list[14] !== 0, classicTriangles: list[15], bytes: list[16], surfaces: list[17],
+      isClosed: list[18] !== 0,
+    };
+  }
+
+  /** @param {string} name of a call that tells bytes @param {...number} values */
+  copy(name, ...values) {
+    const at = this.exports[name](...values);
+    const view = new DataView(this.exports.memory.buffer);
+    const data = view.getUint32(at, true);
+    return new Uint8Array(view.buffer, data, view.getUint32(at + 4, true)).slice();
+  }
+
+  /** @param {number} at @param {number} count */
+  numbersAt(at, count) {
+    return [...new Float64Array(this.exports.memory.buffer, at, count)];
+  }
+
+  /** @param {number} at */
+  textAt(at) {
+    const bytes = new Uint8Array(this.exports.memory.buffer, at);
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+}

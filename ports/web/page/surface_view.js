@@ -1,0 +1,390 @@
+// The surface on a canvas: merged polygons, and classic Marching Cubes beside them if wanted.
+import { Geometry, Mesh, Program, Renderer } from 'ogl';
+import { Camera } from './camera.js';
+import * as palette from './palette.js';
+import * as shaders from './shaders.js';
+import { told } from './timing.js';
+
+const vertexBytes = 8; // module/drawn_surface.hpp
+const finest = 2; // pixels of the picture to one of the page
+const restful = 250; // milliseconds without a change until the picture is made finer
+
+export class SurfaceView {
+  /** Throws where the browser has no WebGL 2. @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new Renderer({ canvas, webgl: 2, antialias: false, alpha: true });
+    canvas.style.width = canvas.style.height = ''; // the style sheet's
+    this.gl = this.renderer.gl;
+    if (!this.renderer.isWebgl2) throw new Error('This browser has no WebGL 2.');
+    this.camera = new Camera(this.gl);
+    this.isDue = false;
+    this.isDrawing = false;
+    this.isFinal = false;
+    this.scale = 1;
+    this.hasEdges = false;
+    /** @type {Mesh | null} */ this.surface = null;
+    /** @type {Mesh | null} */ this.edges = null;
+    /** @type {Mesh | null} */ this.classic = null;
+    /** @type {Mesh | null} */ this.classicEdges = null;
+    /** @type {Mesh | null} */ this.marks = null;
+    this.programs = this.makePrograms();
+    this.setSpace([1, 1, 1], [1, 1, 1], true);
+    new ResizeObserver(() => this.draw()).observe(canvas);
+  }
+
+  makePrograms() {
+    /** Of all programs; see shaders.js. */
+    this.uniforms = {
+      cut: { value: [0, 0, 0, 0] },
+      spacing: { value: [1, 1, 1] },
+      toPlace: { value: [1, 1, 1] },
+      toView: { value: new Array(9).fill(0) },
+      isMirrored: { value: false },
+      colouring: { value: 0 },
+      plain: { value: palette.rgb(palette.bone) },
+      palette: { value: [palette.skyBlue, palette.orange, palette.green, palette.yellow,
+        palette.purple, palette.vermilion, palette.blue].map(palette.rgb) },
+    };
+    this.edgeLine = { value: [0.05, 0.05, 0.08, 1] };
+    const program = (/** @type {string} */ vertex, /** @type {string} */ fragment,
+      /** @type {object} */ uniforms = {}, /** @type {object} */ options = {}) =>
+      new Program(this.gl, { vertex, fragment, cullFace: false, ...options,
+        uniforms: { ...this.uniforms, ...uniforms } });
+    const dark = { line: this.edgeLine };
+    const marking = { line: { value: [...palette.rgb(palette.vermilion), 1] } };
+    const programsFor = (/** @type {boolean} */ isCut) => ({
+      surface: program(shaders.surfaceVertex, shaders.surfaceFragment(isCut)),
+      classic: program(shaders.classicVertex, shaders.classicFragment(isCut)),
+      edges: program(shaders.edgeVertex, shaders.lineFragment(isCut), dark, { transparent: true }),
+      classicEdges: program(shaders.lineVertex, shaders.lineFragment(isCut), dark,
+        { transparent: true }),
+      marks: program(shaders.lineVertex, shaders.lineFragment(false), marking,
+        { depthTest: false }),
+    });
+    return { whole: programsFor(false), cut: programsFor(true) };
+  }
+
+  /**
+   * The space that surfaces are in. @param {number[]} dims @param {number[]} spacing
+   * @param {boolean} isClosed whether no inside is seen
+   */
+  setSpace(dims, spacing, isClosed) {
+    this.dims = dims;
+    this.spacing = spacing;
+    this.isClosed = isClosed;
+    this.uniforms.spacing.value = spacing;
+    this.uniforms.toPlace.value = spacing.map((step) => 2 / step);
+    this.uniforms.isMirrored.value = spacing[0] * spacing[1] * spacing[2] < 0;
+    this.centre = dims.map((extent, i) => ((extent - 1) / 2) * spacing[i]);
+    this.camera.depth = Math.hypot(...dims.map((extent, i) => extent * spacing[i]));
+    this.removed(this.surface, this.edges);
+    this.surface = this.edges = this.vertices = null;
+    this.home();
+  }
+
+  /** Shows the whole surface, or all of its space where there is none. */
+  home() {
+    const { low, high } = this.vertices ? boxOf(this.vertices)
+      : { low: [-1, -1, -1], high: this.dims.map((extent) => 2 * extent - 1) };
+    const size = low.map((from, i) => ((high[i] - from) / 2) * this.spacing[i]);
+    const middle = low.map((from, i) => ((high[i] + from) / 4) * this.spacing[i] - this.centre[i]);
+    this.camera.reset(Math.hypot(...size) / 2 || 1, middle);
+    this.draw();
+  }
+
+  /**
+   * Shows other polygons, once the picture under way is drawn; those that come meanwhile take
+   * their place. Owner: the arrays are the view's from here on.
+   * @param {{vertices: Uint8Array, triangles: Uint8Array, edges: Uint8Array | null,
+   *   normals: Uint8Array | null}} surface
+   */
+  setSurface(surface) {
+    this.next = surface;
+    this.draw();
+  }
+
+  /** @param {any} surface */
+  upload({ vertices, triangles, edges, normals }) {
+    this.removed(this.surface, this.edges);
+    this.vertices = new Int16Array(vertices.buffer);
+    this.triangles = new Uint32Array(triangles.buffer);
+    const gl = this.gl;
+    const position = { data: this.vertices, size: 3, type: gl.SHORT, stride: vertexBytes };
+    const geometry = new Geometry(gl, { position });
+    geometry.addAttribute('look', { data: this.vertices, buffer: position.buffer, size: 2,
+      type: gl.UNSIGNED_BYTE, stride: vertexBytes, offset: 6 });
+    // Without: one attribute of zeros for all.
+    geometry.addAttribute('octahedral', { size: 2, type: gl.UNSIGNED_BYTE,
+      data: normals ?? new Uint8Array(vertices.length / 4) });
+    geometry.setIndex({ data: this.triangles });
+    this.surface = this.mesh(geometry, gl.TRIANGLES, this.half());
+    this.edges = null;
+    if (edges) {
+      const index = { data: new Uint32Array(edges.buffer) };
+      this.edges = this.mesh(new Geometry(gl, { position: { ...position }, index }), gl.LINES,
+        this.half());
+    }
+  }
+
+  /** @param {{vertices: Uint8Array, triangles: Uint8Array} | null} classic */
+  setClassic(classic) {
+    this.removed(this.classic, this.classicEdges);
+    this.classic = this.classicEdges = null;
+    if (classic) {
+      const gl = this.gl;
+      const position = { data: new Float32Array(classic.vertices.buffer), size: 3 };
+      this.classicTriangles = new Uint32Array(classic.triangles.buffer);
+      const index = { data: this.classicTriangles };
+      this.classic = this.mesh(new Geometry(gl, { position, index }), gl.TRIANGLES, [1, 1, 1]);
+    }
+    this.draw();
+  }
+
+  /** Leaves out what lies beyond a voxel along an axis. @param {{axis: number, at: number} | null} cut */
+  setCut(cut) {
+    this.cut = cut;
+    if (cut)
+      this.uniforms.cut.value = [0, 1, 2].map((i) => (i === cut.axis ? 1 : 0)).concat(2 * cut.at);
+    this.draw();
+  }
+
+  /** @param {number} colouring 0 plain, 1 by the kind of plane, 2 by polygon */
+  setColouring(colouring) {
+    this.uniforms.colouring.value = colouring;
+    this.draw();
+  }
+
+  /** Lines between points, over all. @param {number[][]} points in millimetres of the volume */
+  setMarks(points) {
+    this.removed(this.marks);
+    this.marks = null;
+    if (points.length > 0) {
+      const size = this.camera.radius / 60;
+      const crosses = points.flatMap((point) => [0, 1, 2].flatMap((axis) => [-size, size].map((step) =>
+        point.map((at, i) => (i === axis ? at + step : at)))));
+      const all = points.length > 1 ? crosses.concat(points) : crosses;
+      const data = new Float32Array(all.flat());
+      this.marks = this.mesh(new Geometry(this.gl, { position: { data, size: 3 } }),
+        this.gl.LINES, [1, 1, 1]);
+    }
+    this.draw();
+  }
+
+  /** Draws soon, once for all changes until then. */
+  draw() {
+    clearTimeout(this.resting);
+    this.isFinal = false;
+    this.ask();
+  }
+
+  ask() {
+    if (this.isDue || this.isDrawing) {
+      this.isDue = true;
+      return;
+    }
+    this.isDue = true;
+    requestAnimationFrame(() => {
+      this.isDue = false;
+      this.drawAndWait();
+    });
+  }
+
+  // The next picture waits until the graphics card is done with this one: so none queues up.
+  async drawAndWait() {
+    this.isDrawing = true;
+    const begin = performance.now();
+    const { isFinal } = this;
+    this.drawNow(isFinal ? finest : this.scale);
+    await this.finished();
+    const duration = performance.now() - begin;
+    told('drawn', begin, duration, { isFinal });
+    this.isDrawing = false;
+    const [fast, slow] = [12, 60]; // milliseconds
+    if (!isFinal && duration > slow) this.scale = Math.max(0.5, this.scale / 2);
+    if (!isFinal && duration < fast) this.scale = Math.min(finest, 2 * this.scale);
+    if (this.isDue) {
+      this.isDue = false;
+      this.ask();
+    } else if (!isFinal) {
+      this.resting = setTimeout(() => {
+        this.isFinal = true;
+        this.ask();
+      }, this.scale < 1 ? 3 * restful : restful);
+    }
+  }
+
+  /** Until what was asked of the graphics card is done. */
+  async finished() {
+    const gl = this.gl;
+    const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const pending = () => gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.UNSIGNALED;
+    // A task of its own each time: the browser tells news of the card between tasks.
+    do await new Promise((resolve) => setTimeout(resolve, 1));
+    while (pending() && !gl.isContextLost());
+    gl.deleteSync(sync);
+  }
+
+  /** @param {number} scale pixels of the picture to one of the page */
+  drawNow(scale) {
+    const { gl, canvas, renderer } = this;
+    if (this.next) {
+      const isFirst = !this.vertices;
+      this.upload(this.next);
+      this.next = null;
+      if (isFirst) this.home();
+    }
+    const width = Math.max(1, Math.round(canvas.clientWidth * scale));
+    const height = Math.max(1, Math.round(canvas.clientHeight * scale));
+    if (canvas.width !== width || canvas.height !== height) {
+      canvas.width = width;
+      canvas.height = height;
+    }
+    renderer.bindFramebuffer();
+    renderer.enable(gl.DEPTH_TEST);
+    renderer.setDepthMask(true);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const part = this.classic ? Math.floor(width / 2) : width;
+    const lens = this.camera.lensFor(part, height);
+    const { x, y, z } = this.camera.axes();
+    // By columns: from space to right, upwards and towards the viewer.
+    this.uniforms.toView.value = [0, 1, 2].flatMap((i) => [x[i], y[i], z[i]]);
+    const programs = this.cut ? this.programs.cut : this.programs.whole;
+    programs.surface.cullFace = programs.classic.cullFace =
+      this.isClosed && !this.cut ? gl.BACK : false;
+    const show = (/** @type {Mesh | null} */ mesh, /** @type {Program} */ program) => {
+      if (!mesh) return;
+      mesh.program = program;
+      mesh.draw({ camera: lens });
+    };
+    gl.viewport(0, 0, part, height);
+    this.behindLines(() => show(this.surface, programs.surface));
+    // Where voxels are small in the picture their many edges are fainter, so that they leave light.
+    const pixels = Math.min(part, height) / scale / this.camera.millimetres();
+    this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * Math.min(...this.spacing.map(Math.abs)));
+    if (this.hasEdges) show(this.edges, programs.edges);
+    show(this.marks, programs.marks);
+    if (!this.classic) return;
+    gl.viewport(part, 0, part, height);
+    this.behindLines(() => show(this.classic, programs.classic));
+    if (!this.hasEdges) return;
+    this.classicEdges ??= this.edgesOfClassic();
+    show(this.classicEdges, programs.classicEdges);
+  }
+
+  edgesOfClassic() {
+    const { position } = this.classic.geometry.attributes;
+    const index = { data: sidesOf(this.classicTriangles) };
+    const geometry = new Geometry(this.gl, { position: { ...position }, index });
+    return this.mesh(geometry, this.gl.LINES, [1, 1, 1]);
+  }
+
+  /** @param {() => void} show */
+  behindLines(show) {
+    const gl = this.gl;
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(1, 1);
+    show();
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+  }
+
+  /** The picture as PNG. @returns {Promise<Blob | null>} */
+  picture() {
+    this.drawNow(finest);
+    return new Promise((resolve) => this.canvas.toBlob(resolve, 'image/png'));
+  }
+
+  /**
+   * What is seen at a point of the canvas: its place in millimetres of the volume.
+   * @param {number} right @param {number} up from -1 to 1 @returns {number[] | null}
+   */
+  pick(right, up) {
+    if (!this.surface) return null;
+    let [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    if (this.classic) {
+      if (right > 0) return null;
+      right = 2 * right + 1;
+      width /= 2;
+    }
+    const { origin, direction } = this.camera.ray(right, up, width, height);
+    const inSteps = (/** @type {number[]} */ v, /** @type {number[]} */ offset) =>
+      v.map((at, i) => (2 * (at + offset[i])) / this.spacing[i]);
+    const from = inSteps(origin, this.centre), way = inSteps(direction, [0, 0, 0]);
+    const far = nearestHit(this.vertices, this.triangles, from, way, this.cut);
+    return far === null ? null : from.map((at, i) => ((at + far * way[i]) * this.spacing[i]) / 2);
+  }
+
+  half() {
+    return this.spacing.map((step) => step / 2);
+  }
+
+  /** @param {Geometry} geometry @param {number} mode @param {number[]} scale */
+  mesh(geometry, mode, scale) {
+    const mesh = new Mesh(this.gl, { geometry, mode });
+    mesh.scale.set(scale[0], scale[1], scale[2]);
+    mesh.position.set(-this.centre[0], -this.centre[1], -this.centre[2]);
+    mesh.updateMatrixWorld();
+    return mesh;
+  }
+
+  /** @param {...(Mesh | null)} meshes */
+  removed(...meshes) {
+    for (const mesh of meshes) mesh?.geometry.remove();
+  }
+}
+
+/** @param {Int16Array} vertices four numbers each */
+function boxOf(vertices) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < vertices.length; i += 4)
+    for (let axis = 0; axis < 3; ++axis) {
+      const at = vertices[i + axis];
+      if (at < low[axis]) low[axis] = at;
+      if (at > high[axis]) high[axis] = at;
+    }
+  return vertices.length > 0 ? { low, high } : { low: [0, 0, 0], high: [0, 0, 0] };
+}
+
+/** The three sides of each triangle. @param {Uint32Array} triangles */
+function sidesOf(triangles) {
+  const sides = new Uint32Array(2 * triangles.length);
+  for (let i = 0; i < triangles.length; i += 3)
+    for (let side = 0; side < 3; ++side) {
+      sides[2 * (i + side)] = triangles[i + side];
+      sides[2 * (i + side) + 1] = triangles[i + ((side + 1) % 3)];
+    }
+  return sides;
+}
+
+/**
+ * How far along a line its first triangle is: T. Moeller and B. Trumbore, Fast, Minimum Storage
+ * Ray/Triangle Intersection, 1997.
+ * @param {Int16Array} vertices four numbers a vertex @param {Uint32Array} triangles
+ * @param {number[]} from @param {number[]} way @param {{axis: number, at: number} | null | undefined} cut
+ */
+function nearestHit(vertices, triangles, from, way, cut) {
+  let nearest = Infinity;
+  const [dx, dy, dz] = way;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const a = 4 * triangles[i], b = 4 * triangles[i + 1], c = 4 * triangles[i + 2];
+    const ax = vertices[a], ay = vertices[a + 1], az = vertices[a + 2];
+    const e1x = vertices[b] - ax, e1y = vertices[b + 1] - ay, e1z = vertices[b + 2] - az;
+    const e2x = vertices[c] - ax, e2y = vertices[c + 1] - ay, e2z = vertices[c + 2] - az;
+    const px = dy * e2z - dz * e2y, py = dz * e2x - dx * e2z, pz = dx * e2y - dy * e2x;
+    const det = e1x * px + e1y * py + e1z * pz;
+    if (det === 0) continue;
+    const tx = from[0] - ax, ty = from[1] - ay, tz = from[2] - az;
+    const u = (tx * px + ty * py + tz * pz) / det;
+    if (u < 0 || u > 1) continue;
+    const qx = ty * e1z - tz * e1y, qy = tz * e1x - tx * e1z, qz = tx * e1y - ty * e1x;
+    const v = (dx * qx + dy * qy + dz * qz) / det;
+    if (v < 0 || u + v > 1) continue;
+    const far = (e2x * qx + e2y * qy + e2z * qz) / det;
+    if (far <= 0 || far >= nearest) continue;
+    if (cut && from[cut.axis] + far * way[cut.axis] > 2 * cut.at) continue;
+    nearest = far;
+  }
+  return nearest === Infinity ? null : nearest;
+}

@@ -1,0 +1,143 @@
+// The worker: everything that takes time. One request after the other, each answered.
+import { swapBytes } from './formats/bytes.js';
+import { openFiles, UnknownLayout } from './formats/volume_file.js';
+import { FileError, sampleBytes, sampleTypes, volumeBytes } from './formats/volume_info.js';
+import { Module } from './module.js';
+
+/** @type {BufferSource} */
+let moduleBytes;
+/** @type {Module} */
+let module;
+
+const requests = {
+  /** @param {{bytes: BufferSource}} request */
+  async start({ bytes }) {
+    moduleBytes = bytes;
+    module = await Module.start(bytes);
+  },
+
+  /**
+   * Opens a volume or a stream in place of what is open; if that fails, this stays.
+   * @param {{files: File[], layout?: import('./formats/raw.js').RawLayout}} request
+   */
+  async open({ files, layout }) {
+    const { name, info, data } = await openFiles(files, layout);
+    const opened = await Module.start(moduleBytes);
+    const result = await (info
+      ? openVolume(opened, name, info, data) : openStream(opened, name, data));
+    module = opened;
+    return result;
+  },
+
+  /** @param {{iso: number, isFiltered: boolean, hasEdges: boolean, isSmooth: boolean}} request */
+  surface({ iso, isFiltered, hasEdges, isSmooth }) {
+    const begin = performance.now();
+    const counts = module.extract(iso, isFiltered);
+    return { iso, counts, ...drawn(hasEdges, isSmooth), milliseconds: performance.now() - begin };
+  },
+
+  /** The surface that is there, once more. @param {{hasEdges: boolean}} request */
+  redraw({ hasEdges }) {
+    return drawn(hasEdges, false);
+  },
+
+  classic() {
+    return module.classic();
+  },
+
+  /** @param {{axis: number, place: number, dark: number, bright: number}} request */
+  picture({ axis, place, dark, bright }) {
+    return module.picture(axis, place, dark, bright);
+  },
+
+  /** @param {{memory: number}} request */
+  scan({ memory }) {
+    const least = module.leastMemory();
+    return { least, regions: module.scan(Math.max(memory, least)), slices: module.scan(0) };
+  },
+
+  /** @param {{memory: number}} request */
+  stream({ memory }) {
+    module.scan(memory);
+    return module.stream();
+  },
+
+  polygons() {
+    return module.polygons();
+  },
+};
+
+/**
+ * @param {Module} opened
+ * @param {string} name @param {import('./formats/volume_info.js').VolumeInfo} info
+ * @param {import('./formats/bytes.js').ByteSource} data
+ */
+async function openVolume(opened, name, info, data) {
+  const bytes = volumeBytes(info);
+  const samples = opened.newVolume(info, sampleTypes.indexOf(info.type), bytes);
+  const filled = await data.fill(samples);
+  data.cancel();
+  if (filled < bytes)
+    throw new FileError(name,
+      `it ends after ${filled} of ${bytes} bytes of samples (${info.dims.join(' x ')} ${info.type})`,
+      'check whether the file is complete');
+  if (info.bigEndian) swapBytes(samples, sampleBytes(info.type));
+  const values = opened.measure();
+  if (values.count === 0)
+    throw new FileError(name, 'no value is a finite number', 'check the file');
+  return { name, info, values };
+}
+
+/** @param {Module} opened @param {string} name @param {import('./formats/bytes.js').ByteSource} data */
+async function openStream(opened, name, data) {
+  opened.newStream();
+  for (let piece = await data.next(); piece; piece = await data.next()) opened.pushStream(piece);
+  const stream = opened.endStream();
+  if (!stream.hasHeader)
+    throw new FileError(name, `no header of a discmc stream in ${stream.bytes} bytes`,
+      'check whether this is a stream of version 2 (.dmc); discmc decode reads those of version 1');
+  return { name, stream };
+}
+
+/** @param {boolean} hasEdges @param {boolean} isSmooth */
+function drawn(hasEdges, isSmooth) {
+  const surface = module.draw();
+  return {
+    ...surface,
+    edges: hasEdges ? module.edges() : null,
+    normals: isSmooth ? module.normals() : null,
+  };
+}
+
+/** What can be handed over instead of copied. @param {any} result @returns {Transferable[]} */
+function transferables(result) {
+  if (ArrayBuffer.isView(result)) return [result.buffer];
+  const parts = result && typeof result === 'object' ? Object.values(result) : [];
+  return parts.flatMap((part) => (ArrayBuffer.isView(part) ? [part.buffer] : []));
+}
+
+/** @param {unknown} error @param {string} file */
+function asAnswer(error, file) {
+  if (error instanceof UnknownLayout)
+    return { unknownLayout: { name: error.file.name, size: error.file.size } };
+  if (error instanceof FileError) return { message: error.message };
+  if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
+    return { message: `${file}: the memory of the page is not enough for it; ` +
+      'close other pages, or make the volume smaller' };
+  return { message: `${file}: ${error instanceof Error ? error.message : error}; ` +
+    'check whether the file is damaged' };
+}
+
+let openName = 'discmc';
+let turn = Promise.resolve();
+self.onmessage = ({ data: { id, call, ...request } }) => {
+  turn = turn.then(async () => {
+    if (call === 'open') openName = request.files[0].name;
+    try {
+      const result = await /** @type {any} */ (requests)[call](request);
+      self.postMessage({ id, result }, { transfer: transferables(result) });
+    } catch (error) {
+      self.postMessage({ id, error: asAnswer(error, openName) });
+    }
+  });
+};

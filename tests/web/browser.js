@@ -1,0 +1,63 @@
+// The page in Chromium, without a network.
+import { createRequire } from 'node:module';
+import { pathToFileURL } from 'node:url';
+
+const require = createRequire(new URL('../../ports/web/', import.meta.url));
+const { chromium } = require('playwright-core');
+
+export const axe = require.resolve('axe-core/axe.min.js');
+
+/** @returns {Promise<import('playwright-core').Browser>} */
+export const startBrowser = () => chromium.launch({
+  executablePath: process.env.DISCMC_CHROMIUM,
+  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+    '--disable-component-update', '--disable-sync', '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader'],
+});
+
+/** Opens the page from its file; `complaints` collects what it asks the network for, and errors. */
+export async function openPage(browser, { path = process.env.DISCMC_PAGE, ...options } = {}) {
+  const context = await browser.newContext({ offline: true, viewport: { width: 1280, height: 800 },
+    acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(60000);
+  const complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('request', (request) => {
+    if (!/^(file|blob|data):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+  });
+  await page.addInitScript(() => {
+    globalThis.measured = [];
+    new PerformanceObserver((list) => globalThis.measured.push(...list.getEntries()))
+      .observe({ type: 'measure' });
+  });
+  await page.goto(pathToFileURL(path).href);
+  await page.waitForSelector('body[data-ready]');
+  return { page, complaints };
+}
+
+/** Opens files, and waits until their surface or an error is there. */
+export async function openFiles(page, files) {
+  await page.setInputFiles('#files', files);
+  await page.waitForFunction(() => !document.querySelector('#error').hidden ||
+    (document.querySelector('#busy').hidden && document.querySelector('#polygons').textContent !== '–'));
+}
+
+/** Waits until the surface of a threshold is shown. */
+export const shown = (page, iso) => page.waitForFunction((wanted) =>
+  globalThis.measured.some(({ name, detail }) => name === 'extracted' && detail.iso === wanted), iso);
+
+/** Waits for a picture of final quality that was begun after a moment of now(). */
+export const rested = (page, since = 0) => page.waitForFunction((begin) =>
+  globalThis.measured.some(({ name, startTime, detail }) =>
+    name === 'drawn' && detail.isFinal && startTime > begin), since);
+export const now = (page) => page.evaluate(() => performance.now());
+
+/** What the browser saves at a click. */
+export async function saved(page, kind) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${kind}]`)]);
+  return { name: download.suggestedFilename(), path: await download.path() };
+}

@@ -1,0 +1,36 @@
+// The command beside the page: what one makes of a volume the other must make, too.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+/** A folder for the files of a test; gone at its end. */
+export function workFolder(after) {
+  const folder = mkdtempSync(join(tmpdir(), 'discmc-web-'));
+  after(() => rmSync(folder, { recursive: true }));
+  return folder;
+}
+
+export const command = (...words) =>
+  execFileSync(process.env.DISCMC_COMMAND, words, { stdio: ['ignore', 'pipe', 'pipe'] });
+
+/** The polygons of a volume or stream, a line each, sorted. */
+export function polygonsByCommand(folder, ...words) {
+  const file = join(folder, 'polygons.jsonl');
+  command(...words, '-o', file);
+  return sorted(readFileSync(file, 'utf8'));
+}
+
+/** The same with every ring from its first corner in order on: those of joined pieces begin anywhere. */
+export const turned = (lines) => sorted(lines.split('\n').filter(Boolean).map((line) => {
+  const polygon = JSON.parse(line);
+  polygon.rings = polygon.rings.map((ring) => {
+    const corners = ring.map(String);
+    const first = corners.indexOf(corners.reduce((a, b) => (b < a ? b : a)));
+    return [...ring.slice(first), ...ring.slice(0, first)];
+  });
+  polygon.rings.sort();
+  return JSON.stringify(polygon);
+}).join('\n'));
+
+export const sorted = (lines) => lines.split('\n').sort().join('\n');

@@ -1,0 +1,84 @@
+// The readers of the page read what those of the command read, or refuse it with a reason.
+import assert from 'node:assert/strict';
+import { readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { openFiles } from '../../ports/web/page/formats/volume_file.js';
+import { polygonsByCommand, workFolder, command } from './command.js';
+import { asFile, openVolume, polygonsOf } from './module_of_page.js';
+import { nrrdOf, roughBall } from './ball.js';
+
+const folder = workFolder(after);
+const volumes = new URL('../command/volumes/', import.meta.url).pathname;
+
+// That of a file, as the command tells it.
+function assertSpacing(spacing, path) {
+  const told = /^spacing (.*)$/m.exec(command('info', path).toString())[1].split(' ').map(Number);
+  spacing.forEach((step, axis) =>
+    assert.ok(Math.abs(step - told[axis]) < 1e-6, `${spacing}, and the command has ${told}`));
+}
+
+const files = ['nrrd', 'metaimage', 'nifti1', 'nifti2', 'numpy'].flatMap((format) =>
+  readdirSync(join(volumes, format)).map((name) => join(format, name)));
+const isRefused = /text|bzip2|frame1/;
+const isData = /\.(img|raw|raw\.gz)$/;
+
+for (const file of files.filter((each) => !isData.test(each))) {
+  const path = join(volumes, file);
+  if (isRefused.test(file))
+    test(`${file} is refused by its name, with a remedy`, () =>
+      assert.rejects(openVolume(path), /^FileError: [\w.-]+: .+; .+$/s));
+  else
+    test(`${file} is read as by the command`, async () => {
+      const beside = files.filter((each) => isData.test(each) && each.startsWith(file.split('.')[0]))
+        .map((each) => join(volumes, each));
+      const { info, module } = await openVolume([path, ...beside]);
+      const { automatic } = module.measure();
+      module.extract(automatic, false);
+      assert.equal(await polygonsOf(module),
+        polygonsByCommand(folder, 'extract', '--quiet', path, '--iso', 'auto'));
+      assertSpacing(info.spacing, path);
+    });
+}
+
+test('headerless samples take their layout from the name, as a proposal', async () => {
+  const ball = roughBall();
+  const path = join(folder, 'ball_48x40x36_i16.raw');
+  writeFileSync(path, Buffer.from(ball.samples.buffer));
+  await assert.rejects(openFiles([asFile(path)]), /no known header/);
+  const { proposedLayout } = await import('../../ports/web/page/formats/raw.js');
+  const layout = proposedLayout('ball_48x40x36_i16.raw', ball.samples.byteLength);
+  assert.deepEqual(layout, { dims: [48, 40, 36], type: 'i16', bigEndian: false, spacing: [1, 1, 1] });
+  const { module } = await openVolume(path, layout);
+  module.extract(400, false);
+  assert.equal(await polygonsOf(module), polygonsByCommand(folder, 'extract', '--quiet', path, '--dims',
+    '48,40,36', '--type', 'i16', '--iso', '400'));
+});
+
+test('sizes beyond memory are refused before anything is allocated', async () => {
+  const path = join(folder, 'huge.nrrd');
+  writeFileSync(path, nrrdOf({ dims: [16000, 16000, 16000], spacing: [1, 1, 1], samples: new Int16Array(9) }));
+  await assert.rejects(openVolume(path), /16000 x 16000 x 16000 voxels are .* MiB; .*at most 1,024 MiB; .*--shrink/);
+});
+
+test('a volume that is cut off says how much is missing', async () => {
+  const path = join(folder, 'cut.nrrd');
+  writeFileSync(path, nrrdOf({ dims: [16, 16, 16], spacing: [1, 1, 1], samples: new Int16Array(9) }));
+  await assert.rejects(openVolume(path), /ends after 18 bytes/);
+});
+
+test('the axes of oblique and mirrored volumes are those of the command', async () => {
+  const directions = [
+    '(-0.5,0,0) (0,0.75,0) (0,0,1.25)', '(0.35,0.35,0) (-0.35,0.35,0) (0,0,1.25)',
+    '(0,0.75,0) (0.5,0,0) (0,0,1.25)', '(0.5,0.1,0) (-0.1,0.75,0) (0,0,-1.25)',
+  ];
+  for (const each of directions) {
+    const path = join(folder, 'turned.nrrd');
+    const ball = roughBall(8, 8, 8);
+    const file = nrrdOf(ball).toString('latin1').replace(/spacings: .*\n/,
+      `space: left-posterior-superior\nspace directions: ${each}\n`);
+    writeFileSync(path, file, 'latin1');
+    const { info } = await openFiles([asFile(path)]);
+    assertSpacing(info.spacing, path);
+  }
+});

@@ -1,0 +1,179 @@
+// The page in a browser: what a user does, and what then is there.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { deflateSync } from 'node:zlib';
+import { nrrdOf, roughBall } from './ball.js';
+import { axe, now, openFiles, openPage, rested, saved, shown, startBrowser } from './browser.js';
+import { command, polygonsByCommand, sorted, workFolder } from './command.js';
+
+const folder = workFolder(after);
+const volume = join(folder, 'ball.nrrd');
+writeFileSync(volume, nrrdOf(roughBall()));
+const byCommand = (iso) => polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', `${iso}`);
+
+let browser;
+before(async () => (browser = await startBrowser()));
+after(() => browser.close());
+
+const setThreshold = (page, iso) => page.evaluate((value) => {
+  const slider = document.querySelector('#threshold');
+  slider.value = value;
+  slider.dispatchEvent(new Event('input', { bubbles: true }));
+}, iso);
+
+test('dragged over 40 thresholds, each surface is that of the command', async () => {
+  const { page, complaints } = await openPage(browser);
+  await openFiles(page, volume);
+  for (let step = 0; step < 40; ++step) {
+    const iso = -100 + 25 * step;
+    await setThreshold(page, iso);
+    await shown(page, iso);
+    const { path } = await saved(page, 'jsonl');
+    assert.equal(sorted(readFileSync(path, 'utf8')), byCommand(iso), `threshold ${iso}`);
+  }
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('a drag that is too fast for it ends at its last threshold', async () => {
+  const { page } = await openPage(browser);
+  await openFiles(page, volume);
+  for (let iso = 100; iso <= 500; iso += 4) await setThreshold(page, iso);
+  await shown(page, 500);
+  const { name, path } = await saved(page, 'jsonl');
+  assert.equal(name, 'ball-500.jsonl');
+  assert.equal(sorted(readFileSync(path, 'utf8')), byCommand(500));
+  await page.context().close();
+});
+
+test('wrong, damaged and huge files are refused, and the page goes on', async () => {
+  const { page, complaints } = await openPage(browser);
+  const stream = join(folder, 'ball.dmc');
+  command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
+  const damaged = join(folder, 'damaged.dmc');
+  writeFileSync(damaged, readFileSync(stream).fill(0x55, 900, 1300));
+  const wrong = join(folder, 'wrong.dmc');
+  writeFileSync(wrong, 'this is a letter');
+  const text = join(folder, 'letter.txt');
+  writeFileSync(text, 'this is a letter');
+  const huge = join(folder, 'huge.nrrd');
+  writeFileSync(huge, nrrdOf({ dims: [9999, 9999, 9999], spacing: [1, 1, 1], samples: new Int16Array(4) }));
+  const cut = join(folder, 'cut.nrrd');
+  writeFileSync(cut, readFileSync(volume).subarray(0, 9000));
+
+  const expected = [[wrong, /^wrong.dmc: no header .*; check/], [text, /^letter.txt: .*; give NRRD/],
+    [huge, /^huge.nrrd: 9999 x 9999 x 9999 voxels .*; make/], [cut, /^cut.nrrd: it ends after .*; check/]];
+  for (const [file, message] of expected) {
+    await openFiles(page, file);
+    assert.match(await page.textContent('#error[role=alert] p'), message);
+  }
+  await openFiles(page, volume);
+  assert.ok(await page.isHidden('#error'), 'the next file takes the message away');
+
+  await openFiles(page, cut);
+  await setThreshold(page, 425);
+  await shown(page, 425);
+  const { path } = await saved(page, 'jsonl');
+  assert.equal(sorted(readFileSync(path, 'utf8')), byCommand(425), 'what was open before still is');
+
+  await openFiles(page, damaged);
+  assert.match(await page.textContent('#stream-text'), /^Incomplete: \d+ packets and \d+ regions .* missing/);
+  await openFiles(page, stream);
+  await page.waitForFunction(() => /^Complete/.test(document.querySelector('#stream-text').textContent));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('keys alone suffice: open, threshold, look around, measure, save', async () => {
+  const { page, complaints } = await openPage(browser);
+  const focus = async (selector) => {
+    for (let tabs = 0; tabs < 60; ++tabs) {
+      if (await page.evaluate((wanted) => document.activeElement?.matches(wanted), selector)) return;
+      await page.keyboard.press('Tab');
+    }
+    assert.fail(`no way to ${selector} by Tab`);
+  };
+  page.on('filechooser', () => {}); // from here on the browser hands it over
+  await focus('#open');
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
+  await chooser.setFiles(volume);
+  await page.waitForFunction(() => document.querySelector('#polygons').textContent !== '–');
+  const first = Number(await page.inputValue('#threshold'));
+  await focus('#threshold');
+  for (let press = 0; press < 5; ++press) await page.keyboard.press('ArrowRight');
+  await shown(page, first + 5);
+  await focus('#edges');
+  await page.keyboard.press('Space');
+  await focus('#measure');
+  await page.keyboard.press('Space');
+  await focus('#view');
+  const picture = () => page.screenshot({ clip: { x: 0, y: 100, width: 900, height: 600 } });
+  await rested(page);
+  const before = await picture();
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /^From .* mm to/.test(document.querySelector('#distance').textContent));
+  const begin = await now(page);
+  for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowUp', 'Shift+ArrowLeft', '+']) await page.keyboard.press(key);
+  await rested(page, begin);
+  assert.ok(!before.equals(await picture()), 'the view has turned');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /^[\d.]+ mm$/.test(document.querySelector('#distance').textContent));
+  const distance = parseFloat(await page.textContent('#distance'));
+  assert.ok(distance > 0.2 && distance < 30, `${distance} mm on a ball of some 20`);
+  await focus('[data-save=png]');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  assert.equal(readFileSync(await download.path()).subarray(1, 4).toString(), 'PNG');
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('axe finds nothing serious: empty, with a volume, in the dark, on a small screen', async () => {
+  for (const options of [{}, { colorScheme: 'dark' }, { viewport: { width: 390, height: 780 } }]) {
+    const { page, complaints } = await openPage(browser, options);
+    const check = async () => {
+      const { violations } = await page.evaluate(() => globalThis.axe.run());
+      const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
+      assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+    };
+    await page.addScriptTag({ path: axe });
+    await check();
+    await openFiles(page, volume);
+    await check();
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+  }
+});
+
+test('every switch of the view works without complaint', async () => {
+  const { page, complaints } = await openPage(browser);
+  await openFiles(page, volume);
+  for (const id of ['edges', 'smooth', 'classic', 'filter', 'cut']) await page.check(`#${id}`);
+  await page.waitForSelector('#caption-classic:visible');
+  for (const colouring of ['1', '2']) await page.selectOption('#colouring', colouring);
+  for (const axis of ['0', '1']) await page.selectOption('#axis', axis);
+  await page.waitForFunction(() => /bytes/.test(document.querySelector('#device-regions').textContent));
+  await page.focus('#memory');
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => /joined/.test(document.querySelector('#device-pieces').textContent));
+  const stream = await saved(page, 'dmc');
+  assert.match(command('info', stream.path).toString(), /^threshold -?\d+$/m);
+  for (const kind of ['stl', 'glb']) assert.ok(readFileSync((await saved(page, kind)).path).length > 10000);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('a page with data inside opens it at once', async () => {
+  const path = join(folder, 'with_data.html');
+  const data = deflateSync(readFileSync(volume)).toString('base64');
+  const element = `<script type="application/base64" id="data" data-name="inside.nrrd" ` +
+    `data-encoding="deflate" data-iso="425">${data}</script>`;
+  const html = readFileSync(process.env.DISCMC_PAGE, 'utf8');
+  writeFileSync(path, html.replace('<script type="application/base64" id="module">', (own) => element + own));
+  const { page, complaints } = await openPage(browser, { path });
+  await shown(page, 425);
+  assert.match(await page.textContent('#file-name'), /^inside.nrrd/);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
