@@ -33,9 +33,10 @@ void DrawnSurface::add_ring(const host::Ring& ring, const host::Polygon& polygon
   const host::LatticePlane plane(polygon.rings[0][0], polygon.incidence);
   const auto begin = static_cast<std::uint32_t>(vertices_.size());
   const auto add = [&](const Vertex& vertex) {
-    vertices_.push_back({static_cast<std::int16_t>(vertex.x), static_cast<std::int16_t>(vertex.y),
-                         static_cast<std::int16_t>(vertex.z), polygon.incidence,
-                         static_cast<std::uint8_t>(number_ * 0x9E3779B1u >> 24)});
+    vertices_.push_back(
+        {static_cast<std::int16_t>(vertex.x), static_cast<std::int16_t>(vertex.y),
+         static_cast<std::int16_t>(vertex.z), polygon.incidence,
+         static_cast<std::uint8_t>((number_ * 0x9E3779B1u >> 16) % DrawnVertex::colours)});
     points_.push_back(plane.at(vertex));
   };
   for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -16,9 +16,11 @@ namespace discmc::web {
 
 /// A corner of one polygon. Units: half-steps.
 struct DrawnVertex {
+  static constexpr std::uint8_t colours = 7;
+
   std::int16_t x, y, z;
   std::uint8_t incidence;
-  std::uint8_t colour;  ///< a number that tells the polygon from those beside it, mostly
+  std::uint8_t colour;  ///< below colours; tells the polygon from those beside it, mostly
 };
 static_assert(sizeof(DrawnVertex) == 8, "the page reads them so");
 

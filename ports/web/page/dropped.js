@@ -1,7 +1,24 @@
 // Files that are dropped on the page, those in folders too.
 
+/** @param {(files: File[]) => void} take */
+export function takeDropped(take) {
+  let depth = 0; // of elements that the pointer is over
+  const over = (/** @type {number} */ step) => (/** @type {DragEvent} */ event) => {
+    event.preventDefault();
+    depth += step;
+    document.body.classList.toggle('dropping', depth > 0);
+  };
+  addEventListener('dragenter', over(1));
+  addEventListener('dragleave', over(-1));
+  addEventListener('dragover', (event) => event.preventDefault());
+  addEventListener('drop', async (event) => {
+    over(-depth)(event);
+    if (event.dataTransfer) take(await filesOfAll(event.dataTransfer));
+  });
+}
+
 /** @param {DataTransfer} transfer @returns {Promise<File[]>} */
-export async function droppedFiles(transfer) {
+async function filesOfAll(transfer) {
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
   if (entries.length === 0) return [...transfer.files];
   const files = await Promise.all(entries.map((entry) => filesOf(/** @type {any} */ (entry))));

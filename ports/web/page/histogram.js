@@ -12,7 +12,7 @@ export function drawHistogram(canvas, counts, share, proposals) {
   const width = canvas.clientWidth, height = canvas.clientHeight;
   canvas.width = width * scale;
   canvas.height = height * scale;
-  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d', { willReadFrequently: true }));
   context.scale(scale, scale);
   const style = getComputedStyle(canvas);
   const room = width - 2 * margin;

@@ -1,17 +1,75 @@
-// What the graphics card does with surfaces and lines.
+// What the graphics card does with surfaces and lines. Positions are in half-steps, or in
+// millimetres where it says so.
 
-/** Of merged polygons: flat by their incidence, or smooth by told normals. */
-export const surfaceVertex = `#version 300 es
+// A place in half-steps: what lies beyond the cut is left out. Without a cut there is no code for
+// it, which graphics cards draw faster.
+const cutting = (/** @type {boolean} */ isCut) => (isCut ? `
+uniform vec4 cut;
+in vec3 place;
+void leaveOut() {
+  if (dot(cut.xyz, place) > cut.w) discard;
+}` : `
+void leaveOut() {}`);
+
+/**
+ * Of merged polygons, each flat: what light falls on a plane is the same all over it, so it comes
+ * with the incidence. Nothing is left to do for a pixel.
+ */
+export const flatVertex = `#version 300 es
 precision highp float;
-in vec3 position;          // half-steps
+in vec3 position;
 in vec2 look;              // incidence, colour number
+uniform mat4 toClip;
+uniform vec3 outer[27], inner[27];
+uniform vec3 tints[7];
+out vec3 place;
+out vec3 outside;
+out vec3 inside;
+void main() {
+  vec3 tint = tints[int(look.y)];
+  outside = outer[int(look.x)] * tint;
+  inside = inner[int(look.x)] * tint;
+  place = position;
+  gl_Position = toClip * vec4(position, 1.0);
+}`;
+
+export const flatFragment = (/** @type {boolean} */ isCut) => `#version 300 es
+precision mediump float;
+${cutting(isCut)}
+uniform bool isMirrored;
+in vec3 outside;
+in vec3 inside;
+out vec4 pixel;
+void main() {
+  leaveOut();
+  pixel = vec4(gl_FrontFacing == isMirrored ? inside : outside, 1.0);
+}`;
+
+// As light.js.
+const light = `
+out vec4 pixel;
+
+vec3 lit(vec3 base, vec3 normal, bool isInside) {
+  vec3 n = normalize(normal) * (isInside ? -1.0 : 1.0);
+  float fill = 0.14 + 0.08 * n.y;
+  float light = 0.28 * max(0.0, n.z) + 0.74 * max(0.0, dot(n, normalize(vec3(-0.6, 0.7, 0.5))));
+  vec3 tone = isInside ? vec3(0.3, 0.6, 1.2) : vec3(1.0);
+  vec3 linear = pow(base, vec3(2.2)) * tone * (fill * vec3(0.7, 0.95, 1.4) + light);
+  return pow(min(linear, 1.0), vec3(1.0 / 2.2));
+}
+`;
+
+/** Of merged polygons, smooth by told normals. */
+export const smoothVertex = `#version 300 es
+precision highp float;
+in vec3 position;
+in vec2 look;
 in vec2 octahedral;        // a normal, or 0
-uniform mat4 modelViewMatrix, projectionMatrix;
+uniform mat4 toClip;
 uniform mat3 toView;       // directions
-uniform vec3 spacing;      // millimetres, signed
-uniform int colouring;     // 0 plain, 1 kind of plane, 2 polygon
-uniform vec3 plain;
-uniform vec3 palette[7];
+uniform vec3 planes[27];   // normals
+uniform vec3 bases[27];
+uniform vec3 tints[7];
 out vec3 normal;
 out vec3 place;
 out vec3 colour;
@@ -26,51 +84,23 @@ vec3 unfolded(vec2 told) {
 }
 
 void main() {
-  int incidence = int(look.x);
-  ivec3 lattice = ivec3(incidence % 3, incidence / 3 % 3, incidence / 9) - 1;
-  vec3 flatNormal = normalize(vec3(lattice) / spacing);
-  vec3 own = flatNormal;
+  vec3 own = planes[int(look.x)];
   if (octahedral.x > 0.0) {
-    vec3 smoothNormal = unfolded(octahedral);
+    vec3 told = unfolded(octahedral);
     const float steepest = 0.309; // 72 degrees: there is an edge
-    if (dot(smoothNormal, flatNormal) > steepest) own = smoothNormal;
+    if (dot(told, own) > steepest) own = told;
   }
   normal = toView * own;
   place = position;
-  int kind = abs(lattice.x) + abs(lattice.y) + abs(lattice.z) - 1;
-  colour = colouring == 0 ? plain : palette[colouring == 1 ? kind : int(look.y) % 7];
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  colour = bases[int(look.x)] * tints[int(look.y)];
+  gl_Position = toClip * vec4(position, 1.0);
 }`;
 
-// A place in half-steps: what lies beyond the cut is left out. Without a cut there is no code for
-// it, which graphics cards draw faster.
-const cutting = (/** @type {boolean} */ isCut) => (isCut ? `
-uniform vec4 cut;
-in vec3 place;
-void leaveOut() {
-  if (dot(cut.xyz, place) > cut.w) discard;
-}` : `
-void leaveOut() {}`);
-
-const light = `
-uniform bool isMirrored;
-out vec4 pixel;
-
-// As ports/command/pictures/shading.cpp: a key light over the left shoulder, and a cool fill.
-vec3 lit(vec3 base, vec3 normal, bool isInside) {
-  vec3 n = normalize(normal) * (isInside ? -1.0 : 1.0);
-  float fill = 0.14 + 0.08 * n.y;
-  float light = 0.28 * max(0.0, n.z) + 0.74 * max(0.0, dot(n, normalize(vec3(-0.6, 0.7, 0.5))));
-  vec3 tone = isInside ? vec3(0.3, 0.6, 1.2) : vec3(1.0);
-  vec3 linear = pow(base, vec3(2.2)) * tone * (fill * vec3(0.7, 0.95, 1.4) + light);
-  return pow(min(linear, 1.0), vec3(1.0 / 2.2));
-}
-`;
-
-export const surfaceFragment = (/** @type {boolean} */ isCut) => `#version 300 es
+export const smoothFragment = (/** @type {boolean} */ isCut) => `#version 300 es
 precision highp float;
 ${cutting(isCut)}
 ${light}
+uniform bool isMirrored;
 in vec3 normal;
 in vec3 colour;
 void main() {
@@ -78,19 +108,18 @@ void main() {
   pixel = vec4(lit(colour, normal, gl_FrontFacing == isMirrored), 1.0);
 }`;
 
-/** Of triangles that are each flat. */
+/** Of triangles that are each flat, in millimetres. */
 export const classicVertex = `#version 300 es
 precision highp float;
-in vec3 position;          // millimetres
-uniform mat4 modelViewMatrix, projectionMatrix;
-uniform vec3 spacing;
+in vec3 position;
+uniform mat4 toClip, modelViewMatrix;
+uniform vec3 toPlace;
 out vec3 place;
 out vec3 seen;
 void main() {
-  vec4 at = modelViewMatrix * vec4(position, 1.0);
-  seen = at.xyz;
-  place = 2.0 * position / spacing;
-  gl_Position = projectionMatrix * at;
+  seen = (modelViewMatrix * vec4(position, 1.0)).xyz;
+  place = position * toPlace;
+  gl_Position = toClip * vec4(position, 1.0);
 }`;
 
 export const classicFragment = (/** @type {boolean} */ isCut) => `#version 300 es
@@ -109,12 +138,12 @@ void main() {
 const lines = (/** @type {string} */ toHalfSteps) => `#version 300 es
 precision highp float;
 in vec3 position;
-uniform mat4 modelViewMatrix, projectionMatrix;
+uniform mat4 toClip;
 uniform vec3 toPlace;
 out vec3 place;
 void main() {
   place = position${toHalfSteps};
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  gl_Position = toClip * vec4(position, 1.0);
 }`;
 /** Of polygons, in half-steps; and of what is in millimetres. */
 export const edgeVertex = lines('');

@@ -27,7 +27,7 @@ export class SliceView {
     canvas.style.width = `${Math.round(wide * fit)}px`;
     canvas.width = Math.round(wide * fit * scale);
     canvas.height = Math.round(high * fit * scale);
-    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d', { willReadFrequently: true }));
     context.imageSmoothingEnabled = false;
     const x = canvas.width / width, y = canvas.height / height;
     context.setTransform(x, 0, 0, isUpwards ? -y : y, 0, isUpwards ? canvas.height : 0);

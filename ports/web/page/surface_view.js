@@ -1,9 +1,15 @@
 // The surface on a canvas: merged polygons, and classic Marching Cubes beside them if wanted.
-import { Geometry, Mesh, Program, Renderer } from 'ogl';
+import { Geometry, Mat4, Mesh, Program, Renderer } from 'ogl';
 import { Camera } from './camera.js';
+import { kindBases, litPlanes, plainBases, planesOf, whiteBases } from './light.js';
 import * as palette from './palette.js';
 import * as shaders from './shaders.js';
 import { told } from './timing.js';
+
+/** Of polygons, so that neighbours differ. */
+const tints = [palette.bone, palette.skyBlue, palette.orange, palette.green, palette.yellow, palette.purple,
+  palette.vermilion].map(palette.rgb);
+const noTints = tints.map(() => [1, 1, 1]);
 
 const vertexBytes = 8; // module/drawn_surface.hpp
 const finest = 2; // pixels of the picture to one of the page
@@ -36,15 +42,17 @@ export class SurfaceView {
   makePrograms() {
     /** Of all programs; see shaders.js. */
     this.uniforms = {
-      cut: { value: [0, 0, 0, 0] },
-      spacing: { value: [1, 1, 1] },
-      toPlace: { value: [1, 1, 1] },
+      toClip: { value: new Mat4() },
       toView: { value: new Array(9).fill(0) },
+      cut: { value: [0, 0, 0, 0] },
+      toPlace: { value: [1, 1, 1] },
       isMirrored: { value: false },
-      colouring: { value: 0 },
+      planes: { value: planesOf([1, 1, 1]) },
+      bases: { value: plainBases },
+      outer: { value: planesOf([1, 1, 1]) },
+      inner: { value: planesOf([1, 1, 1]) },
+      tints: { value: noTints },
       plain: { value: palette.rgb(palette.bone) },
-      palette: { value: [palette.skyBlue, palette.orange, palette.green, palette.yellow,
-        palette.purple, palette.vermilion, palette.blue].map(palette.rgb) },
     };
     this.edgeLine = { value: [0.05, 0.05, 0.08, 1] };
     const program = (/** @type {string} */ vertex, /** @type {string} */ fragment,
@@ -54,7 +62,8 @@ export class SurfaceView {
     const dark = { line: this.edgeLine };
     const marking = { line: { value: [...palette.rgb(palette.vermilion), 1] } };
     const programsFor = (/** @type {boolean} */ isCut) => ({
-      surface: program(shaders.surfaceVertex, shaders.surfaceFragment(isCut)),
+      flat: program(shaders.flatVertex, shaders.flatFragment(isCut)),
+      smooth: program(shaders.smoothVertex, shaders.smoothFragment(isCut)),
       classic: program(shaders.classicVertex, shaders.classicFragment(isCut)),
       edges: program(shaders.edgeVertex, shaders.lineFragment(isCut), dark, { transparent: true }),
       classicEdges: program(shaders.lineVertex, shaders.lineFragment(isCut), dark,
@@ -73,7 +82,7 @@ export class SurfaceView {
     this.dims = dims;
     this.spacing = spacing;
     this.isClosed = isClosed;
-    this.uniforms.spacing.value = spacing;
+    this.uniforms.planes.value = planesOf(spacing);
     this.uniforms.toPlace.value = spacing.map((step) => 2 / step);
     this.uniforms.isMirrored.value = spacing[0] * spacing[1] * spacing[2] < 0;
     this.centre = dims.map((extent, i) => ((extent - 1) / 2) * spacing[i]);
@@ -114,9 +123,9 @@ export class SurfaceView {
     const geometry = new Geometry(gl, { position });
     geometry.addAttribute('look', { data: this.vertices, buffer: position.buffer, size: 2,
       type: gl.UNSIGNED_BYTE, stride: vertexBytes, offset: 6 });
-    // Without: one attribute of zeros for all.
-    geometry.addAttribute('octahedral', { size: 2, type: gl.UNSIGNED_BYTE,
-      data: normals ?? new Uint8Array(vertices.length / 4) });
+    if (normals)
+      geometry.addAttribute('octahedral', { size: 2, type: gl.UNSIGNED_BYTE, data: normals });
+    this.isSmooth = normals !== null;
     geometry.setIndex({ data: this.triangles });
     this.surface = this.mesh(geometry, gl.TRIANGLES, this.half());
     this.edges = null;
@@ -151,7 +160,8 @@ export class SurfaceView {
 
   /** @param {number} colouring 0 plain, 1 by the kind of plane, 2 by polygon */
   setColouring(colouring) {
-    this.uniforms.colouring.value = colouring;
+    this.uniforms.bases.value = [plainBases, kindBases, whiteBases][colouring];
+    this.uniforms.tints.value = colouring === 2 ? tints : noTints;
     this.draw();
   }
 
@@ -248,19 +258,23 @@ export class SurfaceView {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const part = this.classic ? Math.floor(width / 2) : width;
     const lens = this.camera.lensFor(part, height);
-    const { x, y, z } = this.camera.axes();
+    const { uniforms } = this;
+    const axes = this.camera.axes();
     // By columns: from space to right, upwards and towards the viewer.
-    this.uniforms.toView.value = [0, 1, 2].flatMap((i) => [x[i], y[i], z[i]]);
+    uniforms.toView.value = [0, 1, 2].flatMap((i) => [axes.x[i], axes.y[i], axes.z[i]]);
+    uniforms.outer.value = litPlanes(uniforms.planes.value, uniforms.bases.value, axes, false);
+    uniforms.inner.value = litPlanes(uniforms.planes.value, uniforms.bases.value, axes, true);
     const programs = this.cut ? this.programs.cut : this.programs.whole;
-    programs.surface.cullFace = programs.classic.cullFace =
-      this.isClosed && !this.cut ? gl.BACK : false;
+    const surface = this.isSmooth ? programs.smooth : programs.flat;
+    surface.cullFace = programs.classic.cullFace = this.isClosed && !this.cut ? gl.BACK : false;
     const show = (/** @type {Mesh | null} */ mesh, /** @type {Program} */ program) => {
       if (!mesh) return;
       mesh.program = program;
+      uniforms.toClip.value.multiply(lens.projectionViewMatrix, mesh.worldMatrix);
       mesh.draw({ camera: lens });
     };
     gl.viewport(0, 0, part, height);
-    this.behindLines(() => show(this.surface, programs.surface));
+    this.behindLines(() => show(this.surface, surface));
     // Where voxels are small in the picture their many edges are fainter, so that they leave light.
     const pixels = Math.min(part, height) / scale / this.camera.millimetres();
     this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * Math.min(...this.spacing.map(Math.abs)));

@@ -1,0 +1,41 @@
+// The distance between two points of the surface.
+import { by, on } from '../elements.js';
+
+export class MeasurePanel {
+  /** @param {import('../surface_view.js').SurfaceView} view */
+  constructor(view) {
+    this.view = view;
+    on('measure', 'change', () => {
+      by('view').classList.toggle('picks', by('measure').checked);
+      by('cross').hidden = !by('measure').checked;
+      this.clear();
+      if (by('measure').checked)
+        this.tell('Click on the surface, or press Enter in the view for its middle.');
+    });
+    this.clear();
+  }
+
+  clear() {
+    /** @type {number[][]} */
+    this.points = [];
+    this.view.setMarks([]);
+    this.tell('');
+  }
+
+  /** @param {string} text */
+  tell(text) {
+    by('distance').textContent = text;
+  }
+
+  /** @param {number} right @param {number} up in the view, from -1 to 1 */
+  pick(right, up) {
+    if (!by('measure').checked) return;
+    const point = this.view.pick(right, up);
+    if (!point) return this.tell('There is no surface at this point.');
+    this.points = this.points.length === 1 ? [this.points[0], point] : [point];
+    this.view.setMarks(this.points);
+    const [from, to] = this.points;
+    this.tell(to ? `${Math.hypot(...to.map((at, i) => at - from[i])).toFixed(2)} mm`
+      : `From ${from.map((at) => at.toFixed(1)).join(', ')} mm to …`);
+  }
+}
