@@ -20,7 +20,10 @@ async function script(name) {
   return outputFiles[0].text.replaceAll('</script', '<\\/script');
 }
 
+const licence = readFileSync(new URL('node_modules/dicom-parser/LICENSE', import.meta.url), 'utf8');
+
 const parts = [
+  ['<!doctype html>', `<!doctype html>\n<!-- With code of dicom-parser:\n\n${licence.trim()}\n-->`],
   ['<style>/* style.css */</style>',
     `<style>${readFileSync(new URL('style.css', folder), 'utf8')}</style>`],
   ['id="module"></script>',

@@ -82,3 +82,30 @@ test('the axes of oblique and mirrored volumes are those of the command', async 
     assertSpacing(info.spacing, path);
   }
 });
+
+const dicom = join(volumes, 'dicom');
+const imagesIn = (folder) => readdirSync(join(dicom, folder)).map((name) => join(dicom, folder, name));
+
+for (const [name, paths] of [['series', imagesIn('series')], ['scaled', imagesIn('scaled')],
+  ...['u16', 'u8', 'big', 'implicit', 'little'].map((name) => [`${name}.dcm`, [join(dicom, `${name}.dcm`)]])])
+  test(`dicom/${name} is read as by the command`, async () => {
+    const { info, module } = await openVolume(paths.reverse());
+    const { otsu } = module.measure();
+    module.extract(otsu, false);
+    assert.equal(await polygonsOf(module),
+      polygonsByCommand(folder, 'extract', '--quiet', join(dicom, name), '--iso', 'otsu'));
+    assertSpacing(info.spacing, join(dicom, name));
+  });
+
+for (const name of ['u16-jpeg', 'u16-rle', 'colour', 'deflated', 'report'])
+  test(`dicom/${name}.dcm is refused with a remedy`, () =>
+    assert.rejects(openVolume(join(dicom, `${name}.dcm`)), /^FileError: .+: .+; .+$/s));
+
+test('a series with a slice that is missing in its middle is refused', async () => {
+  const images = imagesIn('series');
+  const opened = await Promise.allSettled(images.map((left) =>
+    openVolume(images.filter((image) => image !== left))));
+  const reasons = opened.flatMap(({ reason }) => (reason ? [reason.message] : []));
+  assert.equal(reasons.length, images.length - 2, 'all but the first and the last');
+  for (const reason of reasons) assert.match(reason, /mm away, and others .*--allow-gaps/);
+});

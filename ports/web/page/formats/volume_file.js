@@ -1,5 +1,6 @@
 // A dropped file, or several that belong together, as a volume or a stream.
 import { openBytes } from './bytes.js';
+import { isDicom, readDicom } from './dicom.js';
 import { isMetaImage, readMetaImage } from './metaimage.js';
 import { isNifti, readNifti } from './nifti.js';
 import { isNpy, readNpy } from './npy.js';
@@ -58,6 +59,12 @@ export async function openFiles(files, layout) {
     }
     const head = await data.peek(headBytes);
     if (/\.dmc$/i.test(name)) return { name, data };
+    if (isDicom(head)) {
+      data.cancel();
+      const series = await readDicom(files);
+      requireSize(series.name, series.info);
+      return series;
+    }
     const format = formats.find(({ is }) => is(head));
     if (format) {
       const volume = await format.read(name, data, others);
@@ -69,7 +76,7 @@ export async function openFiles(files, layout) {
   const named = files.find((file) => /\.(raw|bin|img)(\.gz)?$/i.test(file.name));
   if (named) throw new UnknownLayout(named);
   throw new FileError(files[0].name, 'this is neither a volume nor a stream that the page knows',
-    'give NRRD, NIfTI, MetaImage, NumPy, raw samples (.raw) or a stream (.dmc)');
+    'give NRRD, NIfTI, MetaImage, NumPy, DICOM, raw samples (.raw) or a stream (.dmc)');
 }
 
 /** @param {File} file @param {import('./volume_info.js').VolumeInfo} info */
