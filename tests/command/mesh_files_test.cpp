@@ -12,7 +12,7 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "mesh_files/base64.hpp"
+#include "base64.hpp"
 #include "mesh_files/name_text.hpp"
 #include "mesh_formats.hpp"
 

@@ -23,6 +23,7 @@ Command add_extract(CLI::App& app);
 Command add_decode(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_render(CLI::App& app);
+Command add_view(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_completions(CLI::App& app);
 Command add_manual(CLI::App& app);

@@ -125,6 +125,15 @@ struct RenderArguments {
   bool outlines = false;
 };
 
+/// Of `view`.
+struct ViewArguments {
+  std::string input;
+  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  VolumeArguments reading;        ///< without a selection the samples are shown
+  std::string output;
+  bool opens = true;
+};
+
 /// A surface of `compare`.
 struct ComparedInput {
   enum class Kind { mesh, stream, volume };

@@ -12,6 +12,7 @@ int run_decode(const StreamArguments& arguments);
 int run_info(const InfoArguments& arguments);
 int run_render(const RenderArguments& arguments);
 int run_compare(const CompareArguments& arguments);
+int run_view(const ViewArguments& arguments);
 
 }  // namespace discmc::host
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,17 @@ int extract_label_meshes(const ExtractArguments& arguments);
 
 /// One a surface, in the order of the selections.
 using SurfaceReceivers = std::vector<std::unique_ptr<SurfaceReceiver>>;
+
+/// A stream that was written.
+struct ExtractedStream {
+  std::vector<Extraction> extractions;  ///< one a surface, in the order of the selections
+  SurfaceReceivers receivers;           ///< with the surfaces, unless quiet
+  std::uint64_t slice_bytes = 0;        ///< of a stream of slices
+  std::size_t slice_memory = 0;         ///< that its encoder took; Units: bytes
+};
+
+/// Writes the stream alone. Throws when a surface is empty that may not be.
+ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out);
 
 SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections);
 std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selections,

@@ -60,14 +60,11 @@ void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& inf
 
 }  // namespace
 
-int extract_stream(const ExtractArguments& arguments) {
-  if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
-    throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
+ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out) {
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
-  OutputFile file(arguments.output);
-  StreamOutput output(&file.stream());
+  StreamOutput output(&out);
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
   StreamHeader header = stream_header(info, options);
@@ -83,7 +80,8 @@ int extract_stream(const ExtractArguments& arguments) {
     selections[0].selection = 0;
   }
 
-  const SurfaceReceivers receivers = receivers_for(selections);
+  ExtractedStream stream;
+  stream.receivers = receivers_for(selections);
   SliceWriter slices;
   SharedOutput link;
   if (arguments.wire == Wire::slices) {
@@ -94,28 +92,39 @@ int extract_stream(const ExtractArguments& arguments) {
   } else {
     link.start(output.byte_output());
     StreamLabel label = header.label();
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
+    for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
       label.channel = static_cast<std::uint8_t>(i);
-      receivers[i]->start_stream(label, info.placement, link.output());
+      stream.receivers[i]->start_stream(label, info.placement, link.output());
     }
   }
   if (!arguments.quiet)
-    for (const auto& receiver : receivers) receiver->start_surface();
+    for (const auto& receiver : stream.receivers) receiver->start_surface();
 
-  const std::vector<Extraction> extractions =
-      extract(narrow ? *narrow : *volume, options, requests_of(selections, receivers));
-  note_not_numbers(arguments, extractions[0].not_numbers);
-  check_surfaces(arguments, extractions, *volume);
+  stream.extractions =
+      extract(narrow ? *narrow : *volume, options, requests_of(selections, stream.receivers));
+  stream.slice_bytes = output.bytes();
+  stream.slice_memory = slices.memory();
+  note_not_numbers(arguments, stream.extractions[0].not_numbers);
+  check_surfaces(arguments, stream.extractions, *volume);
+  return stream;
+}
+
+int extract_stream(const ExtractArguments& arguments) {
+  if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
+    throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
+  OutputFile file(arguments.output);
+  const ExtractedStream stream = write_stream(arguments, file.stream());
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
   if (arguments.output != "-") write_file(arguments.output, out);
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
-    if (receivers.size() > 1)
+  for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
+    SurfaceReceiver& receiver = *stream.receivers[i];
+    if (stream.receivers.size() > 1)
       out << "channel " << i << ", at " << arguments.reading.selections[i].name << '\n';
-    write_table(extractions[i], count(receivers[i]->surface()),
-                arguments.wire == Wire::slices ? output.bytes() : receivers[i]->stream_bytes(),
-                slices.memory(), out);
+    write_table(stream.extractions[i], count(receiver.surface()),
+                arguments.wire == Wire::slices ? stream.slice_bytes : receiver.stream_bytes(),
+                stream.slice_memory, out);
   }
   require_written(out);
   return exit_ok;

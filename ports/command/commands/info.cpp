@@ -1,5 +1,4 @@
 // discmc info: what is in a stream or a volume.
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -7,8 +6,8 @@
 
 #include "commands.hpp"
 #include "exit_codes.hpp"
+#include "input_content.hpp"
 #include "progress.hpp"
-#include "replayed_input.hpp"
 #include "require.hpp"
 #include "statistics/volume_statistics.hpp"
 #include "stream_input.hpp"
@@ -19,19 +18,6 @@
 
 namespace discmc::host {
 namespace {
-
-std::string head_of(std::istream& in) {
-  std::string head(magic_bytes, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  return head;
-}
-
-// What cannot be opened may be a pattern of names; else the volume's reader says what is wrong.
-bool begins_like_volume(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return !file || is_volume_head(head_of(file));
-}
 
 int info_of_volume(const InfoArguments& arguments) {
   const auto volume = open_volume(arguments.input, volume_options(arguments.layout));
@@ -59,16 +45,8 @@ int info_of_stream(const InfoArguments& arguments) {
 
 int run_info(const InfoArguments& arguments) {
   std::optional<ReplayedInput> replayed;
-  bool is_volume = false;
-  if (arguments.is_volume) {
-    is_volume = *arguments.is_volume;
-  } else if (arguments.input == "-") {
-    const std::string head = head_of(std::cin);
-    is_volume = is_volume_head(head);
-    replayed.emplace(head);
-  } else if (!is_read_once(arguments.input)) {
-    is_volume = begins_like_volume(arguments.input);
-  }
+  const bool is_volume =
+      arguments.is_volume ? *arguments.is_volume : begins_like_volume(arguments.input, replayed);
   return is_volume ? info_of_volume(arguments) : info_of_stream(arguments);
 }
 

@@ -1,6 +1,6 @@
 // Bytes in the 64 characters of RFC 4648.
-#ifndef DISCMC_COMMAND_MESH_FILES_BASE64_HPP
-#define DISCMC_COMMAND_MESH_FILES_BASE64_HPP
+#ifndef DISCMC_COMMAND_BASE64_HPP
+#define DISCMC_COMMAND_BASE64_HPP
 
 #include <cstdint>
 #include <ostream>

@@ -1,0 +1,15 @@
+// The user's browser.
+#ifndef DISCMC_COMMAND_PAGES_BROWSER_HPP
+#define DISCMC_COMMAND_PAGES_BROWSER_HPP
+
+#include <string>
+
+namespace discmc::host {
+
+/// Opens a file with the program that the environment variable BROWSER names, or else with the one
+/// that the desktop has for such files. Does not wait for it. Returns whether it was started.
+bool open_in_browser(const std::string& file);
+
+}  // namespace discmc::host
+
+#endif

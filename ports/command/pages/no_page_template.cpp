@@ -1,0 +1,9 @@
+#include "page_template.hpp"
+
+namespace discmc::host {
+
+std::string_view page_template() {
+  return {};
+}
+
+}  // namespace discmc::host

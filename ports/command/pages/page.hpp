@@ -1,0 +1,19 @@
+// A page that has its data inside.
+#ifndef DISCMC_COMMAND_PAGES_PAGE_HPP
+#define DISCMC_COMMAND_PAGES_PAGE_HPP
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace discmc::host {
+
+/// Writes the page with a file in it, which it shows when it is opened. name: of the file, with the
+/// extension of its format. write: called once, writes the content of the file.
+/// Throws std::runtime_error where the command was built without the page.
+void write_page(const std::string& name, const std::function<void(std::ostream&)>& write,
+                std::ostream& out);
+
+}  // namespace discmc::host
+
+#endif

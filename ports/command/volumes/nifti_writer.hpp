@@ -1,0 +1,20 @@
+// Volumes as NIfTI-2 files.
+#ifndef DISCMC_COMMAND_VOLUMES_NIFTI_WRITER_HPP
+#define DISCMC_COMMAND_VOLUMES_NIFTI_WRITER_HPP
+
+#include <functional>
+#include <ostream>
+
+#include "volume.hpp"
+
+namespace discmc::host {
+
+/// Writes the volume as one file, with its scale and where it lies. A volume that tells no frame
+/// lies in that of the format. volume: not yet read; is at the end. progress: called with the
+/// number of slices that are written.
+void write_nifti(VolumeReader& volume, const std::function<void(std::uint32_t)>& progress,
+                 std::ostream& out);
+
+}  // namespace discmc::host
+
+#endif

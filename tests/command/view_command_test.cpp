@@ -1,0 +1,126 @@
+// Pages that have a volume or a stream inside.
+#include "command.hpp"
+#include "pages/page_template.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::reference::ball;
+
+// Writes the file that a page has inside; says what the page calls it.
+std::string unpack(const Workshop& workshop, const std::string& page, const std::string& file) {
+  const std::string text = workshop.read(page);
+  const std::size_t element = text.find("id=\"data\" data-name=\"");
+  REQUIRE(element != std::string::npos);
+  const std::size_t name = text.find("data-name=\"", element) + 11;
+  const std::size_t begin = text.find('>', element) + 1;
+  workshop.write("base64", text.substr(begin, text.find('<', begin) - begin));
+  const Result result = workshop.shell("base64 -d base64 | gzip -d > " + file);
+  CHECK(result.code == 0);
+  CHECK(result.error.empty());
+  return text.substr(name, text.find('"', name) - name);
+}
+
+// Whether there is a page; else the command says so.
+bool has_page(const Workshop& workshop) {
+  if (!discmc::host::page_template().empty()) return true;
+  const Result result = workshop.run("view v.nrrd --no-open");
+  CHECK(result.code == 1);
+  CHECK(contains(result.error, "built without the page"));
+  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("the page of a volume has its samples, and lies beside the user") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100),
+                 "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
+                 "space origin: (1,2,3)\n");
+  if (!has_page(workshop)) return;
+  CHECK(contains(workshop.done("view v.nrrd --no-open"), "v.html: "));
+  CHECK(unpack(workshop, "v.html", "inside.nii") == "v.nrrd");
+  workshop.done("extract v.nrrd --iso 100 -o v.stl");
+  workshop.done("extract inside.nii --iso 100 -o inside.stl");
+  CHECK(workshop.read("inside.stl") == workshop.read("v.stl"));
+  CHECK(contains(workshop.read("v.html"), "</html>"));
+}
+
+TEST_CASE("the page of a threshold has the slices of its surface alone") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
+  if (!has_page(workshop)) return;
+  workshop.done("view v.nrrd --iso 100 --median 3 -o page.html --no-open");
+  CHECK(unpack(workshop, "page.html", "inside.dmc") == "v.nrrd at 100.dmc");
+  workshop.done("extract v.nrrd --iso 100 --median 3 --wire slices -o v.dmc");
+  CHECK(workshop.read("inside.dmc") == workshop.read("v.dmc"));
+  const Result empty = workshop.run("view v.nrrd --iso 255 -o none.html --no-open");
+  CHECK(empty.code == 1);
+  CHECK(contains(empty.error, "10 to 200"));
+  CHECK_FALSE(contains(workshop.shell("ls").out, "none.html"));
+}
+
+TEST_CASE("the page of a stream has its bytes, also those of a damaged one") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
+  if (!has_page(workshop)) return;
+  workshop.done("extract v.nrrd --iso 100 -o 'a\"&b.dmc'");
+  workshop.done("view 'a\"&b.dmc' -o page.html --no-open");
+  CHECK(unpack(workshop, "page.html", "inside.dmc") == "a&quot;&amp;b.dmc");
+  CHECK(workshop.read("inside.dmc") == workshop.read("a\"&b.dmc"));
+  CHECK(workshop.shell("\"$discmc\" view - -o - < inside.dmc > piped.html").code == 0);
+  CHECK(unpack(workshop, "piped.html", "piped.dmc") == "standard input");
+  CHECK(workshop.read("piped.dmc") == workshop.read("inside.dmc"));
+  workshop.shell("head -c 300 inside.dmc > cut.dmc");
+  const Result cut = workshop.run("view cut.dmc --no-open");
+  CHECK(cut.code == 3);
+  CHECK(contains(cut.error, "the stream is incomplete"));
+  unpack(workshop, "cut.html", "inside.dmc");
+  CHECK(workshop.read("inside.dmc") == workshop.read("cut.dmc"));
+}
+
+TEST_CASE("the browser that is set opens the page; without any, the user is told to") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
+  if (!has_page(workshop)) return;
+  workshop.write("browser", "#!/bin/sh\necho \"$1\" > opened.new\nmv opened.new opened\n");
+  const Result result = workshop.shell(
+      "chmod +x browser; BROWSER=./browser \"$discmc\" view v.nrrd;"
+      "for i in $(seq 100); do [ -e opened ] && break; sleep 0.1; done");
+  CHECK(result.error.empty());
+  CHECK(workshop.read("opened") == "v.html\n");
+  const Result none = workshop.shell(
+      "unset BROWSER DISPLAY WAYLAND_DISPLAY; \"$discmc\" view v.nrrd -o other.html");
+  CHECK(none.code == 0);
+  CHECK(contains(none.error, "open other.html"));
+}
+
+TEST_CASE("view refuses what it would lose or leave out, and says what to give") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
+  workshop.write("v.html", "precious");
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    const Result result = workshop.run("view " + arguments);
+    INFO(arguments, "\n", result.error);
+    CHECK(result.code == 2);
+    CHECK(contains(result.error, part));
+  };
+  refused("v.nrrd", "give -o v.html to replace it");
+  refused("- --no-open", "give -o PAGE.html");
+  refused("'*.png'", "give -o PAGE.html");
+  refused("v.nrrd -o v.png", "give a name that ends in .html");
+  refused("v.nrrd -o w.html --median 3", "give --iso VALUE as well");
+  CHECK(workshop.read("v.html") == "precious");
+}
+
+TEST_CASE("a volume that no browser holds is refused, with what makes it smaller") {
+  const Workshop workshop;
+  workshop.write("zeros", "");
+  const Result result = workshop.shell(
+      "truncate -s 268500992 zeros; \"$discmc\" view zeros --dims 4097,256,256 --type u8 "
+      "-o zeros.html --no-open");
+  CHECK(result.code == 1);
+  CHECK(contains(result.error, "give --iso VALUE, --shrink N or --crop"));
+  CHECK(workshop.names() == std::vector<std::string>{"zeros"});
+}
