@@ -68,6 +68,9 @@ test('a volume that is cut off says how much is missing', async () => {
 });
 
 test('the axes of oblique and mirrored volumes are those of the command', async () => {
+  const backwards = join(folder, 'backwards.nrrd');
+  writeFileSync(backwards, nrrdOf({ ...roughBall(8, 8, 8), spacing: [0.5, -0.75, 1.25] }));
+  assertSpacing((await openFiles([asFile(backwards)])).info.spacing, backwards);
   const directions = [
     '(-0.5,0,0) (0,0.75,0) (0,0,1.25)', '(0.35,0.35,0) (-0.35,0.35,0) (0,0,1.25)',
     '(0,0.75,0) (0.5,0,0) (0,0,1.25)', '(0.5,0.1,0) (-0.1,0.75,0) (0,0,-1.25)',

@@ -164,6 +164,44 @@ test('every switch of the view works without complaint', async () => {
   await page.context().close();
 });
 
+/** The mean colour of what is drawn. */
+async function colourOf(page, picture) {
+  const data = readFileSync(picture).toString('base64');
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes]));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    const sums = [0, 0, 0, 0];
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i + 3] > 0) sums.forEach((_, j) => (sums[j] += j < 3 ? data[i + j] : 1));
+    return { red: sums[0] / sums[3], blue: sums[2] / sums[3], pixels: sums[3] };
+  }, data);
+}
+
+test('the outside is seen, flat and smooth, also of a volume whose x runs backwards; a cut shows the inside', async () => {
+  const { page } = await openPage(browser);
+  for (const side of [1, -1]) {
+    const path = join(folder, 'side.nrrd');
+    const ball = roughBall();
+    writeFileSync(path, nrrdOf({ ...ball, spacing: [0.5 * side, 0.5, 0.5] }));
+    await openFiles(page, path);
+    for (const isSmooth of [false, true]) {
+      await page.setChecked('#smooth', isSmooth);
+      await setThreshold(page, 400 + (isSmooth ? 1 : 0));
+      await shown(page, 400 + (isSmooth ? 1 : 0));
+      const { red, blue, pixels } = await colourOf(page, (await saved(page, 'png')).path);
+      assert.ok(pixels > 10000 && red > 1.2 * blue, `bone, not blue: ${red} and ${blue} of ${pixels}`);
+    }
+    await page.check('#cut');
+    const cut = await colourOf(page, (await saved(page, 'png')).path);
+    assert.ok(cut.red < 1.2 * cut.blue, `${cut.red} and ${cut.blue}`);
+    await page.evaluate(() => (globalThis.measured.length = 0));
+  }
+  await page.context().close();
+});
+
 test('a page with data inside opens it at once', async () => {
   const path = join(folder, 'with_data.html');
   const data = deflateSync(readFileSync(volume)).toString('base64');

@@ -1,10 +1,10 @@
 // What the graphics card does with surfaces and lines. Positions are in half-steps, or in
 // millimetres where it says so.
 
-// A place in half-steps: what lies beyond the cut is left out. Without a cut there is no code for
-// it, which graphics cards draw faster.
-const cutting = (/** @type {boolean} */ isCut) => (isCut ? `
-uniform vec4 cut;
+// Where the inside is seen, what lies beyond a cut is left out. Of closed surfaces that are not cut
+// only the outside is: without code for the rest they are drawn faster.
+const cutting = (/** @type {boolean} */ isOpen) => (isOpen ? `
+uniform vec4 cut;          // half-steps
 in vec3 place;
 void leaveOut() {
   if (dot(cut.xyz, place) > cut.w) discard;
@@ -15,34 +15,31 @@ void leaveOut() {}`);
  * Of merged polygons, each flat: what light falls on a plane is the same all over it, so it comes
  * with the incidence. Nothing is left to do for a pixel.
  */
-export const flatVertex = `#version 300 es
+export const flatVertex = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
 in vec3 position;
 in vec2 look;              // incidence, colour number
 uniform mat4 toClip;
 uniform vec3 outer[27], inner[27];
 uniform vec3 tints[7];
-out vec3 place;
 out vec3 outside;
-out vec3 inside;
+${isOpen ? 'out vec3 inside, place;' : ''}
 void main() {
   vec3 tint = tints[int(look.y)];
   outside = outer[int(look.x)] * tint;
-  inside = inner[int(look.x)] * tint;
-  place = position;
+  ${isOpen ? 'inside = inner[int(look.x)] * tint; place = position;' : ''}
   gl_Position = toClip * vec4(position, 1.0);
 }`;
 
-export const flatFragment = (/** @type {boolean} */ isCut) => `#version 300 es
-precision mediump float;
-${cutting(isCut)}
-uniform bool isMirrored;
+export const flatFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
+precision highp float;
+${cutting(isOpen)}
 in vec3 outside;
-in vec3 inside;
+${isOpen ? 'in vec3 inside; uniform bool isMirrored;' : ''}
 out vec4 pixel;
 void main() {
   leaveOut();
-  pixel = vec4(gl_FrontFacing == isMirrored ? inside : outside, 1.0);
+  pixel = vec4(${isOpen ? 'gl_FrontFacing == isMirrored ? inside : ' : ''}outside, 1.0);
 }`;
 
 // As light.js.
@@ -96,16 +93,16 @@ void main() {
   gl_Position = toClip * vec4(position, 1.0);
 }`;
 
-export const smoothFragment = (/** @type {boolean} */ isCut) => `#version 300 es
+export const smoothFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
-${cutting(isCut)}
+${cutting(isOpen)}
 ${light}
 uniform bool isMirrored;
 in vec3 normal;
 in vec3 colour;
 void main() {
   leaveOut();
-  pixel = vec4(lit(colour, normal, gl_FrontFacing == isMirrored), 1.0);
+  pixel = vec4(lit(colour, normal, ${isOpen ? 'gl_FrontFacing == isMirrored' : 'false'}), 1.0);
 }`;
 
 /** Of triangles that are each flat, in millimetres. */
@@ -122,9 +119,9 @@ void main() {
   gl_Position = toClip * vec4(position, 1.0);
 }`;
 
-export const classicFragment = (/** @type {boolean} */ isCut) => `#version 300 es
+export const classicFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
-${cutting(isCut)}
+${cutting(isOpen)}
 ${light}
 uniform vec3 plain;
 in vec3 seen;
@@ -149,9 +146,9 @@ void main() {
 export const edgeVertex = lines('');
 export const lineVertex = lines(' * toPlace');
 
-export const lineFragment = (/** @type {boolean} */ isCut) => `#version 300 es
+export const lineFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
-${cutting(isCut)}
+${cutting(isOpen)}
 uniform vec4 line;         // colour, opacity
 out vec4 pixel;
 void main() {

@@ -12,6 +12,7 @@ const tints = [palette.bone, palette.skyBlue, palette.orange, palette.green, pal
 const noTints = tints.map(() => [1, 1, 1]);
 
 const vertexBytes = 8; // module/drawn_surface.hpp
+const nowhere = [0, 0, 0, 1]; // a cut beyond which nothing lies
 const finest = 2; // pixels of the picture to one of the page
 const restful = 250; // milliseconds without a change until the picture is made finer
 
@@ -29,6 +30,7 @@ export class SurfaceView {
     this.isFinal = false;
     this.scale = 1;
     this.hasEdges = false;
+    /** @type {{axis: number, at: number} | null} */ this.cut = null;
     /** @type {Mesh | null} */ this.surface = null;
     /** @type {Mesh | null} */ this.edges = null;
     /** @type {Mesh | null} */ this.classic = null;
@@ -44,7 +46,7 @@ export class SurfaceView {
     this.uniforms = {
       toClip: { value: new Mat4() },
       toView: { value: new Array(9).fill(0) },
-      cut: { value: [0, 0, 0, 0] },
+      cut: { value: nowhere },
       toPlace: { value: [1, 1, 1] },
       isMirrored: { value: false },
       planes: { value: planesOf([1, 1, 1]) },
@@ -61,17 +63,17 @@ export class SurfaceView {
         uniforms: { ...this.uniforms, ...uniforms } });
     const dark = { line: this.edgeLine };
     const marking = { line: { value: [...palette.rgb(palette.vermilion), 1] } };
-    const programsFor = (/** @type {boolean} */ isCut) => ({
-      flat: program(shaders.flatVertex, shaders.flatFragment(isCut)),
-      smooth: program(shaders.smoothVertex, shaders.smoothFragment(isCut)),
-      classic: program(shaders.classicVertex, shaders.classicFragment(isCut)),
-      edges: program(shaders.edgeVertex, shaders.lineFragment(isCut), dark, { transparent: true }),
-      classicEdges: program(shaders.lineVertex, shaders.lineFragment(isCut), dark,
+    const programsFor = (/** @type {boolean} */ isOpen) => ({
+      flat: program(shaders.flatVertex(isOpen), shaders.flatFragment(isOpen)),
+      smooth: program(shaders.smoothVertex, shaders.smoothFragment(isOpen)),
+      classic: program(shaders.classicVertex, shaders.classicFragment(isOpen)),
+      edges: program(shaders.edgeVertex, shaders.lineFragment(isOpen), dark, { transparent: true }),
+      classicEdges: program(shaders.lineVertex, shaders.lineFragment(isOpen), dark,
         { transparent: true }),
       marks: program(shaders.lineVertex, shaders.lineFragment(false), marking,
         { depthTest: false }),
     });
-    return { whole: programsFor(false), cut: programsFor(true) };
+    return { closed: programsFor(false), open: programsFor(true) };
   }
 
   /**
@@ -153,8 +155,8 @@ export class SurfaceView {
   /** Leaves out what lies beyond a voxel along an axis. @param {{axis: number, at: number} | null} cut */
   setCut(cut) {
     this.cut = cut;
-    if (cut)
-      this.uniforms.cut.value = [0, 1, 2].map((i) => (i === cut.axis ? 1 : 0)).concat(2 * cut.at);
+    this.uniforms.cut.value = cut
+      ? [0, 1, 2].map((i) => (i === cut.axis ? 1 : 0)).concat(2 * cut.at) : nowhere;
     this.draw();
   }
 
@@ -264,9 +266,10 @@ export class SurfaceView {
     uniforms.toView.value = [0, 1, 2].flatMap((i) => [axes.x[i], axes.y[i], axes.z[i]]);
     uniforms.outer.value = litPlanes(uniforms.planes.value, uniforms.bases.value, axes, false);
     uniforms.inner.value = litPlanes(uniforms.planes.value, uniforms.bases.value, axes, true);
-    const programs = this.cut ? this.programs.cut : this.programs.whole;
+    const isOpen = this.cut !== null || !this.isClosed;
+    const programs = isOpen ? this.programs.open : this.programs.closed;
     const surface = this.isSmooth ? programs.smooth : programs.flat;
-    surface.cullFace = programs.classic.cullFace = this.isClosed && !this.cut ? gl.BACK : false;
+    surface.cullFace = programs.classic.cullFace = isOpen ? false : gl.BACK;
     const show = (/** @type {Mesh | null} */ mesh, /** @type {Program} */ program) => {
       if (!mesh) return;
       mesh.program = program;

@@ -29,10 +29,10 @@ function determinant(a) {
  */
 export function spacingOf(lengths, axes) {
   const isUsable = (/** @type {number} */ length) => length >= 1e-6 && length <= 2147;
-  const signs = axes && axes.flat().every(Number.isFinite) && determinant(axes) !== 0
-    ? signsOf(axes) : [1, 1, 1];
+  const isTold = axes && axes.flat().every(Number.isFinite) && determinant(axes) !== 0;
+  const signs = isTold ? signsOf(axes) : lengths.map((length) => (length < 0 ? -1 : 1));
   return /** @type {any} */ ([0, 1, 2].map((i) => {
     const length = Math.abs(lengths[i] ?? 1);
-    return signs[i] * (isUsable(length) ? length : 1);
+    return (signs[i] ?? 1) * (isUsable(length) ? length : 1);
   }));
 }

@@ -72,5 +72,6 @@ export async function readMetaImage(name, source, others) {
 /** @param {number[]} lengths @param {number[]} matrix */
 function spacingFrom(lengths, matrix) {
   if (matrix.length !== 9) return spacingOf(lengths);
-  return spacingOf(lengths, [0, 3, 6].map((row) => matrix.slice(row, row + 3)));
+  return spacingOf(lengths, [0, 1, 2].map((axis) =>
+    matrix.slice(3 * axis, 3 * axis + 3).map((part) => part * (lengths[axis] ?? 1))));
 }
