@@ -39,6 +39,8 @@ void CornerSet::lay_out(const std::vector<host::Polygon>& polygons) {
               std::min(least_.z, corner.z)};
     most = {std::max(most.x, corner.x), std::max(most.y, corner.y), std::max(most.z, corner.z)};
   });
+  if (std::max({most.x, most.y, most.z}) > most_coordinate)
+    throw std::runtime_error("the surface is larger than the page can draw");
   const auto blocks = [](std::int32_t low, std::int32_t high) {
     return (std::uint64_t{static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low)} / 8) +
            1;

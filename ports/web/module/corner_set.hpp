@@ -15,7 +15,10 @@ namespace discmc::web {
 /// Memory: four bytes a block of the box around all, and 64 a block with corners.
 class CornerSet {
  public:
-  /// Takes the corners of these polygons. Throws std::runtime_error beyond most_blocks.
+  static constexpr std::int32_t most_coordinate = 32767;
+
+  /// Takes the corners of these polygons. Throws std::runtime_error where they lie beyond
+  /// most_coordinate, or in a box of too many blocks.
   void fill(const std::vector<host::Polygon>& polygons);
 
   /// Limit: on a side of one of the polygons.

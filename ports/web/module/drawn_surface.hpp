@@ -28,11 +28,8 @@ static_assert(sizeof(DrawnVertex) == 8, "the page reads them so");
 /// T-junctions: no pixel shows through, and meshes of them are closed.
 class DrawnSurface {
  public:
-  /// The most voxels along an axis whose coordinates a vertex holds.
-  static constexpr std::uint32_t most_extent = 16383;
-
   /// is_hostile: polygons may be none that a sweep makes; those that cannot be triangulated are
-  /// left out and counted. Limit: coordinates of volumes up to most_extent.
+  /// left out and counted. Throws std::runtime_error as CornerSet::fill() does.
   void make(const std::vector<host::Polygon>& polygons, bool is_hostile);
 
   const std::vector<DrawnVertex>& vertices() const { return vertices_; }

@@ -1,13 +1,10 @@
 // What the page calls: page/module.js. One volume or stream at a time, and its surface.
 //
-// What is thrown reaches the page as an error; the module is then as it was before the call, or the
-// page starts another. Memory that a call returns is the module's, until the next call of that
-// name.
-#include <cmath>
+// What is thrown reaches the page as an error, and other calls may follow. Memory that a call
+// returns is the module's, until the next call of that name.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -117,7 +114,7 @@ EXPORT(measure) const Measured* measure() {
 }
 
 /// Sweeps the volume. Returns how many there are: cells, facets, triangles of classic Marching
-/// Cubes, polygons, rings, voxels that are on.
+/// Cubes, polygons, rings.
 EXPORT(extract) const double* extract(double iso, std::uint32_t is_filtered) {
   State& all = state();
   const host::VolumeInfo& info = all.volume->info();

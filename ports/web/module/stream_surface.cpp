@@ -11,22 +11,21 @@ StreamSurface::StreamSurface() : joiner_(sink_to(builder_)) {
 }
 
 void StreamSurface::push(const std::uint8_t* bytes, std::size_t count) {
-  constexpr std::uint64_t most_skips = 1024;  // some seconds
-  do {
+  Status status = Status::more;
+  while (status != Status::ok || count > 0) {
     const Decoded decoded = decoder_.push(bytes, count);
     bytes += decoded.bytes;
     count -= decoded.bytes;
-    if (decoded.status == Status::too_little_memory && memory_.empty())
+    status = decoded.status;
+    if (status == Status::too_little_memory && memory_.empty())
       give_memory();
-    else if (decoded.status == Status::wrong_version)
+    else if (status == Status::wrong_version)
       throw std::runtime_error("the stream is of a version that this page does not know");
-    else if (decoded.status != Status::more)
-      host::require(decoded.status);
-    else if (++skips_ > most_skips)
-      throw std::runtime_error("the stream claims that millions of rows were lost");
-    else if (count == 0)
-      continue;
-  } while (count > 0);
+    else if (status == Status::more)
+      count_skipped();
+    else
+      host::require(status);
+  }
 }
 
 void StreamSurface::finish() {
@@ -39,6 +38,14 @@ StreamReport StreamSurface::report() const {
   StreamReport report = decoder_.report();
   report.lost_pieces += builder_.incomplete_regions();
   return report;
+}
+
+// The sink takes everything: there are lost rows to be skipped.
+void StreamSurface::count_skipped() {
+  constexpr std::uint64_t most = std::uint64_t{1} << 34;  // some seconds
+  skipped_ += SurfaceDecoder::most_skipped_rows * (decoder_.header().width + std::uint64_t{1000});
+  if (skipped_ > most)
+    throw std::runtime_error("it claims that more rows were lost than a scanner has");
 }
 
 void StreamSurface::give_memory() {

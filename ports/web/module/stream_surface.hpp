@@ -33,12 +33,13 @@ class StreamSurface {
 
  private:
   void give_memory();
+  void count_skipped();
 
   host::SurfaceBuilder builder_;
   host::GrowingJoiner joiner_;
   SurfaceDecoder decoder_;
   std::vector<std::uint8_t> memory_;  // for a stream of slices
-  std::uint64_t skips_ = 0;
+  std::uint64_t skipped_ = 0;         // how much work the lost rows were so far
 };
 
 }  // namespace discmc::web

@@ -1,4 +1,5 @@
-// The WebAssembly module: its calls with names, and its memory as typed arrays.
+// The WebAssembly module: its calls with names, and its memory as typed arrays. Addresses come with
+// a sign, and have none.
 
 /** Owner of a volume or stream, and of its surface: see module/module.cpp. */
 export class Module {
@@ -18,7 +19,14 @@ export class Module {
     });
     module.exports = /** @type {any} */ (instance.exports);
     module.exports._initialize();
+    module.stack = module.exports.__stack_pointer.value;
     return module;
+  }
+
+  /** Calls with the stack as it is at first: what was thrown from the last call left it full. */
+  call(/** @type {string} */ name, /** @type {any[]} */ ...values) {
+    this.exports.__stack_pointer.value = this.stack;
+    return this.exports[name](...values);
   }
 
   /** Calls; what is thrown is dropped, and the stack is as before. */
@@ -39,15 +47,15 @@ export class Module {
    * @param {number} bytes
    */
   newVolume(info, type, bytes) {
-    const at = this.exports.new_volume(type, ...info.dims, ...info.spacing, info.slope,
+    const at = this.call('new_volume', type, ...info.dims, ...info.spacing, info.slope,
       info.intercept, info.isInHounsfield ? 1 : 0);
-    return new Uint8Array(this.exports.memory.buffer, at, bytes);
+    return new Uint8Array(this.exports.memory.buffer, at >>> 0, bytes);
   }
 
   /** The values of the volume. Costs a pass over it. */
   measure() {
     const bars = 256;
-    const numbers = this.numbersAt(this.exports.measure(), 9 + bars);
+    const numbers = this.numbersAt(this.call('measure'), 9 + bars);
     const [least, greatest, dark, bright, automatic, otsu, bone, skin, count] = numbers;
     return {
       least, greatest, dark, bright, automatic, otsu, bone, skin, count,
@@ -58,13 +66,13 @@ export class Module {
   /** Sweeps the volume. @param {number} iso @param {boolean} isFiltered */
   extract(iso, isFiltered) {
     const [cells, facets, classicTriangles, polygons, rings] =
-      this.numbersAt(this.exports.extract(iso, isFiltered ? 1 : 0), 5);
+      this.numbersAt(this.call('extract', iso, isFiltered ? 1 : 0), 5);
     return { cells, facets, classicTriangles, polygons, rings };
   }
 
   /** Triangulates what was swept or decoded. */
   draw() {
-    const leftOut = this.exports.draw();
+    const leftOut = this.call('draw');
     return { leftOut, vertices: this.copy('vertices'), triangles: this.copy('triangles') };
   }
   edges() {
@@ -79,7 +87,7 @@ export class Module {
   }
 
   classic() {
-    this.exports.classic();
+    this.call('classic');
     return { vertices: this.copy('classic_vertices'), triangles: this.copy('classic_triangles') };
   }
 
@@ -89,11 +97,11 @@ export class Module {
   }
 
   leastMemory() {
-    return this.exports.least_memory();
+    return this.call('least_memory');
   }
   /** The scan on a device. @param {number} memory in bytes; 0: as a stream of slices */
   scan(memory) {
-    const [bytes, regions, fragments, used] = this.numbersAt(this.exports.scan(memory), 4);
+    const [bytes, regions, fragments, used] = this.numbersAt(this.call('scan', memory), 4);
     return { bytes, regions, fragments, used };
   }
   /** The stream of the last scan. */
@@ -102,17 +110,17 @@ export class Module {
   }
 
   newStream() {
-    this.exports.new_stream();
+    this.call('new_stream');
   }
   /** @param {Uint8Array} bytes */
   pushStream(bytes) {
-    const at = this.exports.allocate(bytes.length);
-    new Uint8Array(this.exports.memory.buffer, at, bytes.length).set(bytes);
-    this.exports.push_stream(at, bytes.length);
-    this.exports.release(at);
+    const at = this.call('allocate', bytes.length);
+    new Uint8Array(this.exports.memory.buffer, at >>> 0, bytes.length).set(bytes);
+    this.call('push_stream', at, bytes.length);
+    this.call('release', at);
   }
   endStream() {
-    const list = this.numbersAt(this.exports.end_stream(), 19);
+    const list = this.numbersAt(this.call('end_stream'), 19);
     return {
       hasHeader: list[0] !== 0,
       dims: /** @type {[number, number, number]} */ (list.slice(1, 4)),
@@ -126,7 +134,7 @@ export class Module {
 
   /** @param {string} name of a call that tells bytes @param {...number} values */
   copy(name, ...values) {
-    const at = this.exports[name](...values);
+    const at = this.call(name, ...values) >>> 0;
     const view = new DataView(this.exports.memory.buffer);
     const data = view.getUint32(at, true);
     return new Uint8Array(view.buffer, data, view.getUint32(at + 4, true)).slice();
@@ -134,12 +142,12 @@ export class Module {
 
   /** @param {number} at @param {number} count */
   numbersAt(at, count) {
-    return [...new Float64Array(this.exports.memory.buffer, at, count)];
+    return [...new Float64Array(this.exports.memory.buffer, at >>> 0, count)];
   }
 
   /** @param {number} at */
   textAt(at) {
-    const bytes = new Uint8Array(this.exports.memory.buffer, at);
+    const bytes = new Uint8Array(this.exports.memory.buffer, at >>> 0);
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 }

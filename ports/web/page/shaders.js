@@ -1,5 +1,18 @@
-// What the graphics card does with surfaces and lines. Positions are in half-steps, or in
-// millimetres where it says so.
+// What the graphics card does with surfaces and lines.
+
+/**
+ * A vertex of polygons is four 16-bit numbers that are fetched as fractions of this, which cards do
+ * at once: its place in half-steps, and its incidence with 256 times its colour number.
+ */
+export const vertexUnit = 32767;
+const unpacking = `
+const float unit = ${vertexUnit}.0;
+in vec4 position;
+vec3 halfSteps() { return position.xyz * unit; }
+int look() { return int(position.w * unit + 0.5); }
+int incidence() { return look() & 255; }
+int colourNumber() { return look() >> 8; }
+`;
 
 // Where the inside is seen, what lies beyond a cut is left out. Of closed surfaces that are not cut
 // only the outside is: without code for the rest they are drawn faster.
@@ -17,18 +30,17 @@ void leaveOut() {}`);
  */
 export const flatVertex = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
-in vec3 position;
-in vec2 look;              // incidence, colour number
+${unpacking}
 uniform mat4 toClip;
 uniform vec3 outer[27], inner[27];
 uniform vec3 tints[7];
 out vec3 outside;
 ${isOpen ? 'out vec3 inside, place;' : ''}
 void main() {
-  vec3 tint = tints[int(look.y)];
-  outside = outer[int(look.x)] * tint;
-  ${isOpen ? 'inside = inner[int(look.x)] * tint; place = position;' : ''}
-  gl_Position = toClip * vec4(position, 1.0);
+  vec3 tint = tints[colourNumber()];
+  outside = outer[incidence()] * tint;
+  ${isOpen ? 'inside = inner[incidence()] * tint; place = halfSteps();' : ''}
+  gl_Position = toClip * vec4(position.xyz, 1.0);
 }`;
 
 export const flatFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
@@ -59,9 +71,8 @@ vec3 lit(vec3 base, vec3 normal, bool isInside) {
 /** Of merged polygons, smooth by told normals. */
 export const smoothVertex = `#version 300 es
 precision highp float;
-in vec3 position;
-in vec2 look;
-in vec2 octahedral;        // a normal, or 0
+${unpacking}
+in vec2 octahedral;        // a normal in 255ths, or 0
 uniform mat4 toClip;
 uniform mat3 toView;       // directions
 uniform vec3 planes[27];   // normals
@@ -73,7 +84,7 @@ out vec3 colour;
 
 // As normal.hpp unfolds it.
 vec3 unfolded(vec2 told) {
-  vec2 at = (told - 128.0) / 127.0;
+  vec2 at = (told * 255.0 - 128.0) / 127.0;
   float z = 1.0 - abs(at.x) - abs(at.y);
   vec2 side = vec2(at.x < 0.0 ? -1.0 : 1.0, at.y < 0.0 ? -1.0 : 1.0);
   if (z < 0.0) at = (1.0 - abs(at.yx)) * side;
@@ -81,16 +92,16 @@ vec3 unfolded(vec2 told) {
 }
 
 void main() {
-  vec3 own = planes[int(look.x)];
+  vec3 own = planes[incidence()];
   if (octahedral.x > 0.0) {
     vec3 told = unfolded(octahedral);
     const float steepest = 0.309; // 72 degrees: there is an edge
     if (dot(told, own) > steepest) own = told;
   }
   normal = toView * own;
-  place = position;
-  colour = bases[int(look.x)] * tints[int(look.y)];
-  gl_Position = toClip * vec4(position, 1.0);
+  place = halfSteps();
+  colour = bases[incidence()] * tints[colourNumber()];
+  gl_Position = toClip * vec4(position.xyz, 1.0);
 }`;
 
 export const smoothFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
@@ -142,8 +153,8 @@ void main() {
   place = position${toHalfSteps};
   gl_Position = toClip * vec4(position, 1.0);
 }`;
-/** Of polygons, in half-steps; and of what is in millimetres. */
-export const edgeVertex = lines('');
+/** Of polygons; and of what is in millimetres. */
+export const edgeVertex = lines(` * ${vertexUnit}.0`);
 export const lineVertex = lines(' * toPlace');
 
 export const lineFragment = (/** @type {boolean} */ isOpen) => `#version 300 es

@@ -11,7 +11,6 @@ const tints = [palette.bone, palette.skyBlue, palette.orange, palette.green, pal
   palette.vermilion].map(palette.rgb);
 const noTints = tints.map(() => [1, 1, 1]);
 
-const vertexBytes = 8; // module/drawn_surface.hpp
 const nowhere = [0, 0, 0, 1]; // a cut beyond which nothing lies
 const finest = 2; // pixels of the picture to one of the page
 const restful = 250; // milliseconds without a change until the picture is made finer
@@ -121,20 +120,19 @@ export class SurfaceView {
     this.vertices = new Int16Array(vertices.buffer);
     this.triangles = new Uint32Array(triangles.buffer);
     const gl = this.gl;
-    const position = { data: this.vertices, size: 3, type: gl.SHORT, stride: vertexBytes };
+    const position = { data: this.vertices, size: 4, type: gl.SHORT, normalized: true };
     const geometry = new Geometry(gl, { position });
-    geometry.addAttribute('look', { data: this.vertices, buffer: position.buffer, size: 2,
-      type: gl.UNSIGNED_BYTE, stride: vertexBytes, offset: 6 });
     if (normals)
-      geometry.addAttribute('octahedral', { size: 2, type: gl.UNSIGNED_BYTE, data: normals });
+      geometry.addAttribute('octahedral', { data: normals, size: 2, type: gl.UNSIGNED_BYTE,
+        normalized: true });
     this.isSmooth = normals !== null;
     geometry.setIndex({ data: this.triangles });
-    this.surface = this.mesh(geometry, gl.TRIANGLES, this.half());
+    this.surface = this.mesh(geometry, gl.TRIANGLES, this.perUnit());
     this.edges = null;
     if (edges) {
       const index = { data: new Uint32Array(edges.buffer) };
       this.edges = this.mesh(new Geometry(gl, { position: { ...position }, index }), gl.LINES,
-        this.half());
+        this.perUnit());
     }
   }
 
@@ -333,8 +331,9 @@ export class SurfaceView {
     return far === null ? null : from.map((at, i) => ((at + far * way[i]) * this.spacing[i]) / 2);
   }
 
-  half() {
-    return this.spacing.map((step) => step / 2);
+  /** Millimetres to what the shaders have of a vertex. */
+  perUnit() {
+    return this.spacing.map((step) => (step / 2) * shaders.vertexUnit);
   }
 
   /** @param {Geometry} geometry @param {number} mode @param {number[]} scale */
