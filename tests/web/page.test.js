@@ -37,6 +37,23 @@ test('dragged over 40 thresholds, each surface is that of the command', async ()
   await page.context().close();
 });
 
+test('a file that is dropped on the page is opened', async () => {
+  const { page, complaints } = await openPage(browser);
+  await page.evaluate((base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([bytes], 'dropped.nrrd'));
+    for (const kind of ['dragenter', 'dragover', 'drop'])
+      document.querySelector('#view').dispatchEvent(
+        new DragEvent(kind, { bubbles: true, cancelable: true, dataTransfer }));
+  }, readFileSync(volume).toString('base64'));
+  await page.waitForFunction(() => globalThis.measured.some(({ name }) => name === 'drawn' &&
+    document.querySelector('#polygons').textContent !== '–'));
+  assert.match(await page.textContent('#file-name'), /^dropped.nrrd · 48 × 40 × 36 voxels/);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
 test('a drag that is too fast for it ends at its last threshold', async () => {
   const { page } = await openPage(browser);
   await openFiles(page, volume);
