@@ -18,8 +18,12 @@ export const startBrowser = () => chromium.launch({
     '--enable-unsafe-swiftshader'],
 });
 
-/** Opens the page from its file; `complaints` collects what it asks the network for, and errors. */
-export async function openPage(browser, { path = process.env.DISCMC_PAGE, ...options } = {}) {
+/**
+ * Opens the page from its file; `complaints` collects what it asks the network for, and errors.
+ * script: a function and its argument, which is called before the page's own.
+ */
+export async function openPage(browser,
+  { path = process.env.DISCMC_PAGE, script, ...options } = {}) {
   const context = await browser.newContext({ offline: true, viewport: { width: 1280, height: 800 },
     acceptDownloads: true, ...options });
   const page = await context.newPage();
@@ -38,6 +42,7 @@ export async function openPage(browser, { path = process.env.DISCMC_PAGE, ...opt
     new PerformanceObserver((list) => globalThis.measured.push(...list.getEntries()))
       .observe({ type: 'measure' });
   });
+  if (script) await page.addInitScript(...script);
   await page.goto(pathToFileURL(path).href);
   await page.waitForSelector('body[data-ready]');
   return { page, complaints };

@@ -233,10 +233,12 @@ EXPORT(new_stream) void new_stream() {
 EXPORT(push_stream) void push_stream(const std::uint8_t* bytes, std::size_t count) {
   state().stream->push(bytes, count);
 }
-/// Returns what is known of the stream: see page/module.js.
-EXPORT(end_stream) const double* end_stream() {
-  StreamSurface& stream = *state().stream;
-  stream.finish();
+EXPORT(end_stream) void end_stream() {
+  state().stream->finish();
+}
+/// Returns what is known of the stream so far: see page/module.js.
+EXPORT(stream_state) const double* stream_state() {
+  const StreamSurface& stream = *state().stream;
   const StreamHeader& header = stream.header();
   const StreamReport report = stream.report();
   const auto spacing = host::spacing_mm(header);

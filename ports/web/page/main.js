@@ -6,6 +6,7 @@ import { Engine, EngineError, Newest } from './engine.js';
 import { fail, hideError, tellBusy, tellError } from './messages.js';
 import { navigate } from './navigation.js';
 import { DevicePanel } from './panels/device_panel.js';
+import { LivePanel } from './panels/live_panel.js';
 import { MeasurePanel } from './panels/measure_panel.js';
 import { askLayout } from './panels/raw_dialog.js';
 import { SavePanel } from './panels/save_panel.js';
@@ -27,8 +28,9 @@ class Page {
     this.threshold = new ThresholdPanel(() => this.askSurface());
     this.slice = new SlicePanel(engine, view);
     this.device = new DevicePanel(engine);
+    this.live = new LivePanel(engine, (...arrived) => this.showArrived(...arrived));
     this.measure = new MeasurePanel(view);
-    this.save = new SavePanel(engine, view, () => this.stem());
+    this.save = new SavePanel(engine, view, () => this.stem(), () => this.live.recorded);
     this.surfaces = new Newest((request) => engine.call('surface', request),
       (surface) => this.showSurface(surface), fail);
     this.classics = new Newest(() => engine.call('classic'),
@@ -69,10 +71,12 @@ class Page {
     if (files.length === 0) return;
     hideError();
     tellBusy('Reading…');
+    this.live.leave();
     try {
       const opened = await this.engine.call('open', { files, layout });
       if (opened.info) this.showVolume(opened, iso);
       else await this.showStream(opened);
+      this.live.open(opened.name, opened.info ? null : files[0]);
     } catch (error) {
       const unknown = error instanceof EngineError && error.unknownLayout;
       if (!unknown) return fail(/** @type {Error} */ (error));
@@ -95,6 +99,30 @@ class Page {
   async showStream({ name, stream }) {
     this.opened = { name, dims: stream.dims, spacing: stream.spacing };
     this.showOpened(stream.isComplete && stream.isClosed);
+    this.tellStream(stream);
+    await this.redrawStream();
+  }
+
+  /**
+   * What of a stream has arrived so far.
+   * @param {string} name @param {any} arrived @param {boolean} isFirst @param {boolean} isEnd
+   */
+  showArrived(name, { stream, surface }, isFirst, isEnd) {
+    if (isFirst || (isEnd && stream.dims[2] !== this.opened.dims[2])) {
+      const [width, height, depth] = stream.dims; // it may be told at the end alone
+      this.opened = { name, dims: [width, height, depth || Math.max(width, height)],
+        spacing: stream.spacing };
+      this.showOpened(stream.isComplete && stream.isClosed, true);
+    }
+    this.view.setSurface(surface);
+    if (isEnd) return this.tellStream(stream);
+    const lost = stream.lostPackets > 0 ? `, ${whole(stream.lostPackets)} packets lost` : '';
+    by('stream-text').textContent = `Arriving: ${whole(stream.bytes)} bytes${lost}.`;
+    this.showCounts(stream.polygons, 0);
+  }
+
+  /** @param {any} stream at its end */
+  tellStream(stream) {
     const missing = stream.holdsSlices ? 'rows' : 'regions or pieces of them';
     by('stream-text').textContent = stream.isComplete
       ? `Complete: ${whole(stream.bytes)} bytes, threshold ${number(stream.threshold)}.`
@@ -104,14 +132,16 @@ class Page {
     if (stream.surfaces > 1)
       by('stream-text').textContent += ` It holds ${stream.surfaces} surfaces; this is the first.`;
     this.showCounts(stream.polygons, stream.classicTriangles);
-    await this.redrawStream();
   }
 
-  /** @param {boolean} isClosed whether no inside can be seen */
-  showOpened(isClosed) {
+  /**
+   * @param {boolean} isClosed whether no inside can be seen
+   * @param {boolean} [isGrowing] whether more will arrive
+   */
+  showOpened(isClosed, isGrowing) {
     const { name, dims, spacing, values } = this.opened;
     for (const id of ['threshold-section', 'slice-section', 'device-section', 'smooth-row',
-      'classic-row', 'save-dmc', 'time', 'time-name'])
+      'classic-row', 'time', 'time-name'])
       by(id).hidden = !values;
     by('stream-section').hidden = Boolean(values);
     document.body.classList.add('opened');
@@ -123,7 +153,7 @@ class Page {
     this.measure.clear();
     this.view.setClassic(null);
     by('caption-classic').hidden = true;
-    this.view.setSpace(dims, spacing, isClosed);
+    this.view.setSpace(dims, spacing, isClosed, isGrowing);
     this.slice.open(this.opened);
   }
 

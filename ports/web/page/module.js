@@ -120,7 +120,12 @@ export class Module {
     this.call('release', at);
   }
   endStream() {
-    const list = this.numbersAt(this.call('end_stream'), 19);
+    this.call('end_stream');
+    return this.streamState();
+  }
+  /** What is known of it so far. */
+  streamState() {
+    const list = this.numbersAt(this.call('stream_state'), 19);
     return {
       hasHeader: list[0] !== 0,
       dims: /** @type {[number, number, number]} */ (list.slice(1, 4)),

@@ -78,11 +78,13 @@ export class SurfaceView {
   /**
    * The space that surfaces are in. @param {number[]} dims @param {number[]} spacing
    * @param {boolean} isClosed whether no inside is seen
+   * @param {boolean} [isGrowing] whether there will be more of the surface than there is at first
    */
-  setSpace(dims, spacing, isClosed) {
+  setSpace(dims, spacing, isClosed, isGrowing = false) {
     this.dims = dims;
     this.spacing = spacing;
     this.isClosed = isClosed;
+    this.isGrowing = isGrowing;
     this.uniforms.planes.value = planesOf(spacing);
     this.uniforms.toPlace.value = spacing.map((step) => 2 / step);
     this.uniforms.isMirrored.value = spacing[0] * spacing[1] * spacing[2] < 0;
@@ -95,7 +97,7 @@ export class SurfaceView {
 
   /** Shows the whole surface, or all of its space where there is none. */
   home() {
-    const { low, high } = this.vertices ? boxOf(this.vertices)
+    const { low, high } = this.vertices?.length && !this.isGrowing ? boxOf(this.vertices)
       : { low: [-1, -1, -1], high: this.dims.map((extent) => 2 * extent - 1) };
     const size = low.map((from, i) => ((high[i] - from) / 2) * this.spacing[i]);
     const middle = low.map((from, i) => ((high[i] + from) / 4) * this.spacing[i] - this.centre[i]);

@@ -41,6 +41,23 @@ const requests = {
     return drawn(hasEdges, false);
   },
 
+  /** Begins a stream that arrives piece by piece. */
+  async listen() {
+    module = await Module.start(moduleBytes);
+    module.newStream();
+  },
+
+  /** @param {{bytes: Uint8Array}} request */
+  hear({ bytes }) {
+    module.pushStream(bytes);
+  },
+
+  /** What has arrived so far. @param {{isEnd: boolean, hasEdges: boolean}} request */
+  arrived({ isEnd, hasEdges }) {
+    const stream = isEnd ? module.endStream() : module.streamState();
+    return { stream, surface: stream.hasHeader ? drawn(hasEdges, false) : null };
+  },
+
   classic() {
     return module.classic();
   },
@@ -112,8 +129,7 @@ function drawn(hasEdges, isSmooth) {
 /** What can be handed over instead of copied. @param {any} result @returns {Transferable[]} */
 function transferables(result) {
   if (ArrayBuffer.isView(result)) return [result.buffer];
-  const parts = result && typeof result === 'object' ? Object.values(result) : [];
-  return parts.flatMap((part) => (ArrayBuffer.isView(part) ? [part.buffer] : []));
+  return result && typeof result === 'object' ? Object.values(result).flatMap(transferables) : [];
 }
 
 /** @param {unknown} error @param {string} file */

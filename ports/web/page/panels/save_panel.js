@@ -12,13 +12,15 @@ export class SavePanel {
   /**
    * @param {import('../engine.js').Engine} engine @param {import('../surface_view.js').SurfaceView} view
    * @param {() => string} stem of the file's name
+   * @param {() => Blob | null} recorded the stream that is open, if it is one
    */
-  constructor(engine, view, stem) {
+  constructor(engine, view, stem, recorded) {
     this.stem = stem;
     const mesh = () => meshOf(view.vertices, view.triangles, view.spacing);
     /** @type {Record<string, () => Promise<Blob | null>>} */
     this.writers = {
-      dmc: async () => new Blob([await engine.call('stream', { memory: enoughMemory })]),
+      dmc: async () =>
+        recorded() ?? new Blob([await engine.call('stream', { memory: enoughMemory })]),
       stl: async () => stl(mesh()),
       glb: async () => glb(mesh()),
       jsonl: async () => jsonl(await engine.call('polygons')),

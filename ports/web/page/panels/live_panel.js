@@ -1,0 +1,98 @@
+// Streams while they arrive: from a device, or replayed at its pace.
+import { by, on, whole } from '../elements.js';
+import { Listener } from '../live/listener.js';
+import { replayed } from '../live/replay.js';
+import { hasSerial, serialBytes } from '../live/serial.js';
+import { fail, hideError } from '../messages.js';
+
+export class LivePanel {
+  /**
+   * @param {import('../engine.js').Engine} engine
+   * @param {(name: string, arrived: any, isFirst: boolean, isEnd: boolean) => void} show
+   */
+  constructor(engine, show) {
+    this.show = show;
+    this.listener = new Listener(engine, () => by('edges').checked);
+    /** A stream that can be replayed. @type {Blob | null} */
+    this.recorded = null;
+    this.name = '';
+    this.stopping = new AbortController();
+    by('connect').hidden = !hasSerial();
+    on('connect', 'click', () => by('serial').showModal());
+    on('serial', 'close', () => {
+      if (by('serial').returnValue === 'connect') this.connect(by('serial-baud').valueAsNumber);
+      by('serial').returnValue = '';
+    });
+    on('replay', 'click', () => this.replay());
+    on('stop', 'click', () => this.stopping.abort());
+  }
+
+  /** A stream is open that was read whole, or none. @param {string} name @param {Blob | null} stream */
+  open(name, stream) {
+    this.name = name;
+    this.recorded = stream;
+    by('replay-row').hidden = stream === null;
+  }
+
+  /** Something else is opened. */
+  leave() {
+    this.listener.leave();
+    this.stopping.abort();
+    this.showListening(false);
+  }
+
+  /** @param {number} baud */
+  async connect(baud) {
+    this.leave();
+    try {
+      const stopping = (this.stopping = new AbortController());
+      await this.hear('device', await serialBytes(baud, stopping.signal));
+    } catch (error) {
+      const isRefused = error instanceof DOMException && error.name === 'NotFoundError';
+      if (!isRefused) fail(/** @type {Error} */ (error)); // else no port was chosen
+    }
+  }
+
+  async replay() {
+    if (!this.recorded) return;
+    this.leave();
+    const bytes = new Uint8Array(await this.recorded.arrayBuffer());
+    const stopping = (this.stopping = new AbortController());
+    await this.hear(this.name, replayed(bytes, Number(by('replay-baud').value),
+      Number(by('replay-lost').value), stopping.signal), this.recorded);
+  }
+
+  /**
+   * Shows what arrives until it ends; then it can be replayed.
+   * @param {string} name @param {AsyncIterable<Uint8Array>} source
+   * @param {Blob} [recorded] what is replayed
+   */
+  async hear(name, source, recorded) {
+    hideError();
+    this.showListening(true);
+    let isFirst = true;
+    try {
+      await this.listener.hear(source, (arrived, isEnd) => {
+        if (isEnd) {
+          this.showListening(false);
+          this.open(name, recorded ?? new Blob(this.listener.pieces));
+        }
+        if (isEnd && !arrived.stream.hasHeader)
+          fail(new Error(`${name}: no header of a discmc stream in ${whole(arrived.stream.bytes)} ` +
+            'bytes; check the baud rate, and that the device begins a scan'));
+        if (!arrived.stream.hasHeader) return;
+        this.show(name, arrived, isFirst, isEnd);
+        isFirst = false;
+      });
+    } catch (error) {
+      this.showListening(false);
+      fail(/** @type {Error} */ (error));
+    }
+  }
+
+  /** @param {boolean} isListening */
+  showListening(isListening) {
+    by('stop').hidden = !isListening;
+    if (isListening) by('replay-row').hidden = true;
+  }
+}

@@ -1,0 +1,125 @@
+// Streams that are shown while they arrive.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { nrrdOf, roughBall } from './ball.js';
+import { axe, openFiles, openPage, saved, startBrowser } from './browser.js';
+import { command, polygonsByCommand, turned, workFolder } from './command.js';
+
+const folder = workFolder(after);
+const volume = join(folder, 'ball.nrrd'), stream = join(folder, 'ball.dmc');
+writeFileSync(volume, nrrdOf(roughBall()));
+command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
+const expected = turned(polygonsByCommand(folder, 'decode', stream));
+
+let browser;
+before(async () => (browser = await startBrowser()));
+after(() => browser.close());
+
+const shownPolygons = async (page) => turned(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
+const streamTells = (page, words) => page.waitForFunction((wanted) =>
+  document.querySelector('#stream-text').textContent.startsWith(wanted), words);
+const count = async (page) => Number((await page.textContent('#polygons')).replace(',', ''));
+
+test('a stream is replayed at the pace of its line, and is the same in the end', async () => {
+  const { page, complaints } = await openPage(browser);
+  await openFiles(page, stream);
+  const all = await count(page);
+  await page.selectOption('#replay-baud', '115200');
+  await page.click('#replay');
+  await streamTells(page, 'Arriving');
+  const early = await count(page);
+  assert.ok(early < all, `${early} of ${all} polygons at the beginning`);
+  const seconds = (readFileSync(stream).length * 10) / 115200;
+  const begin = Date.now();
+  await streamTells(page, 'Complete');
+  assert.ok(Date.now() - begin > (seconds / 2) * 1000, 'as slow as the line');
+  assert.equal(await shownPolygons(page), expected);
+  await page.check('#measure');
+  await page.press('#view', 'Enter');
+  assert.match(await page.textContent('#distance'), /^From/, 'the surface is in the picture');
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('what is lost is told, and what is whole is shown', async () => {
+  const { page, complaints } = await openPage(browser);
+  await openFiles(page, stream);
+  await page.evaluate(() => {
+    let call = 0;
+    Math.random = () => (++call % 5 === 0 ? 0 : 1); // every fifth packet
+  });
+  await page.selectOption('#replay-baud', '3000000');
+  await page.selectOption('#replay-lost', '0.2');
+  await page.click('#replay');
+  await streamTells(page, 'Incomplete');
+  assert.match(await page.textContent('#stream-text'), /\d+ packets and \d+ regions/);
+  const whole = new Set(expected.split('\n'));
+  const shown = (await shownPolygons(page)).split('\n').filter(Boolean);
+  assert.ok(shown.length > 0 && shown.length < whole.size);
+  for (const polygon of shown) assert.ok(whole.has(polygon), polygon);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('a replay can be stopped, and another file opened meanwhile', async () => {
+  const { page, complaints } = await openPage(browser);
+  await openFiles(page, stream);
+  await page.selectOption('#replay-baud', '9600');
+  await page.click('#replay');
+  await streamTells(page, 'Arriving');
+  await page.click('#stop');
+  await streamTells(page, 'Incomplete');
+  await page.click('#replay');
+  await streamTells(page, 'Arriving');
+  await openFiles(page, volume);
+  await page.waitForSelector('#threshold');
+  assert.match(await page.textContent('#file-name'), /^ball.nrrd/);
+  assert.ok(await page.isHidden('#stop'));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+/** A port that sends these bytes, and then is gone. */
+const fakeSerial = (list) => {
+  const readable = new ReadableStream({
+    async start(controller) {
+      for (let at = 0; at < list.length; at += 100) {
+        controller.enqueue(new Uint8Array(list.slice(at, at + 100)));
+        await new Promise((resolve) => setTimeout(resolve, 1));
+      }
+      controller.close();
+    },
+  });
+  const port = { readable, open: async (options) => (port.options = options), close: async () => {} };
+  Object.defineProperty(navigator, 'serial', { value: { port, requestPort: async () => port } });
+};
+
+test('a device on a serial port: shown as it sends, kept, and saved', async () => {
+  const { page, complaints } = await openPage(browser,
+    { script: [fakeSerial, [...readFileSync(stream)]] });
+  await page.click('#connect');
+  await page.addScriptTag({ path: axe });
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  assert.deepEqual(violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)), []);
+  await page.fill('#serial-baud', '921600');
+  await page.keyboard.press('Enter');
+  await streamTells(page, 'Complete');
+  assert.equal(await page.evaluate(() => navigator.serial.port.options.baudRate), 921600);
+  assert.equal(await shownPolygons(page), expected);
+  assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), readFileSync(stream));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('a line that carries something else: what to check, and the page goes on', async () => {
+  const { page } = await openPage(browser, { script: [fakeSerial, [...Buffer.from('no stream')]] });
+  await page.click('#connect');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#error:not([hidden])');
+  assert.match(await page.textContent('#error-text'), /no header .* check the baud rate/);
+  await openFiles(page, stream);
+  assert.equal(await shownPolygons(page), expected);
+  await page.context().close();
+});
