@@ -54,6 +54,19 @@ test('a file that is dropped on the page is opened', async () => {
   await page.context().close();
 });
 
+test('every format is known in a browser, too', async () => {
+  const { page, complaints } = await openPage(browser);
+  const volumes = new URL('../command/volumes/', import.meta.url).pathname;
+  for (const file of ['nrrd/i16-big-gzip.nrrd', 'nifti1/i16-little.nii.gz', 'nifti2/f32-big.nii',
+    'metaimage/i16-little-compressed.mha', 'numpy/i16-big.npy', 'dicom/u16.dcm']) {
+    await openFiles(page, join(volumes, file));
+    assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));
+    assert.match(await page.textContent('#file-name'), /^.+ · \d+ × \d+ × \d+ voxels/);
+  }
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
 test('a drag that is too fast for it ends at its last threshold', async () => {
   const { page } = await openPage(browser);
   await openFiles(page, volume);

@@ -95,7 +95,7 @@ export async function unpacked(source) {
 /** Opens a file, unpacked if it is packed. @param {Blob} file */
 export const openBytes = (file) => unpacked(new ByteSource(file.stream()));
 
-/** @param {Uint8Array} bytes */
+/** Limit: what matters is ASCII. @param {Uint8Array} bytes */
 export const asText = (bytes) => new TextDecoder('latin1').decode(bytes);
 
 /** In place. Limit: aligned as samples of this size are. @param {Uint8Array} bytes @param {number} size */

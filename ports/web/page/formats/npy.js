@@ -3,7 +3,7 @@ import { asText } from './bytes.js';
 import { FileError } from './volume_info.js';
 
 /** @param {Uint8Array} head */
-export const isNpy = (head) => asText(head.subarray(0, 6)) === '\x93NUMPY';
+export const isNpy = (head) => head[0] === 0x93 && asText(head.subarray(1, 6)) === 'NUMPY';
 
 /** @type {import('./volume_file.js').Reader} */
 export async function readNpy(name, source) {
