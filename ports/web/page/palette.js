@@ -8,7 +8,6 @@ export const orange = '#e69f00';
 export const skyBlue = '#56b4e9';
 export const green = '#009e73';
 export const yellow = '#f0e442';
-export const blue = '#0072b2';
 export const vermilion = '#d55e00';
 export const purple = '#cc79a7';
 
