@@ -61,13 +61,16 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
 bool BoxTree::is_near(const Box& box) const {
   std::array<std::size_t, most_waiting> waiting;
   std::size_t count = 0;
-  waiting[count++] = 1;
+  const auto add_if_near = [&](std::size_t node) {
+    waiting[count] = node;
+    count += nodes_[node].overlaps(box);
+  };
+  add_if_near(1);
   while (count > 0) {
     const std::size_t node = waiting[--count];
-    if (!nodes_[node].overlaps(box)) continue;
     if (node < leaves_) {
-      waiting[count++] = 2 * node;
-      waiting[count++] = 2 * node + 1;
+      add_if_near(2 * node);
+      add_if_near(2 * node + 1);
       continue;
     }
     for (std::size_t i = begin_of(node); i < end_of(node); ++i)

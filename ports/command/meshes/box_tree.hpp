@@ -40,9 +40,14 @@ struct Box {
       high[axis] = std::max(high[axis], box.high[axis]);
     }
   }
+  // Without branches: which way they go is hard to foretell, and wrong guesses cost more.
   bool overlaps(const Box& other) const {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+    bool result = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      result &= low[axis] <= other.high[axis];
+      result &= other.low[axis] <= high[axis];
+    }
+    return result;
   }
   double squared_distance(const Point& point) const;
 
@@ -99,20 +104,23 @@ class BoxTree {
   /// Calls with the places of two boxes in what was given, once for any two that overlap.
   template <class Call>
   void for_each_near_pair(Call call) const {
-    std::array<std::array<std::size_t, 2>, most_waiting> waiting;  // nodes of the same level
+    std::array<std::array<std::size_t, 2>, most_waiting> waiting;  // nodes of one level
     std::size_t count = 0;
+    const auto add_if_near = [&](std::size_t a, std::size_t b) {
+      waiting[count] = {a, b};
+      count += nodes_[a].overlaps(nodes_[b]);
+    };
     waiting[count++] = {1, 1};
     while (count > 0) {
       const auto [a, b] = waiting[--count];
-      if (a != b && !nodes_[a].overlaps(nodes_[b])) continue;
       if (a >= leaves_) {
         for_each_pair_of(a, b, call);
         continue;
       }
-      waiting[count++] = {2 * a, 2 * b};
-      waiting[count++] = {2 * a, 2 * b + 1};
-      if (a != b) waiting[count++] = {2 * a + 1, 2 * b};
-      waiting[count++] = {2 * a + 1, 2 * b + 1};
+      add_if_near(2 * a, 2 * b);
+      add_if_near(2 * a, 2 * b + 1);
+      if (a != b) add_if_near(2 * a + 1, 2 * b);
+      add_if_near(2 * a + 1, 2 * b + 1);
     }
   }
 
@@ -128,11 +136,14 @@ class BoxTree {
   // Of one leaf, or of two.
   template <class Call>
   void for_each_pair_of(std::size_t a, std::size_t b, Call& call) const {
-    for (std::size_t i = begin_of(a); i < end_of(a); ++i) {
-      if (!boxes_[i].overlaps(nodes_[b])) continue;
-      for (std::size_t j = a == b ? i + 1 : begin_of(b); j < end_of(b); ++j)
-        if (boxes_[i].overlaps(boxes_[j])) call(places_[i], places_[j]);
-    }
+    std::array<std::array<std::size_t, 2>, leaf_size * leaf_size> near;
+    std::size_t count = 0;
+    for (std::size_t i = begin_of(a); i < end_of(a); ++i)
+      for (std::size_t j = a == b ? i + 1 : begin_of(b); j < end_of(b); ++j) {
+        near[count] = {i, j};
+        count += boxes_[i].overlaps(boxes_[j]);
+      }
+    for (std::size_t i = 0; i < count; ++i) call(places_[near[i][0]], places_[near[i][1]]);
   }
 
   std::vector<std::uint32_t> places_;  // along a curve through space

@@ -21,8 +21,8 @@ class Normal {
     const Point away = difference(point, origin);
     const double height = dot(normal_, away);
     constexpr double unsure = 1e-20;
-    if (height * height <= unsure * squared_length_ * dot(away, away)) return 0;
-    return height > 0 ? 1 : -1;
+    const int is_sure = height * height > unsure * squared_length_ * dot(away, away);
+    return is_sure * ((height > 0) - (height < 0));
   }
 
  private:
@@ -52,14 +52,14 @@ bool are_two(const Shared& shared) {
   return shared[0] + shared[1] + shared[2] >= 2;
 }
 
-// Whether all that are not shared are on one side.
+// Whether all that are not shared are on one side. As Box::overlaps() without branches.
 bool are_apart(const Sides& sides, const Shared& shared) {
-  bool above = true, below = true;
+  int not_above = 0, not_below = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    above = above && (shared[i] || sides[i] > 0);
-    below = below && (shared[i] || sides[i] < 0);
+    not_above += !shared[i] * (sides[i] <= 0);
+    not_below += !shared[i] * (sides[i] >= 0);
   }
-  return above || below;
+  return not_above == 0 || not_below == 0;
 }
 
 Corners corners_of(const Mesh& mesh, std::uint32_t face) {
@@ -81,8 +81,11 @@ class SomeFaces {
     const std::uint32_t* const b = mesh_.face(faces_[other]);
     Shared of_a{}, of_b{};
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (a[i] == b[j]) of_a[i] = of_b[j] = true;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const bool is_same = a[i] == b[j];
+        of_a[i] |= is_same;
+        of_b[j] |= is_same;
+      }
     if (are_two(of_a)) return false;
     const Corners corners_of_a = corners_of(mesh_, faces_[one]);
     const Corners corners_of_b = corners_of(mesh_, faces_[other]);
