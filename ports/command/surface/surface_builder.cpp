@@ -98,6 +98,7 @@ bool SurfaceBuilder::is_convex(const Chain& chain) const {
 
 Ring SurfaceBuilder::corners(const Chain& chain) const {
   Ring ring;
+  if (chain.begin == chain.end) return ring;
   ring.reserve(static_cast<std::size_t>(chain.end - chain.begin));
   Vertex vertex = chain.start;
   Direction before = chain.end[-1].run.direction();
