@@ -10,11 +10,11 @@
 #include <streambuf>
 #include <string>
 
+#include "base64.hpp"
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "base64.hpp"
-#include "mesh_files/name_text.hpp"
 #include "mesh_formats.hpp"
+#include "name_text.hpp"
 
 namespace {
 

@@ -72,6 +72,12 @@ TEST_CASE("the page of a stream has its bytes, also those of a damaged one") {
   CHECK(workshop.shell("\"$discmc\" view - -o - < inside.dmc > piped.html").code == 0);
   CHECK(unpack(workshop, "piped.html", "piped.dmc") == "standard input");
   CHECK(workshop.read("piped.dmc") == workshop.read("inside.dmc"));
+  CHECK(workshop
+            .shell(
+                "mkfifo pipe; cat inside.dmc > pipe & \"$discmc\" view pipe -o pipe.html --no-open")
+            .code == 0);
+  CHECK(unpack(workshop, "pipe.html", "piped.dmc") == "pipe");
+  CHECK(workshop.read("piped.dmc") == workshop.read("inside.dmc"));
   workshop.shell("head -c 300 inside.dmc > cut.dmc");
   const Result cut = workshop.run("view cut.dmc --no-open");
   CHECK(cut.code == 3);

@@ -4,10 +4,13 @@
 #define DISCMC_COMMAND_COMMAND_LINE_OPTION_CHECKS_HPP
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "file_pattern.hpp"
 #include "number_text.hpp"
@@ -45,6 +48,21 @@ inline CLI::Validator not_negative() {
   return CLI::Validator(
       [](std::string& text) {
         return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
+      },
+      "");
+}
+
+/// A file whose name ends in one of these, which begin with a dot, or standard output by the name
+/// "-". what: is told where it does not.
+inline CLI::Validator named_with(const std::vector<std::string>& extensions,
+                                 const std::string& what) {
+  return CLI::Validator(
+      [extensions, what](std::string& text) {
+        const std::string own = std::filesystem::path(text).extension().string();
+        const bool is_right =
+            text == "-" || std::find(extensions.begin(), extensions.end(), own) != extensions.end();
+        return is_right ? std::string()
+                        : text + ": " + what + ": give a name that ends in " + extensions[0];
       },
       "");
 }

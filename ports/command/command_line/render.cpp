@@ -1,5 +1,4 @@
 // The arguments of discmc render.
-#include <filesystem>
 #include <memory>
 
 #include "command_line.hpp"
@@ -13,17 +12,6 @@
 
 namespace discmc::host {
 namespace {
-
-CLI::Validator png_name() {
-  return CLI::Validator(
-      [](std::string& text) {
-        const std::string extension = std::filesystem::path(text).extension().string();
-        return text == "-" || extension == ".png" || extension == ".PNG"
-                   ? std::string()
-                   : text + ": pictures are PNG files: give a name that ends in .png";
-      },
-      "");
-}
 
 void check(const CLI::App& render, const RenderArguments& arguments) {
   check_kind(render, arguments.input, arguments.is_volume);
@@ -90,7 +78,7 @@ Command add_render(CLI::App& app) {
       ->required();
   render
       ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")
-      ->check(png_name())
+      ->check(named_with({".png", ".PNG"}, "pictures are PNG files"))
       ->check(without_braces())
       ->required();
   add_picture_options(*render, *arguments);

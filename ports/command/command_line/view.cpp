@@ -5,6 +5,7 @@
 #include "command_line.hpp"
 #include "commands/commands.hpp"
 #include "input_kind.hpp"
+#include "input_name.hpp"
 #include "option_checks.hpp"
 #include "surface_options.hpp"
 #include "volume_options.hpp"
@@ -12,22 +13,9 @@
 namespace discmc::host {
 namespace {
 
-CLI::Validator html_name() {
-  return CLI::Validator(
-      [](std::string& text) {
-        const std::string extension = std::filesystem::path(text).extension().string();
-        return text == "-" || extension == ".html" || extension == ".htm"
-                   ? std::string()
-                   : text + ": pages are HTML files: give a name that ends in .html";
-      },
-      "");
-}
-
 // A page of the same name in the folder where the user is; nothing where the input has no name.
 std::string page_for(const std::string& input) {
-  std::filesystem::path name = std::filesystem::path(input).lexically_normal();
-  if (!name.has_filename()) name = name.parent_path();
-  name = name.filename();
+  std::filesystem::path name = input_name(input);
   if (name.extension() == ".gz") name.replace_extension();
   const std::string stem = name.stem().string();
   const bool is_name =
@@ -66,7 +54,7 @@ Command add_view(CLI::App& app) {
   view->add_option("-o,--output", arguments->output,
                    "the page to write (default: the input's name with .html, in this folder); - is "
                    "standard output")
-      ->check(html_name())
+      ->check(named_with({".html", ".htm"}, "pages are HTML files"))
       ->check(without_braces());
   view->add_flag("!--no-open", arguments->opens, "write the page, and leave the browser alone");
   add_volume_options(*view, arguments->reading.layout);

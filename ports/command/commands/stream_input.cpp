@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -60,24 +61,24 @@ void refuse_other_kinds(const std::string& path) {
     throw std::runtime_error(path + ": this is a mesh, not a stream; " + who_takes_meshes);
 }
 
-}  // namespace
-
-void read_file(const std::string& path, StreamReader& reader) {
+// Not of standard input.
+std::ifstream opened(const std::string& path) {
   std::ifstream file;
-  if (path != "-") {
-    if (!std::filesystem::is_directory(path))
-      file.open(path, std::ios::binary);
-    else
-      refuse_other_kinds(path);
-    if (!file.is_open())
-      throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
-  }
-  const std::uint64_t size =
-      std::filesystem::is_regular_file(path) ? std::filesystem::file_size(path) : 0;
+  if (!std::filesystem::is_directory(path))
+    file.open(path, std::ios::binary);
+  else
+    refuse_other_kinds(path);
+  if (!file.is_open())
+    throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
+  return file;
+}
+
+// size: of the stream, or 0 where it is not known.
+void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
+                 StreamReader& reader) {
   Progress progress(size > 0 ? "reading" : "reading byte", size);
   try {
-    reader.read(path == "-" ? std::cin : file,
-                [&progress](std::uint64_t bytes) { progress.show(bytes); });
+    reader.read(in, [&progress](std::uint64_t bytes) { progress.show(bytes); });
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
@@ -90,20 +91,14 @@ void read_file(const std::string& path, StreamReader& reader) {
                            std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
 }
 
-void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
-  const std::vector<std::string> surfaces = list_of_surfaces(reader);
-  if (surfaces.size() < 2 || !choice.is_any()) return;
-  std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
-            << int{reader.channel()} << " of " << joined(surfaces)
-            << ": choose with --scan N and --channel N\n";
-}
-
-DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
+// read: called with the reader.
+template <class Read>
+DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice) {
   SurfaceBuilder builder;
   GrowingJoiner joiner(sink_to(builder));
   RecordNotes notes{joiner};
   StreamReader reader(sink_to(notes), choice);
-  read_file(path, reader);
+  read(reader);
   note_others(path, choice, reader);
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
@@ -120,6 +115,39 @@ DecodedStream decode_surface(const std::string& path, const StreamChoice& choice
           std::move(builder.surface()),
           std::move(notes.records),
           notes.placement};
+}
+
+}  // namespace
+
+void read_file(const std::string& path, StreamReader& reader) {
+  if (path == "-") return read_stream(path, std::cin, 0, reader);
+  std::ifstream file = opened(path);
+  const bool has_size = std::filesystem::is_regular_file(path);
+  read_stream(path, file, has_size ? std::filesystem::file_size(path) : 0, reader);
+}
+
+std::string stream_bytes(const std::string& path) {
+  std::ifstream file;
+  if (path != "-") file = opened(path);
+  std::istream& in = path == "-" ? std::cin : file;
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
+  const std::vector<std::string> surfaces = list_of_surfaces(reader);
+  if (surfaces.size() < 2 || !choice.is_any()) return;
+  std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
+            << int{reader.channel()} << " of " << joined(surfaces)
+            << ": choose with --scan N and --channel N\n";
+}
+
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
+  return decoded_by([&](StreamReader& reader) { read_file(path, reader); }, path, choice);
+}
+
+DecodedStream decode_surface(const std::string& path, std::istream& in,
+                             const StreamChoice& choice) {
+  return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice);
 }
 
 int completeness(const std::string& path, const StreamReport& report) {

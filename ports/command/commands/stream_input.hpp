@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_COMMANDS_STREAM_INPUT_HPP
 
 #include <cstdint>
+#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,11 @@ struct DecodedStream {
 };
 
 DecodedStream decode_surface(const std::string& path, const StreamChoice& choice);
+/// The same of bytes that come from elsewhere. path: what they are called.
+DecodedStream decode_surface(const std::string& path, std::istream& in, const StreamChoice& choice);
+
+/// All bytes of the named stream, or of standard input by the name "-"; what is no stream, too.
+std::string stream_bytes(const std::string& path);
 
 /// What is missing is said, and told by the exit code, but what is there is used.
 int completeness(const std::string& path, const StreamReport& report);

@@ -1,10 +1,8 @@
 // discmc view: a page that shows a volume or a stream.
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +10,7 @@
 #include "exit_codes.hpp"
 #include "extract.hpp"
 #include "input_content.hpp"
+#include "input_name.hpp"
 #include "mesh_output.hpp"
 #include "output_file.hpp"
 #include "pages/browser.hpp"
@@ -29,9 +28,7 @@ namespace {
 
 // Of the input, for people.
 std::string name_of(const std::string& input) {
-  if (input == "-") return "standard input";
-  const std::filesystem::path path = std::filesystem::path(input).lexically_normal();
-  return (path.has_filename() ? path : path.parent_path()).filename().string();
+  return input == "-" ? "standard input" : input_name(input);
 }
 
 // Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
@@ -70,13 +67,9 @@ void write_page_of_threshold(const ViewArguments& arguments, std::ostream& out) 
 }
 
 int write_page_of_stream(const ViewArguments& arguments, std::ostream& out) {
-  std::ifstream file;
-  if (arguments.input != "-") file.open(arguments.input, std::ios::binary);
-  std::istream& in = arguments.input == "-" ? std::cin : file;
-  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  std::optional<ReplayedInput> replayed;
-  if (arguments.input == "-") replayed.emplace(bytes);
-  const DecodedStream decoded = decode_surface(arguments.input, {});
+  const std::string bytes = stream_bytes(arguments.input);
+  std::istringstream in(bytes);
+  const DecodedStream decoded = decode_surface(arguments.input, in, {});
   const Progress progress("writing");
   write_page(
       name_of(arguments.input), [&bytes](std::ostream& data) { data << bytes; }, out);

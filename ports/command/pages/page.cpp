@@ -5,6 +5,7 @@
 
 #include "base64.hpp"
 #include "gzip.hpp"
+#include "name_text.hpp"
 #include "page_template.hpp"
 
 namespace discmc::host {
@@ -12,19 +13,6 @@ namespace {
 
 // What the data comes before: all that looks for it.
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -36,7 +24,7 @@ void write_page(const std::string& name, const std::function<void(std::ostream&)
     throw std::runtime_error(
         "this discmc was built without the page: run scripts/setup web, and build it again");
   out << page.substr(0, begin) << "<script type=\"application/base64\" id=\"data\" data-name=\""
-      << escaped(name) << "\" data-encoding=\"gzip\">";
+      << xml_attribute(name) << "\" data-encoding=\"gzip\">";
   Base64 base64(out);
   Gzip gzip(base64);
   std::ostream data(&gzip);

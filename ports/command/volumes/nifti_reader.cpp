@@ -16,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "nifti_types.hpp"
 #include "volume_format.hpp"
 
 namespace discmc::host {
@@ -166,31 +167,9 @@ Header read_header(ByteStream& stream) {
 }
 
 SampleType sample_type(const std::filesystem::path& file, int datatype) {
-  switch (datatype) {
-    case DT_UINT8:
-      return SampleType::u8;
-    case DT_INT8:
-      return SampleType::i8;
-    case DT_UINT16:
-      return SampleType::u16;
-    case DT_INT16:
-      return SampleType::i16;
-    case DT_UINT32:
-      return SampleType::u32;
-    case DT_INT32:
-      return SampleType::i32;
-    case DT_UINT64:
-      return SampleType::u64;
-    case DT_INT64:
-      return SampleType::i64;
-    case DT_FLOAT32:
-      return SampleType::f32;
-    case DT_FLOAT64:
-      return SampleType::f64;
-    default:
-      fail_type(file, std::string(nifti_datatype_to_string(datatype)) + " (datatype " +
-                          std::to_string(datatype) + ")");
-  }
+  if (const auto type = type_of_nifti(datatype)) return *type;
+  fail_type(file, std::string(nifti_datatype_to_string(datatype)) + " (datatype " +
+                      std::to_string(datatype) + ")");
 }
 
 void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const std::int64_t (&dim)[8],

@@ -8,38 +8,13 @@
 #include <cstring>
 #include <vector>
 
+#include "nifti_types.hpp"
 #include "volume_placement.hpp"
 
 namespace discmc::host {
 namespace {
 
 constexpr std::int64_t header_bytes = sizeof(nifti_2_header) + 4;  // and that nothing follows it
-
-std::int16_t datatype(SampleType type) {
-  switch (type) {
-    case SampleType::u8:
-      return DT_UINT8;
-    case SampleType::i8:
-      return DT_INT8;
-    case SampleType::u16:
-      return DT_UINT16;
-    case SampleType::i16:
-      return DT_INT16;
-    case SampleType::u32:
-      return DT_UINT32;
-    case SampleType::i32:
-      return DT_INT32;
-    case SampleType::u64:
-      return DT_UINT64;
-    case SampleType::i64:
-      return DT_INT64;
-    case SampleType::f32:
-      return DT_FLOAT32;
-    case SampleType::f64:
-      break;
-  }
-  return DT_FLOAT64;
-}
 
 VolumePlacement placement_of(const VolumeInfo& info) {
   if (!info.placement) return along_coordinates(info.spacing_mm);
@@ -51,7 +26,7 @@ nifti_2_header header_of(const VolumeInfo& info) {
   nifti_2_header header{};
   header.sizeof_hdr = sizeof header;
   std::memcpy(header.magic, "n+2\0\r\n\x1a\n", sizeof header.magic);
-  header.datatype = datatype(info.type);
+  header.datatype = nifti_type_of(info.type);
   header.bitpix = static_cast<std::int16_t>(8 * sample_bytes(info.type));
   header.dim[0] = 3;
   header.pixdim[0] = 1;

@@ -1,6 +1,6 @@
 // Names of any bytes as the text of files.
-#ifndef DISCMC_COMMAND_MESH_FILES_NAME_TEXT_HPP
-#define DISCMC_COMMAND_MESH_FILES_NAME_TEXT_HPP
+#ifndef DISCMC_COMMAND_NAME_TEXT_HPP
+#define DISCMC_COMMAND_NAME_TEXT_HPP
 
 #include <string>
 #include <string_view>
