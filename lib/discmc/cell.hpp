@@ -63,6 +63,7 @@ struct Loop {
   Point point[max_points];
 };
 
+/// All loops of a cell.
 struct Loops {
   static constexpr int max_loops = 4;
   uint8_t count;

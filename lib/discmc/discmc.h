@@ -267,8 +267,9 @@ typedef struct discmc_high_water {
 /* What stands in for a row that never came. */
 enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
 
-/* With 16-bit indices: at most 32,759 records, which are 256 KiB. Hosts that give it more memory
- * use C++, where Extractor32 has no such limit. */
+/* Takes the samples of a scan, and hands its regions to a sink. With 16-bit indices: at most 32,759
+ * records, which are 256 KiB. Hosts that give it more memory use C++, where Extractor32 has no such
+ * limit. */
 typedef struct discmc_extractor {
   uint64_t opaque[(sizeof(void*) == 8 ? 560 : 472) / 8];
 } discmc_extractor;
@@ -369,6 +370,7 @@ typedef struct discmc_byte_output {
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
 } discmc_byte_output;
 
+/* Writes the stream of one scan. */
 typedef struct discmc_encoder {
   uint64_t opaque[(sizeof(void*) == 8 ? 848 : 808) / 8];
 } discmc_encoder;
@@ -478,6 +480,7 @@ typedef struct discmc_decoded {
   size_t bytes;
 } discmc_decoded;
 
+/* Reads one stream of regions, and hands its events to a sink. */
 typedef struct discmc_decoder {
   uint64_t opaque[(sizeof(void*) == 8 ? 1328 : 1264) / 8];
 } discmc_decoder;
@@ -505,6 +508,7 @@ discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder);
 
 /* ---- the slice encoder (slice_encoder.hpp) ---- */
 
+/* Takes the samples of a scan, and writes the stream of their bits. */
 typedef struct discmc_slice_encoder {
   uint64_t opaque[(sizeof(void*) == 8 ? 728 : 640) / 8];
 } discmc_slice_encoder;
@@ -620,6 +624,7 @@ typedef struct discmc_row_sink {
   discmc_answer (*take)(void* context, const discmc_row_event* event);
 } discmc_row_sink;
 
+/* Reads one stream of bits, and hands its rows to a row sink. */
 typedef struct discmc_slice_decoder {
   uint64_t opaque[(sizeof(void*) == 8 ? 968 : 840) / 8];
 } discmc_slice_decoder;
@@ -715,6 +720,7 @@ typedef struct discmc_join_report {
   uint64_t passed;    /* chains passed on for lack of memory */
 } discmc_join_report;
 
+/* Joins loose fragments to regions. */
 typedef struct discmc_joiner {
   uint64_t opaque[(sizeof(void*) == 8 ? 336 : 288) / 8];
 } discmc_joiner;
@@ -762,8 +768,9 @@ enum {
 };
 
 discmc_vertex discmc_normal(uint8_t incidence);
-/* Limit: components are -1, 0 or 1. */
+/* The incidence of a normal. Limit: components are -1, 0 or 1. */
 uint8_t discmc_incidence_of(discmc_vertex normal);
+
 uint8_t discmc_opposite(uint8_t incidence);
 
 /* A unit vector in fixed point; 16384 is one. All zero where there is no normal. */
@@ -855,6 +862,7 @@ typedef struct discmc_facet_ring {
   discmc_vertex vertices[4]; /* from the cell's corner 0; counter-clockwise from the normal's tip */
 } discmc_facet_ring;
 
+/* What is counted of a cell. */
 typedef struct discmc_cell_facts {
   uint8_t facets;            /* 0 to 7 */
   uint8_t classic_triangles; /* of classic Marching Cubes */

@@ -26,10 +26,10 @@ class SymbolCoder {
   RangeEncoder::Bits range_;
 };
 
-/// One packet and one record are all that is held. The encoder may be suspended after any byte:
-/// while the output takes nothing, take() answers not_now, and goes on where it was when asked
-/// again. Use it as Encoder, or as NormalEncoder where the normals of runs are to be told too; a
-/// stream without any is the same from both.
+/// Writes the stream of one scan. One packet and one record are all that is held. The encoder may
+/// be suspended after any byte: while the output takes nothing, take() answers not_now, and goes on
+/// where it was when asked again. Use it as Encoder, or as NormalEncoder where the normals of runs
+/// are to be told too; a stream without any is the same from both.
 template <class Normals>
 class BasicEncoder : private Normals {
  public:

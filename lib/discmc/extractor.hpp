@@ -30,10 +30,11 @@ struct HighWater {
   uint32_t holes;
 };
 
-/// Index is uint16_t (up to 32,759 records; firmware) or uint32_t (hosts). The events do not depend
-/// on it, given the same capacities. Normals is NoNormals, or GradientNormals<Sample>: then push()
-/// takes samples of this type alone, keeps those of four slices in the memory, and sweeps a slice
-/// and a row later; the events are the same but for the normals in them. Sweep: another is that of
+/// Takes the samples of a scan, and hands its regions to a Sink. Index is uint16_t (up to 32,759
+/// records; firmware) or uint32_t (hosts). The events do not depend on it, given the same
+/// capacities. Normals is NoNormals, or GradientNormals<Sample>: then push() takes samples of this
+/// type alone, keeps those of four slices in the memory, and sweeps a slice and a row later; the
+/// events are the same but for the normals in them. Sweep: another is that of
 /// learning_extractor.hpp.
 template <class Index, class Normals = NoNormals,
           class Sweep = trace::Sweep<Index, typename Normals::Normal>>

@@ -17,6 +17,7 @@
 
 namespace discmc {
 
+/// Rows of bits in, and the rows that most of their neighbours make of them out.
 class MajorityFilter {
  public:
   /// The memory that start() takes: two slices of bits and four rows. Units: bytes.

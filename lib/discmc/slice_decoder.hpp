@@ -52,6 +52,7 @@ RowSink row_sink_to(Receiver& receiver) {
           }};
 }
 
+/// Reads one stream of bits, and hands its rows to a RowSink.
 class SliceDecoder {
  public:
   /// Begins a stream. memory: at least slice_decoder_bytes() for the size and the surfaces that the

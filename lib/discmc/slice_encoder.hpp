@@ -21,6 +21,7 @@
 
 namespace discmc {
 
+/// Takes the samples of a scan, and writes one stream of the bits of its surfaces.
 class SliceEncoder {
  public:
   /// Begins a scan and its stream; the header is the first packet, and its thresholds those of the

@@ -24,6 +24,7 @@ constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces
   return slice_decoder_bytes(limits, surfaces) + minimum_bytes<uint32_t>(limits);
 }
 
+/// Reads one stream of either kind, and hands the events of one of its surfaces to a Sink.
 class SurfaceDecoder {
  public:
   /// A call skips at most so many lost rows, as a hostile stream can claim any number of them.
