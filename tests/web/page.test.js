@@ -4,6 +4,8 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { deflateSync } from 'node:zlib';
+import { facing } from '../../ports/web/page/facing.js';
+import { planesOf } from '../../ports/web/page/light.js';
 import { nrrdOf, roughBall } from './ball.js';
 import { axe, now, openFiles, openPage, rested, saved, shown, startBrowser } from './browser.js';
 import { command, polygonsByCommand, sorted, workFolder } from './command.js';
@@ -194,20 +196,28 @@ test('every switch of the view works without complaint', async () => {
   await page.context().close();
 });
 
-/** The mean colour of what is drawn. */
-async function colourOf(page, picture) {
-  const data = readFileSync(picture).toString('base64');
-  return page.evaluate(async (base64) => {
+/** The picture as the page saves it: red, green, blue and opacity of each pixel. */
+async function pixelsOf(page) {
+  const picture = readFileSync((await saved(page, 'png')).path).toString('base64');
+  const pixels = await page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes]));
     const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(0, 0, image.width, image.height);
-    const sums = [0, 0, 0, 0];
-    for (let i = 0; i < data.length; i += 4)
-      if (data[i + 3] > 0) sums.forEach((_, j) => (sums[j] += j < 3 ? data[i + j] : 1));
-    return { red: sums[0] / sums[3], blue: sums[2] / sums[3], pixels: sums[3] };
-  }, data);
+    return Array.from({ length: data.length / 32768 + 1 }, (_, i) =>
+      String.fromCharCode(...data.subarray(32768 * i, 32768 * (i + 1)))).join('');
+  }, picture);
+  return Buffer.from(pixels, 'latin1');
+}
+
+/** The mean colour of what is drawn. */
+async function colourOf(page) {
+  const data = await pixelsOf(page);
+  const sums = [0, 0, 0, 0];
+  for (let i = 0; i < data.length; i += 4)
+    if (data[i + 3] > 0) sums.forEach((_, j) => (sums[j] += j < 3 ? data[i + j] : 1));
+  return { red: sums[0] / sums[3], blue: sums[2] / sums[3], pixels: sums[3] };
 }
 
 test('the outside is seen, flat and smooth, also of a volume whose x runs backwards; a cut shows the inside', async () => {
@@ -221,13 +231,57 @@ test('the outside is seen, flat and smooth, also of a volume whose x runs backwa
       await page.setChecked('#smooth', isSmooth);
       await setThreshold(page, 400 + (isSmooth ? 1 : 0));
       await shown(page, 400 + (isSmooth ? 1 : 0));
-      const { red, blue, pixels } = await colourOf(page, (await saved(page, 'png')).path);
+      const { red, blue, pixels } = await colourOf(page);
       assert.ok(pixels > 10000 && red > 1.2 * blue, `bone, not blue: ${red} and ${blue} of ${pixels}`);
     }
     await page.check('#cut');
-    const cut = await colourOf(page, (await saved(page, 'png')).path);
+    const cut = await colourOf(page);
     assert.ok(cut.red < 1.2 * cut.blue, `${cut.red} and ${cut.blue}`);
     await page.evaluate(() => (globalThis.measured.length = 0));
+  }
+  await page.context().close();
+});
+
+test('the planes that are left out face away wherever in the space they lie', () => {
+  const planes = planesOf([0.5, -0.75, 2]);
+  const ends = Uint32Array.from(planes, (_, incidence) => incidence + 1);
+  const halves = [20, 30, 10];
+  const corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) =>
+    [x * halves[0], y * halves[1], z * halves[2]])));
+  for (const eye of [[90, 5, 3], [-30, 40, 200], [0, -31, 0], [21, 0, -11], [1, 2, 3]]) {
+    const isAsked = planes.map(() => false);
+    for (const { begin, end } of facing(planes, ends, eye, halves)) isAsked.fill(true, begin, end);
+    planes.forEach((plane, incidence) => {
+      const isSeen = corners.some((corner) =>
+        plane.reduce((sum, part, i) => sum + part * (eye[i] - corner[i]), 0) > 0);
+      assert.equal(isAsked[incidence], isSeen, `incidence ${incidence} from ${eye}`);
+    });
+  }
+});
+
+test('what faces away is not drawn, and nothing that is seen is missing, from all sides', async () => {
+  const { page } = await openPage(browser);
+  await openFiles(page, volume);
+  await page.evaluate(() => {
+    const place = document.querySelector('#place');
+    place.value = place.max;
+  });
+  const steps = 6;
+  for (let step = 0; step < steps; ++step) {
+    // With a cut beyond the surface all is drawn, so that a few edges of the far side show through.
+    await page.uncheck('#cut');
+    const picture = await pixelsOf(page);
+    await page.check('#cut');
+    const all = await pixelsOf(page);
+    assert.equal(picture.length, all.length);
+    let different = 0, drawn = 0;
+    for (let i = 0; i < all.length; i += 4) {
+      if (all[i + 3] > 0) ++drawn;
+      if (Math.abs(all[i] - picture[i]) > 8 || all[i + 3] !== picture[i + 3]) ++different;
+    }
+    assert.ok(drawn > 10000 && different < 0.01 * drawn, `${different} of ${drawn} pixels differ`);
+    await page.focus('#view');
+    for (let i = 0; i < 9; ++i) await page.keyboard.press(step % 2 ? 'ArrowUp' : 'ArrowLeft');
   }
   await page.context().close();
 });

@@ -7,7 +7,7 @@ namespace discmc::web {
 
 void DrawnSurface::make(const std::vector<host::Polygon>& polygons, bool is_hostile) {
   vertices_.clear();
-  triangles_.clear();
+  for (std::vector<std::uint32_t>& triangles : triangles_of_) triangles.clear();
   edges_.clear();
   left_out_ = 0;
   number_ = 0;
@@ -15,10 +15,11 @@ void DrawnSurface::make(const std::vector<host::Polygon>& polygons, bool is_host
   for (const host::Polygon& polygon : polygons) {
     add_polygon(polygon);
     if (!is_hostile)
-      add_triangles();
-    else if (!succeeds([this] { add_triangles(); }))
+      add_triangles(polygon.incidence);
+    else if (!succeeds([&] { add_triangles(polygon.incidence); }))
       ++left_out_;
   }
+  gather_triangles();
 }
 
 void DrawnSurface::add_polygon(const host::Polygon& polygon) {
@@ -56,11 +57,20 @@ void DrawnSurface::add_ring(const host::Ring& ring, const host::Polygon& polygon
   ring_ends_.push_back(static_cast<std::uint32_t>(points_.size()));
 }
 
-void DrawnSurface::add_triangles() {
+void DrawnSurface::add_triangles(Incidence incidence) {
   const TriangleStore::Triangles triangles = store_.triangulate(points_, ring_ends_);
   for (std::size_t i = 0; i < triangles.count; ++i)
     for (const std::uint32_t corner : triangles.begin[i])
-      triangles_.push_back(first_vertex_ + corner);
+      triangles_of_[incidence].push_back(first_vertex_ + corner);
+}
+
+void DrawnSurface::gather_triangles() {
+  triangles_.clear();
+  triangle_ends_.clear();
+  for (const std::vector<std::uint32_t>& triangles : triangles_of_) {
+    triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
+    triangle_ends_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+  }
 }
 
 }  // namespace discmc::web

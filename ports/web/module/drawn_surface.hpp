@@ -2,9 +2,11 @@
 #ifndef DISCMC_WEB_DRAWN_SURFACE_HPP
 #define DISCMC_WEB_DRAWN_SURFACE_HPP
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include <discmc/lattice.hpp>
 #include <discmc/normal.hpp>
 
 #include "corner_set.hpp"
@@ -34,7 +36,10 @@ class DrawnSurface {
 
   const std::vector<DrawnVertex>& vertices() const { return vertices_; }
   /// Numbers of vertices, three a triangle, counter-clockwise from outside as the lattice has it.
+  /// In the order of the incidences, so that those which face away can be left out.
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
+  /// Where in triangles() those of each incidence end.
+  const std::vector<std::uint32_t>& triangle_ends() const { return triangle_ends_; }
   /// Numbers of vertices, two an edge of a polygon, which the polygons on its sides both have.
   const std::vector<std::uint32_t>& edges() const { return edges_; }
   std::uint32_t left_out() const { return left_out_; }
@@ -42,11 +47,14 @@ class DrawnSurface {
  private:
   void add_polygon(const host::Polygon& polygon);
   void add_ring(const host::Ring& ring, const host::Polygon& polygon);
-  void add_triangles();
+  void add_triangles(Incidence incidence);
+  void gather_triangles();
 
   CornerSet corners_;
   std::vector<DrawnVertex> vertices_;
+  std::array<std::vector<std::uint32_t>, incidence_codes> triangles_of_;  // the incidences
   std::vector<std::uint32_t> triangles_;
+  std::vector<std::uint32_t> triangle_ends_;
   std::vector<std::uint32_t> edges_;
   std::uint32_t left_out_ = 0;
   // Of the polygon under way.

@@ -138,6 +138,9 @@ EXPORT(vertices) const Bytes* vertices() {
 EXPORT(triangles) const Bytes* triangles() {
   return bytes_of(state().drawn.triangles());
 }
+EXPORT(triangle_ends) const Bytes* triangle_ends() {
+  return bytes_of(state().drawn.triangle_ends());
+}
 EXPORT(edges) const Bytes* edges() {
   return bytes_of(state().drawn.edges());
 }

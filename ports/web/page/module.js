@@ -73,7 +73,10 @@ export class Module {
   /** Triangulates what was swept or decoded. */
   draw() {
     const leftOut = this.call('draw');
-    return { leftOut, vertices: this.copy('vertices'), triangles: this.copy('triangles') };
+    return {
+      leftOut, vertices: this.copy('vertices'), triangles: this.copy('triangles'),
+      triangleEnds: this.copy('triangle_ends'),
+    };
   }
   edges() {
     return this.copy('edges');

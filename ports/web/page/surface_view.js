@@ -1,6 +1,7 @@
 // The surface on a canvas: merged polygons, and classic Marching Cubes beside them if wanted.
 import { Geometry, Mat4, Mesh, Program, Renderer } from 'ogl';
 import { Camera } from './camera.js';
+import { facing } from './facing.js';
 import { kindBases, litPlanes, plainBases, planesOf, whiteBases } from './light.js';
 import * as palette from './palette.js';
 import * as shaders from './shaders.js';
@@ -108,8 +109,8 @@ export class SurfaceView {
   /**
    * Shows other polygons, once the picture under way is drawn; those that come meanwhile take
    * their place. Owner: the arrays are the view's from here on.
-   * @param {{vertices: Uint8Array, triangles: Uint8Array, edges: Uint8Array | null,
-   *   normals: Uint8Array | null}} surface
+   * @param {{vertices: Uint8Array, triangles: Uint8Array, triangleEnds: Uint8Array,
+   *   edges: Uint8Array | null, normals: Uint8Array | null}} surface
    */
   setSurface(surface) {
     this.next = surface;
@@ -117,10 +118,11 @@ export class SurfaceView {
   }
 
   /** @param {any} surface */
-  upload({ vertices, triangles, edges, normals }) {
+  upload({ vertices, triangles, triangleEnds, edges, normals }) {
     this.removed(this.surface, this.edges);
     this.vertices = new Int16Array(vertices.buffer);
     this.triangles = new Uint32Array(triangles.buffer);
+    this.triangleEnds = new Uint32Array(triangleEnds.buffer);
     const gl = this.gl;
     const position = { data: this.vertices, size: 4, type: gl.SHORT, normalized: true };
     const geometry = new Geometry(gl, { position });
@@ -277,7 +279,13 @@ export class SurfaceView {
       mesh.draw({ camera: lens });
     };
     gl.viewport(0, 0, part, height);
-    this.behindLines(() => show(this.surface, surface));
+    const parts = isOpen || !this.surface ? [{ begin: 0, end: this.triangles?.length ?? 0 }]
+      : facing(uniforms.planes.value, this.triangleEnds, this.camera.position(),
+        this.dims.map((extent, i) => Math.abs((extent / 2) * this.spacing[i])));
+    this.behindLines(() => parts.forEach(({ begin, end }) => {
+      this.surface?.geometry.setDrawRange(begin, end - begin);
+      show(this.surface, surface);
+    }));
     // Where voxels are small in the picture their many edges are fainter, so that they leave light.
     const pixels = Math.min(part, height) / scale / this.camera.millimetres();
     this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * Math.min(...this.spacing.map(Math.abs)));
