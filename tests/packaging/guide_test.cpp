@@ -1,0 +1,256 @@
+// The code that the guide shows: every block of it stands in a program that is built and run, here
+// or in examples/.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <discmc/discmc.hpp>
+#include <discmc/majority_filter.hpp>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace discmc;
+
+namespace {
+
+// ---- the code of the guide ----
+
+constexpr uint32_t size = 32;
+constexpr int32_t threshold = 128;
+
+/// A ball that fades towards its rim.
+struct Ball {
+  uint8_t row[size];
+  double noise = 0;  // its standard deviation
+  std::mt19937 random{1};
+
+  /// The row of a number, counted over all slices.
+  const uint8_t* scan(uint32_t number) {
+    std::normal_distribution<double> deviation(0, 1);
+    const auto middle = static_cast<int32_t>(size) - 1;
+    const auto y = static_cast<int32_t>(number % size), z = static_cast<int32_t>(number / size);
+    for (int32_t x = 0; x < static_cast<int32_t>(size); ++x) {
+      const Vertex v{2 * x - middle, 2 * y - middle, 2 * z - middle};
+      const double sample = 255 - dot(v, v) / 4 + noise * deviation(random);
+      row[x] = static_cast<uint8_t>(std::clamp(sample, 0.0, 255.0));
+    }
+    return row;
+  }
+};
+
+using Bytes = std::vector<uint8_t>;
+
+size_t append(void* bytes, const uint8_t* more, size_t count) {
+  auto& all = *static_cast<Bytes*>(bytes);
+  all.insert(all.end(), more, more + count);
+  return count;
+}
+
+constexpr Limits limits{size, size};
+
+struct Device {
+  Extractor16 extractor;
+  Encoder encoder;
+  uint8_t memory[minimum_bytes<uint16_t>(limits) + 16 * 1024];
+};
+
+bool begin(Device& device, const ByteOutput& output) {
+  auto& [extractor, encoder, memory] = device;
+  return encoder.start({size}, output) == Status::ok &&
+         extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)) == Status::ok;
+}
+
+Bytes stream_of(Ball ball) {
+  Bytes bytes;
+  Device device;
+  REQUIRE(begin(device, {&bytes, append}));
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(device.extractor.push(ball.scan(i), size).status == Status::ok);
+  REQUIRE(device.extractor.finish() == Status::ok);
+  return bytes;
+}
+
+// Of docs/regions-or-slices.md.
+constexpr KeySlices key_slices{16};
+SliceEncoder slice_encoder;
+uint8_t slice_memory[slice_encoder_bytes(limits, key_slices)];
+
+bool begin_slices(const ByteOutput& output) {
+  StreamHeader header;
+  header.width = header.height = size;
+  header.threshold = threshold;
+  return slice_encoder.start(header, key_slices, memory_of(slice_memory), output) == Status::ok;
+}
+
+// Of docs/noise.md.
+MajorityFilter filter;
+uint8_t filter_memory[MajorityFilter::bytes_for(limits)];
+
+bool push_filtered(Extractor16& extractor, const uint8_t* bits) {
+  const uint8_t* row = filter.push(bits);  // the row that is due, a slice and a row later
+  return row == nullptr || extractor.push_bits(row).status == Status::ok;
+}
+
+bool finish_filtered(Extractor16& extractor) {
+  while (const uint8_t* row = filter.drain())
+    if (extractor.push_bits(row).status != Status::ok) return false;
+  return extractor.finish() == Status::ok;
+}
+
+// Of docs/power-failure.md.
+struct Saved {
+  Checkpoint<Extractor16> scan;
+  Checkpoint<Encoder> stream;
+  uint8_t memory[sizeof Device::memory];  // only the first bytes_used() count
+};
+
+bool save(const Device& device, Saved& saved) {
+  const auto& [extractor, encoder, memory] = device;
+  if (extractor.save(saved.scan) != Status::ok) return false;
+  if (encoder.save(saved.stream) != Status::ok) return false;
+  memcpy(saved.memory, memory, extractor.bytes_used());
+  return true;
+}
+
+bool restore(Device& device, const Saved& saved, const ByteOutput& output) {
+  auto& [extractor, encoder, memory] = device;
+  memcpy(memory, saved.memory, sizeof memory);
+  return encoder.restore(saved.stream, output) == Status::ok &&
+         extractor.restore(saved.scan, memory_of(memory), sink_to(encoder)) == Status::ok;
+}
+
+}  // namespace
+
+TEST_CASE("the guide's stream of slices makes the regions of the device's own") {
+  Bytes bytes;
+  REQUIRE(begin_slices({&bytes, append}));
+  Ball ball;
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(slice_encoder.push(ball.scan(i), size).status == Status::ok);
+  REQUIRE(slice_encoder.finish() == Status::ok);
+
+  struct Count {
+    uint64_t regions = 0;
+    Answer take(const Event& event) {
+      if (event.kind == Event::Kind::region_end) ++regions;
+      return Answer::taken;
+    }
+  };
+  const auto regions_of = [](const Bytes& stream) {
+    static uint8_t memory[512 * 1024];
+    Count count;
+    SurfaceDecoder decoder;
+    REQUIRE(decoder.start(memory_of(memory), sink_to(count)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+    REQUIRE(decoder.finish() == Status::ok);
+    CHECK(decoder.report().is_complete());
+    return count.regions;
+  };
+  const Bytes regions = stream_of(ball);
+  CHECK(regions_of(bytes) == regions_of(regions));
+  CHECK(bytes.size() < regions.size() / 2);
+}
+
+TEST_CASE("the guide's filter takes away most of what noise adds to the stream") {
+  Ball noisy;
+  noisy.noise = 20;
+  Bytes bytes;
+  Device device;
+  REQUIRE(begin(device, {&bytes, append}));
+  REQUIRE(filter.start(limits, memory_of(filter_memory)) == Status::ok);
+  for (uint32_t i = 0; i < size * size; ++i) {
+    const uint8_t* row = noisy.scan(i);
+    uint8_t bits[size / 8] = {};
+    for (uint32_t x = 0; x < size; ++x)
+      if (row[x] >= threshold) bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | 1U << x % 8);
+    REQUIRE(push_filtered(device.extractor, bits));
+  }
+  REQUIRE(finish_filtered(device.extractor));
+
+  const size_t clean = stream_of({}).size();
+  noisy.random.seed(1);
+  CHECK(bytes.size() - clean < (stream_of(noisy).size() - clean) / 2);
+}
+
+TEST_CASE("after the guide's restore the stream goes on as if the power had never failed") {
+  Ball ball;
+  const Bytes whole = stream_of(ball);
+
+  Bytes bytes;
+  static Device device;
+  static Saved saved;
+  REQUIRE(begin(device, {&bytes, append}));
+  const auto scan_to = [&ball](Device& scanner, uint32_t end) {
+    uint32_t i = scanner.extractor.slices() * size + scanner.extractor.rows();
+    for (; i < end; ++i) REQUIRE(scanner.extractor.push(ball.scan(i), size).status == Status::ok);
+  };
+  scan_to(device, 300);
+  REQUIRE(save(device, saved));
+  scan_to(device, 700);
+
+  static Device rebooted;
+  REQUIRE(restore(rebooted, saved, {&bytes, append}));
+  bytes.resize(rebooted.encoder.bytes());
+  scan_to(rebooted, size * size);
+  REQUIRE(rebooted.extractor.finish() == Status::ok);
+  CHECK(bytes == whole);
+}
+
+// ---- the guide ----
+
+namespace {
+
+using Path = std::filesystem::path;
+const Path root = DISCMC_SOURCE_DIR;
+
+/// The lines of a file without what they are indented by, between two ends of lines.
+std::string lines_of(std::istream& text) {
+  std::string lines = "\n";
+  for (std::string line; std::getline(text, line);)
+    lines += line.substr(std::min(line.find_first_not_of(' '), line.size())) + "\n";
+  return lines;
+}
+
+std::string lines_of(const Path& path) {
+  std::ifstream file(path);
+  REQUIRE_MESSAGE(file.is_open(), path.string());
+  return lines_of(file);
+}
+
+/// The blocks of code in C and C++ of a page.
+std::vector<std::string> blocks_of(const std::string& page) {
+  std::vector<std::string> blocks;
+  for (const std::string fence : {"\n```cpp\n", "\n```c\n"})
+    for (size_t begin = page.find(fence); begin != std::string::npos;
+         begin = page.find(fence, begin + 1)) {
+      const size_t first = begin + fence.size() - 1;
+      blocks.push_back(page.substr(first, page.find("\n```", first) + 1 - first));
+    }
+  return blocks;
+}
+
+}  // namespace
+
+TEST_CASE("the guide shows no code in C or C++ that is not built") {
+  std::vector<std::string> programs{lines_of(root / "tests/packaging/guide_test.cpp")};
+  for (const auto& file : std::filesystem::directory_iterator(root / "examples"))
+    if (file.path().extension() == ".cpp" || file.path().extension() == ".c")
+      programs.push_back(lines_of(file.path()));
+
+  size_t count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(root / "docs")) {
+    if (file.path().extension() != ".md") continue;
+    for (const std::string& block : blocks_of(lines_of(file.path()))) {
+      ++count;
+      INFO(file.path().string(), block);
+      CHECK(std::any_of(programs.begin(), programs.end(), [&block](const std::string& program) {
+        return program.find(block) != std::string::npos;
+      }));
+    }
+  }
+  CHECK(count >= 5);
+}
