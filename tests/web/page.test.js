@@ -242,6 +242,29 @@ test('the outside is seen, flat and smooth, also of a volume whose x runs backwa
   await page.context().close();
 });
 
+test('the slice follows the pointer on the surface, until one is chosen', async () => {
+  const { page } = await openPage(browser);
+  await openFiles(page, volume);
+  await rested(page);
+  const place = () => page.evaluate(() => Number(document.querySelector('#place').value));
+  const { x, y, width, height } = await page.locator('#view').boundingBox();
+  const point = async (right, down) => {
+    await page.mouse.move(x + right * width, y + down * height);
+    await page.evaluate(() => new Promise((done) =>
+      requestAnimationFrame(() => requestAnimationFrame(done))));
+    return place();
+  };
+  const [upper, lower] = [await point(0.5, 0.3), await point(0.5, 0.7)];
+  assert.ok(upper > lower + 5, `${upper} above ${lower}`);
+  assert.equal(await point(0.01, 0.01), lower, 'beside the surface');
+  await page.focus('#place');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await point(0.5, 0.3), lower + 1, 'a chosen one stays');
+  await page.check('#follow');
+  assert.equal(await point(0.5, 0.3), upper);
+  await page.context().close();
+});
+
 test('the planes that are left out face away wherever in the space they lie', () => {
   const planes = planesOf([0.5, -0.75, 2]);
   const ends = Uint32Array.from(planes, (_, incidence) => incidence + 1);

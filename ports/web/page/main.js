@@ -58,7 +58,11 @@ class Page {
     });
     navigate(by('view'), this.view.camera, {
       changed: () => this.view.draw(),
-      picked: (right, up) => this.measure.pick(right, up),
+      picked: (right, up) => {
+        this.measure.pick(right, up);
+        this.slice.follow(right, up);
+      },
+      pointed: (right, up) => this.slice.follow(right, up),
       home: () => this.view.home(),
     });
   }

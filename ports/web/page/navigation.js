@@ -5,13 +5,20 @@ const keySteps = 0.08;
 /**
  * @param {HTMLElement} element
  * @param {import('./camera.js').Camera} camera
- * @param {{changed: () => void, picked: (right: number, up: number) => void, home: () => void}} tell
- *   picked: a click, from -1 to 1 to the right and upwards in the element
+ * @param {{changed: () => void, picked: (right: number, up: number) => void,
+ *   pointed: (right: number, up: number) => void, home: () => void}} tell
+ *   picked: a click, and pointed: a mouse that passes; from -1 to 1 to the right and upwards in the
+ *   element
  */
 export function navigate(element, camera, tell) {
   /** @type {Map<number, {x: number, y: number}>} */
   const pointers = new Map();
   let travelled = 0;
+  const placeOf = (/** @type {PointerEvent} */ event) => {
+    const box = element.getBoundingClientRect();
+    return /** @type {const} */ ([(2 * (event.clientX - box.left)) / box.width - 1,
+      1 - (2 * (event.clientY - box.top)) / box.height]);
+  };
 
   element.addEventListener('pointerdown', (event) => {
     element.setPointerCapture(event.pointerId);
@@ -20,7 +27,7 @@ export function navigate(element, camera, tell) {
   });
   element.addEventListener('pointermove', (event) => {
     const before = pointers.get(event.pointerId);
-    if (!before) return;
+    if (!before) return tell.pointed(...placeOf(event));
     const now = { x: event.clientX, y: event.clientY };
     const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
     const size = Math.min(element.clientWidth, element.clientHeight);
@@ -44,9 +51,7 @@ export function navigate(element, camera, tell) {
     if (!pointers.delete(event.pointerId)) return;
     const mostOfClick = 4; // pixels
     if (event.type !== 'pointerup' || travelled > mostOfClick || event.button !== 0) return;
-    const box = element.getBoundingClientRect();
-    tell.picked((2 * (event.clientX - box.left)) / box.width - 1,
-      1 - (2 * (event.clientY - box.top)) / box.height);
+    tell.picked(...placeOf(event));
   };
   element.addEventListener('pointerup', release);
   element.addEventListener('pointercancel', release);

@@ -1,6 +1,6 @@
 // A slice of the volume, grey, with the outline of the surface.
 import { outline } from './outline.js';
-import { vermilion } from './palette.js';
+import { skyBlue, vermilion } from './palette.js';
 
 export class SliceView {
   /** @param {HTMLCanvasElement} canvas */
@@ -12,8 +12,9 @@ export class SliceView {
   /**
    * @param {Uint8Array} picture see Module.picture() @param {number} axis across the slice
    * @param {number[]} dims @param {number[]} spacing
+   * @param {number[] | null} point a voxel to mark
    */
-  show(picture, axis, dims, spacing) {
+  show(picture, axis, dims, spacing, point) {
     const [along, across] = [0, 1, 2].filter((each) => each !== axis);
     const [width, height] = [dims[along], dims[across]];
     const isUpwards = axis !== 2; // z is up; in a slice across z, y runs down
@@ -40,6 +41,17 @@ export class SliceView {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.lineWidth = 1.4 * scale;
     context.strokeStyle = vermilion;
+    context.stroke();
+    if (!point) return;
+    const down = (point[across] + 0.5) * y;
+    const [right, below] = [(point[along] + 0.5) * x, isUpwards ? canvas.height - down : down];
+    context.beginPath();
+    context.moveTo(right, 0);
+    context.lineTo(right, canvas.height);
+    context.moveTo(0, below);
+    context.lineTo(canvas.width, below);
+    context.lineWidth = scale;
+    context.strokeStyle = skyBlue;
     context.stroke();
   }
 

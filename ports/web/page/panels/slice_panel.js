@@ -1,4 +1,4 @@
-// Which slice is shown, and whether the surface is cut there.
+// Which slice is shown: that under the pointer, or a chosen one; and whether the surface is cut there.
 import { by, on } from '../elements.js';
 import { Newest } from '../engine.js';
 import { fail } from '../messages.js';
@@ -10,14 +10,23 @@ export class SlicePanel {
     this.view = view;
     /** @type {any} */
     this.volume = null;
+    /** @type {number[] | null} */
+    this.point = null; // that is followed; Units: voxels
+    /** @type {{right: number, up: number} | null} */
+    this.pointer = null; // not looked at yet
     const slice = new SliceView(by('slice'));
     this.pictures = new Newest(
       async (request) => ({ ...request, picture: await engine.call('picture', request) }),
-      ({ picture, axis, volume }) => slice.show(picture, axis, volume.dims, volume.spacing),
+      ({ picture, axis, volume, point }) =>
+        slice.show(picture, axis, volume.dims, volume.spacing, point),
       fail,
     );
     on('axis', 'change', () => this.setPlaces());
-    on('place', 'input', () => this.showPlace());
+    on('place', 'input', () => {
+      by('follow').checked = false; // or the way to the next control would take it elsewhere
+      this.showPlace();
+    });
+    on('follow', 'change', () => this.showPlace());
     on('cut', 'change', () => this.showPlace());
     addEventListener('resize', () => this.ask());
   }
@@ -27,7 +36,30 @@ export class SlicePanel {
     this.volume = volume;
     by('axis').value = 2;
     by('cut').checked = false;
+    by('follow').checked = true;
+    by('follow-row').hidden = !volume.values;
     this.setPlaces();
+  }
+
+  /**
+   * Shows the slice of what is seen there, soon.
+   * @param {number} right @param {number} up in the view, from -1 to 1
+   */
+  follow(right, up) {
+    if (!this.volume?.values || !by('follow').checked || by('cut').checked) return;
+    if (!this.pointer) requestAnimationFrame(() => this.look());
+    this.pointer = { right, up };
+  }
+
+  look() {
+    const { right, up } = /** @type {{right: number, up: number}} */ (this.pointer);
+    this.pointer = null;
+    const found = this.view.pick(right, up);
+    if (!found) return;
+    const { dims, spacing } = this.volume;
+    const point = found.map((at, i) => Math.min(dims[i] - 1, Math.max(0, Math.round(at / spacing[i]))));
+    by('place').value = point[Number(by('axis').value)];
+    this.showPlace(point);
   }
 
   setPlaces() {
@@ -38,7 +70,9 @@ export class SlicePanel {
     this.showPlace();
   }
 
-  showPlace() {
+  /** @param {number[] | null} [point] that is followed */
+  showPlace(point = null) {
+    this.point = point;
     const axis = Number(by('axis').value), at = Number(by('place').value);
     by('place-text').textContent = `${at} of ${by('place').max}`;
     this.view.setCut(by('cut').checked ? { axis, at } : null);
@@ -48,8 +82,9 @@ export class SlicePanel {
   /** Shows the slice of the surface that is there now. */
   ask() {
     if (!this.volume?.values) return;
-    const { dark, bright } = this.volume.values;
+    const { volume, point } = this;
+    const { dark, bright } = volume.values;
     this.pictures.ask({ axis: Number(by('axis').value), place: Number(by('place').value), dark,
-      bright, volume: this.volume });
+      bright, volume, point });
   }
 }
