@@ -20,10 +20,14 @@ async function script(name) {
   return outputFiles[0].text.replaceAll('</script', '<\\/script');
 }
 
-const licence = readFileSync(new URL('node_modules/dicom-parser/LICENSE', import.meta.url), 'utf8');
+// Of ogl none is asked for.
+const licences = ['dicom-parser', 'jpeg-lossless-decoder-js'].map((name) => {
+  const text = readFileSync(new URL(`node_modules/${name}/LICENSE`, import.meta.url), 'utf8');
+  return `With code of ${name}:\n\n${text.trim()}\n`;
+}).join('\n');
 
 const parts = [
-  ['<!doctype html>', `<!doctype html>\n<!-- With code of dicom-parser:\n\n${licence.trim()}\n-->`],
+  ['<!doctype html>', `<!doctype html>\n<!--\n${licences}-->`],
   ['<style>/* style.css */</style>',
     `<style>${readFileSync(new URL('style.css', folder), 'utf8')}</style>`],
   ['id="module"></script>',

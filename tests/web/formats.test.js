@@ -90,7 +90,7 @@ const dicom = join(volumes, 'dicom');
 const imagesIn = (folder) => readdirSync(join(dicom, folder)).map((name) => join(dicom, folder, name));
 
 for (const [name, paths] of [['series', imagesIn('series')], ['scaled', imagesIn('scaled')],
-  ...['u16', 'u8', 'big', 'implicit', 'little'].map((name) => [`${name}.dcm`, [join(dicom, `${name}.dcm`)]])])
+  ...['u16', 'u8', 'big', 'implicit', 'little', 'u16-jpeg', 'u8-jpeg', 'u16-rle', 'u8-rle'].map((name) => [`${name}.dcm`, [join(dicom, `${name}.dcm`)]])])
   test(`dicom/${name} is read as by the command`, async () => {
     const { info, module } = await openVolume(paths.reverse());
     const { otsu } = module.measure();
@@ -100,7 +100,7 @@ for (const [name, paths] of [['series', imagesIn('series')], ['scaled', imagesIn
     assertSpacing(info.spacing, join(dicom, name));
   });
 
-for (const name of ['u16-jpeg', 'u16-rle', 'colour', 'deflated', 'report'])
+for (const name of ['u16-j2k', 'u16-jpegls', 'u8-lossy', 'colour', 'deflated', 'report'])
   test(`dicom/${name}.dcm is refused with a remedy`, () =>
     assert.rejects(openVolume(join(dicom, `${name}.dcm`)), /^FileError: .+: .+; .+$/s));
 

@@ -2,11 +2,11 @@
 import dicomParser from 'dicom-parser';
 import { spacingOf } from './axes.js';
 import { asText, ByteSource, swapBytes } from './bytes.js';
+import { partsOf, unpackFor } from './dicom_frames.js';
 import { FileError, sampleBytes } from './volume_info.js';
 
-const implicitLittle = '1.2.840.10008.1.2', little = '1.2.840.10008.1.2.1',
-  big = '1.2.840.10008.1.2.2';
-const remedy = 'make a stream of the folder with discmc extract FOLDER -o FILE.dmc, which opens here';
+const implicitLittle = '1.2.840.10008.1.2', big = '1.2.840.10008.1.2.2';
+const remedy = 'discmc view FOLDER makes a page of it, and discmc extract FOLDER -o FILE.dmc a stream';
 
 /** @param {Uint8Array} head */
 export const isDicom = (head) => asText(head.subarray(128, 132)) === 'DICM';
@@ -21,7 +21,8 @@ export const isDicom = (head) => asText(head.subarray(128, 132)) === 'DICM';
  * @property {number} slope @property {number} intercept
  * @property {number[]} spacing from column to column, from row to row, and of slices where told
  * @property {number[]} position @property {number[]} alongRow @property {number[]} alongColumn
- * @property {number} offset of the pixels in the file
+ * @property {import('./dicom_frames.js').Part[]} parts of the file, which have the pixels
+ * @property {import('./dicom_frames.js').Unpack} unpack
  */
 
 /**
@@ -69,8 +70,10 @@ async function imagesOf(file) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (!isDicom(bytes)) return [];
   const syntax = metaOf(file, bytes).string('x00020010') ?? implicitLittle;
-  if (![implicitLittle, little, big].includes(syntax))
-    throw new FileError(file.name, `its pixels are compressed (transfer syntax ${syntax})`, remedy);
+  const unpack = unpackFor(syntax);
+  if (!unpack)
+    throw new FileError(file.name,
+      `its pixels are compressed in a way that the page does not know (transfer syntax ${syntax})`, remedy);
   const data = parsed(file, bytes);
   const pixels = data.elements.x7fe00010;
   if (!pixels) return [];
@@ -80,11 +83,12 @@ async function imagesOf(file) {
     throw new FileError(file.name, 'it is in colour, or of samples that are no volume', remedy);
   const frameBytes = columns * rows * (allocated / 8);
   const frames = numbersIn(data, 'x00280008')[0] ?? 1;
-  if (pixels.length < frameBytes * frames)
-    throw new FileError(file.name, 'its pixels end early', 'copy or export it again');
+  const parts = partsOf(pixels, frames, frameBytes);
+  if (!parts)
+    throw new FileError(file.name, 'its frames are not all there', 'copy or export it again');
   const bits = data.uint16('x00280101') ?? allocated;
   const common = {
-    file, columns, rows, bits,
+    file, columns, rows, bits, unpack,
     type: /** @type {any} */ (`${data.uint16('x00280103') === 1 ? 'i' : 'u'}${allocated}`),
     bigEndian: syntax === big,
     highBit: data.uint16('x00280102') ?? bits - 1,
@@ -104,7 +108,7 @@ async function imagesOf(file) {
     const [down, right] = told('x00289110', 'x00280030');
     return {
       ...common,
-      offset: pixels.dataOffset + frame * frameBytes,
+      parts: parts[frame],
       slope: told('x00289145', 'x00281053')[0] ?? 1,
       intercept: told('x00289145', 'x00281052')[0] ?? 0,
       spacing: [right ?? 1, down ?? 1,
@@ -166,16 +170,28 @@ function samplesOf(images, hasOneScale) {
     async pull(controller) {
       const image = waiting.shift();
       if (!image) return controller.close();
-      const size = sampleBytes(image.type);
-      const bytes = new Uint8Array(await image.file
-        .slice(image.offset, image.offset + image.columns * image.rows * size).arrayBuffer());
-      if (image.bigEndian) swapBytes(bytes, size);
+      const bytes = await pixelsOf(image);
+      if (image.bigEndian) swapBytes(bytes, sampleBytes(image.type));
       const samples = cutToBits(bytes, image);
       if (hasOneScale) return controller.enqueue(new Uint8Array(samples.buffer));
       const values = Float32Array.from(samples, (stored) => image.slope * stored + image.intercept);
       controller.enqueue(new Uint8Array(values.buffer));
     },
   }));
+}
+
+/** @param {Image} image */
+async function pixelsOf({ file, parts, unpack, columns, rows, type }) {
+  const packed = new Blob(parts.map(({ begin, end }) => file.slice(begin, end)));
+  const samples = columns * rows;
+  try {
+    const bytes = unpack(new Uint8Array(await packed.arrayBuffer()), samples, sampleBytes(type));
+    if (bytes.length === samples * sampleBytes(type)) return bytes;
+  } catch {
+    // what a decoder says of it is for its makers
+  }
+  throw new FileError(file.name, `its compressed pixels are not ${columns} x ${rows} of ${type}`,
+    'copy or export it again');
 }
 
 const arrays = {
