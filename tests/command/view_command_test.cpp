@@ -117,6 +117,9 @@ TEST_CASE("view refuses what it would lose or leave out, and says what to give")
   refused("'*.png'", "give -o PAGE.html");
   refused("v.nrrd -o v.png", "give a name that ends in .html");
   refused("v.nrrd -o w.html --median 3", "give --iso VALUE as well");
+  refused("v.nrrd --serve -o w.html", "--output");
+  refused("v.nrrd --serve --port 0", "--port");
+  refused("v.nrrd -o w.html --port 8000", "--serve");
   CHECK(workshop.read("v.html") == "precious");
 }
 

@@ -19,12 +19,13 @@ export const startBrowser = () => chromium.launch({
 });
 
 /**
- * Opens the page from its file; `complaints` collects what it asks the network for, and errors.
+ * Opens the page from its file, or a server; `complaints` collects what it asks the network for
+ * beyond that, and errors.
  * script: a function and its argument, which is called before the page's own.
  */
 export async function openPage(browser,
-  { path = process.env.DISCMC_PAGE, script, ...options } = {}) {
-  const context = await browser.newContext({ offline: true, viewport: { width: 1280, height: 800 },
+  { path = process.env.DISCMC_PAGE, address, script, ...options } = {}) {
+  const context = await browser.newContext({ offline: !address, viewport: { width: 1280, height: 800 },
     acceptDownloads: true, ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(60000);
@@ -35,7 +36,9 @@ export async function openPage(browser,
   });
   page.on('pageerror', (error) => complaints.push(error.message));
   page.on('request', (request) => {
-    if (!/^(file|blob|data):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+    const isOwn = address && [address, `${address}data`].includes(request.url());
+    if (!isOwn && !/^(file|blob|data):/.test(request.url()))
+      complaints.push(`asked for ${request.url()}`);
   });
   await page.addInitScript(() => {
     globalThis.measured = [];
@@ -43,7 +46,7 @@ export async function openPage(browser,
       .observe({ type: 'measure' });
   });
   if (script) await page.addInitScript(...script);
-  await page.goto(pathToFileURL(path).href);
+  await page.goto(address ?? pathToFileURL(path).href);
   await page.waitForSelector('body[data-ready]');
   return { page, complaints };
 }

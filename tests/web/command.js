@@ -1,5 +1,5 @@
 // The command beside the page: what one makes of a volume the other must make, too.
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -13,6 +13,25 @@ export function workFolder(after) {
 
 export const command = (...words) =>
   execFileSync(process.env.DISCMC_COMMAND, words, { stdio: ['ignore', 'pipe', 'pipe'] });
+
+/**
+ * `discmc view --serve`, once it serves: its address, its standard input, and end(), which ends it
+ * as Ctrl-C does, and returns its exit code. context: of the test, at whose end it is gone.
+ */
+export async function served(context, ...words) {
+  const server = spawn(process.env.DISCMC_COMMAND, ['view', ...words, '--serve', '--no-open'],
+    { stdio: ['pipe', 'pipe', 'inherit'] });
+  context.after(() => server.kill('SIGKILL'));
+  const ended = new Promise((resolve) => server.on('exit', resolve));
+  const told = await new Promise((resolve) => {
+    server.stdout.once('data', (text) => resolve(`${text}`));
+    ended.then((code) => resolve(`it has ended with ${code}`));
+  });
+  const end = () => server.kill('SIGINT') && ended;
+  const address = told.match(/http:\S+/)?.[0];
+  if (!address) throw new Error(told);
+  return { address, input: server.stdin, end };
+}
 
 /** The polygons of a volume or stream, a line each, sorted. */
 export function polygonsByCommand(folder, ...words) {

@@ -24,7 +24,7 @@ std::string page_for(const std::string& input) {
 }
 
 void choose_output(ViewArguments& arguments) {
-  if (!arguments.output.empty()) return;
+  if (arguments.serves || !arguments.output.empty()) return;
   arguments.output = page_for(arguments.input);
   if (arguments.output.empty())
     throw CLI::ValidationError(arguments.input, "gives the page no name: give -o PAGE.html");
@@ -56,7 +56,15 @@ Command add_view(CLI::App& app) {
                    "standard output")
       ->check(named_with({".html", ".htm"}, "pages are HTML files"))
       ->check(without_braces());
-  view->add_flag("!--no-open", arguments->opens, "write the page, and leave the browser alone");
+  view->add_flag("!--no-open", arguments->opens, "leave the browser alone");
+  CLI::Option* serve = view->add_flag("--serve", arguments->serves,
+                                      "write no page: serve it with the data beside it, for "
+                                      "browsers on this computer, until Ctrl-C")
+                           ->excludes("--output");
+  view->add_option("--port", arguments->port, "of the server (default: any that is free)")
+      ->check(CLI::Range(1, 65535))
+      ->needs(serve)
+      ->option_text("N");
   add_volume_options(*view, arguments->reading.layout);
   add_surface_options(*view, arguments->reading);
   view->footer(
@@ -66,10 +74,17 @@ Command add_view(CLI::App& app) {
       "it\n"
       "has that surface alone, in a small part of the bytes.\n"
       "\n"
+      "With --serve nothing is put into the page, so it opens at once, and takes up to 1 GiB of\n"
+      "samples. A stream from standard input or a named pipe is shown while it comes. Every "
+      "program\n"
+      "of this computer can ask for the page, and no other computer.\n"
+      "\n"
       "Examples:\n"
       "  discmc view head.nii.gz\n"
       "  discmc view head.nii.gz --iso 300 -o skull.html\n"
-      "  discmc view scan.dmc");
+      "  discmc view scan.dmc\n"
+      "  discmc view series/ --serve\n"
+      "  discmc view - --serve < /dev/ttyACM0");
   view->callback([arguments, view] {
     arguments->is_volume = is_volume_input(*view, arguments->input);
     if (arguments->is_volume) check_kind(*view, arguments->input, *arguments->is_volume);

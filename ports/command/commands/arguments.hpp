@@ -130,8 +130,10 @@ struct ViewArguments {
   std::string input;
   std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
   VolumeArguments reading;        ///< without a selection the samples are shown
-  std::string output;
+  std::string output;             ///< none where it is served
   bool opens = true;
+  bool serves = false;
+  std::uint16_t port = 0;  ///< 0: any that is free
 };
 
 /// A surface of `compare`.

@@ -20,29 +20,18 @@
 #include "stream_input.hpp"
 #include "summary.hpp"
 #include "thresholds.hpp"
+#include "view.hpp"
 #include "volume_input.hpp"
 #include "volumes/nifti_writer.hpp"
 
 namespace discmc::host {
 namespace {
 
-// Of the input, for people.
-std::string name_of(const std::string& input) {
-  return input == "-" ? "standard input" : input_name(input);
-}
-
-// Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
-void require_size(const std::string& input, const VolumeInfo& info) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 28;
-  const std::uint64_t bytes = info.slice_bytes() * info.dims[2];
-  if (bytes > most)
-    throw std::runtime_error(input + ": its samples are " + std::to_string(bytes >> 20) +
-                             " MiB, and a page holds 256: give --iso VALUE, --shrink N or --crop");
-}
-
 void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
+  // Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
+  constexpr std::uint64_t most = std::uint64_t{1} << 28;
   const auto volume = open_volume(arguments.input, volume_options(arguments.reading.layout));
-  require_size(arguments.input, volume->info());
+  require_size(arguments.input, volume->info(), most);
   Progress progress("writing", volume->info().dims[2]);
   write_page(
       name_of(arguments.input),
@@ -53,44 +42,60 @@ void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
       out);
 }
 
-void write_page_of_threshold(const ViewArguments& arguments, std::ostream& out) {
-  ExtractArguments extraction;
-  extraction.volume = arguments.input;
-  extraction.reading = arguments.reading;
-  extraction.reading.selections = with_thresholds(arguments.input, arguments.reading);
-  extraction.wire = Wire::slices;
-  extraction.quiet = true;
-  const std::string name =
-      name_of(arguments.input) + " at " + extraction.reading.selections[0].name + ".dmc";
-  write_page(
-      name, [&](std::ostream& data) { write_stream(extraction, data); }, out);
-}
-
-int write_page_of_stream(const ViewArguments& arguments, std::ostream& out) {
-  const std::string bytes = stream_bytes(arguments.input);
-  std::istringstream in(bytes);
-  const DecodedStream decoded = decode_surface(arguments.input, in, {});
+int write_page_of_stream(const NamedStream& stream, std::ostream& out) {
   const Progress progress("writing");
   write_page(
-      name_of(arguments.input), [&bytes](std::ostream& data) { data << bytes; }, out);
-  return completeness(arguments.input, decoded.report);
+      stream.name, [&stream](std::ostream& data) { data << stream.bytes; }, out);
+  return stream.code;
 }
 
 int write_page_of(const ViewArguments& arguments, std::ostream& out) {
   std::optional<ReplayedInput> replayed;
   const bool is_volume =
       arguments.is_volume ? *arguments.is_volume : begins_like_volume(arguments.input, replayed);
-  if (!is_volume) return write_page_of_stream(arguments, out);
-  if (arguments.reading.selections.empty())
-    write_page_of_samples(arguments, out);
-  else
-    write_page_of_threshold(arguments, out);
+  if (!is_volume) return write_page_of_stream(stream_in_file(arguments), out);
+  if (!arguments.reading.selections.empty())
+    return write_page_of_stream(stream_of_threshold(arguments), out);
+  write_page_of_samples(arguments, out);
   return exit_ok;
 }
 
 }  // namespace
 
+std::string name_of(const std::string& input) {
+  return input == "-" ? "standard input" : input_name(input);
+}
+
+NamedStream stream_of_threshold(const ViewArguments& arguments) {
+  ExtractArguments extraction;
+  extraction.volume = arguments.input;
+  extraction.reading = arguments.reading;
+  extraction.reading.selections = with_thresholds(arguments.input, arguments.reading);
+  extraction.wire = Wire::slices;
+  extraction.quiet = true;
+  std::ostringstream bytes;
+  write_stream(extraction, bytes);
+  const std::string& threshold = extraction.reading.selections[0].name;
+  return {name_of(arguments.input) + " at " + threshold + ".dmc", bytes.str(), exit_ok};
+}
+
+NamedStream stream_in_file(const ViewArguments& arguments) {
+  NamedStream stream{name_of(arguments.input), stream_bytes(arguments.input), exit_ok};
+  std::istringstream in(stream.bytes);
+  stream.code = completeness(arguments.input, decode_surface(arguments.input, in, {}).report);
+  return stream;
+}
+
+void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t most) {
+  const std::uint64_t bytes = info.slice_bytes() * info.dims[2];
+  if (bytes > most)
+    throw std::runtime_error(input + ": its samples are " + std::to_string(bytes >> 20) +
+                             " MiB, and a page holds " + std::to_string(most >> 20) +
+                             ": give --iso VALUE, --shrink N or --crop");
+}
+
 int run_view(const ViewArguments& arguments) {
+  if (arguments.serves) return serve_view(arguments);
   OutputFile file(arguments.output);
   const int code = write_page_of(arguments, file.stream());
   file.commit();

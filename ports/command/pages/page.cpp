@@ -14,24 +14,52 @@ namespace {
 // What the data comes before: all that looks for it.
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";
 
-}  // namespace
+// The page in two parts: what is to be found in it stands between them.
+struct Parts {
+  std::string_view head, scripts;
+};
 
-void write_page(const std::string& name, const std::function<void(std::ostream&)>& write,
-                std::ostream& out) {
+Parts parts_of_page() {
   const std::string_view page = page_template();
   const std::size_t begin = page.find(scripts);
   if (begin == std::string_view::npos)
     throw std::runtime_error(
         "this discmc was built without the page: run scripts/setup web, and build it again");
-  out << page.substr(0, begin) << "<script type=\"application/base64\" id=\"data\" data-name=\""
-      << xml_attribute(name) << "\" data-encoding=\"gzip\">";
+  return {page.substr(0, begin), page.substr(begin)};
+}
+
+std::string begin_data(const std::string& name) {
+  return "<script type=\"application/base64\" id=\"data\" data-name=\"" + xml_attribute(name) + '"';
+}
+
+constexpr std::string_view end_data = "</script>\n";
+
+// Of the page that needs no network.
+constexpr std::string_view no_source = "default-src 'none';";
+
+}  // namespace
+
+void write_page(const std::string& name, const std::function<void(std::ostream&)>& write,
+                std::ostream& out) {
+  const Parts page = parts_of_page();
+  out << page.head << begin_data(name) << " data-encoding=\"gzip\">";
   Base64 base64(out);
   Gzip gzip(base64);
   std::ostream data(&gzip);
   write(data);
   gzip.finish();
   base64.finish();
-  out << "</script>\n" << page.substr(begin);
+  out << end_data << page.scripts;
+}
+
+std::string served_page(const std::string& name, const std::string& source, bool is_live) {
+  const Parts page = parts_of_page();
+  std::string text(page.head);
+  const std::size_t policy = text.find(no_source);
+  if (policy == std::string::npos) throw std::logic_error("the page says not what it may fetch");
+  text.insert(policy + no_source.size(), " connect-src 'self';");
+  text += begin_data(name) + " data-source=\"" + source + '"' + (is_live ? " data-live" : "") + '>';
+  return text.append(end_data).append(page.scripts);
 }
 
 }  // namespace discmc::host

@@ -1,4 +1,4 @@
-// A page that has its data inside.
+// A page that has its data inside, or beside it on a server.
 #ifndef DISCMC_COMMAND_PAGES_PAGE_HPP
 #define DISCMC_COMMAND_PAGES_PAGE_HPP
 
@@ -13,6 +13,11 @@ namespace discmc::host {
 /// Throws std::runtime_error where the command was built without the page.
 void write_page(const std::string& name, const std::function<void(std::ostream&)>& write,
                 std::ostream& out);
+
+/// Returns the page that fetches the file of this name from `source`, an address beside its own,
+/// and may fetch nothing else. is_live: the file is a stream that is still coming.
+/// Throws std::runtime_error as write_page().
+std::string served_page(const std::string& name, const std::string& source, bool is_live);
 
 }  // namespace discmc::host
 

@@ -14,7 +14,7 @@
 namespace discmc::host {
 namespace {
 
-constexpr std::int64_t header_bytes = sizeof(nifti_2_header) + 4;  // and that nothing follows it
+constexpr std::uint64_t header_bytes = sizeof(nifti_2_header) + 4;  // and that nothing follows it
 
 VolumePlacement placement_of(const VolumeInfo& info) {
   if (!info.placement) return along_coordinates(info.spacing_mm);
@@ -62,6 +62,10 @@ void write_nifti(VolumeReader& volume, const std::function<void(std::uint32_t)>&
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     progress(slice + 1);
   }
+}
+
+std::uint64_t nifti_bytes(const VolumeInfo& info) {
+  return header_bytes + info.slice_bytes() * info.dims[2];
 }
 
 }  // namespace discmc::host

@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_VOLUMES_NIFTI_WRITER_HPP
 #define DISCMC_COMMAND_VOLUMES_NIFTI_WRITER_HPP
 
+#include <cstdint>
 #include <functional>
 #include <ostream>
 
@@ -14,6 +15,9 @@ namespace discmc::host {
 /// number of slices that are written.
 void write_nifti(VolumeReader& volume, const std::function<void(std::uint32_t)>& progress,
                  std::ostream& out);
+
+/// How many bytes that are.
+std::uint64_t nifti_bytes(const VolumeInfo& info);
 
 }  // namespace discmc::host
 

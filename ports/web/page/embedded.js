@@ -1,4 +1,5 @@
-// What the page has inside: the module, and data that opens at once if there is some.
+// What the page has inside: the module, and data that opens at once if there is some, or where it is
+// served.
 
 /** @param {string} id of a script element with base64 @param {CompressionFormat} [encoding] */
 async function bytesIn(id, encoding) {
@@ -15,6 +16,13 @@ export async function embeddedModule() {
   const bytes = await bytesIn('module', 'deflate');
   if (!bytes) throw new Error('It lacks its module.');
   return bytes;
+}
+
+/** What the element `data` says of a file that is served: data-name, data-source, data-live. */
+export function servedFile() {
+  const data = document.getElementById('data')?.dataset;
+  if (data?.source === undefined) return null;
+  return { name: data.name ?? 'volume', source: data.source, isLive: data.live !== undefined };
 }
 
 /** A file that the element `data` holds: data-name, data-encoding (gzip, deflate or none), data-iso. */

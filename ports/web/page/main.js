@@ -1,8 +1,9 @@
 // The page: what is open, and who is told when something changes.
 import { takeDropped } from './dropped.js';
 import { by, number, on, whole } from './elements.js';
-import { embeddedFile, embeddedModule } from './embedded.js';
+import { embeddedFile, embeddedModule, servedFile } from './embedded.js';
 import { Engine, EngineError, Newest } from './engine.js';
+import { servedWhole } from './live/served.js';
 import { fail, hideError, tellBusy, tellError } from './messages.js';
 import { navigate } from './navigation.js';
 import { DevicePanel } from './panels/device_panel.js';
@@ -87,6 +88,18 @@ class Page {
       tellBusy('');
       const answer = await askLayout(unknown);
       if (answer) await this.open(files.filter(({ name }) => name === unknown.name), answer);
+    }
+  }
+
+  /** @param {{name: string, source: string, isLive: boolean}} served */
+  async openServed({ name, source, isLive }) {
+    if (isLive) return this.live.fetch(name, source);
+    try {
+      const file = await servedWhole(name, source,
+        (share) => tellBusy(`Loading… ${Math.floor(100 * share)} %`));
+      await this.open([file]);
+    } catch (error) {
+      fail(/** @type {Error} */ (error));
     }
   }
 
@@ -230,6 +243,8 @@ async function start() {
     const page = new Page(new Engine(by('worker').textContent, await embeddedModule()), view);
     const embedded = await embeddedFile();
     if (embedded) await page.open([embedded.file], undefined, embedded.iso);
+    const served = servedFile();
+    if (served) page.openServed(served);
     document.body.dataset.ready = '';
   } catch (error) {
     tellError(`The page cannot start: ${/** @type {Error} */ (error).message} ` +

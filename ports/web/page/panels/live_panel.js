@@ -3,7 +3,8 @@ import { by, on, whole } from '../elements.js';
 import { Listener } from '../live/listener.js';
 import { replayed } from '../live/replay.js';
 import { hasSerial, serialBytes } from '../live/serial.js';
-import { fail, hideError } from '../messages.js';
+import { servedBytes } from '../live/served.js';
+import { fail, hideError, tellBusy } from '../messages.js';
 
 export class LivePanel {
   /**
@@ -53,6 +54,13 @@ export class LivePanel {
     }
   }
 
+  /** A stream that a server has. @param {string} name @param {string} source */
+  async fetch(name, source) {
+    this.leave();
+    const stopping = (this.stopping = new AbortController());
+    await this.hear(name, servedBytes(source, stopping.signal));
+  }
+
   async replay() {
     if (!this.recorded) return;
     this.leave();
@@ -70,6 +78,7 @@ export class LivePanel {
   async hear(name, source, recorded) {
     hideError();
     this.showListening(true);
+    tellBusy('Waiting for the stream…');
     let isFirst = true;
     try {
       await this.listener.hear(source, (arrived, isEnd) => {
@@ -81,6 +90,7 @@ export class LivePanel {
           fail(new Error(`${name}: no header of a discmc stream in ${whole(arrived.stream.bytes)} ` +
             'bytes; check the baud rate, and that the device begins a scan'));
         if (!arrived.stream.hasHeader) return;
+        tellBusy('');
         this.show(name, arrived, isFirst, isEnd);
         isFirst = false;
       });

@@ -1,0 +1,74 @@
+// Pipes that several read from the beginning.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sstream>
+#include <streambuf>
+#include <string>
+#include <thread>
+
+#include "command/volume_files.hpp"
+#include "pages/live_file.hpp"
+
+namespace {
+
+using discmc::host::LiveFile;
+
+// A named pipe, and what is written into it.
+class Pipe {
+ public:
+  Pipe() { REQUIRE(mkfifo(path().c_str(), 0600) == 0); }
+  std::string path() const { return (folder_.path() / "pipe").string(); }
+  void open() { descriptor_ = ::open(path().c_str(), O_WRONLY); }
+  void write(const std::string& text) const {
+    REQUIRE(::write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size()));
+  }
+  void close() const { ::close(descriptor_); }
+
+ private:
+  volume_files::Folder folder_;
+  int descriptor_ = -1;
+};
+
+// Reads nothing, and is soon gone.
+class Gone : public std::streambuf {
+ protected:
+  int sync() override { return -1; }
+};
+
+TEST_CASE("every reader gets all, however late") {
+  Pipe pipe;
+  LiveFile live(pipe.path());  // there is no writer yet
+  std::ostringstream early, late;
+  std::thread reader([&] { live.copy_to(early); });
+  pipe.open();
+  pipe.write("from the ");
+  pipe.write("beginning");
+  const std::string much(100000, '.');
+  std::thread writer([&] { pipe.write(much); });
+  writer.join();
+  pipe.close();
+  reader.join();
+  live.copy_to(late);
+  CHECK(early.str() == "from the beginning" + much);
+  CHECK(late.str() == early.str());
+}
+
+TEST_CASE("a reader that is gone is not waited for, nor the end of the pipe") {
+  Pipe pipe;
+  LiveFile live(pipe.path());
+  pipe.open();
+  pipe.write("some");
+  Gone gone;
+  std::ostream out(&gone);
+  out.exceptions(std::ios::badbit);
+  CHECK_THROWS_AS(live.copy_to(out), std::ios_base::failure);
+}
+
+TEST_CASE("what cannot be opened is refused by its name") {
+  CHECK_THROWS_WITH(LiveFile("missing/pipe"), doctest::Contains("missing/pipe: cannot be read"));
+}
+
+}  // namespace

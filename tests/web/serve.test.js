@@ -1,0 +1,118 @@
+// The page and its data from a server: discmc view --serve.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { createWriteStream, readFileSync, writeFileSync } from 'node:fs';
+import { request } from 'node:http';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { nrrdOf, roughBall } from './ball.js';
+import { openPage, saved, startBrowser } from './browser.js';
+import { command, polygonsByCommand, served, turned, workFolder } from './command.js';
+
+const folder = workFolder(after);
+const volume = join(folder, 'ball.nrrd'), stream = join(folder, 'ball.dmc');
+writeFileSync(volume, nrrdOf(roughBall()));
+command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
+const bytes = readFileSync(stream), half = bytes.length >> 1;
+const expected = turned(polygonsByCommand(folder, 'decode', stream));
+
+let browser;
+before(async () => (browser = await startBrowser()));
+after(() => browser.close());
+
+const polygons = async (page) => turned(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
+const streamTells = (page, words) => page.waitForFunction((wanted) =>
+  document.querySelector('#stream-text').textContent.startsWith(wanted), words);
+const hasSurface = (page) => page.waitForFunction(() =>
+  document.querySelector('#polygons').textContent !== '–');
+
+test('a volume is fetched, and any threshold can be chosen', async (t) => {
+  const { address, end } = await served(t, volume);
+  const { page, complaints } = await openPage(browser, { address });
+  await hasSurface(page);
+  assert.equal(await page.textContent('#file-name'),
+    'ball.nrrd · 48 × 40 × 36 voxels of 0.5 × 0.75 × 1.25 mm');
+  const iso = await page.inputValue('#threshold-number');
+  assert.equal(await polygons(page),
+    turned(polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', iso)));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+  assert.equal(await end(), 0);
+});
+
+test('a threshold of it, and a stream that is a file', async (t) => {
+  for (const words of [[volume, '--iso', '400'], [stream]]) {
+    const { address, end } = await served(t, ...words);
+    const { page, complaints } = await openPage(browser, { address });
+    await streamTells(page, 'Complete');
+    assert.equal(await polygons(page), expected);
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+    assert.equal(await end(), 0);
+  }
+});
+
+test('a stream on standard input is shown while it comes; who comes later gets all of it', async (t) => {
+  const { address, input, end } = await served(t, '-');
+  input.write(bytes.subarray(0, half));
+  const first = await openPage(browser, { address });
+  await streamTells(first.page, 'Arriving');
+  const early = Number((await first.page.textContent('#polygons')).replace(',', ''));
+  assert.ok(early > 0 && early < expected.split('\n').length, `${early} polygons of the first half`);
+  const later = await openPage(browser, { address });
+  await streamTells(later.page, 'Arriving');
+  input.end(bytes.subarray(half));
+  for (const { page, complaints } of [first, later]) {
+    await streamTells(page, 'Complete');
+    assert.equal(await polygons(page), expected);
+    assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), bytes);
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+  }
+  assert.equal(await end(), 0);
+});
+
+test('a named pipe without a writer is waited for; what breaks off is told', async (t) => {
+  const pipe = join(folder, 'pipe');
+  execFileSync('mkfifo', [pipe]);
+  const { address, end } = await served(t, pipe);
+  const { page } = await openPage(browser, { address });
+  assert.equal(await page.textContent('#busy'), 'Waiting for the stream…');
+  createWriteStream(pipe).write(bytes.subarray(0, half));
+  await streamTells(page, 'Arriving');
+  assert.ok(await page.isHidden('#busy'));
+  assert.equal(await end(), 0, 'while the page listens');
+  await streamTells(page, 'Incomplete');
+  await page.context().close();
+});
+
+/** What the server answers. */
+const answer = (address, path, { method = 'GET', ...headers }) => new Promise((resolve, reject) => {
+  const { hostname, port } = new URL(address);
+  const asked = request({ hostname, port, path, method, headers }, (response) => {
+    response.resume();
+    response.on('end', () => resolve(response));
+  });
+  asked.on('error', reject);
+  asked.end();
+});
+
+test('other names, methods, parts and paths are refused', async (t) => {
+  const { address, end } = await served(t, stream);
+  const { host, port } = new URL(address);
+  const status = async (path, options) => (await answer(address, path, options)).statusCode;
+  for (const name of [host, `localhost:${port}`, 'localhost'])
+    assert.equal(await status('/data', { Host: name }), 200, name);
+  for (const name of [`evil.example:${port}`, 'evil.example', '127.0.0.1.evil.example', ':'])
+    assert.equal(await status('/data', { Host: name }), 403, name);
+  for (const method of ['HEAD', 'POST', 'PUT', 'DELETE', 'OPTIONS'])
+    assert.equal(await status('/data', { Host: host, method }), 405, method);
+  for (const path of ['/data/', '/../ball.nrrd', `${stream}`, '//', '/data%00', '/index.html'])
+    assert.equal(await status(path, { Host: host }), 404, path);
+  assert.equal(await status('/data', { Host: host, Range: 'bytes=1-2' }), 416);
+  const { headers } = await answer(address, '/data', { Host: host });
+  assert.equal(headers['x-content-type-options'], 'nosniff');
+  assert.equal(headers['access-control-allow-origin'], undefined);
+  assert.equal(Number(headers['content-length']), bytes.length);
+  assert.equal(await end(), 0);
+});
