@@ -36,7 +36,7 @@ const top = [{ place: 'discmc.html', text: 'Live page' }, { place: 'docs/index.h
   { place: 'api/files.html', text: 'Reference' }];
 
 /** The beginning of a page; up leads from its folder to that of the site. */
-const headOf = (title, up) => `<!DOCTYPE html>
+const headOf = (title, up, more = '') => `<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -48,9 +48,9 @@ const headOf = (title, up) => `<!DOCTYPE html>
 </head>
 <body>
 <header><a class="home" href="${up}index.html">discmc</a>${
-  top.map(({ place, text }) => `<a href="${up}${place}">${text}</a>`).join('')}</header>
+  top.map(({ place, text }) => `<a href="${up}${place}">${text}</a>`).join('')}${more}</header>
 `;
-const foot = '</main>\n</body>\n</html>\n';
+const foot = '</body>\n</html>\n';
 
 function htmlOf(place, { title, headings, body }) {
   const up = '../'.repeat(place.split('/').length - 1);
@@ -61,10 +61,14 @@ function htmlOf(place, { title, headings, body }) {
       : '';
     return `<li${here ? ' class="here"' : ''}><a href="${up}${entry.place}">${escaped(entry.text)}</a>${sections}</li>`;
   });
-  return `${headOf(`${escaped(title)}${title === 'discmc' ? '' : ' · discmc'}`, up)}<nav><details><summary>Contents</summary>
-<ul>${items.join('\n')}</ul></details></nav>
-<main>
-${body}${foot}`;
+  // The menu stands below the text where there is no room beside it.
+  return `${headOf(title === 'discmc' ? title : `${escaped(title)} · discmc`, up,
+    '<a class="menu" href="#menu">Contents</a>')}<main>
+${body}</main>
+<nav id="menu"><ul>
+${items.join('\n')}
+</ul></nav>
+${foot}`;
 }
 
 /** @returns {string[]} the links of the repository's files that lead nowhere */
@@ -118,7 +122,7 @@ function build(site, frame) {
   writeFileSync(join(frame, 'header.html'), `${headOf('$title · discmc', '../')}<main class="reference">
 <p class="indices">${Object.entries(indices).map(([name, text]) => `<a href="${name}.html">${text}</a>`).join(' ')}</p>
 `);
-  writeFileSync(join(frame, 'footer.html'), foot);
+  writeFileSync(join(frame, 'footer.html'), `</main>\n${foot}`);
   return broken;
 }
 

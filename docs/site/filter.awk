@@ -2,7 +2,7 @@
 #   the one at its top is of the file;
 #   in C those before a declaration and behind a member are documentation, too;
 #   a comment before several declarations in a row, without an empty line between, is of them all.
-# What is indented in a comment is a drawing or code.
+# What is indented in a comment is a drawing or code. Lines move: what Doxygen tells of one stands a few above.
 
 function is_c() { return FILENAME ~ /[.]h$/ }
 
