@@ -14,20 +14,24 @@ export function workFolder(after) {
 export const command = (...words) =>
   execFileSync(process.env.DISCMC_COMMAND, words, { stdio: ['ignore', 'pipe', 'pipe'] });
 
+/** `discmc view --serve`, as servedBy() has it. */
+export const served = (context, ...words) =>
+  servedBy(context, process.env.DISCMC_COMMAND, 'view', ...words, '--serve', '--no-open');
+
 /**
- * `discmc view --serve`, once it serves: its address, its standard input, and end(), which ends it
- * as Ctrl-C does, and returns its exit code. context: of the test, at whose end it is gone.
+ * A program that serves the page, once it does: its address, its standard input, and end(), which
+ * ends it as Ctrl-C does, and returns its exit code. context: of the test, at whose end it is gone.
  */
-export async function served(context, ...words) {
-  const server = spawn(process.env.DISCMC_COMMAND, ['view', ...words, '--serve', '--no-open'],
-    { stdio: ['pipe', 'pipe', 'inherit'] });
-  context.after(() => server.kill('SIGKILL'));
+export async function servedBy(context, program, ...words) {
+  const server = spawn(program, words, { stdio: ['pipe', 'pipe', 'inherit'], detached: true });
   const ended = new Promise((resolve) => server.on('exit', resolve));
+  const signal = (name) => process.kill(-server.pid, name); // to all that it has started, too
+  context.after(() => server.exitCode ?? signal('SIGKILL'));
   const told = await new Promise((resolve) => {
     server.stdout.once('data', (text) => resolve(`${text}`));
     ended.then((code) => resolve(`it has ended with ${code}`));
   });
-  const end = () => server.kill('SIGINT') && ended;
+  const end = () => signal('SIGINT') && ended;
   const address = told.match(/http:\S+/)?.[0];
   if (!address) throw new Error(told);
   return { address, input: server.stdin, end };

@@ -1,0 +1,106 @@
+// scan_files VOLUME ISO FOLDER: writes what firmware needs to scan a volume, volume.raw and
+// scan.hpp.
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <discmc/extractor.hpp>
+
+#include "number_text.hpp"
+#include "streams/spacing.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::simulator {
+namespace {
+
+// What the board netduinoplus2 has for the arena and two rows of samples. Units: bytes.
+constexpr std::uint64_t memory = std::uint64_t{186} << 10;
+
+const char* sample_of(host::SampleType type) {
+  switch (type) {
+    case host::SampleType::u8:
+      return "uint8_t";
+    case host::SampleType::u16:
+      return "uint16_t";
+    case host::SampleType::i16:
+      return "int16_t";
+    default:
+      throw std::invalid_argument("its samples are " + std::string(name(type)) +
+                                  ", and those of a scanner u8, u16 or i16: take another volume");
+  }
+}
+
+std::uint64_t arena_bytes(const host::VolumeInfo& info) {
+  const std::uint64_t rows = 2 * (info.dims[0] * host::sample_bytes(info.type) + 4);
+  const std::uint64_t least = minimum_bytes<std::uint16_t>({info.dims[0], info.dims[1]});
+  if (rows + least > memory)
+    throw std::invalid_argument("its slices of " + std::to_string(info.dims[0]) + "x" +
+                                std::to_string(info.dims[1]) +
+                                " voxels are too large for the board: take a smaller volume");
+  return memory - rows;
+}
+
+void write_header(const host::VolumeInfo& info, double iso, std::ostream& out) {
+  const auto spacing = host::spacing_nm(info.spacing_mm);
+  out << "// Written by scan_files.\n"
+         "#include <stddef.h>\n\n"
+         "#include <discmc/limits.hpp>\n\n"
+         "namespace scan {\n\n"
+      << "using Sample = " << sample_of(info.type) << ";\n"
+      << "constexpr discmc::Limits limits{" << info.dims[0] << ", " << info.dims[1] << "};\n"
+      << "constexpr uint32_t depth = " << info.dims[2] << ";\n"
+      << "constexpr int32_t spacing_nm[] = {" << spacing[0] << ", " << spacing[1] << ", "
+      << spacing[2] << "};\n"
+      << "constexpr int32_t threshold = " << host::stored_threshold(info, iso) << ";\n"
+      << "constexpr size_t arena_bytes = " << arena_bytes(info) << ";\n\n"
+      << "}  // namespace scan\n";
+}
+
+void write_samples(host::VolumeReader& volume, std::ostream& out) {
+  const host::VolumeInfo& info = volume.info();
+  std::vector<char> slice(info.slice_bytes());
+  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+    volume.read_slice(slice.data());
+    out.write(slice.data(), static_cast<std::streamsize>(slice.size()));
+  }
+}
+
+void write_files(const std::string& path, double iso, const std::filesystem::path& folder) {
+  const auto volume = host::open_volume(path);
+  std::filesystem::create_directories(folder);
+  std::ofstream header(folder / "scan.hpp"), samples(folder / "volume.raw", std::ios::binary);
+  write_header(volume->info(), iso, header);
+  write_samples(*volume, samples);
+  if (!header.flush() || !samples.flush())
+    throw std::runtime_error(folder.string() +
+                             ": cannot be written: free space, or check its "
+                             "permissions");
+}
+
+int run(int count, char** arguments) {
+  const auto iso = count == 4 ? host::finite_number(arguments[2]) : std::nullopt;
+  if (!iso) {
+    std::cerr << "usage: scan_files VOLUME ISO FOLDER\n";
+    return 2;
+  }
+  try {
+    write_files(arguments[1], *iso, arguments[3]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "scan_files: " << arguments[1] << ": " << error.what() << '\n';
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace discmc::simulator
+
+int main(int count, char** arguments) {
+  return discmc::simulator::run(count, arguments);
+}
