@@ -2,7 +2,9 @@
 // foot of the pages of the reference. Begins
 // with README.md and docs/README.md, and makes a page of every file of the repository that a link
 // leads to: of Markdown what it says, of a folder its README.md or what is in it, of sources their text.
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import {
+  copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync,
+} from 'node:fs';
 import { dirname, join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { linksOf, pageOf } from './markdown.js';
@@ -52,14 +54,16 @@ const headOf = (title, up, more = '') => `<!DOCTYPE html>
 `;
 const foot = '</body>\n</html>\n';
 
+const itemOf = (href, text, attribute = '', more = '') =>
+  `<li${attribute}><a href="${href}">${escaped(text)}</a>${more}</li>`;
+
 function htmlOf(place, { title, headings, body }) {
   const up = '../'.repeat(place.split('/').length - 1);
   const items = menu.map((entry) => {
     const here = entry.place === place;
     const sections = here && headings.length > 1
-      ? `<ul>${headings.map(({ anchor, text }) => `<li><a href="#${anchor}">${escaped(text)}</a></li>`).join('')}</ul>`
-      : '';
-    return `<li${here ? ' class="here"' : ''}><a href="${up}${entry.place}">${escaped(entry.text)}</a>${sections}</li>`;
+      ? `<ul>${headings.map(({ anchor, text }) => itemOf(`#${anchor}`, text)).join('')}</ul>` : '';
+    return itemOf(`${up}${entry.place}`, entry.text, here ? ' class="here"' : '', sections);
   });
   // The menu stands below the text where there is no room beside it.
   return `${headOf(title === 'discmc' ? title : `${escaped(title)} · discmc`, up,
@@ -103,7 +107,8 @@ function build(site, frame) {
     if (path.endsWith('.md')) return pageOf(read(path), (href) => rewritten(path, href));
     const text = statSync(join(root, path)).isDirectory()
       ? readdirSync(join(root, path)).sort().join('\n') : read(path);
-    return { title: path, headings: [], body: `<h1>${path}</h1>\n<pre><code>${escaped(text)}</code></pre>\n` };
+    const body = `<h1>${path}</h1>\n<pre><code>${escaped(text)}</code></pre>\n`;
+    return { title: path, headings: [], body };
   }
 
   while (waiting.length > 0) {
@@ -118,7 +123,8 @@ function build(site, frame) {
     }
   }
   copyFileSync(join(root, 'docs/site/style.css'), join(site, 'style.css'));
-  const indices = { files: 'Headers', modules: 'C', annotated: 'Classes', namespacemembers: 'Functions', functions: 'Members' };
+  const indices = { files: 'Headers', annotated: 'Classes', namespacemembers: 'Names of C++',
+    modules: 'C', globals: 'Names of C' };
   writeFileSync(join(frame, 'header.html'), `${headOf('$title · discmc', '../')}<main class="reference">
 <p class="indices">${Object.entries(indices).map(([name, text]) => `<a href="${name}.html">${text}</a>`).join(' ')}</p>
 `);

@@ -8,8 +8,9 @@ const [folder, ...words] = process.argv.slice(2);
 const isExternalAsked = words[0] === '--external';
 const absent = words[0] === '--without' ? words.slice(1) : [];
 
-const decoded = (text) => decodeURIComponent(
-  text.replace(/&(amp|lt|gt|quot|#39);/g, (_, name) => ({ amp: '&', lt: '<', gt: '>', quot: '"', '#39': "'" })[name]));
+const characters = { amp: '&', lt: '<', gt: '>', quot: '"', '#39': "'" };
+const decoded = (text) =>
+  decodeURIComponent(text.replace(/&(amp|lt|gt|quot|#39);/g, (_, name) => characters[name]));
 
 /** The anchors and the links of a page; scripts are not looked into. */
 function read(text) {
@@ -36,8 +37,9 @@ async function faultElsewhere(tag, href) {
   if (tag !== 'a') return 'asks the network';
   if (!isExternalAsked) return '';
   if (!asked.has(href)) {
-    asked.set(href, fetch(href, { signal: AbortSignal.timeout(30000) })
-      .then(({ ok, status }) => (ok ? '' : `answers ${status}`), ({ cause, message }) => cause?.message ?? message));
+    const answer = fetch(href, { signal: AbortSignal.timeout(30000) });
+    asked.set(href, answer.then(({ ok, status }) => (ok ? '' : `answers ${status}`),
+      ({ cause, message }) => cause?.message ?? message));
   }
   return asked.get(href);
 }
@@ -49,7 +51,7 @@ async function faultOf(page, { tag, href }) {
   let target = path ? posix.join(posix.dirname(page), path) : page;
   if (absent.some((place) => target === place || target.startsWith(`${place}/`))) return '';
   if (target.startsWith('..') || !existsSync(join(folder, target))) return 'no such file';
-  if (statSync(join(folder, target)).isDirectory()) return 'a folder: links need a file where there is no server';
+  if (statSync(join(folder, target)).isDirectory()) return 'a folder, which needs a server';
   return !anchor || pages.get(target)?.anchors.has(anchor) ? '' : 'no such anchor';
 }
 
