@@ -111,6 +111,36 @@ test('a scan with little memory is a longer stream of the same polygons', async 
   }
 });
 
+test('of a link with several surfaces the chosen one is shown', async () => {
+  for (const wire of ['regions', 'slices']) {
+    const path = join(folder, 'several.dmc');
+    command('extract', file, '--iso', '200', '--iso', '600', '--scan', '7', '-o', path, '--quiet', '--wire', wire);
+    for (const choice of [undefined, { scan: 7, channel: 0 }, { scan: 7, channel: 1 }]) {
+      const module = await startModule();
+      module.newStream(choice);
+      module.pushStream(readFileSync(path));
+      const iso = choice?.channel === 1 ? 600 : 200;
+      assert.equal(module.endStream().threshold, iso);
+      assert.deepEqual(module.streamSurfaces(),
+        [{ scan: 7, channel: 0, threshold: 200 }, { scan: 7, channel: 1, threshold: 600 }]);
+      assert.equal(turned(await polygonsOf(module)), turned(polygonsByCommand(folder, 'decode', path,
+        '--channel', `${choice?.channel ?? 0}`)));
+    }
+  }
+});
+
+test('streams of version 1 are read', async () => {
+  const golden = new URL('../golden/version1/', import.meta.url).pathname;
+  for (const name of ['ball', 'fragments', 'normals', 'skipped'].map((stem) => `${stem}.dmc`)) {
+    const module = await startModule();
+    module.newStream();
+    module.pushStream(readFileSync(join(golden, name)));
+    assert.ok(module.endStream().isComplete, name);
+    assert.equal(turned(await polygonsOf(module)),
+      turned(polygonsByCommand(folder, 'decode', join(golden, name))), name);
+  }
+});
+
 test('of a damaged stream what is missing is told, and what is whole is there', async () => {
   for (const wire of ['regions', 'slices']) {
     const path = join(folder, 'damaged.dmc');

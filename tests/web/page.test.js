@@ -8,7 +8,7 @@ import { facing } from '../../ports/web/page/facing.js';
 import { planesOf } from '../../ports/web/page/light.js';
 import { nrrdOf, roughBall } from './ball.js';
 import { axe, now, openFiles, openPage, rested, saved, shown, startBrowser } from './browser.js';
-import { command, polygonsByCommand, sorted, workFolder } from './command.js';
+import { command, polygonsByCommand, sorted, turned, workFolder } from './command.js';
 
 const folder = workFolder(after);
 const volume = join(folder, 'ball.nrrd');
@@ -114,6 +114,27 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   assert.match(await page.textContent('#stream-text'), /^Incomplete: \d+ packets and \d+ regions .* missing/);
   await openFiles(page, stream);
   await page.waitForFunction(() => /^Complete/.test(document.querySelector('#stream-text').textContent));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('of a stream with several surfaces each can be chosen', async () => {
+  const { page, complaints } = await openPage(browser);
+  const path = join(folder, 'several.dmc');
+  command('extract', volume, '--iso', '200', '--iso', '600', '--scan', '7', '-o', path, '--quiet');
+  await openFiles(page, path);
+  assert.deepEqual(await page.locator('#surface option').allTextContents(),
+    ['scan 7, channel 0, threshold 200', 'scan 7, channel 1, threshold 600']);
+  for (const channel of [1, 0]) {
+    await page.selectOption('#surface', { index: channel });
+    await page.waitForFunction((iso) => document.querySelector('#stream-text').textContent
+      .endsWith(`threshold ${iso}.`), channel ? 600 : 200);
+    assert.equal(await page.evaluate(() => document.querySelector('#surface').selectedIndex), channel);
+    const saving = await saved(page, 'jsonl');
+    assert.equal(turned(readFileSync(saving.path, 'utf8')),
+      turned(polygonsByCommand(folder, 'decode', path, '--channel', `${channel}`)));
+  }
+  await openFiles(page, volume);
   assert.deepEqual(complaints, []);
   await page.context().close();
 });

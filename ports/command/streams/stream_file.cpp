@@ -24,27 +24,26 @@ StreamReader::StreamReader(const Sink& sink, const StreamChoice& choice)
 
 void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t)>& progress) {
   std::vector<char> buffer(std::size_t{1} << 16);
-  while (in && status_ == Status::ok) {
+  while (in) {
     in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    take(reinterpret_cast<const std::uint8_t*>(buffer.data()),
+    push(reinterpret_cast<const std::uint8_t*>(buffer.data()),
          static_cast<std::size_t>(in.gcount()));
     if (progress) progress(report().bytes);
   }
-  if (status_ == Status::ok) finish();
-  if (status_ == Status::wrong_version)
-    throw std::runtime_error(
-        "the stream is of a version that this program does not know (it knows 1 to " +
-        std::to_string(wire::version) + "): use a newer discmc");
-  if (status_ != Status::ok) throw std::runtime_error(text(status_));
+  finish();
 }
 
 // Nothing is decoded before the version is known, but nothing is lost.
-void StreamReader::take(const std::uint8_t* bytes, std::size_t count) {
+void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
   census_.take(bytes, count);
-  if (search_.is_over()) return pass(bytes, count);
-  held_.insert(held_.end(), bytes, bytes + count);
-  for (std::size_t i = 0; i < count && !search_.is_over(); ++i) search_.take(bytes[i]);
-  if (search_.is_over()) choose_decoder();
+  if (search_.is_over()) {
+    pass(bytes, count);
+  } else {
+    held_.insert(held_.end(), bytes, bytes + count);
+    for (std::size_t i = 0; i < count && !search_.is_over(); ++i) search_.take(bytes[i]);
+    if (search_.is_over()) choose_decoder();
+  }
+  require_ok();
 }
 
 void StreamReader::choose_decoder() {
@@ -65,15 +64,24 @@ void StreamReader::finish() {
     version1_->finish();
   else if (status_ == Status::ok)
     status_ = decoder_.finish();
+  require_ok();
+}
+
+void StreamReader::require_ok() const {
+  if (status_ == Status::wrong_version)
+    throw std::runtime_error(
+        "the stream is of a version that this program does not know (it knows 1 to " +
+        std::to_string(wire::version) + "): use a newer discmc");
+  if (status_ != Status::ok) throw std::runtime_error(text(status_));
 }
 
 void StreamReader::pass(const std::uint8_t* bytes, std::size_t count) {
-  if (!filter_) return push(bytes, count);
+  if (!filter_) return decode(bytes, count);
   const std::vector<std::uint8_t> chosen = filter_->take(bytes, count);
-  push(chosen.data(), chosen.size());
+  decode(chosen.data(), chosen.size());
 }
 
-void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
+void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
   if (version1_) {
     status_ = version1_->push(bytes, count);
     return;
@@ -111,7 +119,7 @@ Status StreamReader::go_on_skipping() {
 Status StreamReader::give_memory() {
   const Limits limits{header().width, header().height, header().border};
   constexpr std::uint64_t for_chains = std::uint64_t{64} << 20;
-  const std::uint64_t bytes = minimum_surface_bytes(limits, header().surfaces()) + for_chains;
+  const std::size_t bytes = minimum_surface_bytes(limits, header().surfaces()) + for_chains;
   memory_.reset(new std::uint8_t[bytes]);
   return decoder_.give_memory({memory_.get(), bytes});
 }

@@ -42,14 +42,18 @@ struct StreamChoice {
   bool is_any() const { return channel == any_channel && !scan; }
 };
 
-/// A stream of either kind and of any version, read to its end.
+/// A stream of either kind and of any version.
 class StreamReader {
  public:
   /// sink: it must not say "not now".
   explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
-  /// progress: called now and then with the bytes read so far.
-  /// Throws std::runtime_error when the stream's version is not known, has not what was chosen, or
-  /// it claims that more was lost than anybody can wait for.
+  /// Any number of bytes; a sink gets what they complete. Throws std::runtime_error when the
+  /// stream's version is not known, has not what was chosen, or it claims that more was lost than
+  /// anybody can wait for. Limit: not after that.
+  void push(const std::uint8_t* bytes, std::size_t count);
+  /// Tells that no bytes follow. Throws as push().
+  void finish();
+  /// All of a stream. progress: called now and then with the bytes read so far. Throws as push().
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
 
   const StreamHeader& header() const { return version1_ ? version1_->header() : decoder_.header(); }
@@ -62,11 +66,10 @@ class StreamReader {
   const std::vector<StreamHeader>& headers() const { return census_.headers(); }
 
  private:
-  void take(const std::uint8_t* bytes, std::size_t count);
   void choose_decoder();
   void pass(const std::uint8_t* bytes, std::size_t count);
-  void push(const std::uint8_t* bytes, std::size_t count);
-  void finish();
+  void decode(const std::uint8_t* bytes, std::size_t count);
+  void require_ok() const;
   Status give_memory();
   Status go_on_skipping();
 

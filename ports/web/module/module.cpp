@@ -58,6 +58,7 @@ struct State {
   host::Mesh classic;
   std::vector<float> classic_vertices;
   DeviceScan scan;
+  std::vector<std::int32_t> surfaces;
   std::vector<std::uint8_t> picture;
 };
 
@@ -230,8 +231,12 @@ const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, doubl
   return bytes_of(picture);
 }
 
-EXPORT(new_stream) void new_stream() {
-  state().stream = std::make_unique<StreamSurface>();
+/// Of a link with several surfaces that one; negative: the first.
+EXPORT(new_stream) void new_stream(std::int32_t scan, std::int32_t channel) {
+  host::StreamChoice choice;
+  if (scan >= 0) choice.scan = static_cast<std::uint16_t>(scan);
+  if (channel >= 0) choice.channel = static_cast<std::uint8_t>(channel);
+  state().stream = std::make_unique<StreamSurface>(choice);
 }
 EXPORT(push_stream) void push_stream(const std::uint8_t* bytes, std::size_t count) {
   state().stream->push(bytes, count);
@@ -242,16 +247,29 @@ EXPORT(end_stream) void end_stream() {
 /// Returns what is known of the stream so far: see page/module.js.
 EXPORT(stream_state) const double* stream_state() {
   const StreamSurface& stream = *state().stream;
-  const StreamHeader& header = stream.header();
+  const StreamHeader& header = stream.reader().header();
   const StreamReport report = stream.report();
   const auto spacing = host::spacing_mm(header);
+  const auto surface = static_cast<std::uint32_t>(stream.reader().channel() - header.channel);
+  const std::int32_t threshold = header.threshold_of(surface < header.surfaces() ? surface : 0);
   return numbers(report.has_header, header.width, header.height,
                  report.has_trailer ? report.slices : header.depth, spacing[0], spacing[1],
-                 spacing[2], header.threshold, stream.polygons().size(), report.is_complete(),
+                 spacing[2], threshold, stream.polygons().size(), report.is_complete(),
                  report.has_trailer, report.lost_packets, report.damaged_packets,
                  report.holds_slices ? report.lost_rows : report.lost_pieces, report.holds_slices,
-                 report.totals.classic_triangles, report.bytes, header.surfaces(),
-                 header.border == Border::closed);
+                 report.totals.classic_triangles, report.bytes, header.border == Border::closed);
+}
+/// The surfaces of the link: scan, channel and threshold of each.
+EXPORT(stream_surfaces) const Bytes* stream_surfaces() {
+  std::vector<std::int32_t>& list = state().surfaces;
+  list.clear();
+  for (const StreamHeader& header : state().stream->reader().headers())
+    for (std::uint32_t surface = 0; surface < header.surfaces(); ++surface) {
+      list.push_back(header.scan);
+      list.push_back(static_cast<std::int32_t>(header.channel + surface));
+      list.push_back(header.threshold_of(surface));
+    }
+  return bytes_of(list);
 }
 
 }  // namespace discmc::web

@@ -12,6 +12,7 @@ import { MeasurePanel } from './panels/measure_panel.js';
 import { askLayout } from './panels/raw_dialog.js';
 import { SavePanel } from './panels/save_panel.js';
 import { SlicePanel } from './panels/slice_panel.js';
+import { SurfaceChoice } from './panels/surface_choice.js';
 import { ThresholdPanel } from './panels/threshold_panel.js';
 import { SurfaceView } from './surface_view.js';
 import { told } from './timing.js';
@@ -30,6 +31,8 @@ class Page {
     this.slice = new SlicePanel(engine, view);
     this.device = new DevicePanel(engine);
     this.live = new LivePanel(engine, (...arrived) => this.showArrived(...arrived));
+    this.choice = new SurfaceChoice((choice) =>
+      this.open([new File([/** @type {Blob} */ (this.live.recorded)], this.opened.name)], { choice }));
     this.measure = new MeasurePanel(view);
     this.save = new SavePanel(engine, view, () => this.stem(), () => this.live.recorded);
     this.surfaces = new Newest((request) => engine.call('surface', request),
@@ -70,24 +73,26 @@ class Page {
 
   /**
    * Opens a volume or a stream; if that fails, what is open stays.
-   * @param {File[]} files @param {import('./formats/raw.js').RawLayout} [layout] @param {number} [iso]
+   * @param {File[]} files
+   * @param {{layout?: import('./formats/raw.js').RawLayout, iso?: number,
+   *   choice?: import('./panels/surface_choice.js').Choice}} [wishes]
    */
-  async open(files, layout, iso) {
+  async open(files, { layout, iso, choice } = {}) {
     if (files.length === 0) return;
     hideError();
     tellBusy('Reading…');
     this.live.leave();
     try {
-      const opened = await this.engine.call('open', { files, layout });
+      const opened = await this.engine.call('open', { files, layout, choice });
       if (opened.info) this.showVolume(opened, iso);
-      else await this.showStream(opened);
+      else await this.showStream(opened, choice);
       this.live.open(opened.name, opened.info ? null : files[0]);
     } catch (error) {
       const unknown = error instanceof EngineError && error.unknownLayout;
       if (!unknown) return fail(/** @type {Error} */ (error));
       tellBusy('');
       const answer = await askLayout(unknown);
-      if (answer) await this.open(files.filter(({ name }) => name === unknown.name), answer);
+      if (answer) await this.open(files.filter(({ name }) => name === unknown.name), { layout: answer });
     }
   }
 
@@ -112,9 +117,10 @@ class Page {
     this.threshold.set(Number.isNaN(first) ? values.greatest : first);
   }
 
-  /** @param {any} result */
-  async showStream({ name, stream }) {
+  /** @param {any} result @param {import('./panels/surface_choice.js').Choice} [choice] */
+  async showStream({ name, stream, surfaces }, choice) {
     this.opened = { name, dims: stream.dims, spacing: stream.spacing };
+    this.choice.show(surfaces, choice);
     this.showOpened(stream.isComplete && stream.isClosed);
     this.tellStream(stream);
     await this.redrawStream();
@@ -124,7 +130,8 @@ class Page {
    * What of a stream has arrived so far.
    * @param {string} name @param {any} arrived @param {boolean} isFirst @param {boolean} isEnd
    */
-  showArrived(name, { stream, surface }, isFirst, isEnd) {
+  showArrived(name, { stream, surface, surfaces }, isFirst, isEnd) {
+    this.choice.show(isEnd ? surfaces : []);
     if (isFirst || (isEnd && stream.dims[2] !== this.opened.dims[2])) {
       const [width, height, depth] = stream.dims; // it may be told at the end alone
       this.opened = { name, dims: [width, height, depth || Math.max(width, height)],
@@ -146,8 +153,6 @@ class Page {
       : `Incomplete: ${whole(stream.lostPackets)} packets and ${whole(stream.lostPieces)} ${missing} ` +
         `are missing${stream.hasTrailer ? '' : ', and its end'}; ` +
         `${whole(stream.damagedPackets)} packets are damaged. What is whole is shown.`;
-    if (stream.surfaces > 1)
-      by('stream-text').textContent += ` It holds ${stream.surfaces} surfaces; this is the first.`;
     this.showCounts(stream.polygons, stream.classicTriangles);
   }
 
@@ -242,7 +247,7 @@ async function start() {
     const view = new SurfaceView(by('view'));
     const page = new Page(new Engine(by('worker').textContent, await embeddedModule()), view);
     const embedded = await embeddedFile();
-    if (embedded) await page.open([embedded.file], undefined, embedded.iso);
+    if (embedded) await page.open([embedded.file], { iso: embedded.iso });
     const served = servedFile();
     if (served) page.openServed(served);
     document.body.dataset.ready = '';

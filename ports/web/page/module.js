@@ -112,8 +112,9 @@ export class Module {
     return this.copy('stream');
   }
 
-  newStream() {
-    this.call('new_stream');
+  /** @param {{scan: number, channel: number}} [choice] of several surfaces; else the first */
+  newStream(choice) {
+    this.call('new_stream', choice?.scan ?? -1, choice?.channel ?? -1);
   }
   /** @param {Uint8Array} bytes */
   pushStream(bytes) {
@@ -128,16 +129,22 @@ export class Module {
   }
   /** What is known of it so far. */
   streamState() {
-    const list = this.numbersAt(this.call('stream_state'), 19);
+    const list = this.numbersAt(this.call('stream_state'), 18);
     return {
       hasHeader: list[0] !== 0,
       dims: /** @type {[number, number, number]} */ (list.slice(1, 4)),
       spacing: /** @type {[number, number, number]} */ (list.slice(4, 7)),
       threshold: list[7], polygons: list[8], isComplete: list[9] !== 0, hasTrailer: list[10] !== 0,
       lostPackets: list[11], damagedPackets: list[12], lostPieces: list[13],
-      holdsSlices: list[14] !== 0, classicTriangles: list[15], bytes: list[16], surfaces: list[17],
-      isClosed: list[18] !== 0,
+      holdsSlices: list[14] !== 0, classicTriangles: list[15], bytes: list[16],
+      isClosed: list[17] !== 0,
     };
+  }
+  /** All that share the link. @returns {{scan: number, channel: number, threshold: number}[]} */
+  streamSurfaces() {
+    const list = new Int32Array(this.copy('stream_surfaces').buffer);
+    return Array.from({ length: list.length / 3 }, (_, i) =>
+      ({ scan: list[3 * i], channel: list[3 * i + 1], threshold: list[3 * i + 2] }));
   }
 
   /** @param {string} name of a call that tells bytes @param {...number} values */

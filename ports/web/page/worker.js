@@ -18,13 +18,14 @@ const requests = {
 
   /**
    * Opens a volume or a stream in place of what is open; if that fails, this stays.
-   * @param {{files: File[], layout?: import('./formats/raw.js').RawLayout}} request
+   * @param {{files: File[], layout?: import('./formats/raw.js').RawLayout,
+   *   choice?: {scan: number, channel: number}}} request choice: which surface of a stream
    */
-  async open({ files, layout }) {
+  async open({ files, layout, choice }) {
     const { name, info, data } = await openFiles(files, layout);
     const opened = await Module.start(moduleBytes);
     const result = await (info
-      ? openVolume(opened, name, info, data) : openStream(opened, name, data));
+      ? openVolume(opened, name, info, data) : openStream(opened, name, data, choice));
     module = opened;
     return result;
   },
@@ -55,7 +56,10 @@ const requests = {
   /** What has arrived so far. @param {{isEnd: boolean, hasEdges: boolean}} request */
   arrived({ isEnd, hasEdges }) {
     const stream = isEnd ? module.endStream() : module.streamState();
-    return { stream, surface: stream.hasHeader ? drawn(hasEdges, false) : null };
+    return {
+      stream, surfaces: module.streamSurfaces(),
+      surface: stream.hasHeader ? drawn(hasEdges, false) : null,
+    };
   },
 
   classic() {
@@ -105,15 +109,18 @@ async function openVolume(opened, name, info, data) {
   return { name, info, values };
 }
 
-/** @param {Module} opened @param {string} name @param {import('./formats/bytes.js').ByteSource} data */
-async function openStream(opened, name, data) {
-  opened.newStream();
+/**
+ * @param {Module} opened @param {string} name @param {import('./formats/bytes.js').ByteSource} data
+ * @param {{scan: number, channel: number}} [choice]
+ */
+async function openStream(opened, name, data, choice) {
+  opened.newStream(choice);
   for (let piece = await data.next(); piece; piece = await data.next()) opened.pushStream(piece);
   const stream = opened.endStream();
   if (!stream.hasHeader)
     throw new FileError(name, `no header of a discmc stream in ${stream.bytes} bytes`,
-      'check whether this is a stream of version 2 (.dmc); discmc decode reads those of version 1');
-  return { name, stream };
+      'check whether this is a stream (.dmc)');
+  return { name, stream, surfaces: opened.streamSurfaces() };
 }
 
 /** @param {boolean} hasEdges @param {boolean} isSmooth */
