@@ -1,4 +1,5 @@
 // The page in Chromium, without a network.
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
 
@@ -72,4 +73,19 @@ export const now = (page) => page.evaluate(() => performance.now());
 export async function saved(page, kind) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${kind}]`)]);
   return { name: download.suggestedFilename(), path: await download.path() };
+}
+
+/** The picture as the page saves it: red, green, blue and opacity of each pixel. */
+export async function pixelsOf(page) {
+  const picture = readFileSync((await saved(page, 'png')).path).toString('base64');
+  const pixels = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes]));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    return Array.from({ length: data.length / 32768 + 1 }, (_, i) =>
+      String.fromCharCode(...data.subarray(32768 * i, 32768 * (i + 1)))).join('');
+  }, picture);
+  return Buffer.from(pixels, 'latin1');
 }

@@ -4,7 +4,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { axe, openFiles, openPage, saved, startBrowser } from './browser.js';
+import { axe, openFiles, openPage, pixelsOf, saved, startBrowser } from './browser.js';
 import { command, polygonsByCommand, turned, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -20,6 +20,15 @@ after(() => browser.close());
 const shownPolygons = async (page) => turned(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
 const streamTells = (page, words) => page.waitForFunction((wanted) =>
   document.querySelector('#stream-text').textContent.startsWith(wanted), words);
+
+/** How many pixels of the picture are of the colour of what is missing. */
+async function vermilion(page) {
+  const pixels = await pixelsOf(page);
+  let count = 0;
+  for (let i = 0; i < pixels.length; i += 4)
+    if (pixels[i] === 0xd5 && pixels[i + 1] === 0x5e && pixels[i + 2] === 0) ++count;
+  return count;
+}
 const count = async (page) => Number((await page.textContent('#polygons')).replace(',', ''));
 
 test('a stream is replayed at the pace of its line, and is the same in the end', async () => {
@@ -59,6 +68,16 @@ test('what is lost is told, and what is whole is shown', async () => {
   const shown = (await shownPolygons(page)).split('\n').filter(Boolean);
   assert.ok(shown.length > 0 && shown.length < whole.size);
   for (const polygon of shown) assert.ok(whole.has(polygon), polygon);
+  assert.match(await page.textContent('#missing-text'), /^Missing in slices \d/);
+  const outline = await vermilion(page);
+  await page.uncheck('#missing');
+  assert.ok(outline > 100, `${outline} pixels`);
+  assert.equal(await vermilion(page), 0);
+  await page.addScriptTag({ path: axe });
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  assert.deepEqual(violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)), []);
+  await openFiles(page, stream);
+  assert.ok(await page.isHidden('#missing-row'), 'of a whole stream nothing is missing');
   assert.deepEqual(complaints, []);
   await page.context().close();
 });

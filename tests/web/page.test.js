@@ -7,7 +7,7 @@ import { deflateSync } from 'node:zlib';
 import { facing } from '../../ports/web/page/facing.js';
 import { planesOf } from '../../ports/web/page/light.js';
 import { nrrdOf, roughBall } from './ball.js';
-import { axe, now, openFiles, openPage, rested, saved, shown, startBrowser } from './browser.js';
+import { axe, now, openFiles, openPage, pixelsOf, rested, saved, shown, startBrowser } from './browser.js';
 import { command, polygonsByCommand, sorted, turned, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -216,21 +216,6 @@ test('every switch of the view works without complaint', async () => {
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
-
-/** The picture as the page saves it: red, green, blue and opacity of each pixel. */
-async function pixelsOf(page) {
-  const picture = readFileSync((await saved(page, 'png')).path).toString('base64');
-  const pixels = await page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const image = await createImageBitmap(new Blob([bytes]));
-    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-    context.drawImage(image, 0, 0);
-    const { data } = context.getImageData(0, 0, image.width, image.height);
-    return Array.from({ length: data.length / 32768 + 1 }, (_, i) =>
-      String.fromCharCode(...data.subarray(32768 * i, 32768 * (i + 1)))).join('');
-  }, picture);
-  return Buffer.from(pixels, 'latin1');
-}
 
 /** The mean colour of what is drawn. */
 async function colourOf(page) {

@@ -14,6 +14,7 @@
 #include "gradient.hpp"
 #include "measured.hpp"
 #include "memory_volume.hpp"
+#include "missing.hpp"
 #include "stream_surface.hpp"
 #include "streams/spacing.hpp"
 #include "sweep.hpp"
@@ -48,6 +49,8 @@ const double* numbers(Numbers... each) {
 struct State {
   std::unique_ptr<MemoryVolume> volume;
   std::unique_ptr<StreamSurface> stream;
+  std::vector<MissingLine> missing_lines;
+  std::vector<SliceRange> missing_slices;
   double iso = 0;
   VoxelBits bits;
   Sweep sweep;
@@ -243,6 +246,18 @@ EXPORT(push_stream) void push_stream(const std::uint8_t* bytes, std::size_t coun
 }
 EXPORT(end_stream) void end_stream() {
   state().stream->finish();
+}
+/// Looks for what of it is missing.
+EXPORT(find_missing) void find_missing(std::uint32_t is_end) {
+  const Missing missing = state().stream->missing(is_end != 0);
+  state().missing_lines = missing.lines();
+  state().missing_slices = missing.slices();
+}
+EXPORT(missing_lines) const Bytes* missing_lines() {
+  return bytes_of(state().missing_lines);
+}
+EXPORT(missing_slices) const Bytes* missing_slices() {
+  return bytes_of(state().missing_slices);
 }
 /// Returns what is known of the stream so far: see page/module.js.
 EXPORT(stream_state) const double* stream_state() {

@@ -3,7 +3,42 @@
 namespace discmc::web {
 
 StreamSurface::StreamSurface(const host::StreamChoice& choice)
-    : joiner_(sink_to(builder_)), reader_(sink_to(joiner_), choice) {}
+    : joiner_(sink_to(builder_)), reader_(sink_to(*this), choice) {}
+
+Answer StreamSurface::take(const Event& event) {
+  if (event.kind == Event::Kind::skipped) note_skipped(event.slice, event.row);
+  return joiner_.take(event);
+}
+
+// Rows of a slice that follow each other are one, and so are slices that follow each other.
+void StreamSurface::note_skipped(std::uint32_t slice, std::uint32_t row) {
+  constexpr std::size_t most = std::size_t{1} << 16;
+  if (!rows_.empty() && rows_.back().slices.last == slice && rows_.back().last_row + 1 == row)
+    rows_.back().last_row = row;
+  else if (rows_.size() < most)
+    rows_.push_back({{slice, slice}, row, row});
+  else
+    return;
+  if (rows_.size() < 2) return;
+  const MissingRows& last = rows_.back();
+  MissingRows& before = rows_[rows_.size() - 2];
+  const bool is_more_of_it = before.slices.last + 1 == slice && before.first_row == 0 &&
+                             last.first_row == 0 && before.last_row == last.last_row &&
+                             last.last_row + 1 == reader_.header().height;
+  if (!is_more_of_it) return;
+  before.slices.last = slice;
+  rows_.pop_back();
+}
+
+Missing StreamSurface::missing(bool is_end) const {
+  StreamHeader header = reader_.header();
+  const StreamReport told = report();
+  if (told.has_trailer) header.depth = told.slices;
+  Missing missing(header);
+  missing.add_rows(rows_);
+  if (is_end && !told.is_complete()) missing.add_open_links(polygons());
+  return missing;
+}
 
 void StreamSurface::finish() {
   reader_.finish();

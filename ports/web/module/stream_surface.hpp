@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "missing.hpp"
 #include "streams/stream_file.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
@@ -19,6 +20,7 @@ class StreamSurface {
   StreamSurface(const StreamSurface&) = delete;
   StreamSurface& operator=(const StreamSurface&) = delete;
 
+  Answer take(const Event& event);
   /// Throws as StreamReader::push().
   void push(const std::uint8_t* bytes, std::size_t count) { reader_.push(bytes, count); }
   /// Limit: the last call. Throws as StreamReader::finish().
@@ -28,11 +30,16 @@ class StreamSurface {
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
   const std::vector<host::Polygon>& polygons() const { return builder_.surface().polygons; }
+  /// Where rows never came, and at the end, after finish(), where polygons are missing.
+  Missing missing(bool is_end) const;
 
  private:
+  void note_skipped(std::uint32_t slice, std::uint32_t row);
+
   host::SurfaceBuilder builder_;
   host::GrowingJoiner joiner_;
   host::StreamReader reader_;
+  std::vector<MissingRows> rows_;  // the first of those that are skipped
 };
 
 }  // namespace discmc::web

@@ -9,6 +9,7 @@ import { navigate } from './navigation.js';
 import { DevicePanel } from './panels/device_panel.js';
 import { LivePanel } from './panels/live_panel.js';
 import { MeasurePanel } from './panels/measure_panel.js';
+import { MissingPanel } from './panels/missing_panel.js';
 import { askLayout } from './panels/raw_dialog.js';
 import { SavePanel } from './panels/save_panel.js';
 import { SlicePanel } from './panels/slice_panel.js';
@@ -34,6 +35,7 @@ class Page {
     this.choice = new SurfaceChoice((choice) =>
       this.open([new File([/** @type {Blob} */ (this.live.recorded)], this.opened.name)], { choice }));
     this.measure = new MeasurePanel(view);
+    this.missing = new MissingPanel(view);
     this.save = new SavePanel(engine, view, () => this.stem(), () => this.live.recorded);
     this.surfaces = new Newest((request) => engine.call('surface', request),
       (surface) => this.showSurface(surface), fail);
@@ -118,11 +120,12 @@ class Page {
   }
 
   /** @param {any} result @param {import('./panels/surface_choice.js').Choice} [choice] */
-  async showStream({ name, stream, surfaces }, choice) {
+  async showStream({ name, stream, surfaces, missing }, choice) {
     this.opened = { name, dims: stream.dims, spacing: stream.spacing };
     this.choice.show(surfaces, choice);
     this.showOpened(stream.isComplete && stream.isClosed);
     this.tellStream(stream);
+    this.missing.show(missing);
     await this.redrawStream();
   }
 
@@ -130,7 +133,7 @@ class Page {
    * What of a stream has arrived so far.
    * @param {string} name @param {any} arrived @param {boolean} isFirst @param {boolean} isEnd
    */
-  showArrived(name, { stream, surface, surfaces }, isFirst, isEnd) {
+  showArrived(name, { stream, surface, surfaces, missing }, isFirst, isEnd) {
     this.choice.show(isEnd ? surfaces : []);
     if (isFirst || (isEnd && stream.dims[2] !== this.opened.dims[2])) {
       const [width, height, depth] = stream.dims; // it may be told at the end alone
@@ -139,6 +142,7 @@ class Page {
       this.showOpened(stream.isComplete && stream.isClosed, true);
     }
     this.view.setSurface(surface);
+    this.missing.show(missing);
     if (isEnd) return this.tellStream(stream);
     const lost = stream.lostPackets > 0 ? `, ${whole(stream.lostPackets)} packets lost` : '';
     by('stream-text').textContent = `Arriving: ${whole(stream.bytes)} bytes${lost}.`;
@@ -174,6 +178,7 @@ class Page {
     by('side').hidden = false;
     this.measure.clear();
     this.view.setClassic(null);
+    this.view.setMissing(null);
     by('caption-classic').hidden = true;
     this.view.setSpace(dims, spacing, isClosed, isGrowing);
     this.slice.open(this.opened);

@@ -127,6 +127,18 @@ export class Module {
     this.call('end_stream');
     return this.streamState();
   }
+  /**
+   * What of it is missing: lines around that, six numbers of 16 bits each, in half-steps, and the
+   * slices from the first to the last of each part.
+   * @param {boolean} isEnd whether no more comes
+   */
+  missing(isEnd) {
+    this.call('find_missing', isEnd ? 1 : 0);
+    const bounds = new Uint32Array(this.copy('missing_slices').buffer);
+    const slices = [];
+    for (let i = 0; i < bounds.length; i += 2) slices.push([bounds[i], bounds[i + 1]]);
+    return { lines: this.copy('missing_lines'), slices };
+  }
   /** What is known of it so far. */
   streamState() {
     const list = this.numbersAt(this.call('stream_state'), 18);

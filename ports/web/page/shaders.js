@@ -157,6 +157,27 @@ void main() {
 export const edgeVertex = lines(` * ${vertexUnit}.0`);
 export const lineVertex = lines(' * toPlace');
 
+/**
+ * Of lines of some width, each a strip of two triangles: `corner` tells which end of it, and on
+ * which side. In half-steps.
+ */
+export const wideLineVertex = `#version 300 es
+precision highp float;
+in vec2 corner;            // 0 or 1; -1 or 1
+in vec3 from, to;
+uniform mat4 toClip;
+uniform vec2 halfWidth;    // in shares of half the picture
+out vec3 place;
+void main() {
+  vec4 a = toClip * vec4(from, 1.0), b = toClip * vec4(to, 1.0);
+  vec2 way = (b.xy / b.w - a.xy / a.w) / halfWidth;
+  vec2 along = dot(way, way) > 0.0 ? normalize(way) : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x) * corner.y + along * (2.0 * corner.x - 1.0);
+  place = mix(from, to, corner.x);
+  gl_Position = mix(a, b, corner.x);
+  gl_Position.xy += across * halfWidth * gl_Position.w;
+}`;
+
 export const lineFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
 ${cutting(isOpen)}

@@ -14,6 +14,7 @@ const noTints = tints.map(() => [1, 1, 1]);
 
 const nowhere = [0, 0, 0, 1]; // a cut beyond which nothing lies
 const finest = 2; // pixels of the picture to one of the page
+const missingWidth = 2; // of lines, in pixels of the page
 const restful = 250; // milliseconds without a change until the picture is made finer
 
 export class SurfaceView {
@@ -36,6 +37,7 @@ export class SurfaceView {
     /** @type {Mesh | null} */ this.classic = null;
     /** @type {Mesh | null} */ this.classicEdges = null;
     /** @type {Mesh | null} */ this.marks = null;
+    /** @type {Mesh | null} */ this.missing = null;
     this.programs = this.makePrograms();
     this.setSpace([1, 1, 1], [1, 1, 1], true);
     new ResizeObserver(() => this.draw()).observe(canvas);
@@ -62,7 +64,15 @@ export class SurfaceView {
       new Program(this.gl, { vertex, fragment, cullFace: false, ...options,
         uniforms: { ...this.uniforms, ...uniforms } });
     const dark = { line: this.edgeLine };
+    this.halfWidth = { value: [1, 1] };
+    const faintly = { line: { value: [...palette.rgb(palette.vermilion), 0.4] } };
     const marking = { line: { value: [...palette.rgb(palette.vermilion), 1] } };
+    const hidden = (/** @type {boolean} */ isOpen) => {
+      const lines = program(shaders.wideLineVertex, shaders.lineFragment(isOpen),
+        { ...faintly, halfWidth: this.halfWidth }, { transparent: true, depthTest: false });
+      lines.setBlendFunc(this.gl.ONE, this.gl.ONE_MINUS_SRC_ALPHA);
+      return lines;
+    };
     const programsFor = (/** @type {boolean} */ isOpen) => ({
       flat: program(shaders.flatVertex(isOpen), shaders.flatFragment(isOpen)),
       smooth: program(shaders.smoothVertex, shaders.smoothFragment(isOpen)),
@@ -70,6 +80,9 @@ export class SurfaceView {
       edges: program(shaders.edgeVertex, shaders.lineFragment(isOpen), dark, { transparent: true }),
       classicEdges: program(shaders.lineVertex, shaders.lineFragment(isOpen), dark,
         { transparent: true }),
+      missing: program(shaders.wideLineVertex, shaders.lineFragment(isOpen),
+        { ...marking, halfWidth: this.halfWidth }),
+      hiddenMissing: hidden(isOpen),
       marks: program(shaders.lineVertex, shaders.lineFragment(false), marking,
         { depthTest: false }),
     });
@@ -166,6 +179,25 @@ export class SurfaceView {
   setColouring(colouring) {
     this.uniforms.bases.value = [plainBases, kindBases, whiteBases][colouring];
     this.uniforms.tints.value = colouring === 2 ? tints : noTints;
+    this.draw();
+  }
+
+  /**
+   * Lines around what is missing; faint where the surface hides them.
+   * @param {Uint8Array | null} lines as Module.missing() has them
+   */
+  setMissing(lines) {
+    this.removed(this.missing);
+    this.missing = null;
+    if (lines?.length) {
+      const gl = this.gl;
+      const corner = { data: new Float32Array([0, -1, 0, 1, 1, -1, 1, 1]), size: 2 };
+      const numbers = { data: new Int16Array(lines.buffer), size: 3, type: gl.SHORT, stride: 12,
+        instanced: 1 };
+      const geometry = new Geometry(gl, { corner, from: { ...numbers, offset: 0 },
+        to: { ...numbers, offset: 6 } });
+      this.missing = this.mesh(geometry, gl.TRIANGLE_STRIP, this.spacing.map((step) => step / 2));
+    }
     this.draw();
   }
 
@@ -290,6 +322,9 @@ export class SurfaceView {
     const pixels = Math.min(part, height) / scale / this.camera.millimetres();
     this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * Math.min(...this.spacing.map(Math.abs)));
     if (this.hasEdges) show(this.edges, programs.edges);
+    this.halfWidth.value = [missingWidth / part, missingWidth / height].map((width) => width * scale);
+    show(this.missing, programs.hiddenMissing);
+    show(this.missing, programs.missing);
     show(this.marks, programs.marks);
     if (!this.classic) return;
     gl.viewport(part, 0, part, height);

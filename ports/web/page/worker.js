@@ -56,10 +56,9 @@ const requests = {
   /** What has arrived so far. @param {{isEnd: boolean, hasEdges: boolean}} request */
   arrived({ isEnd, hasEdges }) {
     const stream = isEnd ? module.endStream() : module.streamState();
-    return {
-      stream, surfaces: module.streamSurfaces(),
-      surface: stream.hasHeader ? drawn(hasEdges, false) : null,
-    };
+    const surfaces = module.streamSurfaces();
+    if (!stream.hasHeader) return { stream, surfaces, surface: null };
+    return { stream, surfaces, surface: drawn(hasEdges, false), missing: module.missing(isEnd) };
   },
 
   classic() {
@@ -120,7 +119,7 @@ async function openStream(opened, name, data, choice) {
   if (!stream.hasHeader)
     throw new FileError(name, `no header of a discmc stream in ${stream.bytes} bytes`,
       'check whether this is a stream (.dmc)');
-  return { name, stream, surfaces: opened.streamSurfaces() };
+  return { name, stream, surfaces: opened.streamSurfaces(), missing: opened.missing(true) };
 }
 
 /** @param {boolean} hasEdges @param {boolean} isSmooth */
