@@ -1,6 +1,6 @@
 // The readers of the page read what those of the command read, or refuse it with a reason.
 import assert from 'node:assert/strict';
-import { readdirSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { openFiles } from '../../ports/web/page/formats/volume_file.js';
@@ -60,6 +60,26 @@ test('sizes beyond memory are refused before anything is allocated', async () =>
   writeFileSync(path, nrrdOf({ dims: [16000, 16000, 16000], spacing: [1, 1, 1], samples: new Int16Array(9) }));
   await assert.rejects(openVolume(path), /16000 x 16000 x 16000 voxels are .* MiB; .*at most 1,024 MiB; .*--shrink/);
 });
+
+const aNifti = readFileSync(join(volumes, 'nifti1', 'i16-little.nii'));
+const changed = (change) => {
+  const bytes = Buffer.from(aNifti);
+  change(bytes);
+  return bytes;
+};
+const wrongHeaders = {
+  'lines.nrrd': [nrrdOf(roughBall(8, 8, 8), 'line skip: 1e999\n'), /of Infinity lines .* are there; correct/],
+  'short.npy': [Buffer.from('\x93NUMPY', 'latin1'), /cut off; save/],
+  'half.npy': [Buffer.from("\x93NUMPY\x01\0\x40\0{'descr': '<f2', 'shape': (1, 1, 1), }", 'latin1'), /not of numbers; save/],
+  'none.nii': [changed((bytes) => bytes.writeInt16LE(0, 40)), /gives 0 dimensions; correct/],
+  'nowhere.nii': [changed((bytes) => bytes.writeFloatLE(NaN, 108)), /vox_offset is NaN; correct/],
+};
+for (const [name, [bytes, message]] of Object.entries(wrongHeaders))
+  test(`${name} is refused for what its header says`, { timeout: 10000 }, async () => {
+    const path = join(folder, name);
+    writeFileSync(path, bytes);
+    await assert.rejects(openVolume(path), message);
+  });
 
 test('a volume that is cut off says how much is missing', async () => {
   const path = join(folder, 'cut.nrrd');

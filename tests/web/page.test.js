@@ -118,6 +118,72 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   await page.context().close();
 });
 
+test('what is asked of a volume is dropped where a stream is opened meanwhile', async () => {
+  const { page, complaints } = await openPage(browser);
+  const stream = join(folder, 'after.dmc');
+  command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
+  await openFiles(page, volume);
+  await page.check('#classic');
+  await page.evaluate(() => { // the slider moves on while the stream is read
+    const slider = document.querySelector('#threshold');
+    let value = 100;
+    globalThis.drag = setInterval(() => {
+      slider.value = value = 100 + ((value + 37) % 500);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    }, 5);
+  });
+  await page.setInputFiles('#files', stream);
+  await page.waitForFunction(() => /^Complete/.test(document.querySelector('#stream-text').textContent));
+  await page.waitForTimeout(600); // longer than what need not follow a slider at once
+  await page.evaluate(() => clearInterval(globalThis.drag));
+  assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));
+  assert.ok(await page.isHidden('#caption-classic'), 'no Marching Cubes of the volume beside the stream');
+  const { path } = await saved(page, 'dmc');
+  assert.deepEqual(readFileSync(path), readFileSync(stream));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('of a volume and a stream that are opened at once the last is shown and saved', async () => {
+  const { page, complaints } = await openPage(browser);
+  const stream = join(folder, 'first.dmc');
+  command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
+  await page.setInputFiles('#files', stream);
+  await page.setInputFiles('#files', volume);
+  await page.waitForFunction(() => /bytes/.test(document.querySelector('#device-regions').textContent));
+  assert.equal((await saved(page, 'dmc')).name.replace(/-[-\d.]+dmc$/, ''), 'ball');
+  await page.setInputFiles('#files', volume);
+  await page.setInputFiles('#files', stream);
+  await page.waitForFunction(() => /^first/.test(document.querySelector('#file-name').textContent));
+  await page.waitForTimeout(600);
+  assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));
+  const { path } = await saved(page, 'dmc');
+  assert.deepEqual(readFileSync(path), readFileSync(stream));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('a graphics card that forgets all shows the same once it is back', async () => {
+  const { page, complaints } = await openPage(browser);
+  await openFiles(page, volume);
+  await page.check('#edges');
+  await page.check('#classic');
+  await page.waitForSelector('#caption-classic:not([hidden])');
+  await rested(page, await now(page));
+  const picture = () => page.locator('#view').screenshot();
+  const before = await picture();
+  await page.evaluate(() => {
+    const card = document.querySelector('#view').getContext('webgl2').getExtension('WEBGL_lose_context');
+    card.loseContext();
+    setTimeout(() => card.restoreContext(), 300);
+  });
+  await page.waitForTimeout(300);
+  await rested(page, await now(page));
+  assert.ok(before.equals(await picture()));
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
 test('of a stream with several surfaces each can be chosen', async () => {
   const { page, complaints } = await openPage(browser);
   const path = join(folder, 'several.dmc');

@@ -2,10 +2,12 @@
 
 /** An answer of the worker that is none: its message is for the user. */
 export class EngineError extends Error {
-  /** @param {{message?: string, unknownLayout?: {name: string, size: number}}} answer */
+  /** @param {{message?: string, isStale?: boolean, unknownLayout?: {name: string, size: number}}} answer */
   constructor(answer) {
     super(answer.message ?? '');
     this.unknownLayout = answer.unknownLayout;
+    /** Something else was opened meanwhile: there is nothing to tell. */
+    this.isStale = answer.isStale;
   }
 }
 
@@ -17,7 +19,9 @@ export class Engine {
     /** @type {Map<number, {resolve: (result: any) => void, reject: (error: Error) => void}>} */
     this.waiting = new Map();
     this.count = 0;
-    this.worker.onmessage = ({ data: { id, result, error } }) => {
+    this.opened = 0; // what requests are about, as the worker counts it
+    this.worker.onmessage = ({ data: { id, opened, result, error } }) => {
+      this.opened = opened;
       const call = this.waiting.get(id);
       this.waiting.delete(id);
       if (error) call?.reject(new EngineError(error));
@@ -31,7 +35,7 @@ export class Engine {
     return new Promise((resolve, reject) => {
       const id = ++this.count;
       this.waiting.set(id, { resolve, reject });
-      this.worker.postMessage({ id, call, ...request });
+      this.worker.postMessage({ id, call, opened: this.opened, ...request });
     });
   }
 }

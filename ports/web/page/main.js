@@ -36,7 +36,8 @@ class Page {
       this.open([new File([/** @type {Blob} */ (this.live.recorded)], this.opened.name)], { choice }));
     this.measure = new MeasurePanel(view);
     this.missing = new MissingPanel(view);
-    this.save = new SavePanel(engine, view, () => this.stem(), () => this.live.recorded);
+    this.save = new SavePanel(engine, view, () => this.stem(),
+      () => (this.opened.values ? null : this.live.stream()));
     this.surfaces = new Newest((request) => engine.call('surface', request),
       (surface) => this.showSurface(surface), fail);
     this.classics = new Newest(() => engine.call('classic'),
@@ -86,9 +87,9 @@ class Page {
     this.live.leave();
     try {
       const opened = await this.engine.call('open', { files, layout, choice });
+      this.live.open(opened.name, opened.info ? null : files[0]);
       if (opened.info) this.showVolume(opened, iso);
       else await this.showStream(opened, choice);
-      this.live.open(opened.name, opened.info ? null : files[0]);
     } catch (error) {
       const unknown = error instanceof EngineError && error.unknownLayout;
       if (!unknown) return fail(/** @type {Error} */ (error));
@@ -165,6 +166,7 @@ class Page {
    * @param {boolean} [isGrowing] whether more will arrive
    */
   showOpened(isClosed, isGrowing) {
+    clearTimeout(this.settling);
     const { name, dims, spacing, values } = this.opened;
     for (const id of ['threshold-section', 'slice-section', 'device-section', 'smooth-row',
       'classic-row', 'time', 'time-name'])

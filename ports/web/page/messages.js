@@ -14,8 +14,9 @@ export function tellBusy(text) {
   by('busy').textContent = text;
   by('busy').hidden = text === '';
 }
-/** @param {Error} error */
+/** @param {Error & {isStale?: boolean}} error */
 export function fail(error) {
+  if (error.isStale) return;
   tellBusy('');
   tellError(error.message);
 }

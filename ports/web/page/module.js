@@ -19,6 +19,7 @@ export class Module {
     });
     module.exports = /** @type {any} */ (instance.exports);
     module.exports._initialize();
+    module.hasVolume = false;
     module.stack = module.exports.__stack_pointer.value;
     return module;
   }
@@ -49,6 +50,7 @@ export class Module {
   newVolume(info, type, bytes) {
     const at = this.call('new_volume', type, ...info.dims, ...info.spacing, info.slope,
       info.intercept, info.isInHounsfield ? 1 : 0);
+    this.hasVolume = true;
     return new Uint8Array(this.exports.memory.buffer, at >>> 0, bytes);
   }
 

@@ -21,9 +21,7 @@ export class SurfaceView {
   /** Throws where the browser has no WebGL 2. @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new Renderer({ canvas, webgl: 2, antialias: false, alpha: true });
-    canvas.style.width = canvas.style.height = ''; // the style sheet's
-    this.gl = this.renderer.gl;
+    this.start();
     if (!this.renderer.isWebgl2) throw new Error('This browser has no WebGL 2.');
     this.camera = new Camera(this.gl);
     this.isDue = false;
@@ -39,13 +37,35 @@ export class SurfaceView {
     /** @type {Mesh | null} */ this.marks = null;
     /** @type {Mesh | null} */ this.missing = null;
     this.programs = this.makePrograms();
+    // Else it would be lost for good.
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => this.restore());
     this.setSpace([1, 1, 1], [1, 1, 1], true);
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
+  start() {
+    const { canvas } = this;
+    this.renderer = new Renderer({ canvas, webgl: 2, antialias: false, alpha: true });
+    canvas.style.width = canvas.style.height = ''; // the style sheet's
+    this.gl = this.renderer.gl;
+  }
+
+  /** The graphics card has forgotten all that it had, as after sleep or a new driver. */
+  restore() {
+    this.start();
+    this.programs = this.makePrograms();
+    // What there was is not removed: it is no more.
+    this.surface = this.edges = this.classic = this.classicEdges = this.marks = this.missing = null;
+    this.next ??= this.shown;
+    this.setClassic(this.shownClassic);
+    this.setMarks(this.shownMarks);
+    this.setMissing(this.shownMissing);
+  }
+
   makePrograms() {
     /** Of all programs; see shaders.js. */
-    this.uniforms = {
+    this.uniforms ??= {
       toClip: { value: new Mat4() },
       toView: { value: new Array(9).fill(0) },
       cut: { value: nowhere },
@@ -105,7 +125,7 @@ export class SurfaceView {
     this.centre = dims.map((extent, i) => ((extent - 1) / 2) * spacing[i]);
     this.camera.depth = Math.hypot(...dims.map((extent, i) => extent * spacing[i]));
     this.removed(this.surface, this.edges);
-    this.surface = this.edges = this.vertices = null;
+    this.surface = this.edges = this.vertices = this.shown = null;
     this.home();
   }
 
@@ -131,7 +151,8 @@ export class SurfaceView {
   }
 
   /** @param {any} surface */
-  upload({ vertices, triangles, triangleEnds, edges, normals }) {
+  upload(surface) {
+    const { vertices, triangles, triangleEnds, edges, normals } = (this.shown = surface);
     this.removed(this.surface, this.edges);
     this.vertices = new Int16Array(vertices.buffer);
     this.triangles = new Uint32Array(triangles.buffer);
@@ -155,6 +176,7 @@ export class SurfaceView {
 
   /** @param {{vertices: Uint8Array, triangles: Uint8Array} | null} classic */
   setClassic(classic) {
+    this.shownClassic = classic;
     this.removed(this.classic, this.classicEdges);
     this.classic = this.classicEdges = null;
     if (classic) {
@@ -187,6 +209,7 @@ export class SurfaceView {
    * @param {Uint8Array | null} lines as Module.missing() has them
    */
   setMissing(lines) {
+    this.shownMissing = lines;
     this.removed(this.missing);
     this.missing = null;
     if (lines?.length) {
@@ -203,6 +226,7 @@ export class SurfaceView {
 
   /** Lines between points, over all. @param {number[][]} points in millimetres of the volume */
   setMarks(points) {
+    this.shownMarks = points;
     this.removed(this.marks);
     this.marks = null;
     if (points.length > 0) {
@@ -238,6 +262,7 @@ export class SurfaceView {
 
   // The next picture waits until the graphics card is done with this one: so none queues up.
   async drawAndWait() {
+    if (this.gl.isContextLost()) return; // restore() draws
     this.isDrawing = true;
     const begin = performance.now();
     const { isFinal } = this;
@@ -265,10 +290,11 @@ export class SurfaceView {
     const gl = this.gl;
     const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    const pending = () => gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.UNSIGNALED;
+    const pending = () => !gl.isContextLost() &&
+      gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.UNSIGNALED;
     // A task of its own each time: the browser tells news of the card between tasks.
     do await new Promise((resolve) => setTimeout(resolve, 1));
-    while (pending() && !gl.isContextLost());
+    while (pending());
     gl.deleteSync(sync);
   }
 

@@ -8,6 +8,10 @@ import { Module } from './module.js';
 let moduleBytes;
 /** @type {Module} */
 let module;
+let count = 0; // of what was opened, one after the other
+
+const opening = ['start', 'open', 'listen'];
+const ofVolumes = ['surface', 'classic', 'picture', 'scan', 'stream'];
 
 const requests = {
   /** @param {{bytes: BufferSource}} request */
@@ -27,6 +31,7 @@ const requests = {
     const result = await (info
       ? openVolume(opened, name, info, data) : openStream(opened, name, data, choice));
     module = opened;
+    ++count;
     return result;
   },
 
@@ -46,6 +51,7 @@ const requests = {
   async listen() {
     module = await Module.start(moduleBytes);
     module.newStream();
+    ++count;
   },
 
   /** @param {{bytes: Uint8Array}} request */
@@ -122,6 +128,15 @@ async function openStream(opened, name, data, choice) {
   return { name, stream, surfaces: opened.streamSurfaces(), missing: opened.missing(true) };
 }
 
+/**
+ * Whether a request is about what is open no more.
+ * @param {string} call @param {number} opened what was open as it was made
+ */
+function isStale(call, opened) {
+  return !opening.includes(call) &&
+    (opened !== count || (ofVolumes.includes(call) && !module.hasVolume));
+}
+
 /** @param {boolean} hasEdges @param {boolean} isSmooth */
 function drawn(hasEdges, isSmooth) {
   const surface = module.draw();
@@ -152,14 +167,15 @@ function asAnswer(error, file) {
 
 let openName = 'discmc';
 let turn = Promise.resolve();
-self.onmessage = ({ data: { id, call, ...request } }) => {
+self.onmessage = ({ data: { id, call, opened, ...request } }) => {
   turn = turn.then(async () => {
     if (call === 'open') openName = request.files[0].name;
     try {
+      if (isStale(call, opened)) return self.postMessage({ id, opened: count, error: { isStale: true } });
       const result = await /** @type {any} */ (requests)[call](request);
-      self.postMessage({ id, result }, { transfer: transferables(result) });
+      self.postMessage({ id, opened: count, result }, { transfer: transferables(result) });
     } catch (error) {
-      self.postMessage({ id, error: asAnswer(error, openName) });
+      self.postMessage({ id, opened: count, error: asAnswer(error, openName) });
     }
   });
 };

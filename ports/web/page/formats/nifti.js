@@ -42,6 +42,11 @@ export async function readNifti(name, source, others) {
   if (further.some((size) => size > 1))
     throw new FileError(name, `it holds ${further.reduce((a, b) => a * b, 1)} volumes`,
       'give one of them');
+  const dimensions = header.dim[0];
+  if (dimensions < 1 || dimensions > 7)
+    throw new FileError(name, `the header gives ${dimensions} dimensions`, 'correct dim[0]');
+  if (!(header.offset >= 0 && Number.isFinite(header.offset)))
+    throw new FileError(name, `vox_offset is ${header.offset}`, 'correct the header');
   const isScaled = header.slope !== 0 && Number.isFinite(header.slope) && header.slope > 0;
   const info = {
     format: `NIfTI-${kind.version}`,
@@ -55,7 +60,7 @@ export async function readNifti(name, source, others) {
   };
   const isPair = asText(head.subarray(kind.version === 1 ? 344 : 4)).startsWith('ni');
   const data = isPair ? await others(name.replace(/\.hdr(\.gz)?$/i, '.img$1')) : source;
-  await data.skip(isPair ? header.offset : Math.max(header.offset, sizes[kind.version]));
+  await data.skip(isPair ? header.offset : Math.max(header.offset, sizes[kind.version] + 4));
   return { info, data };
 }
 

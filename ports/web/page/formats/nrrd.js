@@ -61,7 +61,7 @@ export async function readNrrd(name, source, others) {
   } else {
     await source.skip((end?.index ?? 0) + (end?.[0].length ?? 0));
   }
-  await skipLines(data, Number(fields.get('line skip') ?? 0));
+  await skipLines(name, data, Number(fields.get('line skip') ?? 0));
   const encoding = needed('encoding').toLowerCase();
   if (encoding === 'gzip' || encoding === 'gz') data = await unpacked(data);
   else if (encoding !== 'raw')
@@ -98,10 +98,13 @@ function spacingFrom(fields) {
   return spacingOf(axes.map((axis) => Math.hypot(...axis)), axes);
 }
 
-/** @param {import('./bytes.js').ByteSource} data @param {number} lines */
-async function skipLines(data, lines) {
-  for (; lines > 0; --lines) {
+/** @param {string} name @param {import('./bytes.js').ByteSource} data @param {number} lines */
+async function skipLines(name, data, lines) {
+  for (let skipped = 0; skipped < lines; ++skipped) {
     const end = (await data.peek(longestHeader)).indexOf(10);
+    if (end < 0)
+      throw new FileError(name, `of ${lines} lines to skip only ${skipped} are there`,
+        'correct the line skip in the header');
     await data.skip(end + 1);
   }
 }

@@ -35,6 +35,11 @@ export class LivePanel {
     by('replay-row').hidden = stream === null;
   }
 
+  /** The stream that is open; while it arrives, what is here of it. @returns {Blob} */
+  stream() {
+    return this.recorded ?? new Blob(this.listener.pieces);
+  }
+
   /** Something else is opened. */
   leave() {
     this.listener.leave();
@@ -64,10 +69,15 @@ export class LivePanel {
   async replay() {
     if (!this.recorded) return;
     this.leave();
-    const bytes = new Uint8Array(await this.recorded.arrayBuffer());
     const stopping = (this.stopping = new AbortController());
-    await this.hear(this.name, replayed(bytes, Number(by('replay-baud').value),
-      Number(by('replay-lost').value), stopping.signal), this.recorded);
+    try {
+      const bytes = new Uint8Array(await this.recorded.arrayBuffer());
+      if (stopping.signal.aborted) return; // something else was opened meanwhile
+      await this.hear(this.name, replayed(bytes, Number(by('replay-baud').value),
+        Number(by('replay-lost').value), stopping.signal), this.recorded);
+    } catch {
+      fail(new Error(`${this.name}: it can no longer be read; open it again`));
+    }
   }
 
   /**
@@ -77,6 +87,7 @@ export class LivePanel {
    */
   async hear(name, source, recorded) {
     hideError();
+    this.recorded = recorded ?? null;
     this.showListening(true);
     tellBusy('Waiting for the stream…');
     let isFirst = true;
