@@ -445,6 +445,23 @@ discmc_application_record discmc_placement_record(const discmc_placement* placem
 DISCMC_NODISCARD uint8_t discmc_read_placement(const discmc_application_record* record,
                                                discmc_placement* placement);
 
+/* The own slices of a slab (slab_range.hpp). Units: slices. */
+typedef struct discmc_slab_range {
+  uint32_t first;
+  uint32_t slices;
+  uint32_t depth; /* of the volume; Limit: at least first + slices */
+} discmc_slab_range;
+enum { DISCMC_SLAB_RANGE_KIND = DISCMC_FIRST_STANDARD_KIND + 1, DISCMC_SLAB_RANGE_BYTES = 12 };
+
+/* The record of a slab, to be told at any time in its scan. bytes: room for
+ * DISCMC_SLAB_RANGE_BYTES, which are written; Owner: the caller, until the record has been told. */
+discmc_application_record discmc_slab_range_record(const discmc_slab_range* range, uint8_t* bytes);
+
+/* Reads the range in a record. 0, and nothing is written, where it holds none: the kind is another,
+ * or the number of bytes, or the slices are none, or beyond the depth. */
+DISCMC_NODISCARD uint8_t discmc_read_slab_range(const discmc_application_record* record,
+                                                discmc_slab_range* range);
+
 /* ---- the decoder (decoder.hpp) ---- */
 
 /* How a stream arrived. Lost counts grow when the next whole packet reveals the gap. Of a stream of

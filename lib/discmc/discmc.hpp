@@ -15,6 +15,7 @@
 //     byte_output.hpp         where its bytes go
 //     stream_header.hpp       what it says of the scan
 //     application_record.hpp, placement.hpp  the user's own data in it, and where the volume lies
+//     slab_range.hpp                   which slices of a volume it is of
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
 //     stream_report.hpp       what arrived, and what did not
@@ -82,6 +83,7 @@
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
 #include <discmc/shared_output.hpp>
+#include <discmc/slab_range.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>

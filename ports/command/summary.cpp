@@ -32,8 +32,9 @@ std::string ratio(std::uint64_t a, std::uint64_t b) {
 }
 
 // What there was too little of, if anything.
-std::string shortage(const Statistics& statistics, const MemoryUse& memory) {
-  if (statistics.fragments == 0) return {};
+std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
+  if (extraction.statistics.fragments == 0) return {};
+  if (extraction.is_of_slab) return "at the seams, or as memory ran short";
   const bool lacked_holes = memory.high_water.holes == memory.capacities.holes;
   return std::string("memory ran short of records") + (lacked_holes ? " or holes" : "");
 }
@@ -61,7 +62,7 @@ void write_memory(const Extraction& extraction, std::ostream& out) {
   row(out, "  holes at most waiting", grouped(memory.high_water.holes),
       "of " + grouped(memory.capacities.holes));
   row(out, "loose fragments", grouped(extraction.statistics.fragments),
-      shortage(extraction.statistics, memory));
+      shortage(extraction, memory));
 }
 
 void write_vector(const char* name, const std::array<double, 3>& vector, std::ostream& out) {

@@ -39,7 +39,7 @@ bool has(const std::string& program) {
 TEST_CASE("bash completes commands, options, and the words that a value can be") {
   if (!has("bash")) return;
   CHECK(bash_offers("ex") == "extract\n");
-  CHECK(contains(bash_offers("''"), "extract decode info render"));
+  CHECK(contains(bash_offers("''"), "extract decode join info render"));
   CHECK(bash_offers("--ve") == "--version\n");
   CHECK(bash_offers("extract v.nrrd --bor") == "--border\n");
   CHECK(bash_offers("extract v.nrrd --border ''") == "closed open\n");

@@ -21,6 +21,7 @@ std::vector<Command> add_commands(CLI::App& app);
 
 Command add_extract(CLI::App& app);
 Command add_decode(CLI::App& app);
+Command add_join(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_render(CLI::App& app);
 Command add_view(CLI::App& app);

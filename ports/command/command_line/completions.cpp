@@ -100,7 +100,7 @@ std::string zsh_arguments(const CommandOutline& command) {
                        "[" + zsh_escaped(brief(option.description)) + "]" +
                        (option.value.empty() ? "" : zsh_value(option)));
   for (const OptionOutline& argument : command.arguments)
-    text += zsh_line("1" + zsh_value(argument));
+    text += zsh_line((argument.is_repeated ? "*" : "1") + zsh_value(argument));
   return text;
 }
 

@@ -1,4 +1,5 @@
 // The arguments of discmc extract.
+#include <charconv>
 #include <memory>
 
 #include "command_line.hpp"
@@ -131,6 +132,18 @@ void check_wire(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
 }
 
+void check_slab(const ExtractArguments& arguments) {
+  if (!arguments.slab) return;
+  if (format_of(arguments.output) != Format::stream || arguments.wire == Wire::slices)
+    throw CLI::ValidationError("--slab",
+                               "what crosses its seams is joined by discmc join, from streams of "
+                               "regions: give -o FILE.dmc, without --wire slices");
+  if (arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--slab",
+                               "the gradient at its seams would not be that of the whole volume: "
+                               "leave out --normals, and give decode --normals gradient --volume");
+}
+
 void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_output(arguments.output);
   check_faces(arguments.mesh.faces, arguments.output);
@@ -143,6 +156,23 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_surface(arguments);
   check_tolerance(arguments, *app.get_option("--tolerance"));
   check_wire(arguments);
+  check_slab(arguments);
+}
+
+// "2/7". Throws where it is none.
+SlabChoice slab_choice(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = [&](const std::string& digits) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc() && end == digits.data() + digits.size() ? value : 0;
+  };
+  const SlabChoice choice{number(text.substr(0, slash)),
+                          slash == std::string::npos ? 0 : number(text.substr(slash + 1))};
+  if (choice.number == 0 || choice.count == 0 || choice.number > choice.count)
+    throw CLI::ValidationError(
+        "--slab", text + ": give the number of the slab and how many there are, as in 2/7");
+  return choice;
 }
 
 void add_label_options(CLI::App& app, ExtractArguments& arguments) {
@@ -181,6 +211,11 @@ void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
                  "number of the scan, by which streams on one link are told apart")
       ->option_text("N")
       ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--slab", [&arguments](const std::string& text) { arguments.slab = slab_choice(text); },
+         "one part of the slices, the K-th of N, as a .dmc stream; discmc join makes of all of "
+         "them the surface of the volume")
+      ->option_text("K/N");
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
 std::string usage_of(const CommandOutline& outline, const CLI::App& app) {
   std::string usage = app.get_parent() != nullptr ? app.get_parent()->get_name() + " " : "";
   usage += app.get_name() + (commands_of(app).empty() ? "" : " COMMAND") + " [OPTIONS]";
-  for (const OptionOutline& argument : outline.arguments) usage += " " + argument.names.front();
+  for (const OptionOutline& argument : outline.arguments)
+    usage += " " + argument.names.front() + (argument.is_repeated ? "..." : "");
   return usage;
 }
 

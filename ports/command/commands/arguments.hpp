@@ -70,6 +70,11 @@ enum class MeshSpace { lps, ras, voxel };
 /// What a stream holds.
 enum class Wire { regions, slices };
 
+/// One of so many slabs of a volume, counted from 1 at its first slice.
+struct SlabChoice {
+  std::uint32_t number, count;
+};
+
 /// Of `extract`.
 struct ExtractArguments {
   std::string volume;
@@ -81,6 +86,7 @@ struct ExtractArguments {
   Wire wire = Wire::regions;
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
   std::uint16_t scan = 0;        ///< the number in a stream
+  std::optional<SlabChoice> slab;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
@@ -107,6 +113,13 @@ struct StreamArguments {
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+};
+
+/// Of `join`.
+struct JoinArguments {
+  std::vector<std::string> streams;
+  std::string output;
+  bool quiet = false;
 };
 
 /// Of `render`.

@@ -9,6 +9,7 @@ namespace discmc::host {
 
 int run_extract(const ExtractArguments& arguments);
 int run_decode(const StreamArguments& arguments);
+int run_join(const JoinArguments& arguments);
 int run_info(const InfoArguments& arguments);
 int run_render(const RenderArguments& arguments);
 int run_compare(const CompareArguments& arguments);

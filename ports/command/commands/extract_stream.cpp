@@ -7,6 +7,7 @@
 #include <discmc/slice_encoder.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,6 +51,20 @@ StreamHeader header_of_all(StreamHeader header, const VolumeInfo& info,
   return header;
 }
 
+// Of slabs that are as thick as can be: no two differ by more than a slice.
+std::optional<SlabRange> slab_of(const ExtractArguments& arguments, std::uint32_t depth) {
+  if (!arguments.slab || arguments.slab->count == 1) return std::nullopt;
+  const auto [number, count] = *arguments.slab;
+  if (count > depth)
+    throw std::invalid_argument("--slab " + std::to_string(number) + "/" + std::to_string(count) +
+                                ": the volume has " + std::to_string(depth) +
+                                " slices: give that many slabs at most");
+  const auto end_of = [depth, slabs = count](std::uint32_t slab) {
+    return static_cast<std::uint32_t>(std::uint64_t{depth} * slab / slabs);
+  };
+  return SlabRange{end_of(number - 1), end_of(number) - end_of(number - 1), depth};
+}
+
 // Samples that are narrowed for the gradient are counted from one threshold.
 void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& info) {
   if (arguments.selections.size() > 1)
@@ -70,6 +85,7 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   StreamHeader header = stream_header(info, options);
   header.scan = arguments.scan;
   std::vector<NamedSelection> selections = arguments.reading.selections;
+  options.slab = slab_of(arguments, info.dims[2]);
   options.normals = arguments.normals == Normals::gradient;
   options.measures_memory = !arguments.quiet;
   std::unique_ptr<VolumeReader> narrow;
@@ -94,7 +110,7 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
     StreamLabel label = header.label();
     for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
       label.channel = static_cast<std::uint8_t>(i);
-      stream.receivers[i]->start_stream(label, info.placement, link.output());
+      stream.receivers[i]->start_stream(label, info.placement, options.slab, link.output());
     }
   }
   if (!arguments.quiet)
@@ -105,7 +121,7 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   stream.slice_bytes = output.bytes();
   stream.slice_memory = slices.memory();
   note_not_numbers(arguments, stream.extractions[0].not_numbers);
-  check_surfaces(arguments, stream.extractions, *volume);
+  if (!options.slab) check_surfaces(arguments, stream.extractions, *volume);
   return stream;
 }
 

@@ -11,6 +11,7 @@
 #include "exit_codes.hpp"
 #include "progress.hpp"
 #include "streams/application_text.hpp"
+#include "streams/slab_ranges.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
 #include "volumes/other_kinds.hpp"
@@ -42,11 +43,14 @@ struct RecordNotes {
   GrowingJoiner& to;
   std::vector<std::string> records{};
   std::optional<VolumePlacement> placement{};
+  SlabRanges slabs{};
   Answer take(const Event& event) {
     if (event.kind == Event::Kind::application) {
       records.push_back(text(*event.application));
       Placement told;
       if (read_placement(*event.application, told)) placement = in_millimetres(told);
+      SlabRange range;
+      if (read_slab_range(*event.application, range)) slabs.add(range);
     }
     return to.take(event);
   }
@@ -100,6 +104,10 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
   StreamReader reader(sink_to(notes), choice);
   read(reader);
   note_others(path, choice, reader);
+  if (!notes.slabs.missing().empty())
+    std::cerr << "discmc: " << path << ": it holds the " << text(notes.slabs.ranges()) << " of "
+              << notes.slabs.ranges()[0].depth
+              << " alone: discmc join makes the whole surface of it and the other slabs\n";
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   if (notes.placement && !is_usable(*notes.placement)) {

@@ -6,6 +6,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/sink.hpp>
+#include <discmc/slab_range.hpp>
 #include <optional>
 
 #include "require.hpp"
@@ -24,14 +25,23 @@ void tell_placement(const std::optional<VolumePlacement>& placement, Encoder& en
   require(encoder.tell(record_of(in_nanometres(*placement), bytes)));
 }
 
+/// Tells a stream that it is of a part of the slices, if it is. encoder: as above.
+template <class Encoder>
+void tell_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
+  if (!slab) return;
+  std::uint8_t bytes[SlabRange::record_bytes];
+  require(encoder.tell(record_of(*slab, bytes)));
+}
+
 /// Gives every event to an encoder and, joined, to a surface: to either or both, as they are begun.
 class SurfaceReceiver {
  public:
   /// Begins a stream. output: must take all; Owner: the caller.
   void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,
-                    const ByteOutput& output) {
+                    const std::optional<SlabRange>& slab, const ByteOutput& output) {
     require(encoder_.start(label, output));
     placement_ = placement;
+    slab_ = slab;
     encodes_ = true;
   }
   /// Begins to keep polygons.
@@ -39,7 +49,10 @@ class SurfaceReceiver {
 
   Answer take(const Event& event) {
     if (encodes_ && encoder_.take(event) != Answer::taken) return Answer::not_now;
-    if (encodes_ && event.kind == Event::Kind::start) tell_placement(placement_, encoder_);
+    if (encodes_ && event.kind == Event::Kind::start) {
+      tell_placement(placement_, encoder_);
+      tell_slab(slab_, encoder_);
+    }
     return builds_ ? joiner_.take(event) : Answer::taken;
   }
 
@@ -51,6 +64,7 @@ class SurfaceReceiver {
  private:
   NormalEncoder encoder_;
   std::optional<VolumePlacement> placement_;
+  std::optional<SlabRange> slab_;
   SurfaceBuilder builder_;
   GrowingJoiner joiner_{sink_to(builder_)};
   bool encodes_ = false;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -164,6 +165,26 @@ class BitSource {
   std::uint64_t not_numbers_ = 0;
 };
 
+// Slices of a volume that follow each other.
+struct SliceSpan {
+  std::uint32_t first, end;
+  bool holds(std::uint32_t z) const { return z >= first && z < end; }
+};
+
+// What an extractor is given: of a slab also a slice of its neighbours.
+SliceSpan given_slices(const Limits& limits, std::uint32_t depth,
+                       const std::optional<SlabRange>& slab) {
+  if (!slab) return {0, depth};
+  return {slab->first - (limits.slab.continues_below ? 1 : 0),
+          slab->end() + (limits.slab.continues_above ? 1 : 0)};
+}
+
+// What these are made from: the filter looks at a slice on either side.
+SliceSpan slices_for(const SliceSpan& given, std::uint32_t depth, bool takes_majority) {
+  const std::uint32_t reach = takes_majority ? 1 : 0;
+  return {given.first > reach ? given.first - reach : 0, std::min(depth, given.end + reach)};
+}
+
 // The samples that an extractor takes, where it takes any beside bits.
 template <class AnyExtractor>
 struct SampleOf {
@@ -212,12 +233,14 @@ class Scan {
             extractors_[0].limits().width};
   }
 
-  std::vector<Extraction> results(const VolumeInfo& info, const BitSource& bits) const {
-    const std::uint64_t voxels = std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2];
+  std::vector<Extraction> results(const VolumeInfo& info, const std::optional<SlabRange>& slab,
+                                  const BitSource& bits) const {
+    const std::uint64_t slices = slab ? slab->slices : info.dims[2];
+    const std::uint64_t voxels = slices * info.dims[0] * info.dims[1];
     std::vector<Extraction> results;
     for (std::size_t i = 0; i < extractors_.size(); ++i)
       results.push_back({extractors_[i].statistics(), voxels, bits.crossings(i), bits.not_numbers(),
-                         bits.is_full(i), use_of(extractors_[i])});
+                         bits.is_full(i), slab.has_value(), use_of(extractors_[i])});
     return results;
   }
 
@@ -243,16 +266,21 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
   Scan<AnyExtractor> scan(info, limits, arena, surfaces);
   auto all = scan.group();
   BitSource bits(info, limits, options, surfaces);
+  const SliceSpan given = given_slices(limits, info.dims[2], options.slab);
+  const SliceSpan read = slices_for(given, info.dims[2], options.takes_majority);
+  std::uint64_t rows = std::uint64_t{read.first} * limits.height;
   const auto push_bits = [&](const std::uint8_t* row) {
+    if (!given.holds(static_cast<std::uint32_t>(rows++ / limits.height))) return;
     if constexpr (!holds_samples<AnyExtractor>) require(all.push_bits(row).status);
     if (options.slices != nullptr) require(options.slices->push_bits(row).status);
   };
   std::optional<MaskBits> mask;
   if (options.mask != nullptr) mask.emplace(*options.mask);
   std::vector<std::uint8_t> slice(info.slice_bytes());
-  for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
+  for (std::uint32_t z = 0; z < read.end; ++z) {
     volume.read_slice(slice.data());
     const std::uint8_t* const mask_rows = mask ? mask->next_slice() : nullptr;
+    if (z < read.first) continue;
     bits.add_slice(slice.data(), mask_rows, push_bits);
     for (const SurfaceRequest& surface : surfaces)
       if (surface.crossings != nullptr) surface.crossings->add_slice(slice.data(), mask_rows);
@@ -266,13 +294,20 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
   bits.finish(push_bits);
   require(all.finish());
   if (options.slices != nullptr) require(options.slices->finish());
-  return scan.results(info, bits);
+  return scan.results(info, options.slab, bits);
+}
+
+Limits limits_of(const VolumeInfo& info, const ExtractionOptions& options) {
+  Limits limits{info.dims[0], info.dims[1], options.border};
+  if (const auto& slab = options.slab)
+    limits.slab = {slab->first, slab->first > 0, slab->end() < info.dims[2]};
+  return limits;
 }
 
 template <class Normals>
 std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptions& options,
                                      const std::vector<SurfaceRequest>& surfaces) {
-  const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
+  const Limits limits = limits_of(volume.info(), options);
   const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
   return arena.has_narrow_indices
              ? scan<Extractor<std::uint16_t, Normals>>(volume, limits, options, arena, surfaces)
@@ -282,7 +317,7 @@ std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptio
 // On a host, with no device in mind.
 std::vector<Extraction> extract_fast(VolumeReader& volume, const ExtractionOptions& options,
                                      const std::vector<SurfaceRequest>& surfaces) {
-  const Limits limits{volume.info().dims[0], volume.info().dims[1], options.border};
+  const Limits limits = limits_of(volume.info(), options);
   const std::uint64_t bytes = generous_bytes_for<NoNormals>(limits);
   const Arena arena{false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
   return scan<LearningExtractor>(volume, limits, options, arena, surfaces);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <discmc/extractor.hpp>
+#include <discmc/slab_range.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/stream/wire.hpp>
 
@@ -40,6 +41,9 @@ struct ExtractionOptions {
   /// Is read along, if there is one: a voxel is off where it is 0. Limit: u8, the extents of the
   /// volume, not with normals. Owner: the caller.
   VolumeReader* mask = nullptr;
+  /// Only these slices of the volume, where there is one. What crosses its seams are loose
+  /// fragments. Slices behind it are not read. Limit: its depth is the volume's.
+  std::optional<SlabRange> slab{};
 };
 
 /// What a device would need.
@@ -52,10 +56,12 @@ struct MemoryUse {
 
 struct Extraction {
   Statistics statistics{};
-  std::uint64_t voxels = 0;
-  std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
+  std::uint64_t voxels = 0;            ///< of a slab its own
+  std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross,
+                                       ///< at a seam those of both slabs
   std::uint64_t not_numbers = 0;       ///< samples that are not a number: off
   bool is_full = false;                ///< whether every voxel is on
+  bool is_of_slab = false;             ///< so there may be loose fragments
   std::optional<MemoryUse> memory;     ///< if it was measured
 };
 

@@ -1,6 +1,7 @@
 #include "application_text.hpp"
 
 #include <discmc/placement.hpp>
+#include <discmc/slab_range.hpp>
 
 namespace discmc::host {
 namespace {
@@ -40,6 +41,11 @@ std::string text(const Placement& placement) {
          vector_text(placement.axes_nm[1]) + " " + vector_text(placement.axes_nm[2]);
 }
 
+std::string text(const SlabRange& range) {
+  return "slab of the slices " + std::to_string(range.first) + " to " +
+         std::to_string(range.end() - 1) + " of " + std::to_string(range.depth);
+}
+
 std::string hexadecimal(const std::uint8_t* bytes, std::size_t count) {
   constexpr char digits[] = "0123456789abcdef";
   std::string text;
@@ -56,6 +62,8 @@ std::string text(const ApplicationRecord& record) {
                            ": ";
   Placement placement;
   if (read_placement(record, placement)) return head + text(placement);
+  SlabRange range;
+  if (read_slab_range(record, range)) return head + text(range);
   return head + std::to_string(record.count) + (record.count == 1 ? " byte" : " bytes") +
          hexadecimal(record.bytes, record.count);
 }

@@ -12,12 +12,12 @@ bool is_of_region(Event::Kind kind) {
 
 }  // namespace
 
-GrowingJoiner::GrowingJoiner(const Sink& sink, std::size_t bytes)
-    : sink_(sink), bytes_(bytes), memory_(new std::uint8_t[bytes]) {
+GrowingJoiner::GrowingJoiner(const Sink& sink, InputOrder order, std::size_t bytes)
+    : sink_(sink), order_(order), bytes_(bytes), memory_(new std::uint8_t[bytes]) {
   const Sink joined{this, [](void* context, const Event& event) {
                       return static_cast<GrowingJoiner*>(context)->pass(event);
                     }};
-  const Status started = joiner_.start({memory_.get(), bytes_}, joined, InputOrder::sweep);
+  const Status started = joiner_.start({memory_.get(), bytes_}, joined, order_);
   if (started != Status::ok) throw std::invalid_argument(text(started));
 }
 
@@ -35,7 +35,7 @@ void GrowingJoiner::finish() {
 
 Answer GrowingJoiner::pass(const Event& event) {
   if (event.kind == Event::Kind::fragment && !next_ && !is_unmatched())
-    next_ = std::make_unique<GrowingJoiner>(sink_, 4 * bytes_);
+    next_ = std::make_unique<GrowingJoiner>(sink_, order_, 4 * bytes_);
   return next_ ? next_->take(event) : sink_.take(sink_.context, event);
 }
 

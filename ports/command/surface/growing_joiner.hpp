@@ -10,16 +10,17 @@
 
 namespace discmc::host {
 
-/// A sink before another: takes the events of one sweep and makes regions of the loose fragments
+/// A sink before another: takes the events of scans and makes regions of the loose fragments
 /// among them. What finds no partner reaches the sink loose. A joiner that runs short of memory
 /// passes on what it holds; then the next one, with four times as much, goes on.
 class GrowingJoiner {
  public:
   static constexpr std::size_t first_bytes = std::size_t{1} << 20;
 
-  /// sink: must take everything at once; Owner: the caller, as long as events are taken. bytes: of
-  /// the first joiner.
-  explicit GrowingJoiner(const Sink& sink, std::size_t bytes = first_bytes);
+  /// sink: must take everything at once; Owner: the caller, as long as events are taken. order: as
+  /// of the Joiner. bytes: of the first joiner.
+  explicit GrowingJoiner(const Sink& sink, InputOrder order = InputOrder::sweep,
+                         std::size_t bytes = first_bytes);
   GrowingJoiner(const GrowingJoiner&) = delete;
   GrowingJoiner& operator=(const GrowingJoiner&) = delete;
 
@@ -33,6 +34,7 @@ class GrowingJoiner {
   bool is_unmatched();
 
   Sink sink_;
+  InputOrder order_;
   std::size_t bytes_;
   std::unique_ptr<std::uint8_t[]> memory_;
   Joiner joiner_;

@@ -1,0 +1,29 @@
+#include <discmc/slab_range.hpp>
+#include <discmc/stream/wire.hpp>
+
+namespace discmc {
+
+ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes) {
+  wire::ByteWriter writer(bytes);
+  writer.put(range.first, 4);
+  writer.put(range.slices, 4);
+  writer.put(range.depth, 4);
+  return {SlabRange::record_kind, 0, 0, bytes, SlabRange::record_bytes};
+}
+
+bool read_slab_range(const ApplicationRecord& record, SlabRange& range) {
+  if (record.kind != SlabRange::record_kind || record.count != SlabRange::record_bytes)
+    return false;
+  wire::ByteReader reader(record.bytes, record.count);
+  const auto next = [&reader] { return static_cast<uint32_t>(reader.get(4)); };
+  SlabRange read;
+  read.first = next();
+  read.slices = next();
+  read.depth = next();
+  if (read.slices == 0 || read.first > read.depth || read.slices > read.depth - read.first)
+    return false;
+  range = read;
+  return true;
+}
+
+}  // namespace discmc

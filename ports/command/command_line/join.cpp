@@ -1,0 +1,30 @@
+// The arguments of discmc join.
+#include <memory>
+
+#include "command_line.hpp"
+#include "commands/commands.hpp"
+#include "option_checks.hpp"
+
+namespace discmc::host {
+
+Command add_join(CLI::App& app) {
+  const auto arguments = std::make_shared<JoinArguments>();
+  CLI::App* join = app.add_subcommand("join", "Join the streams of slabs to that of the volume");
+  join->add_option("STREAM", arguments->streams,
+                   "the .dmc files of slabs, made by discmc extract --slab or joined before, in "
+                   "any order")
+      ->required();
+  join->add_option("-o,--output", arguments->output, "the stream to write; - is standard output")
+      ->check(named_with({".dmc"}, "what is joined is a stream"))
+      ->check(without_braces())
+      ->required();
+  join->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");
+  join->footer(
+      "Examples:\n"
+      "  for k in 1 2 3 4; do discmc extract v.nrrd --iso 300 --slab $k/4 -o part$k.dmc & done; "
+      "wait\n"
+      "  discmc join part?.dmc -o v.dmc");
+  return {join, [arguments] { return run_join(*arguments); }};
+}
+
+}  // namespace discmc::host

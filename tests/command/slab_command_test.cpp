@@ -1,0 +1,141 @@
+// A volume in slabs, a stream each, which are joined: extract --slab and join.
+#include <sstream>
+
+#include "command.hpp"
+#include "hand_made.hpp"
+#include "streams/stream_file.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::reference::Region;
+
+// Blobs and noise, so that much crosses every seam, holes too.
+std::string rough_samples(int width, int height, int depth) {
+  std::string samples;
+  std::uint32_t noise = 1;
+  for (int i = 0; i < width * height * depth; ++i) {
+    noise = noise * 1664525 + 1013904223;
+    const int x = i % width, y = i / width % height;
+    samples.push_back(static_cast<char>((x / 3 + y / 3) % 2 * 60 + static_cast<int>(noise >> 26)));
+  }
+  return samples;
+}
+
+std::vector<Region> regions_in(const Workshop& workshop, const std::string& stream) {
+  discmc::host::SurfaceBuilder builder;
+  discmc::host::GrowingJoiner joiner(discmc::sink_to(builder));
+  discmc::host::StreamReader reader(discmc::sink_to(joiner));
+  std::istringstream in(workshop.read(stream));
+  reader.read(in);
+  joiner.finish();
+  CHECK(reader.report().is_complete());
+  return hand_made::regions_of(builder.surface());
+}
+
+const std::string volume = "extract v.raw --dims 13,11,9 --type u8 --iso 50 -q ";
+
+// Their names, in a row.
+std::string write_slabs(const Workshop& workshop, int count, const std::string& options = {}) {
+  std::string names;
+  for (int slab = 1; slab <= count; ++slab) {
+    const std::string name = "part" + std::to_string(slab) + ".dmc";
+    workshop.done(volume + options + "--slab " + std::to_string(slab) + "/" +
+                  std::to_string(count) + " -o " + name);
+    names = name + " " + names;  // from above
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("slabs of any thickness are joined to the regions of one sweep") {
+  const Workshop workshop;
+  workshop.write("v.raw", rough_samples(13, 11, 9));
+  for (const std::string options :
+       {"", "--border open ", "--median 3 ", "--memory 1024 ", "--crop 2..12,0..10,1..7 "}) {
+    workshop.done(volume + options + "-o whole.dmc");
+    const std::vector<Region> whole = regions_in(workshop, "whole.dmc");
+    CHECK(whole.size() > 20);
+    for (const int count : {1, 2, 3, 7}) {
+      CAPTURE(options);
+      CAPTURE(count);
+      workshop.done("join " + write_slabs(workshop, count, options) + "-o joined.dmc");
+      CHECK(discmc::reference::describe_difference(regions_in(workshop, "joined.dmc"), whole) ==
+            "");
+      CHECK(workshop.info("joined.dmc")["complete"] == "yes");
+    }
+  }
+}
+
+TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
+  const Workshop workshop;
+  workshop.write("v.raw", rough_samples(13, 11, 9));
+  workshop.done(volume + "-o whole.dmc");
+  write_slabs(workshop, 9);
+  const Result part = workshop.run("join part1.dmc part2.dmc part5.dmc part9.dmc -o part.dmc");
+  CHECK(part.code == 3);
+  CHECK(contains(part.error, "the slices 2 to 3 and 5 to 7 are missing"));
+  CHECK(contains(workshop.run("info part.dmc").out, "slab of the slices 4 to 4 of 9"));
+  CHECK(contains(workshop.run("decode part.dmc -o part.stl").error,
+                 "it holds the slices 0 to 1, 4 to 4 and 8 to 8 of 9 alone"));
+  workshop.done("join part4.dmc part6.dmc part.dmc part3.dmc part8.dmc part7.dmc -o all.dmc");
+  CHECK(discmc::reference::describe_difference(regions_in(workshop, "all.dmc"),
+                                               regions_in(workshop, "whole.dmc")) == "");
+  CHECK_FALSE(contains(workshop.done("info all.dmc"), "slab"));
+}
+
+TEST_CASE("streams that do not belong together are not joined, and nothing is written") {
+  const Workshop workshop;
+  workshop.write("v.raw", rough_samples(13, 11, 9));
+  write_slabs(workshop, 3);
+  workshop.done("extract v.raw --dims 13,11,9 --type u8 --iso 51 -q --slab 2/3 -o other.dmc");
+  workshop.done("extract v.raw --dims 13,11,9 --type u8 --iso 50 -q --wire slices -o slices.dmc");
+  const auto refused = [&](const std::string& streams, const std::string& part) {
+    const Result result = workshop.run("join " + streams + " -o joined.dmc");
+    INFO(streams, "\n", result.error);
+    CHECK(result.code == 1);
+    CHECK(contains(result.error, part));
+    CHECK(workshop.read("joined.dmc").empty());
+  };
+  refused("part1.dmc part2.dmc part1.dmc", "part1.dmc: the slices 0 to 2 are there already");
+  refused("part1.dmc other.dmc", "at threshold 51, and part1.dmc of");
+  refused("part1.dmc slices.dmc", "slices.dmc: the slices 0 to 2 are there already");
+  refused("part1.dmc v.raw", "v.raw");
+}
+
+TEST_CASE("a slab that there is not is refused, with what to give") {
+  const Workshop workshop;
+  workshop.write("v.raw", rough_samples(13, 11, 9));
+  const auto refused = [&](const std::string& options, int code, const std::string& part) {
+    const Result result = workshop.run(volume + options);
+    INFO(options, "\n", result.error);
+    CHECK(result.code == code);
+    CHECK(contains(result.error, part));
+  };
+  for (const std::string slab : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/0", "1/3x", "-1/3"})
+    refused("--slab=" + slab + " -o s.dmc", 2, "as in 2/7");
+  refused("--slab 1/10 -o s.dmc", 1, "the volume has 9 slices");
+  refused("--slab 1/2 -o s.stl", 2, "give -o FILE.dmc");
+  refused("--slab 1/2 --wire slices -o s.dmc", 2, "without --wire slices");
+  refused("--slab 1/2 --normals gradient -o s.dmc", 2, "leave out --normals");
+  CHECK(workshop.names() == std::vector<std::string>{"v.raw"});
+}
+
+TEST_CASE("join takes any number of streams, and says so") {
+  const Workshop workshop;
+  CHECK(contains(workshop.done("join --help"), "discmc join [OPTIONS] STREAM..."));
+  CHECK(contains(workshop.done("completions zsh"), "'*:FILE:_files'"));
+}
+
+TEST_CASE("slices behind a slab are not read") {
+  const Workshop workshop;
+  workshop.write("v.raw", rough_samples(13, 11, 9));
+  const Result result = workshop.shell(
+      "head -c $((13 * 11 * 4)) v.raw | \"$discmc\" extract - --dims 13,11,9 --type u8 --iso 50 "
+      "--slab 1/3 -q -o first.dmc");
+  CHECK(result.code == 0);
+  CHECK(result.error.empty());
+}

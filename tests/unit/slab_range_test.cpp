@@ -1,0 +1,70 @@
+// Which slices a stream is of, as an application record.
+#include <doctest/doctest.h>
+
+#include <discmc/discmc.h>
+
+#include <algorithm>
+#include <discmc/slab_range.hpp>
+#include <iterator>
+
+using namespace discmc;
+
+namespace {
+
+bool equal(const SlabRange& a, const SlabRange& b) {
+  return a.first == b.first && a.slices == b.slices && a.depth == b.depth;
+}
+
+}  // namespace
+
+TEST_CASE("the range of a slab is told in the bytes that the page of the stream has") {
+  const SlabRange range{0x01020304, 5, 0xFFFFFFFF};
+  uint8_t bytes[SlabRange::record_bytes];
+  const ApplicationRecord record = record_of(range, bytes);
+  const uint8_t expected[] = {4, 3, 2, 1, 5, 0, 0, 0, 255, 255, 255, 255};
+  CHECK(record.kind == 241);
+  CHECK(record.count == sizeof expected);
+  CHECK(std::equal(std::begin(expected), std::end(expected), record.bytes));
+  SlabRange read;
+  CHECK(read_slab_range(record, read));
+  CHECK(equal(read, range));
+  CHECK(read.end() == 0x01020309);
+}
+
+TEST_CASE("what is no range of slices in a volume is refused, and nothing is written") {
+  const SlabRange before{7, 8, 90};
+  SlabRange read = before;
+  const auto refuses = [&](const SlabRange& range, uint8_t kind = SlabRange::record_kind,
+                           size_t count = SlabRange::record_bytes) {
+    uint8_t bytes[SlabRange::record_bytes + 1] = {};
+    record_of(range, bytes);
+    return !read_slab_range({kind, 0, 0, bytes, count}, read) && equal(read, before);
+  };
+  CHECK(refuses({0, 0, 10}));
+  CHECK(refuses({0, 11, 10}));
+  CHECK(refuses({10, 1, 10}));
+  CHECK(refuses({0xFFFFFFFF, 2, 10}));
+  CHECK(refuses({0, 1, 10}, 240));
+  CHECK(refuses({0, 1, 10}, 241, 11));
+  CHECK(refuses({0, 1, 10}, 241, 13));
+  CHECK_FALSE(refuses({9, 1, 10}));
+}
+
+TEST_CASE("in C the range of a slab has the same bytes, and is refused as in C++") {
+  const discmc_slab_range range{3, 4, 7};
+  uint8_t bytes[DISCMC_SLAB_RANGE_BYTES], same[SlabRange::record_bytes];
+  discmc_application_record record = discmc_slab_range_record(&range, bytes);
+  CHECK(record.kind == DISCMC_SLAB_RANGE_KIND);
+  CHECK(record.bytes == bytes);
+  REQUIRE(record.count == record_of(SlabRange{3, 4, 7}, same).count);
+  CHECK(std::equal(std::begin(bytes), std::end(bytes), same));
+  discmc_slab_range read{};
+  CHECK(discmc_read_slab_range(&record, &read) == 1);
+  CHECK(read.first == 3);
+  CHECK(read.slices == 4);
+  CHECK(read.depth == 7);
+  record.count = 0;
+  read.first = 9;
+  CHECK(discmc_read_slab_range(&record, &read) == 0);
+  CHECK(read.first == 9);
+}
