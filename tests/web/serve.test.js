@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { createWriteStream, readFileSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
+import { connect } from 'node:net';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
@@ -115,4 +116,16 @@ test('other names, methods, parts and paths are refused', async (t) => {
   assert.equal(headers['access-control-allow-origin'], undefined);
   assert.equal(Number(headers['content-length']), bytes.length);
   assert.equal(await end(), 0);
+});
+
+test('a client that sends only a part of a request does not hold up the end', async (t) => {
+  const { address, end } = await served(t, stream);
+  const { hostname, port } = new URL(address);
+  const client = connect(port, hostname).on('error', () => {});
+  await new Promise((resolve) => client.write('GET /da', resolve));
+  await answer(address, '/', { Host: hostname }); // the part has come, too
+  const begin = performance.now();
+  assert.equal(await end(), 0);
+  assert.ok(performance.now() - begin < 3000);
+  client.destroy();
 });

@@ -3,7 +3,9 @@
 #include <httplib.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -74,11 +76,21 @@ class Server {
     sigwait(&signals, &signal);
     is_stopping_ = true;
     while (!server_.is_running()) std::this_thread::yield();
+    end_soon();
     server_.stop();
     thread.join();
   }
 
  private:
+  // A client that neither takes nor sends would hold up the end for as long as it likes.
+  static void end_soon() {
+    std::thread([] {
+      constexpr std::chrono::seconds patience(1);
+      std::this_thread::sleep_for(patience);
+      std::_Exit(EXIT_SUCCESS);
+    }).detach();
+  }
+
   // A site whose name leads here sends that name (DNS rebinding). No part of a file is sent, so
   // that nobody need start in its middle.
   static httplib::Server::HandlerResponse refuse(const httplib::Request& request,
