@@ -394,3 +394,25 @@ test('a page with data inside opens it at once', async () => {
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
+
+test('a threshold that no voxel reaches is told', async () => {
+  const { page } = await openPage(browser);
+  await openFiles(page, volume);
+  await page.fill('#threshold-number', '99999');
+  await page.keyboard.press('Enter');
+  await shown(page, 99999);
+  assert.equal(await page.textContent('#caption-merged'), 'No surface at this threshold');
+  await page.context().close();
+});
+
+test('on a phone a message is seen wherever the page is scrolled to', async () => {
+  const { page } = await openPage(browser, { viewport: { width: 390, height: 844 } });
+  await openFiles(page, volume);
+  await page.locator('#save-head').scrollIntoViewIfNeeded();
+  const letter = join(folder, 'scrolled.txt');
+  writeFileSync(letter, 'this is a letter');
+  await openFiles(page, letter);
+  const { y } = await page.locator('#error').boundingBox();
+  assert.ok(y >= 0, `${y} pixels from the top`);
+  await page.context().close();
+});

@@ -227,7 +227,8 @@ class Page {
     by('polygons').textContent = whole(polygons);
     by('classic-count').textContent = triangles > 0 ? `${whole(triangles)} triangles` : '–';
     by('ratio').textContent = polygons > 0 && triangles > 0 ? (triangles / polygons).toFixed(1) : '–';
-    by('caption-merged').textContent = `${whole(polygons)} merged polygons`;
+    by('caption-merged').textContent = polygons === 0 && this.opened.values
+      ? 'No surface at this threshold' : `${whole(polygons)} merged polygons`;
   }
 
   async redrawStream() {
