@@ -63,7 +63,7 @@ test('what is lost is told, and what is whole is shown', async () => {
   await page.selectOption('#replay-lost', '0.2');
   await page.click('#replay');
   await streamTells(page, 'Incomplete');
-  assert.match(await page.textContent('#stream-text'), /\d+ packets and \d+ regions/);
+  assert.match(await page.textContent('#stream-text'), /Missing: \d+ packets?, \d+ pieces? of the surface/);
   const whole = new Set(expected.split('\n'));
   const shown = (await shownPolygons(page)).split('\n').filter(Boolean);
   assert.ok(shown.length > 0 && shown.length < whole.size);

@@ -10,3 +10,5 @@ export const on = (id, event, act) => by(id).addEventListener(event, act);
 export const number = (value) => value.toLocaleString('en', { maximumSignificantDigits: 6 });
 /** @param {number} value */
 export const whole = (value) => Math.round(value).toLocaleString('en');
+/** As in "1 packet" and "2 packets". @param {number} count @param {string} thing */
+export const counted = (count, thing) => `${whole(count)} ${thing}${count === 1 ? '' : 's'}`;

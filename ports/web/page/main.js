@@ -1,6 +1,6 @@
 // The page: what is open, and who is told when something changes.
 import { takeDropped } from './dropped.js';
-import { by, number, on, whole } from './elements.js';
+import { by, counted, number, on, whole } from './elements.js';
 import { embeddedFile, embeddedModule, servedFile } from './embedded.js';
 import { Engine, EngineError, Newest } from './engine.js';
 import { servedWhole } from './live/served.js';
@@ -145,19 +145,23 @@ class Page {
     this.view.setSurface(surface);
     this.missing.show(missing);
     if (isEnd) return this.tellStream(stream);
-    const lost = stream.lostPackets > 0 ? `, ${whole(stream.lostPackets)} packets lost` : '';
+    const lost = stream.lostPackets > 0 ? `, ${counted(stream.lostPackets, 'packet')} lost` : '';
     by('stream-text').textContent = `Arriving: ${whole(stream.bytes)} bytes${lost}.`;
     this.showCounts(stream.polygons, 0);
   }
 
   /** @param {any} stream at its end */
   tellStream(stream) {
-    const missing = stream.holdsSlices ? 'rows' : 'regions or pieces of them';
+    const missing = [
+      counted(stream.lostPackets, 'packet'),
+      stream.holdsSlices ? counted(stream.lostPieces, 'row')
+        : `${counted(stream.lostPieces, 'piece')} of the surface`,
+      ...(stream.hasTrailer ? [] : ['the end']),
+    ];
     by('stream-text').textContent = stream.isComplete
       ? `Complete: ${whole(stream.bytes)} bytes, threshold ${number(stream.threshold)}.`
-      : `Incomplete: ${whole(stream.lostPackets)} packets and ${whole(stream.lostPieces)} ${missing} ` +
-        `are missing${stream.hasTrailer ? '' : ', and its end'}; ` +
-        `${whole(stream.damagedPackets)} packets are damaged. What is whole is shown.`;
+      : `Incomplete. Missing: ${missing.join(', ')}. Damaged: ${counted(stream.damagedPackets, 'packet')}. ` +
+        'What is whole is shown.';
     this.showCounts(stream.polygons, stream.classicTriangles);
   }
 
