@@ -75,17 +75,18 @@ export async function saved(page, kind) {
   return { name: download.suggestedFilename(), path: await download.path() };
 }
 
-/** The picture as the page saves it: red, green, blue and opacity of each pixel. */
+/** The picture as the page saves it: its width; red, green, blue and opacity of each pixel. */
 export async function pixelsOf(page) {
   const picture = readFileSync((await saved(page, 'png')).path).toString('base64');
-  const pixels = await page.evaluate(async (base64) => {
+  const { pixels, width } = await page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes]));
     const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(0, 0, image.width, image.height);
-    return Array.from({ length: data.length / 32768 + 1 }, (_, i) =>
+    const pixels = Array.from({ length: data.length / 32768 + 1 }, (_, i) =>
       String.fromCharCode(...data.subarray(32768 * i, 32768 * (i + 1)))).join('');
+    return { pixels, width: image.width };
   }, picture);
-  return Buffer.from(pixels, 'latin1');
+  return Object.assign(Buffer.from(pixels, 'latin1'), { width });
 }

@@ -106,6 +106,27 @@ test('the axes of oblique and mirrored volumes are those of the command', async 
   }
 });
 
+test('left, posterior and superior are told as the surface has them, if they are known', async () => {
+  const oblique = Math.SQRT1_2;
+  for (const [space, directions, expected] of [
+    ['left-posterior-superior', '(1,0,0) (0,2,0) (0,0,3)', [[1, 0, 0], [0, 1, 0], [0, 0, 1]]],
+    ['right-anterior-superior', '(1,0,0) (0,2,0) (0,0,3)', [[-1, 0, 0], [0, -1, 0], [0, 0, 1]]],
+    ['left-posterior-superior', '(-1,0,0) (0,-2,0) (0,0,3)', [[1, 0, 0], [0, 1, 0], [0, 0, 1]]],
+    ['left-posterior-superior', '(0,1,0) (0,0,2) (3,0,0)', [[0, 0, 1], [1, 0, 0], [0, 1, 0]]],
+    ['left-posterior-superior', `(1,0,0) (0,${oblique},${oblique}) (0,${-oblique},${oblique})`,
+      [[1, 0, 0], [0, oblique, -oblique], [0, oblique, oblique]]]]) {
+    const path = join(folder, 'placed.nrrd');
+    writeFileSync(path, nrrdOf(roughBall(8, 8, 8)).toString('latin1').replace(/spacings: .*\n/,
+      `space: ${space}\nspace directions: ${directions}\n`), 'latin1');
+    const { info } = await openFiles([asFile(path)]);
+    info.upright.flat().forEach((part, i) =>
+      assert.ok(Math.abs(part - expected.flat()[i]) < 1e-12, `${directions}: ${info.upright}`));
+  }
+  const path = join(folder, 'unplaced.nrrd');
+  writeFileSync(path, nrrdOf(roughBall(8, 8, 8)));
+  assert.equal((await openFiles([asFile(path)])).info.upright, undefined);
+});
+
 const dicom = join(volumes, 'dicom');
 const imagesIn = (folder) => readdirSync(join(dicom, folder)).map((name) => join(dicom, folder, name));
 

@@ -381,6 +381,44 @@ test('what faces away is not drawn, and nothing that is seen is missing, from al
   await page.context().close();
 });
 
+/** How many pixels wide and high the thing in a picture is. */
+async function extentOf(page) {
+  const data = await pixelsOf(page);
+  const { width } = data;
+  const columns = new Set(), rows = new Set();
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] === 0) continue;
+    columns.add((i / 4) % width);
+    rows.add(Math.floor(i / 4 / width));
+  }
+  return { wide: columns.size, high: rows.size };
+}
+
+test('a head stands upright, however its slices lie', async () => {
+  const { page } = await openPage(browser);
+  const samples = new Int16Array(12 * 12 * 12).fill(0);
+  // A rod along the voxels' x, y or z, which the header says is towards the head.
+  for (const axis of [0, 1, 2]) {
+    samples.forEach((_, i) => {
+      const at = [i % 12, Math.floor(i / 12) % 12, Math.floor(i / 144)];
+      samples[i] = at.every((place, j) => (j === axis ? place > 0 : place > 4) && place < (j === axis ? 11 : 7))
+        ? 100 : 0;
+    });
+    const directions = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]; // of x where the rod is along x, and so on
+    const told = [0, 1, 2].map((j) => `(${directions[(j - axis + 3) % 3]})`).join(' ');
+    const path = join(folder, 'rod.nrrd');
+    const file = nrrdOf({ dims: [12, 12, 12], spacing: [1, 1, 1], samples }).toString('latin1')
+      .replace(/spacings: .*\n/, `space: left-posterior-superior\nspace directions: ${told}\n`);
+    writeFileSync(path, file, 'latin1');
+    await openFiles(page, path);
+    await setThreshold(page, 50 + axis);
+    await shown(page, 50 + axis);
+    const { wide, high } = await extentOf(page);
+    assert.ok(high > 2 * wide, `along ${'xyz'[axis]}: ${wide} x ${high}`);
+  }
+  await page.context().close();
+});
+
 test('a page with data inside opens it at once', async () => {
   const path = join(folder, 'with_data.html');
   const data = deflateSync(readFileSync(volume)).toString('base64');

@@ -1,5 +1,8 @@
-// Where the viewer is: on a sphere around a point, looking at it. Units: millimetres, z upwards.
+// Where the viewer is: on a sphere around a point, looking at it. Units: millimetres.
 import { Camera as Lens, Vec3 } from 'ogl';
+
+/** Directions that nothing is known of. */
+export const asTheyAre = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 const fieldOfView = 35; // degrees, across the smaller side
 
@@ -9,6 +12,8 @@ export class Camera {
     this.lens = new Lens(gl);
     /** How far from the origin there is something. Units: millimetres. */
     this.depth = 1;
+    /** The directions of space: the last one is up. */
+    this.upright = asTheyAre;
     this.reset(1, [0, 0, 0]);
   }
 
@@ -47,7 +52,9 @@ export class Camera {
   axes() {
     const [c, s] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
     const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
-    return { x: [-s, c, 0], y: [-se * c, -se * s, ce], z: [ce * c, ce * s, se] };
+    const turned = (/** @type {number[]} */ v) => [0, 1, 2].map((i) =>
+      v.reduce((sum, part, j) => sum + part * this.upright[j][i], 0));
+    return { x: turned([-s, c, 0]), y: turned([-se * c, -se * s, ce]), z: turned([ce * c, ce * s, se]) };
   }
 
   /** How many millimetres a share of the picture's smaller side is, in the middle. */

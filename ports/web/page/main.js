@@ -113,7 +113,7 @@ class Page {
 
   /** @param {any} volume @param {number} [iso] */
   showVolume({ name, info, values }, iso) {
-    this.opened = { name, dims: info.dims, spacing: info.spacing, values };
+    this.opened = { name, dims: info.dims, spacing: info.spacing, upright: info.upright, values };
     this.showOpened(true);
     this.threshold.open(values, info);
     const first = iso ?? values.automatic;
@@ -186,7 +186,7 @@ class Page {
     this.view.setClassic(null);
     this.view.setMissing(null);
     by('caption-classic').hidden = true;
-    this.view.setSpace(dims, spacing, isClosed, isGrowing);
+    this.view.setSpace(this.opened, isClosed, isGrowing);
     this.slice.open(this.opened);
   }
 

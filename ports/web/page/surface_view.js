@@ -1,6 +1,6 @@
 // The surface on a canvas: merged polygons, and classic Marching Cubes beside them if wanted.
 import { Geometry, Mat4, Mesh, Program, Renderer } from 'ogl';
-import { Camera } from './camera.js';
+import { asTheyAre, Camera } from './camera.js';
 import { facing } from './facing.js';
 import { kindBases, litPlanes, plainBases, planesOf, whiteBases } from './light.js';
 import * as palette from './palette.js';
@@ -40,7 +40,7 @@ export class SurfaceView {
     // Else it would be lost for good.
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => this.restore());
-    this.setSpace([1, 1, 1], [1, 1, 1], true);
+    this.setSpace({ dims: [1, 1, 1], spacing: [1, 1, 1] }, true);
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
@@ -110,11 +110,12 @@ export class SurfaceView {
   }
 
   /**
-   * The space that surfaces are in. @param {number[]} dims @param {number[]} spacing
+   * The space that surfaces are in.
+   * @param {{dims: number[], spacing: number[], upright?: number[][]}} volume
    * @param {boolean} isClosed whether no inside is seen
    * @param {boolean} [isGrowing] whether there will be more of the surface than there is at first
    */
-  setSpace(dims, spacing, isClosed, isGrowing = false) {
+  setSpace({ dims, spacing, upright = asTheyAre }, isClosed, isGrowing = false) {
     this.dims = dims;
     this.spacing = spacing;
     this.isClosed = isClosed;
@@ -123,6 +124,7 @@ export class SurfaceView {
     this.uniforms.toPlace.value = spacing.map((step) => 2 / step);
     this.uniforms.isMirrored.value = spacing[0] * spacing[1] * spacing[2] < 0;
     this.centre = dims.map((extent, i) => ((extent - 1) / 2) * spacing[i]);
+    this.camera.upright = upright;
     this.camera.depth = Math.hypot(...dims.map((extent, i) => extent * spacing[i]));
     this.removed(this.surface, this.edges);
     this.surface = this.edges = this.vertices = this.shown = null;

@@ -1,4 +1,5 @@
-// Which axes of a volume run backwards, as the command decides it: so no shape is mirrored.
+// How the axes of a volume lie in space: which run backwards, as the command decides it, so that no
+// shape is mirrored; and which way is up.
 
 /**
  * @param {number[][]} axes the ways to the next voxel along x, y and z, in space
@@ -23,16 +24,34 @@ function determinant(a) {
 }
 
 /**
- * Distances of voxels with the signs of the axes. What no spacing can be is 1 mm.
- * @param {number[]} lengths @param {number[][]} [axes]
- * @returns {[number, number, number]}
+ * Distances of voxels with the signs of the axes; what no spacing can be is 1 mm. And the directions
+ * of space (left, posterior, superior where they are known) as the surface has them, whose axes are
+ * those of the voxels.
+ * @param {number[]} lengths @param {number[][]} [axes] of the voxels, in space
+ * @param {boolean} [isRas] whether the directions of axes are right, anterior, superior
+ * @returns {{spacing: [number, number, number], upright?: number[][]}}
  */
-export function spacingOf(lengths, axes) {
+export function placeOf(lengths, axes, isRas = false) {
   const isUsable = (/** @type {number} */ length) => length >= 1e-6 && length <= 2147;
   const isTold = axes && axes.flat().every(Number.isFinite) && determinant(axes) !== 0;
   const signs = isTold ? signsOf(axes) : lengths.map((length) => (length < 0 ? -1 : 1));
-  return /** @type {any} */ ([0, 1, 2].map((i) => {
+  const spacing = /** @type {any} */ ([0, 1, 2].map((i) => {
     const length = Math.abs(lengths[i] ?? 1);
     return (signs[i] ?? 1) * (isUsable(length) ? length : 1);
   }));
+  if (!isTold) return { spacing };
+  const inLps = isRas ? axes.map(([x, y, z]) => [-x, -y, z]) : axes;
+  return { spacing, upright: uprightBy(inLps, signs) };
+}
+
+/** Those of oblique axes are made square. @param {number[][]} axes @param {number[]} signs */
+function uprightBy(axes, signs) {
+  const unit = (/** @type {number[]} */ v) => v.map((part) => part / Math.hypot(...v));
+  const dot = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    a.reduce((sum, part, i) => sum + part * b[i], 0);
+  const x = unit(axes[0].map((part) => signs[0] * part));
+  const forwards = axes[1].map((part) => signs[1] * part);
+  const y = unit(forwards.map((part, i) => part - dot(forwards, x) * x[i]));
+  const z = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
+  return [0, 1, 2].map((i) => [x[i], y[i], z[i]]);
 }

@@ -1,6 +1,6 @@
 // DICOM: the images of a series, a file each or frames of one, put in order along their normal.
 import dicomParser from 'dicom-parser';
-import { spacingOf } from './axes.js';
+import { placeOf } from './axes.js';
 import { asText, ByteSource, swapBytes } from './bytes.js';
 import { partsOf, unpackFor } from './dicom_frames.js';
 import { FileError, sampleBytes } from './volume_info.js';
@@ -52,7 +52,7 @@ export async function readDicom(files) {
     dims: [first.columns, first.rows, ordered.length],
     type: hasOneScale ? first.type : 'f32',
     bigEndian: false, // swapped where the bits are cut
-    spacing: spacingOf([first.spacing[0], first.spacing[1], distance], axes),
+    ...placeOf([first.spacing[0], first.spacing[1], distance], axes),
     slope: hasOneScale ? first.slope : 1,
     intercept: hasOneScale ? first.intercept : 0,
     isInHounsfield: first.modality === 'CT' && first.intercept < 0,

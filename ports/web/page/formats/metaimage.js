@@ -1,6 +1,6 @@
 // MetaImage: lines of a header, then the samples (.mha), or the name of the file that has them
 // (.mhd).
-import { spacingOf } from './axes.js';
+import { placeOf } from './axes.js';
 import { asText, inflated } from './bytes.js';
 import { FileError } from './volume_info.js';
 
@@ -47,7 +47,7 @@ export async function readMetaImage(name, source, others) {
     dims: [dims[0] ?? 1, dims[1] ?? 1, dims[2] ?? 1],
     type,
     bigEndian: is('ElementByteOrderMSB') || is('BinaryDataByteOrderMSB'),
-    spacing: spacingFrom(numbers('ElementSpacing', 'ElementSize'),
+    ...placeFrom(numbers('ElementSpacing', 'ElementSize'),
       numbers('TransformMatrix', 'Rotation', 'Orientation')),
     slope: isScaled ? slope : 1,
     intercept: isScaled ? numbers('ElementToIntensityFunctionOffset')[0] ?? 0 : 0,
@@ -70,8 +70,8 @@ export async function readMetaImage(name, source, others) {
 }
 
 /** @param {number[]} lengths @param {number[]} matrix */
-function spacingFrom(lengths, matrix) {
-  if (matrix.length !== 9) return spacingOf(lengths);
-  return spacingOf(lengths, [0, 1, 2].map((axis) =>
+function placeFrom(lengths, matrix) {
+  if (matrix.length !== 9) return placeOf(lengths);
+  return placeOf(lengths, [0, 1, 2].map((axis) =>
     matrix.slice(3 * axis, 3 * axis + 3).map((part) => part * (lengths[axis] ?? 1))));
 }

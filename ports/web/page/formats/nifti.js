@@ -1,5 +1,5 @@
 // NIfTI-1 and NIfTI-2: one file (.nii), or a header with the samples beside it (.hdr, .img).
-import { spacingOf } from './axes.js';
+import { placeOf } from './axes.js';
 import { asText } from './bytes.js';
 import { FileError } from './volume_info.js';
 
@@ -53,7 +53,7 @@ export async function readNifti(name, source, others) {
     dims: [1, 2, 3].map((axis) => (axis <= header.dim[0] ? header.dim[axis] : 1)),
     type,
     bigEndian: !kind.isLittle,
-    spacing: spacingFrom(header),
+    ...placeFrom(header),
     slope: isScaled ? header.slope : 1,
     intercept: isScaled && Number.isFinite(header.intercept) ? header.intercept : 0,
     isInHounsfield: false,
@@ -90,16 +90,16 @@ function fieldsOf(view, { version, isLittle }) {
 }
 
 /** @param {ReturnType<typeof fieldsOf>} header */
-function spacingFrom(header) {
+function placeFrom(header) {
   const unit = { 1: 1000, 3: 1e-3 }[header.units & 7] ?? 1;
   const lengths = header.pixdim.slice(1, 4).map((length) => unit * Math.abs(length));
   if (header.sform > 0) {
     const axes = [0, 1, 2].map((axis) => header.rows.map((row) => unit * row[axis]));
     const told = axes.map((axis) => Math.hypot(...axis));
     const isUsable = told.every((length) => length >= 1e-6 && length <= 1e6);
-    return spacingOf(isUsable ? told : lengths, isUsable ? axes : undefined);
+    return placeOf(isUsable ? told : lengths, isUsable ? axes : undefined, true);
   }
-  return header.qform > 0 ? spacingOf(lengths, rotation(header)) : spacingOf(lengths);
+  return placeOf(lengths, header.qform > 0 ? rotation(header) : undefined, true);
 }
 
 // The axes by the quaternion (nifti1.h, method 2).

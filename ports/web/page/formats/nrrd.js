@@ -1,5 +1,5 @@
 // NRRD: a header of lines, then the samples, or the name of the file that has them.
-import { spacingOf } from './axes.js';
+import { placeOf } from './axes.js';
 import { asText, unpacked } from './bytes.js';
 import { FileError } from './volume_info.js';
 
@@ -46,7 +46,7 @@ export async function readNrrd(name, source, others) {
     dims: [sizes[0] ?? 1, sizes[1] ?? 1, sizes[2] ?? 1],
     type,
     bigEndian: fields.get('endian')?.toLowerCase() === 'big',
-    spacing: spacingFrom(fields),
+    ...placeFrom(fields),
     slope: 1,
     intercept: 0,
     isInHounsfield: false,
@@ -88,14 +88,15 @@ function fieldsOf(text) {
 const numbersOf = (text) => text.trim().split(/[\s,]+/).map(Number);
 
 /** @param {Map<string, string>} fields */
-function spacingFrom(fields) {
+function placeFrom(fields) {
   const directions = fields.get('space directions');
-  if (!directions) return spacingOf(numbersOf(fields.get('spacings') ?? '1 1 1'));
+  if (!directions) return placeOf(numbersOf(fields.get('spacings') ?? '1 1 1'));
   const axes = [...directions.matchAll(/\(([^)]*)\)/g)].map((vector) => numbersOf(vector[1]));
-  if (axes.length < 3) return spacingOf([1, 1, 1]);
+  if (axes.length < 3) return placeOf([1, 1, 1]);
   const isLeftHanded = /^(left-anterior-superior|last?)\b|3d-left-handed/i.test(fields.get('space') ?? '');
-  if (isLeftHanded) for (const axis of axes) axis[0] = -axis[0];
-  return spacingOf(axes.map((axis) => Math.hypot(...axis)), axes);
+  if (isLeftHanded) for (const axis of axes) axis[0] = -axis[0]; // then it is RAS
+  const isRas = isLeftHanded || /^(right-anterior-superior|rast?)\b/i.test(fields.get('space') ?? '');
+  return placeOf(axes.map((axis) => Math.hypot(...axis)), axes, isRas);
 }
 
 /** @param {string} name @param {import('./bytes.js').ByteSource} data @param {number} lines */

@@ -8,6 +8,7 @@
  * @property {boolean} bigEndian
  * @property {[number, number, number]} spacing millimetres from voxel to voxel; negative where the
  *   axis runs backwards
+ * @property {number[][]} [upright] the directions of space, as the surface has them: see axes.js
  * @property {number} slope value = slope * stored + intercept
  * @property {number} intercept
  * @property {boolean} isInHounsfield whether the file says so
