@@ -129,6 +129,23 @@ test('of a link with several surfaces the chosen one is shown', async () => {
   }
 });
 
+test('a stream tells which way is up, as its volume does', async () => {
+  for (const [space, directions] of [['left-posterior-superior', '(0,0.5,0) (0,0,0.5) (1,0,0)'],
+    ['right-anterior-superior', '(0.5,0,0) (0,0.5,0) (0,0,1)'],
+    ['left-posterior-superior', '(-0.5,0,0) (0,0,-0.5) (0,-1,0)']]) {
+    const path = join(folder, 'placed.nrrd');
+    writeFileSync(path, nrrdOf(ball).toString('latin1').replace(/spacings: .*\n/,
+      `space: ${space}\nspace directions: ${directions}\n`), 'latin1');
+    command('extract', path, '--iso', '400', '-o', join(folder, 'placed.dmc'), '--quiet');
+    const module = await startModule();
+    module.newStream();
+    module.pushStream(readFileSync(join(folder, 'placed.dmc')));
+    const { spacing, upright } = module.endStream();
+    const { info } = await openVolume(path);
+    assert.deepEqual([spacing, upright], [info.spacing, info.upright]);
+  }
+});
+
 test('streams of version 1 are read', async () => {
   const golden = new URL('../golden/version1/', import.meta.url).pathname;
   for (const name of ['ball', 'fragments', 'normals', 'skipped'].map((stem) => `${stem}.dmc`)) {

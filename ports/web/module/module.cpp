@@ -274,6 +274,14 @@ EXPORT(stream_state) const double* stream_state() {
                  report.holds_slices ? report.lost_rows : report.lost_pieces, report.holds_slices,
                  report.totals.classic_triangles, report.bytes, header.border == Border::closed);
 }
+/// The axes of the voxels in space, one after another, 0 where they are not told; and whether space
+/// is RAS.
+EXPORT(stream_axes) const double* stream_axes() {
+  const auto& placement = state().stream->placement();
+  const auto& axes = placement.value_or(Placement{}).axes_nm;
+  return numbers(axes[0][0], axes[0][1], axes[0][2], axes[1][0], axes[1][1], axes[1][2], axes[2][0],
+                 axes[2][1], axes[2][2], placement && placement->frame == Frame::ras);
+}
 /// The surfaces of the link: scan, channel and threshold of each.
 EXPORT(stream_surfaces) const Bytes* stream_surfaces() {
   std::vector<std::int32_t>& list = state().surfaces;

@@ -7,6 +7,9 @@ StreamSurface::StreamSurface(const host::StreamChoice& choice)
 
 Answer StreamSurface::take(const Event& event) {
   if (event.kind == Event::Kind::skipped) note_skipped(event.slice, event.row);
+  Placement told;
+  if (event.kind == Event::Kind::application && read_placement(*event.application, told))
+    placement_ = told;
   return joiner_.take(event);
 }
 

@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
+
+#include <discmc/placement.hpp>
 
 #include "missing.hpp"
 #include "streams/stream_file.hpp"
@@ -27,6 +30,8 @@ class StreamSurface {
   void finish();
 
   const host::StreamReader& reader() const { return reader_; }
+  /// Where the volume lies, if that was told.
+  const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
   const std::vector<host::Polygon>& polygons() const { return builder_.surface().polygons; }
@@ -39,6 +44,7 @@ class StreamSurface {
   host::SurfaceBuilder builder_;
   host::GrowingJoiner joiner_;
   host::StreamReader reader_;
+  std::optional<Placement> placement_;
   std::vector<MissingRows> rows_;  // the first of those that are skipped
 };
 

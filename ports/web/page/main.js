@@ -122,7 +122,7 @@ class Page {
 
   /** @param {any} result @param {import('./panels/surface_choice.js').Choice} [choice] */
   async showStream({ name, stream, surfaces, missing }, choice) {
-    this.opened = { name, dims: stream.dims, spacing: stream.spacing };
+    this.opened = { name, dims: stream.dims, spacing: stream.spacing, upright: stream.upright };
     this.choice.show(surfaces, choice);
     this.showOpened(stream.isComplete && stream.isClosed);
     this.tellStream(stream);
@@ -139,7 +139,7 @@ class Page {
     if (isFirst || (isEnd && stream.dims[2] !== this.opened.dims[2])) {
       const [width, height, depth] = stream.dims; // it may be told at the end alone
       this.opened = { name, dims: [width, height, depth || Math.max(width, height)],
-        spacing: stream.spacing };
+        spacing: stream.spacing, upright: stream.upright };
       this.showOpened(stream.isComplete && stream.isClosed, true);
     }
     this.view.setSurface(surface);

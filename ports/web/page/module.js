@@ -1,5 +1,6 @@
 // The WebAssembly module: its calls with names, and its memory as typed arrays. Addresses come with
 // a sign, and have none.
+import { placeOf } from './formats/axes.js';
 
 /** Owner of a volume or stream, and of its surface: see module/module.cpp. */
 export class Module {
@@ -144,7 +145,10 @@ export class Module {
   /** What is known of it so far. */
   streamState() {
     const list = this.numbersAt(this.call('stream_state'), 18);
+    const axes = this.numbersAt(this.call('stream_axes'), 10);
+    const vectors = [0, 3, 6].map((begin) => axes.slice(begin, begin + 3));
     return {
+      upright: placeOf([], vectors, axes[9] !== 0).upright,
       hasHeader: list[0] !== 0,
       dims: /** @type {[number, number, number]} */ (list.slice(1, 4)),
       spacing: /** @type {[number, number, number]} */ (list.slice(4, 7)),
