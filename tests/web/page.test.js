@@ -184,6 +184,16 @@ test('a graphics card that forgets all shows the same once it is back', async ()
   await page.context().close();
 });
 
+test('a stream that is wider than can be drawn is refused with what to do', async () => {
+  const { page } = await openPage(browser);
+  const raw = join(folder, 'wide.raw'), path = join(folder, 'wide.dmc');
+  writeFileSync(raw, Buffer.alloc(20000 * 2 * 2, 1));
+  command('extract', raw, '--dims', '20000,2,2', '--type', 'u8', '--iso', '1', '-o', path, '--quiet');
+  await openFiles(page, path);
+  assert.match(await page.textContent('#error'), /20000 x 2 x 2 voxels; the page takes at most 16383 .*--crop/);
+  await page.context().close();
+});
+
 test('of a stream with several surfaces each can be chosen', async () => {
   const { page, complaints } = await openPage(browser);
   const path = join(folder, 'several.dmc');
@@ -334,6 +344,24 @@ test('the slice follows the pointer on the surface, until one is chosen', async 
   assert.equal(await point(0.5, 0.3), lower + 1, 'a chosen one stays');
   await page.check('#follow');
   assert.equal(await point(0.5, 0.3), upper);
+  await page.context().close();
+});
+
+test('what was measured goes with its surface, and a cut does not follow the pointer', async () => {
+  const { page } = await openPage(browser);
+  await openFiles(page, volume);
+  await rested(page);
+  await page.check('#measure');
+  await page.focus('#view');
+  await page.keyboard.press('Enter');
+  assert.match(await page.textContent('#distance'), /^From/);
+  await setThreshold(page, 431);
+  await shown(page, 431);
+  assert.match(await page.textContent('#distance'), /^Click/);
+  await page.check('#cut');
+  assert.ok(await page.isDisabled('#follow'));
+  await page.uncheck('#cut');
+  assert.ok(await page.isEnabled('#follow'));
   await page.context().close();
 });
 

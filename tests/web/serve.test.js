@@ -118,6 +118,21 @@ test('other names, methods, parts and paths are refused', async (t) => {
   assert.equal(await end(), 0);
 });
 
+test('who is slow to take a volume does not hold up others', async (t) => {
+  const large = join(folder, 'large.raw'); // more than a socket holds
+  writeFileSync(large, Buffer.alloc(256 * 256 * 256));
+  const { address, end } = await served(t, large, '--dims', '256,256,256', '--type', 'u8');
+  const { port } = new URL(address);
+  const slow = connect(Number(port), '127.0.0.1');
+  slow.pause();
+  slow.write(`GET /data HTTP/1.1\r\nHost: 127.0.0.1:${port}\r\n\r\n`);
+  await new Promise((resolve) => setTimeout(resolve, 300)); // it has begun
+  const answer = await fetch(new URL('data', address), { signal: AbortSignal.timeout(10000) });
+  assert.ok((await answer.arrayBuffer()).byteLength > 256 ** 3);
+  slow.destroy();
+  assert.equal(await end(), 0);
+});
+
 test('a client that sends only a part of a request does not hold up the end', async (t) => {
   const { address, end } = await served(t, stream);
   const { hostname, port } = new URL(address);

@@ -1,6 +1,7 @@
 // discmc view --serve: the page, and the data beside it.
 #include <cstdint>
 #include <iostream>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "pages/browser.hpp"
 #include "pages/live_file.hpp"
 #include "pages/page_server.hpp"
+#include "require.hpp"
 #include "view.hpp"
 #include "volume_input.hpp"
 #include "volumes/nifti_writer.hpp"
@@ -19,9 +21,27 @@
 namespace discmc::host {
 namespace {
 
+// Slices are read in turn, as not every library does so in two threads. Whoever is slow to take
+// what was read holds nobody up.
+class ReadInTurn final : public VolumeReader {
+ public:
+  ReadInTurn(std::unique_ptr<VolumeReader> volume, std::mutex& turn)
+      : volume_(std::move(volume)), turn_(turn) {}
+  const VolumeInfo& info() const override { return volume_->info(); }
+  void read_slice(void* samples) override {
+    const std::lock_guard<std::mutex> lock(turn_);
+    volume_->read_slice(samples);
+  }
+
+ private:
+  std::unique_ptr<VolumeReader> volume_;
+  std::mutex& turn_;
+};
+
 void serve(const ViewArguments& arguments, const ServedFile& file) {
   serve_page(file, arguments.port, [&](const std::string& address) {
     std::cout << file.name << ": " << address << " (Ctrl-C ends it)" << std::endl;
+    require_written(std::cout);
     if (arguments.opens && !open_in_browser(address))
       std::cerr << "discmc: no browser was found: open " << address << " in one\n";
   });
@@ -31,16 +51,17 @@ void serve(const ViewArguments& arguments, const ServedFile& file) {
 void serve_samples(const ViewArguments& arguments) {
   constexpr std::uint64_t most = std::uint64_t{1} << 30;
   require_second_pass(arguments.input, "every page that is served takes a pass");
+  std::mutex turn;
   const auto open = [&] {
+    const std::lock_guard<std::mutex> lock(turn);
     return open_volume(arguments.input, volume_options(arguments.reading.layout));
   };
   const VolumeInfo info = open()->info();
   require_size(arguments.input, info, most);
-  std::mutex turn;  // not every library that reads volumes does so in two threads
   const auto write = [&](std::ostream& out) {
-    const std::lock_guard<std::mutex> lock(turn);
+    ReadInTurn volume(open(), turn);
     write_nifti(
-        *open(), [](std::uint32_t) {}, out);
+        volume, [](std::uint32_t) {}, out);
   };
   serve(arguments, {name_of(arguments.input), false, nifti_bytes(info), write});
 }

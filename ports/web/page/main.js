@@ -203,6 +203,7 @@ class Page {
     const { iso, counts, milliseconds } = surface;
     told('extracted', performance.now() - milliseconds, milliseconds, { iso, ...counts });
     tellBusy('');
+    if (iso !== this.shownIso) this.measure.clear();
     this.shownIso = iso;
     this.view.setSurface(surface);
     this.showCounts(counts.polygons, counts.classicTriangles);

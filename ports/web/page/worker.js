@@ -1,7 +1,7 @@
 // The worker: everything that takes time. One request after the other, each answered.
 import { swapBytes } from './formats/bytes.js';
 import { openFiles, UnknownLayout } from './formats/volume_file.js';
-import { FileError, sampleBytes, sampleTypes, volumeBytes } from './formats/volume_info.js';
+import { FileError, requireExtents, sampleBytes, sampleTypes, volumeBytes } from './formats/volume_info.js';
 import { Module } from './module.js';
 
 /** @type {BufferSource} */
@@ -125,6 +125,7 @@ async function openStream(opened, name, data, choice) {
   if (!stream.hasHeader)
     throw new FileError(name, `no header of a discmc stream in ${stream.bytes} bytes`,
       'check whether this is a stream (.dmc)');
+  requireExtents(name, stream.dims);
   return { name, stream, surfaces: opened.streamSurfaces(), missing: opened.missing(true) };
 }
 

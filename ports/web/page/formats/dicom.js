@@ -67,8 +67,8 @@ export async function readDicom(files) {
 
 /** One for each frame. @param {File} file @returns {Promise<Image[]>} none where it has no pixels */
 async function imagesOf(file) {
+  if (!isDicom(new Uint8Array(await file.slice(0, 132).arrayBuffer()))) return [];
   const bytes = new Uint8Array(await file.arrayBuffer());
-  if (!isDicom(bytes)) return [];
   const syntax = metaOf(file, bytes).string('x00020010') ?? implicitLittle;
   const unpack = unpackFor(syntax);
   if (!unpack)

@@ -47,14 +47,20 @@ export function requireSize(file, info) {
   const sizes = info.dims.join(' x ');
   if (!info.dims.every((extent) => Number.isInteger(extent) && extent > 0))
     throw new FileError(file, `the header gives ${sizes} voxels`, 'correct the header');
-  if (Math.max(...info.dims) > mostExtent)
-    throw new FileError(file, `${sizes} voxels; the page takes at most ${mostExtent} along an axis`,
-      'crop it with discmc extract --crop');
+  requireExtents(file, info.dims);
   if (volumeBytes(info) > mostBytes)
     throw new FileError(file,
       `${sizes} voxels are ${inMebibytes(volumeBytes(info))}; the page takes at most ` +
         inMebibytes(mostBytes),
       'make a smaller stream of it with discmc extract --shrink 2 -o FILE.dmc, which opens here');
+}
+
+/** @param {string} file @param {number[]} dims voxels */
+export function requireExtents(file, dims) {
+  if (Math.max(...dims) > mostExtent)
+    throw new FileError(file,
+      `${dims.join(' x ')} voxels; the page takes at most ${mostExtent} along an axis`,
+      'crop it with discmc extract --crop');
 }
 
 /** @param {number} bytes */

@@ -9,17 +9,17 @@ export class MeasurePanel {
       by('view').classList.toggle('picks', by('measure').checked);
       by('cross').hidden = !by('measure').checked;
       this.clear();
-      if (by('measure').checked)
-        this.tell('Click on the surface, or press Enter in the view for its middle.');
     });
     this.clear();
   }
 
+  /** What was measured is no more. */
   clear() {
     /** @type {number[][]} */
     this.points = [];
     this.view.setMarks([]);
-    this.tell('');
+    this.tell(by('measure').checked
+      ? 'Click on the surface, or press Enter in the view for its middle.' : '');
   }
 
   /** @param {string} text */

@@ -75,6 +75,7 @@ export class SlicePanel {
     this.point = point;
     const axis = Number(by('axis').value), at = Number(by('place').value);
     by('place-text').textContent = `${at} of ${by('place').max}`;
+    by('follow').disabled = by('cut').checked; // a cut that moves hides what is pointed at
     this.view.setCut(by('cut').checked ? { axis, at } : null);
     this.ask();
   }
