@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
+import { gunzipSync } from 'node:zlib';
 import { openFiles } from '../../ports/web/page/formats/volume_file.js';
 import { polygonsByCommand, workFolder, command } from './command.js';
 import { asFile, openVolume, polygonsOf } from './module_of_page.js';
@@ -125,6 +126,22 @@ test('left, posterior and superior are told as the surface has them, if they are
   const path = join(folder, 'unplaced.nrrd');
   writeFileSync(path, nrrdOf(roughBall(8, 8, 8)));
   assert.equal((await openFiles([asFile(path)])).info.upright, undefined);
+});
+
+test('a page has the directions of its volume inside, or none where there are none', async () => {
+  for (const header of ['', 'space: left-posterior-superior\nspace directions: (0,0.5,0) (0,0,2) (1,0,0)\n']) {
+    const path = join(folder, 'v.nrrd');
+    writeFileSync(path, nrrdOf({ ...roughBall(8, 8, 8), spacing: [0.5, -0.75, 1.25] }).toString('latin1')
+      .replace(header ? /spacings: .*\n/ : /^$/, header), 'latin1');
+    const page = command('view', path, '-o', '-').toString();
+    const inside = /data-encoding="gzip">([^<]*)</.exec(page)[1];
+    const file = Object.assign(new Blob([gunzipSync(Buffer.from(inside, 'base64'))]), { name: 'v.nii' });
+    const { info } = await openFiles([file]), own = (await openFiles([asFile(path)])).info;
+    const withoutSignsOfZero = (rows) => rows?.map((row) => row.map((part) => part + 0));
+    assert.deepEqual(withoutSignsOfZero(info.upright), withoutSignsOfZero(own.upright));
+    assert.equal(info.upright === undefined, header === '');
+    if (!header) assert.deepEqual(info.spacing, own.spacing);
+  }
 });
 
 const dicom = join(volumes, 'dicom');

@@ -16,10 +16,13 @@ namespace {
 
 constexpr std::uint64_t header_bytes = sizeof(nifti_2_header) + 4;  // and that nothing follows it
 
+bool has_frame(const VolumeInfo& info) {
+  return info.placement && info.placement->frame != Frame::none;
+}
+
 VolumePlacement placement_of(const VolumeInfo& info) {
-  if (!info.placement) return along_coordinates(info.spacing_mm);
-  return info.placement->frame == Frame::none ? *info.placement
-                                              : in_frame(*info.placement, Frame::ras);
+  if (has_frame(info)) return in_frame(*info.placement, Frame::ras);
+  return info.placement.value_or(along_coordinates(info.spacing_mm));
 }
 
 nifti_2_header header_of(const VolumeInfo& info) {
@@ -42,7 +45,8 @@ nifti_2_header header_of(const VolumeInfo& info) {
   header.vox_offset = header_bytes;
   header.scl_slope = info.slope;
   header.scl_inter = info.intercept;
-  header.sform_code = NIFTI_XFORM_SCANNER_ANAT;
+  // Of the codes the one that says least of what the directions are.
+  header.sform_code = has_frame(info) ? NIFTI_XFORM_SCANNER_ANAT : NIFTI_XFORM_TEMPLATE_OTHER;
   header.xyzt_units = NIFTI_UNITS_MM;
   return header;
 }

@@ -97,7 +97,9 @@ function placeFrom(header) {
     const axes = [0, 1, 2].map((axis) => header.rows.map((row) => unit * row[axis]));
     const told = axes.map((axis) => Math.hypot(...axis));
     const isUsable = told.every((length) => length >= 1e-6 && length <= 1e6);
-    return placeOf(isUsable ? told : lengths, isUsable ? axes : undefined, true);
+    const place = placeOf(isUsable ? told : lengths, isUsable ? axes : undefined, true);
+    const ofItsOwn = 5; // "template, other": what its directions are is not known
+    return header.sform === ofItsOwn ? { spacing: place.spacing } : place;
   }
   return placeOf(lengths, header.qform > 0 ? rotation(header) : undefined, true);
 }
