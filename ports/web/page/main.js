@@ -194,6 +194,7 @@ class Page {
     this.view.hasEdges = by('edges').checked;
     if (!this.opened) return;
     if (!this.opened.values) return void this.redrawStream();
+    clearTimeout(this.settling); // of a large volume a surface takes longer than that
     this.surfaces.ask({ iso: this.threshold.iso, isFiltered: by('filter').checked,
       hasEdges: this.view.hasEdges, isSmooth: by('smooth').checked });
   }
