@@ -15,6 +15,8 @@ const volume = join(folder, 'ball.nrrd');
 writeFileSync(volume, nrrdOf(roughBall()));
 const byCommand = (iso) => polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', `${iso}`);
 
+const small = { width: 900, height: 500 }; // for many pictures
+
 let browser;
 before(async () => (browser = await startBrowser()));
 after(() => browser.close());
@@ -303,7 +305,7 @@ async function colourOf(page) {
 }
 
 test('the outside is seen, flat and smooth, also of a volume whose x runs backwards; a cut shows the inside', async () => {
-  const { page } = await openPage(browser);
+  const { page } = await openPage(browser, { viewport: small });
   for (const side of [1, -1]) {
     const path = join(folder, 'side.nrrd');
     const ball = roughBall();
@@ -383,7 +385,7 @@ test('the planes that are left out face away wherever in the space they lie', ()
 });
 
 test('what faces away is not drawn, and nothing that is seen is missing, from all sides', async () => {
-  const { page } = await openPage(browser);
+  const { page } = await openPage(browser, { viewport: small });
   await openFiles(page, volume);
   await page.evaluate(() => {
     const place = document.querySelector('#place');
@@ -402,7 +404,7 @@ test('what faces away is not drawn, and nothing that is seen is missing, from al
       if (all[i + 3] > 0) ++drawn;
       if (Math.abs(all[i] - picture[i]) > 8 || all[i + 3] !== picture[i + 3]) ++different;
     }
-    assert.ok(drawn > 10000 && different < 0.01 * drawn, `${different} of ${drawn} pixels differ`);
+    assert.ok(drawn > 10000 && different < 0.02 * drawn, `${different} of ${drawn} pixels differ`);
     await page.focus('#view');
     for (let i = 0; i < 9; ++i) await page.keyboard.press(step % 2 ? 'ArrowUp' : 'ArrowLeft');
   }
