@@ -27,8 +27,7 @@ static_assert(DISCMC_FRAME_NONE == static_cast<int>(Frame::none) &&
 
 discmc_application_record discmc_placement_record(const discmc_placement* placement,
                                                   uint8_t* bytes) {
-  const ApplicationRecord record = record_of(*reinterpret_cast<const Placement*>(placement), bytes);
-  return {record.kind, record.slice, record.row, record.bytes, record.count};
+  return c(record_of(*reinterpret_cast<const Placement*>(placement), bytes));
 }
 uint8_t discmc_read_placement(const discmc_application_record* record,
                               discmc_placement* placement) {

@@ -12,9 +12,7 @@ static_assert(DISCMC_SLAB_RANGE_BYTES == SlabRange::record_bytes &&
               "constants are the same");
 
 discmc_application_record discmc_slab_range_record(const discmc_slab_range* range, uint8_t* bytes) {
-  const ApplicationRecord record =
-      record_of(SlabRange{range->first, range->slices, range->depth}, bytes);
-  return {record.kind, record.slice, record.row, record.bytes, record.count};
+  return c(record_of(SlabRange{range->first, range->slices, range->depth}, bytes));
 }
 uint8_t discmc_read_slab_range(const discmc_application_record* record, discmc_slab_range* range) {
   SlabRange read;

@@ -46,6 +46,9 @@ inline discmc_statistics c(const Statistics& from) {
 inline discmc_stream_header c(const StreamHeader& from) {
   return *reinterpret_cast<const discmc_stream_header*>(&from);
 }
+inline discmc_application_record c(const ApplicationRecord& from) {
+  return *reinterpret_cast<const discmc_application_record*>(&from);
+}
 inline discmc_stream_report c(const StreamReport& from) {
   return {from.has_header,    from.holds_slices,     from.has_trailer,     from.abandoned,
           from.is_unreadable, from.is_mixed,         from.is_complete(),   from.bytes,
