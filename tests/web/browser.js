@@ -1,12 +1,11 @@
 // The page in Chromium, without a network.
+import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
 
 const require = createRequire(new URL('../../ports/web/', import.meta.url));
 const { chromium } = require('playwright-core');
-
-export const axe = require.resolve('axe-core/axe.min.js');
 
 // Without a graphics card the browser fetches every picture from where it is drawn, and says so.
 const ofSoftware = /GPU stall due to ReadPixels/;
@@ -73,6 +72,25 @@ export const now = (page) => page.evaluate(() => performance.now());
 export async function saved(page, kind) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${kind}]`)]);
   return { name: download.suggestedFilename(), path: await download.path() };
+}
+
+/** The polygons that are shown, a line each. */
+export const shownPolygons = async (page) => readFileSync((await saved(page, 'jsonl')).path, 'utf8');
+
+/** Waits until what is told of a stream begins with these words. */
+export const streamTells = (page, words) => page.waitForFunction((wanted) =>
+  document.querySelector('#stream-text').textContent.startsWith(wanted), words);
+
+/** Waits until a surface is shown. */
+export const hasSurface = (page) => page.waitForFunction(() =>
+  document.querySelector('#polygons').textContent !== '–');
+
+/** The page as it is now has no fault that axe calls serious. */
+export async function checkAccess(page) {
+  await page.addScriptTag({ path: require.resolve('axe-core/axe.min.js') });
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
+  assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
 }
 
 /** The picture as the page saves it: its width; red, green, blue and opacity of each pixel. */

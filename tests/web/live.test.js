@@ -4,7 +4,8 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { axe, openFiles, openPage, pixelsOf, saved, startBrowser } from './browser.js';
+import { checkAccess, openFiles, openPage, pixelsOf, saved, shownPolygons, startBrowser, streamTells }
+  from './browser.js';
 import { command, polygonsByCommand, turned, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -16,10 +17,6 @@ const expected = turned(polygonsByCommand(folder, 'decode', stream));
 let browser;
 before(async () => (browser = await startBrowser()));
 after(() => browser.close());
-
-const shownPolygons = async (page) => turned(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
-const streamTells = (page, words) => page.waitForFunction((wanted) =>
-  document.querySelector('#stream-text').textContent.startsWith(wanted), words);
 
 /** How many pixels of the picture are of the colour of what is missing. */
 async function vermilion(page) {
@@ -44,7 +41,7 @@ test('a stream is replayed at the pace of its line, and is the same in the end',
   const begin = Date.now();
   await streamTells(page, 'Complete');
   assert.ok(Date.now() - begin > (seconds / 2) * 1000, 'as slow as the line');
-  assert.equal(await shownPolygons(page), expected);
+  assert.equal(turned(await shownPolygons(page)), expected);
   await page.check('#measure');
   await page.press('#view', 'Enter');
   assert.match(await page.textContent('#distance'), /^From/, 'the surface is in the picture');
@@ -65,7 +62,7 @@ test('what is lost is told, and what is whole is shown', async () => {
   await streamTells(page, 'Incomplete');
   assert.match(await page.textContent('#stream-text'), /Missing: \d+ packets?, \d+ pieces? of the surface/);
   const whole = new Set(expected.split('\n'));
-  const shown = (await shownPolygons(page)).split('\n').filter(Boolean);
+  const shown = turned(await shownPolygons(page)).split('\n').filter(Boolean);
   assert.ok(shown.length > 0 && shown.length < whole.size);
   for (const polygon of shown) assert.ok(whole.has(polygon), polygon);
   assert.match(await page.textContent('#missing-text'), /^Missing in slices \d/);
@@ -73,9 +70,7 @@ test('what is lost is told, and what is whole is shown', async () => {
   await page.uncheck('#missing');
   assert.ok(outline > 100, `${outline} pixels`);
   assert.equal(await vermilion(page), 0);
-  await page.addScriptTag({ path: axe });
-  const { violations } = await page.evaluate(() => globalThis.axe.run());
-  assert.deepEqual(violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)), []);
+  await checkAccess(page);
   await openFiles(page, stream);
   assert.ok(await page.isHidden('#missing-row'), 'of a whole stream nothing is missing');
   assert.deepEqual(complaints, []);
@@ -119,14 +114,12 @@ test('a device on a serial port: shown as it sends, kept, and saved', async () =
   const { page, complaints } = await openPage(browser,
     { script: [fakeSerial, [...readFileSync(stream)]] });
   await page.click('#connect');
-  await page.addScriptTag({ path: axe });
-  const { violations } = await page.evaluate(() => globalThis.axe.run());
-  assert.deepEqual(violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)), []);
+  await checkAccess(page);
   await page.fill('#serial-baud', '921600');
   await page.keyboard.press('Enter');
   await streamTells(page, 'Complete');
   assert.equal(await page.evaluate(() => navigator.serial.port.options.baudRate), 921600);
-  assert.equal(await shownPolygons(page), expected);
+  assert.equal(turned(await shownPolygons(page)), expected);
   assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), readFileSync(stream));
   assert.deepEqual(complaints, []);
   await page.context().close();
@@ -139,6 +132,6 @@ test('a line that carries something else: what to check, and the page goes on', 
   await page.waitForSelector('#error:not([hidden])');
   assert.match(await page.textContent('#error-text'), /no header .* check the baud rate/);
   await openFiles(page, stream);
-  assert.equal(await shownPolygons(page), expected);
+  assert.equal(turned(await shownPolygons(page)), expected);
   await page.context().close();
 });

@@ -7,7 +7,8 @@ import { deflateSync } from 'node:zlib';
 import { facing } from '../../ports/web/page/facing.js';
 import { planesOf } from '../../ports/web/page/light.js';
 import { nrrdOf, roughBall } from './ball.js';
-import { axe, now, openFiles, openPage, pixelsOf, rested, saved, shown, startBrowser } from './browser.js';
+import { checkAccess, hasSurface, now, openFiles, openPage, pixelsOf, rested, saved, shown, shownPolygons,
+  startBrowser, streamTells } from './browser.js';
 import { command, polygonsByCommand, sorted, turned, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -34,8 +35,7 @@ test('dragged over 40 thresholds, each surface is that of the command', async ()
     const iso = -100 + 25 * step;
     await setThreshold(page, iso);
     await shown(page, iso);
-    const { path } = await saved(page, 'jsonl');
-    assert.equal(sorted(readFileSync(path, 'utf8')), byCommand(iso), `threshold ${iso}`);
+    assert.equal(sorted(await shownPolygons(page)), byCommand(iso), `threshold ${iso}`);
   }
   assert.deepEqual(complaints, []);
   await page.context().close();
@@ -109,13 +109,12 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   await openFiles(page, cut);
   await setThreshold(page, 425);
   await shown(page, 425);
-  const { path } = await saved(page, 'jsonl');
-  assert.equal(sorted(readFileSync(path, 'utf8')), byCommand(425), 'what was open before still is');
+  assert.equal(sorted(await shownPolygons(page)), byCommand(425), 'what was open before still is');
 
   await openFiles(page, damaged);
   assert.match(await page.textContent('#stream-text'), /^Incomplete. Missing: [1-9]\d* packets?, [1-9]\d* pieces? of/);
   await openFiles(page, stream);
-  await page.waitForFunction(() => /^Complete/.test(document.querySelector('#stream-text').textContent));
+  await streamTells(page, 'Complete');
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
@@ -135,7 +134,7 @@ test('what is asked of a volume is dropped where a stream is opened meanwhile', 
     }, 5);
   });
   await page.setInputFiles('#files', stream);
-  await page.waitForFunction(() => /^Complete/.test(document.querySelector('#stream-text').textContent));
+  await streamTells(page, 'Complete');
   await page.waitForTimeout(600); // longer than what need not follow a slider at once
   await page.evaluate(() => clearInterval(globalThis.drag));
   assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));
@@ -208,8 +207,7 @@ test('of a stream with several surfaces each can be chosen', async () => {
     await page.waitForFunction((iso) => document.querySelector('#stream-text').textContent
       .endsWith(`threshold ${iso}.`), channel ? 600 : 200);
     assert.equal(await page.evaluate(() => document.querySelector('#surface').selectedIndex), channel);
-    const saving = await saved(page, 'jsonl');
-    assert.equal(turned(readFileSync(saving.path, 'utf8')),
+    assert.equal(turned(await shownPolygons(page)),
       turned(polygonsByCommand(folder, 'decode', path, '--channel', `${channel}`)));
   }
   await openFiles(page, volume);
@@ -230,7 +228,7 @@ test('keys alone suffice: open, threshold, look around, measure, save', async ()
   await focus('#open');
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
   await chooser.setFiles(volume);
-  await page.waitForFunction(() => document.querySelector('#polygons').textContent !== '–');
+  await hasSurface(page);
   const first = Number(await page.inputValue('#threshold'));
   await focus('#threshold');
   for (let press = 0; press < 5; ++press) await page.keyboard.press('ArrowRight');
@@ -263,15 +261,9 @@ test('keys alone suffice: open, threshold, look around, measure, save', async ()
 test('axe finds nothing serious: empty, with a volume, in the dark, on a small screen', async () => {
   for (const options of [{}, { colorScheme: 'dark' }, { viewport: { width: 390, height: 780 } }]) {
     const { page, complaints } = await openPage(browser, options);
-    const check = async () => {
-      const { violations } = await page.evaluate(() => globalThis.axe.run());
-      const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
-      assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
-    };
-    await page.addScriptTag({ path: axe });
-    await check();
+    await checkAccess(page);
     await openFiles(page, volume);
-    await check();
+    await checkAccess(page);
     assert.deepEqual(complaints, []);
     await page.context().close();
   }

@@ -7,7 +7,7 @@ import { connect } from 'node:net';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { openPage, saved, startBrowser } from './browser.js';
+import { hasSurface, openPage, saved, shownPolygons, startBrowser, streamTells } from './browser.js';
 import { command, polygonsByCommand, served, turned, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -21,12 +21,6 @@ let browser;
 before(async () => (browser = await startBrowser()));
 after(() => browser.close());
 
-const polygons = async (page) => turned(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
-const streamTells = (page, words) => page.waitForFunction((wanted) =>
-  document.querySelector('#stream-text').textContent.startsWith(wanted), words);
-const hasSurface = (page) => page.waitForFunction(() =>
-  document.querySelector('#polygons').textContent !== '–');
-
 test('a volume is fetched, and any threshold can be chosen', async (t) => {
   const { address, end } = await served(t, volume);
   const { page, complaints } = await openPage(browser, { address });
@@ -34,7 +28,7 @@ test('a volume is fetched, and any threshold can be chosen', async (t) => {
   assert.equal(await page.textContent('#file-name'),
     'ball.nrrd · 48 × 40 × 36 voxels of 0.5 × 0.75 × 1.25 mm');
   const iso = await page.inputValue('#threshold-number');
-  assert.equal(await polygons(page),
+  assert.equal(turned(await shownPolygons(page)),
     turned(polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', iso)));
   assert.deepEqual(complaints, []);
   await page.context().close();
@@ -46,7 +40,7 @@ test('a threshold of it, and a stream that is a file', async (t) => {
     const { address, end } = await served(t, ...words);
     const { page, complaints } = await openPage(browser, { address });
     await streamTells(page, 'Complete');
-    assert.equal(await polygons(page), expected);
+    assert.equal(turned(await shownPolygons(page)), expected);
     assert.deepEqual(complaints, []);
     await page.context().close();
     assert.equal(await end(), 0);
@@ -65,7 +59,7 @@ test('a stream on standard input is shown while it comes; who comes later gets a
   input.end(bytes.subarray(half));
   for (const { page, complaints } of [first, later]) {
     await streamTells(page, 'Complete');
-    assert.equal(await polygons(page), expected);
+    assert.equal(turned(await shownPolygons(page)), expected);
     assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), bytes);
     assert.deepEqual(complaints, []);
     await page.context().close();

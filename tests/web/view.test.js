@@ -1,10 +1,10 @@
 // Pages that the command writes with data inside.
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { openPage, saved, startBrowser } from './browser.js';
+import { hasSurface, openPage, shownPolygons, startBrowser } from './browser.js';
 import { command, polygonsByCommand, sorted, turned, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -20,11 +20,11 @@ after(() => browser.close());
 async function viewed(...words) {
   command('view', ...words, '-o', path, '--no-open');
   const { page, complaints } = await openPage(browser, { path });
-  await page.waitForFunction(() => document.querySelector('#polygons').textContent !== '–');
+  await hasSurface(page);
   const opened = await page.textContent('#file-name');
   const isVolume = await page.isVisible('#threshold');
   const iso = isVolume ? Number(await page.inputValue('#threshold-number')) : undefined;
-  const polygons = readFileSync((await saved(page, 'jsonl')).path, 'utf8');
+  const polygons = await shownPolygons(page);
   assert.deepEqual(complaints, []);
   await page.context().close();
   return { opened, iso, polygons };

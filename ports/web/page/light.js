@@ -1,14 +1,9 @@
 // Light on planes, as ports/command/pictures/shading.cpp has it: a key light over the left shoulder,
 // and a cool fill.
 import { bone, green, orange, rgb, skyBlue } from './palette.js';
+import { dot, unit } from './vectors.js';
 
 const incidences = 27;
-const unit = (/** @type {number[]} */ v) => {
-  const length = Math.hypot(...v) || 1;
-  return v.map((part) => part / length);
-};
-const dot = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
-  a.reduce((sum, part, i) => sum + part * b[i], 0);
 const key = unit([-0.6, 0.7, 0.5]);
 
 /** The lattice normal of an incidence. @param {number} incidence */

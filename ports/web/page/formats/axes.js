@@ -1,5 +1,6 @@
 // How the axes of a volume lie in space: which run backwards, as the command decides it, so that no
 // shape is mirrored; and which way is up.
+import { cross, dot, unit } from '../vectors.js';
 
 /**
  * @param {number[][]} axes the ways to the next voxel along x, y and z, in space
@@ -14,14 +15,8 @@ export function signsOf(axes) {
   return /** @type {any} */ (isNear && isSame ? signs : [1, 1, hand]);
 }
 
-/** @param {number[][]} a */
-function determinant(a) {
-  return (
-    a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
-    a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
-    a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0])
-  );
-}
+/** @param {number[][]} axes */
+const determinant = ([x, y, z]) => dot(x, cross(y, z));
 
 /**
  * Distances of voxels with the signs of the axes; what no spacing can be is 1 mm. And the directions
@@ -46,12 +41,9 @@ export function placeOf(lengths, axes, isRas = false) {
 
 /** Those of oblique axes are made square. @param {number[][]} axes @param {number[]} signs */
 function uprightBy(axes, signs) {
-  const unit = (/** @type {number[]} */ v) => v.map((part) => part / Math.hypot(...v));
-  const dot = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
-    a.reduce((sum, part, i) => sum + part * b[i], 0);
   const x = unit(axes[0].map((part) => signs[0] * part));
   const forwards = axes[1].map((part) => signs[1] * part);
   const y = unit(forwards.map((part, i) => part - dot(forwards, x) * x[i]));
-  const z = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
+  const z = cross(x, y);
   return [0, 1, 2].map((i) => [x[i], y[i], z[i]]);
 }

@@ -1,5 +1,6 @@
 // DICOM: the images of a series, a file each or frames of one, put in order along their normal.
 import dicomParser from 'dicom-parser';
+import { cross, dot } from '../vectors.js';
 import { placeOf } from './axes.js';
 import { asText, ByteSource, swapBytes } from './bytes.js';
 import { partsOf, unpackFor } from './dicom_frames.js';
@@ -146,9 +147,8 @@ function inOrder(stack) {
     throw new FileError(first.file.name, 'the slices tell no position, and so no order',
       'export the series with positions');
   if (!hasPlaces) return { ordered: stack, distance: first.spacing[2], axes: undefined };
-  const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-  const height = (/** @type {Image} */ { position }) =>
-    position.reduce((sum, at, i) => sum + at * normal[i], 0);
+  const normal = cross(u, v);
+  const height = (/** @type {Image} */ { position }) => dot(position, normal);
   const sorted = [...stack].sort((a, b) => height(a) - height(b));
   const ordered = sorted.filter((image, i) => i === 0 || height(image) - height(sorted[i - 1]) > 1e-3);
   const distance = ordered.length === 1 ? first.spacing[2]

@@ -47,12 +47,18 @@ export class LivePanel {
     this.showListening(false);
   }
 
+  /** A stream is about to arrive. @returns {AbortSignal} that it is to stop */
+  begin() {
+    this.leave();
+    this.stopping = new AbortController();
+    return this.stopping.signal;
+  }
+
   /** @param {number} baud */
   async connect(baud) {
-    this.leave();
+    const signal = this.begin();
     try {
-      const stopping = (this.stopping = new AbortController());
-      await this.hear('device', await serialBytes(baud, stopping.signal));
+      await this.hear('device', await serialBytes(baud, signal));
     } catch (error) {
       const isRefused = error instanceof DOMException && error.name === 'NotFoundError';
       if (!isRefused) fail(/** @type {Error} */ (error)); // else no port was chosen
@@ -61,20 +67,17 @@ export class LivePanel {
 
   /** A stream that a server has. @param {string} name @param {string} source */
   async fetch(name, source) {
-    this.leave();
-    const stopping = (this.stopping = new AbortController());
-    await this.hear(name, servedBytes(source, stopping.signal));
+    await this.hear(name, servedBytes(source, this.begin()));
   }
 
   async replay() {
     if (!this.recorded) return;
-    this.leave();
-    const stopping = (this.stopping = new AbortController());
+    const signal = this.begin();
     try {
       const bytes = new Uint8Array(await this.recorded.arrayBuffer());
-      if (stopping.signal.aborted) return; // something else was opened meanwhile
+      if (signal.aborted) return; // something else was opened meanwhile
       await this.hear(this.name, replayed(bytes, Number(by('replay-baud').value),
-        Number(by('replay-lost').value), stopping.signal), this.recorded);
+        Number(by('replay-lost').value), signal), this.recorded);
     } catch {
       fail(new Error(`${this.name}: it can no longer be read; open it again`));
     }

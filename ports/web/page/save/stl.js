@@ -1,4 +1,5 @@
 // Binary STL, in millimetres.
+import { cross, unit } from '../vectors.js';
 
 /** @param {{places: Float32Array, corners: Uint32Array}} mesh */
 export function stl({ places, corners }) {
@@ -20,7 +21,5 @@ export function stl({ places, corners }) {
 /** @param {Float32Array} a @param {Float32Array} b @param {Float32Array} c */
 function normalOf(a, b, c) {
   const [u, v] = [b, c].map((end) => end.map((at, i) => at - a[i]));
-  const n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-  const length = Math.hypot(...n) || 1;
-  return n.map((part) => part / length);
+  return unit(cross(u, v));
 }
