@@ -1,5 +1,4 @@
 // The arguments of discmc extract.
-#include <charconv>
 #include <memory>
 
 #include "command_line.hpp"
@@ -8,6 +7,7 @@
 #include "mesh_files/file_format.hpp"
 #include "mesh_options.hpp"
 #include "named_values.hpp"
+#include "number_text.hpp"
 #include "stream_options.hpp"
 #include "surface_options.hpp"
 #include "volume_options.hpp"
@@ -162,17 +162,14 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
 // "2/7". Throws where it is none.
 SlabChoice slab_choice(const std::string& text) {
   const std::size_t slash = text.find('/');
-  const auto number = [&](const std::string& digits) {
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return error == std::errc() && end == digits.data() + digits.size() ? value : 0;
-  };
-  const SlabChoice choice{number(text.substr(0, slash)),
-                          slash == std::string::npos ? 0 : number(text.substr(slash + 1))};
-  if (choice.number == 0 || choice.count == 0 || choice.number > choice.count)
+  const auto number = whole_number<std::uint32_t>(text.substr(0, slash));
+  const auto count = slash == std::string::npos
+                         ? std::nullopt
+                         : whole_number<std::uint32_t>(text.substr(slash + 1));
+  if (!number || !count || *number == 0 || *number > *count)
     throw CLI::ValidationError(
         "--slab", text + ": give the number of the slab and how many there are, as in 2/7");
-  return choice;
+  return {*number, *count};
 }
 
 void add_label_options(CLI::App& app, ExtractArguments& arguments) {
