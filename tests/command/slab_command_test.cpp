@@ -1,4 +1,5 @@
 // A volume in slabs, a stream each, which are joined: extract --slab and join.
+#include <discmc/encoder.hpp>
 #include <sstream>
 
 #include "command.hpp"
@@ -10,6 +11,10 @@
 namespace {
 
 using namespace command;
+using discmc::Answer;
+using discmc::Event;
+using discmc::Status;
+using discmc::StreamLabel;
 using discmc::reference::Region;
 
 // Blobs and noise, so that much crosses every seam, holes too.
@@ -49,6 +54,36 @@ std::string write_slabs(const Workshop& workshop, int count, const std::string& 
   return names;
 }
 
+// Encodes a stream anew, as firmware does that does not know in advance how many slices will come.
+class WithoutDepth {
+ public:
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::start) {
+      StreamLabel label = event.header->label();
+      label.depth = 0;
+      REQUIRE(encoder_.start(label, output_.byte_output()) == Status::ok);
+    }
+    return encoder_.take(event);
+  }
+  std::string stream() {
+    REQUIRE(encoder_.flush());
+    return bytes_.str();
+  }
+
+ private:
+  std::ostringstream bytes_;
+  discmc::host::StreamOutput output_{&bytes_};
+  discmc::Encoder encoder_;
+};
+
+void forget_depth(const Workshop& workshop, const std::string& stream) {
+  WithoutDepth encoder;
+  discmc::host::StreamReader reader(discmc::sink_to(encoder));
+  std::istringstream in(workshop.read(stream));
+  reader.read(in);
+  workshop.write(stream, encoder.stream());
+}
+
 }  // namespace
 
 TEST_CASE("slabs of any thickness are joined to the regions of one sweep") {
@@ -85,6 +120,27 @@ TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
   CHECK(discmc::reference::describe_difference(regions_in(workshop, "all.dmc"),
                                                regions_in(workshop, "whole.dmc")) == "");
   CHECK_FALSE(contains(workshop.done("info all.dmc"), "slab"));
+}
+
+TEST_CASE("the depth of a volume may stand in the records of its slabs alone") {
+  const Workshop workshop;
+  workshop.write("v.raw", rough_samples(13, 11, 9));
+  workshop.done(volume + "-o whole.dmc");
+  write_slabs(workshop, 3);
+  for (const std::string part : {"part1.dmc", "part2.dmc", "part3.dmc"})
+    forget_depth(workshop, part);
+  const Result part = workshop.run("join part3.dmc part1.dmc -o part.dmc");
+  CHECK(part.code == 3);
+  CHECK(contains(part.error, "the slices 3 to 5 are missing"));
+  workshop.done("join part.dmc part2.dmc -o all.dmc");
+  CHECK(discmc::reference::describe_difference(regions_in(workshop, "all.dmc"),
+                                               regions_in(workshop, "whole.dmc")) == "");
+  workshop.done(
+      "extract v.raw --dims 13,11,8 --skip-bytes 143 --type u8 --iso 50 -q --slab 2/2 "
+      "-o other.dmc");
+  forget_depth(workshop, "other.dmc");
+  CHECK(contains(workshop.run("join part1.dmc other.dmc -o joined.dmc").error,
+                 "other.dmc: its slab is one of 8 slices, and the volume has 9"));
 }
 
 TEST_CASE("streams that do not belong together are not joined, and nothing is written") {

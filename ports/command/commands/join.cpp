@@ -13,6 +13,7 @@
 #include "streams/slab_ranges.hpp"
 #include "summary.hpp"
 #include "surface/growing_joiner.hpp"
+#include "surface_receiver.hpp"
 
 namespace discmc::host {
 namespace {
@@ -44,16 +45,13 @@ class Join {
     is_begun_ = has_range_ = false;
     StreamReader reader(sink_to(*this));
     read_file(path, reader);
-    if (is_begun_ && !has_range_) add_range({0, header_.depth, header_.depth});
+    if (is_begun_ && !has_range_ && depth_ > 0) add_range({0, depth_, depth_});
     return completeness(path, reader.report());
   }
   /// Limit: after the last stream.
   void finish() {
     if (!slabs_.missing().empty())
-      for (const SlabRange& range : slabs_.ranges()) {
-        std::uint8_t bytes[SlabRange::record_bytes];
-        require(encoder_.tell(record_of(range, bytes)));
-      }
+      for (const SlabRange& range : slabs_.ranges()) tell_slab(range, encoder_);
     joiner_.finish();
     if (!encoder_.flush()) throw std::runtime_error("the output takes no more");
   }
@@ -91,6 +89,7 @@ class Join {
     is_first_ = first_path_.empty();
     if (is_first_) {
       header_ = header;
+      depth_ = header.depth;
       first_path_ = path_;
       require(encoder_.start(header.label(), output_.byte_output()));
     } else if (!is_same_volume(header, header_)) {
@@ -102,9 +101,10 @@ class Join {
 
   void add_range(const SlabRange& range) {
     has_range_ = true;
-    if (range.depth != header_.depth)
+    if (depth_ == 0) depth_ = range.depth;
+    if (range.depth != depth_)
       throw std::runtime_error(path_ + ": its slab is one of " + std::to_string(range.depth) +
-                               " slices, and the volume has " + std::to_string(header_.depth) +
+                               " slices, and the volume has " + std::to_string(depth_) +
                                ": make it again");
     if (const auto twice = slabs_.add(range))
       throw std::runtime_error(path_ + ": the " + text({*twice}) +
@@ -116,6 +116,7 @@ class Join {
   Encoded encoded_{encoder_};
   GrowingJoiner joiner_{sink_to(encoded_), InputOrder::any};
   SlabRanges slabs_;
+  std::uint32_t depth_ = 0;  // of the volume; where headers do not tell it, of the first range
   StreamHeader header_;
   std::string first_path_;
   // Of the stream that is read.
