@@ -65,21 +65,19 @@ const uint8_t* MajorityFilter::drain() {
 const uint32_t* MajorityFilter::held(int32_t y, int32_t z) const {
   const auto rows = static_cast<int32_t>(rows_held(limits_));
   int32_t place = static_cast<int32_t>(due_place_) + y + z * static_cast<int32_t>(limits_.height);
-  if (place < 0) place += rows;
   if (place >= rows) place -= rows;
+  if (place < 0) place += rows;
   return rows_ + static_cast<size_t>(place) * words_of(limits_.width);
 }
 
 // The row that is due, and the next one is.
 const uint8_t* MajorityFilter::next_row(bool is_last_slice) {
+  const int32_t layers[] = {is_first_slice_ ? 0 : -1, 0, is_last_slice ? 0 : 1};
+  const int32_t lines[] = {due_y_ == 0 ? 0 : -1, 0, due_y_ + 1 == limits_.height ? 0 : 1};
   const uint32_t* rows[9];
   uint32_t count = 0;
-  for (int32_t z = -1; z <= 1; ++z)
-    for (int32_t y = -1; y <= 1; ++y) {
-      const bool is_beyond_z = z < 0 ? is_first_slice_ : z > 0 && is_last_slice;
-      const bool is_beyond_y = y < 0 ? due_y_ == 0 : y > 0 && due_y_ + 1 == limits_.height;
-      rows[count++] = held(is_beyond_y ? 0 : y, is_beyond_z ? 0 : z);
-    }
+  for (const int32_t z : layers)
+    for (const int32_t y : lines) rows[count++] = held(y, z);
   for (uint32_t word = 0; word < words_of(limits_.width); ++word) {
     const uint32_t bits = majority_at(rows, word);
     for (uint32_t byte = 0; byte < 4; ++byte)

@@ -20,8 +20,7 @@ bool read_slab_range(const ApplicationRecord& record, SlabRange& range) {
   read.first = next();
   read.slices = next();
   read.depth = next();
-  if (read.slices == 0 || read.first > read.depth || read.slices > read.depth - read.first)
-    return false;
+  if (read.slices == 0 || uint64_t{read.first} + read.slices > read.depth) return false;
   range = read;
   return true;
 }

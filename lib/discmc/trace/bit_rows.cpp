@@ -134,25 +134,12 @@ void BitRows::append_bits(const uint8_t* bits) {
 }
 
 void BitRows::write_bits(uint8_t* bits) const {
-  const uint32_t* word = row_before(0);
-  // Voxel 0 stands in bit 2 of the first word, those of the others begin in bit 1.
-  uint32_t held = *word >> 2 & (own_columns >> 2);
-  uint32_t count = columns_per_word - 1;
-  for (uint32_t left = width_; left > 0;) {
-    if (count < 8) {
-      // The next word's last columns may not fit: they are taken with the byte after.
-      const uint32_t next =
-          word + 1 < row_before(0) + words_ ? *++word >> 1 & (own_columns >> 1) : 0;
-      const auto byte = static_cast<uint8_t>(held | next << count);
-      *bits++ = byte;
-      held = next >> (8 - count);
-      count += columns_per_word - 8;
-    } else {
-      *bits++ = static_cast<uint8_t>(held);
-      held >>= 8;
-      count -= 8;
-    }
-    left = left < 8 ? 0 : left - 8;
+  const uint32_t* const words = row_before(0);
+  for (uint32_t column = 0; column < width_; column += 8) {
+    const uint32_t word = word_of(column);
+    const uint32_t bit = column - word * columns_per_word + 2;  // as place() puts them
+    const uint32_t next = word + 1 < words_ ? words[word + 1] >> 2 : 0;
+    *bits++ = static_cast<uint8_t>(words[word] >> bit | next << (32 - bit));
   }
 }
 

@@ -71,7 +71,6 @@ void Extractor<Index, Normals, Sweep>::clear() {
   state_ = State::scanning;
   abandoned_ = false;
   skip_untold_ = false;
-  chains_are_ended_ = false;
   swept_rows_ = 0;
 }
 
@@ -182,7 +181,6 @@ Status Extractor<Index, Normals, Sweep>::save(Checkpoint<Extractor>& checkpoint)
   image.sink_ = {};
   image.lay_out({});
   image.sweep_.forget();
-  image.memory_ = {nullptr, memory_.bytes};
   checkpoint.seal({memory_.data, bytes_used()});
   return Status::ok;
 }
@@ -243,15 +241,11 @@ bool Extractor<Index, Normals, Sweep>::is_last_slice() const {
 template <class Index, class Normals, class Sweep>
 uint32_t Extractor<Index, Normals, Sweep>::ready_rows() const {
   const bool is_closed = limits_.border == Border::closed;
+  const uint32_t all = limits_.height + (is_closed ? 1 : 0);
   const int32_t first = limits_.slab.continues_below ? 1 : is_closed ? -1 : 0;
   if (middle_slice() < first) return 0;
-  if (is_last_slice()) {
-    // Nothing has come up to the slice above a slab that has no slices.
-    if (limits_.slab.continues_above && middle_slice() == first) return 0;
-    return limits_.height + (is_closed ? 1 : 0);
-  }
   const uint32_t arrived = rows_.rows();
-  if (arrived == limits_.height) return limits_.height + (is_closed ? 1 : 0);
+  if (arrived == limits_.height || is_last_slice()) return all;
   return is_closed || arrived == 0 ? arrived : arrived - 1;
 }
 
