@@ -316,3 +316,37 @@ TEST_CASE_TEMPLATE("a row ends where its samples do, though others that are off 
     REQUIRE(rows.column() == count);
   }
 }
+
+TEST_CASE("a row is written as the bits that it was made of, and those beyond it are off") {
+  for (const uint32_t width : boundary_widths) {
+    CAPTURE(width);
+    const Limits limits{width, 2, Border::closed};
+    std::mt19937 random(width);
+    Rows rows(limits);
+    std::vector<uint8_t> bits((width + 7) / 8, 0xFF), written(bits.size() + 1, 0x5A);
+    // Around it there are rows that are on.
+    for (uint32_t row = 0; row < trace::swept_rows(limits.height) + 2; ++row) {
+      rows.append_bits(bits.data());
+      rows.next_row();
+    }
+    for (uint8_t& byte : bits) byte = static_cast<uint8_t>(random());
+    bits.back() = 0xFF;
+    rows.append_bits(bits.data());
+    rows.write_bits(written.data());
+    bits.back() = static_cast<uint8_t>(0xFF >> (8 * bits.size() - width));
+    bits.push_back(0x5A);  // and what lies behind stays
+    CHECK(written == bits);
+  }
+}
+
+TEST_CASE_TEMPLATE("one sample that is on is found in a short row, whatever lies before the row",
+                   Sample, uint8_t, uint16_t, int16_t) {
+  constexpr uint32_t width = 31;
+  for (uint32_t place = 0; place < width; ++place) {
+    std::vector<Sample> samples(64 + width, 0);
+    samples[64 + place] = 100;
+    Rows rows({width, 1, Border::closed});
+    rows.append(samples.data() + 64, width, 1, 100);
+    check_first_row(rows, width, [&](int32_t x) { return x == static_cast<int32_t>(place); });
+  }
+}

@@ -394,3 +394,22 @@ TEST_CASE("what cannot be saved or restored is refused") {
   ++of_old.head.format;
   CHECK(encoder.restore(of_old, store.output()) == Status::bad_checkpoint);
 }
+
+TEST_CASE("what the sink has yet to hear of a skipped row is told before a scan is saved") {
+  struct Busy {
+    Answer take(const Event& event) {
+      return is_busy && event.kind == Event::Kind::skipped ? Answer::not_now : Answer::taken;
+    }
+    bool is_busy = true;
+  } sink;
+  const Limits limits{3, 4, Border::open};  // nothing is swept yet
+  Block block(minimum_bytes<uint16_t>(limits));
+  Extractor16 extractor;
+  Checkpoint<Extractor16> checkpoint;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(sink)));
+  CHECK(extractor.skip_row(Substitute::off).status == Status::more);
+  CHECK(extractor.save(checkpoint) == Status::more);
+  sink.is_busy = false;
+  require_ok(extractor.resume());
+  CHECK(extractor.save(checkpoint) == Status::ok);
+}

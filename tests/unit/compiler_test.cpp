@@ -16,3 +16,11 @@ TEST_CASE("the zeros below the lowest bit are counted alike by the processor and
       CHECK(trailing_zeros_by_table(bits) == bit);
     }
 }
+
+TEST_CASE("the bits up to the highest one are counted") {
+  CHECK(bit_width(0) == 0);
+  for (uint32_t bit = 0; bit < 64; ++bit) {
+    CHECK(bit_width(uint64_t{1} << bit) == bit + 1);
+    CHECK(bit_width(~uint64_t{0} >> bit) == 64 - bit);
+  }
+}

@@ -190,6 +190,38 @@ TEST_CASE("every corner of a ball's polygons has a normal that points outside") 
   CHECK(starts > 1000);
 }
 
+TEST_CASE(
+    "a small scan with normals tells what one without tells, at open sides and at seams too") {
+  constexpr Capacities few{500, 60};
+  for (const uint32_t height : {1U, 2U, 4U})
+    for (const Border border : {Border::closed, Border::open})
+      for (const Slab& slab : {Slab{}, Slab{0, false, true}, Slab{3, true, false}}) {
+        const SampleVolume<uint8_t> volume = clouds<uint8_t>({5, height, 4}, height);
+        Setting setting{128, border, few};
+        setting.slab = slab;
+        CHECK(without_normals(events_of<uint16_t, WithNormals<uint8_t>>(volume, setting)) ==
+              events_of<uint16_t, NoNormals>(volume, setting));
+      }
+}
+
+TEST_CASE("a slice is swept when a slice and a row behind it have come, out of four and six rows") {
+  using Normals = WithNormals<uint8_t>;
+  const Limits limits{8, 3};
+  CHECK(Normals::bytes_for(limits) == (4 * 3 + 6) * (8 + sizeof(uint16_t)));
+  const std::vector<uint8_t> samples(7 * limits.width, 0);
+  Block block(minimum_bytes<uint16_t, Normals>(limits));
+  EventLog log;
+  Extractor<uint16_t, Normals> extractor;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+  CHECK_FALSE(log.starts.front().has_spacing());
+  for (const int32_t spacing : log.starts.front().spacing_nm) CHECK(spacing == 0);
+  require_ok(extractor.push(samples.data(), 6 * limits.width).status);
+  CHECK(log.events.empty());
+  require_ok(extractor.push(samples.data(), limits.width).status);
+  REQUIRE(log.events.size() == 1);
+  CHECK(log.events.front().is(Event::Kind::layer));
+}
+
 // ---- rows that never come ----
 
 namespace {

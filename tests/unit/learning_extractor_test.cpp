@@ -5,6 +5,7 @@
 #include <discmc/learning_extractor.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -272,6 +273,12 @@ TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
       require_ok(before.start(limits, much, 1, block.memory(), sink_to(log)));
       require_ok(before.push(volume.on.data(), cut).status);
       require_ok(before.save(*checkpoint));
+      const auto* const saved = reinterpret_cast<const uint8_t*>(checkpoint.get());
+      for (size_t at = 0; at + sizeof(uintptr_t) <= sizeof *checkpoint; ++at) {
+        uintptr_t word;
+        std::memcpy(&word, saved + at, sizeof word);
+        CHECK(word - reinterpret_cast<uintptr_t>(learnt.memory().data) >= (1 << 16));
+      }
       std::copy_n(static_cast<const uint8_t*>(block.memory().data), before.bytes_used(),
                   static_cast<uint8_t*>(elsewhere.memory().data));
     }

@@ -39,10 +39,9 @@ BitVolume counted(const BitVolume& volume) {
   return result;
 }
 
-BitVolume filtered(const BitVolume& volume) {
+BitVolume filtered(const BitVolume& volume, MajorityFilter filter = {}) {
   const Limits limits{volume.width, volume.height};
   Block block(MajorityFilter::bytes_for(limits));
-  MajorityFilter filter;
   REQUIRE(filter.start(limits, block.memory()) == Status::ok);
   BitVolume result({volume.width, volume.height, volume.depth});
   std::size_t rows = 0;
@@ -112,4 +111,37 @@ TEST_CASE("a filter that is started again forgets everything") {
       CHECK(due[0] == (start == 0 ? 0xFF : 0));
     CHECK(rows == 3);
   }
+}
+
+TEST_CASE("a filter that is started again amid a volume, or behind one, begins a new one") {
+  const BitVolume volume = discmc::reference::random({10, 3, 4}, 128, 1);
+  const Limits limits{10, 3};
+  const std::uint8_t on[] = {0xFF, 0x03};
+  for (int pushed = 0; pushed <= 9; ++pushed)
+    for (const bool is_drained : {false, true}) {
+      CAPTURE(pushed);
+      CAPTURE(is_drained);
+      Block block(MajorityFilter::bytes_for(limits));
+      MajorityFilter filter;
+      REQUIRE(filter.start(limits, block.memory()) == Status::ok);
+      for (int row = 0; row < pushed; ++row) (void)filter.push(on);
+      while (is_drained && filter.drain() != nullptr) continue;
+      CHECK(filtered(volume, filter).on == counted(volume).on);
+    }
+}
+
+TEST_CASE(
+    "a filter takes two slices and four rows, and writes nothing behind the row that is due") {
+  const Limits limits{33, 2};
+  constexpr std::size_t row_bytes = 8;
+  REQUIRE(MajorityFilter::bytes_for(limits) == (2 * 2 + 4) * row_bytes + 3);
+  const std::uint8_t on[] = {0xFF, 0xFF, 0xFF, 0xFF, 0x01};
+  std::vector<std::uint8_t> memory(MajorityFilter::bytes_for(limits) + 16, 0x5A);
+  MajorityFilter filter;
+  REQUIRE(filter.start(limits, {memory.data(), memory.size()}) == Status::ok);
+  for (int row = 0; row < 4; ++row) (void)filter.push(on);
+  const std::uint8_t* const due = filter.drain();
+  REQUIRE(due != nullptr);
+  CHECK(due[4] == 0x01);
+  CHECK(due[row_bytes] == 0x5A);
 }

@@ -109,6 +109,21 @@ TEST_CASE("the point beside a link lies left of it, in and near the plane") {
   });
 }
 
+TEST_CASE("the point beside a link is an eighth of a half-step left of its middle") {
+  const Vertex at{5, 6, 8};
+  for_each_incidence([&](Incidence incidence) {
+    for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
+      const Vertex link = direction_vector(incidence, direction);
+      const Vertex left = cross(normal(incidence), link);
+      const Vertex eighths{8 * at.x + 4 * link.x + left.x, 8 * at.y + 4 * link.y + left.y,
+                           8 * at.z + 4 * link.z + left.z};
+      const PlanePoint point = point_beside(incidence, at, direction);
+      CHECK(point.u == projected(incidence, eighths).u);
+      CHECK(point.v == projected(incidence, eighths).v);
+    }
+  });
+}
+
 TEST_CASE(
     "a ring has the points inside that are left of all its sides, on the ray of a vertex too") {
   Chance chance(1);

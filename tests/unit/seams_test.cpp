@@ -44,12 +44,15 @@ TEST_CASE("slabs join to the whole, and their counts add up to its, but for one 
 }
 
 TEST_CASE("a slab without a slice of its own has no surface, however full its context is") {
-  const BitVolume full = box({5, 4, 2}, {0, 0, 0}, {4, 3, 1});
-  for (const Border border : {Border::closed, Border::open})
-    for (const bool continues_below : {false, true}) {
-      CAPTURE(continues_below);
-      // The layer below the first slice of a closed border is not at a seam.
-      if (border == Border::closed && !continues_below) continue;
+  struct Place {  // the layer below the first slice of a closed border is not at a seam
+    Border border;
+    bool continues_below;
+  };
+  const BitVolume full = box({5, 4, 2}, {0, 0, 0}, {4, 3, 1}), rough = random({5, 4, 2}, 128, 1);
+  for (const BitVolume* const volume : {&full, &rough})
+    for (const Place& place :
+         {Place{Border::closed, true}, {Border::open, false}, {Border::open, true}}) {
+      const auto [border, continues_below] = place;
       Limits limits{5, 4, border};
       limits.slab.first = continues_below ? 7 : 0;
       limits.slab.continues_below = continues_below;
@@ -58,11 +61,31 @@ TEST_CASE("a slab without a slice of its own has no surface, however full its co
       EventLog log;
       Extractor16 extractor;
       require_ok(extractor.start(limits, ample, 1, block.memory(), sink_to(log)));
-      require_ok(extractor.push(full.on.data(), continues_below ? 40 : 20).status);
+      require_ok(extractor.push(volume->on.data(), continues_below ? 40 : 20).status);
       finish_all(extractor);
       const Collector slab = collected(log.events, true, limits.slab);
       CHECK(slab.regions().empty());
       CHECK(slab.statistics().cells == 0);
       CHECK(slab.statistics().links == 0);
     }
+}
+
+TEST_CASE("a slab ends where there are no more numbers for slices") {
+  const std::vector<uint8_t> slices(5 * 6, 1);
+  Limits limits{3, 2};
+  limits.slab = {Limits::max_slices - 3, true, false};
+  Block block(minimum_bytes<uint16_t>(limits));
+  EventLog log;
+  Extractor16 extractor;
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+  const PushResult at_once = extractor.push(slices.data(), 5 * 6);
+  CHECK(at_once.status == Status::too_deep);
+  CHECK(at_once.samples == 3 * 6);
+  require_ok(extractor.finish());
+
+  require_ok(extractor.reset());
+  for (int slice = 0; slice < 3; ++slice)
+    CHECK(extractor.push(slices.data(), 6).status == Status::ok);
+  CHECK(extractor.skip_row(Substitute::off).status == Status::too_deep);
+  require_ok(extractor.finish());
 }

@@ -23,12 +23,15 @@ TEST_CASE("the range of a slab is told in the bytes that the page of the stream 
   const ApplicationRecord record = record_of(range, bytes);
   const uint8_t expected[] = {4, 3, 2, 1, 5, 0, 0, 0, 255, 255, 255, 255};
   CHECK(record.kind == 241);
+  CHECK(record.slice == 0);
+  CHECK(record.row == 0);
   CHECK(record.count == sizeof expected);
   CHECK(std::equal(std::begin(expected), std::end(expected), record.bytes));
   SlabRange read;
   CHECK(read_slab_range(record, read));
   CHECK(equal(read, range));
   CHECK(read.end() == 0x01020309);
+  CHECK(equal(SlabRange{}, {0, 0, 0}));
 }
 
 TEST_CASE("what is no range of slices in a volume is refused, and nothing is written") {

@@ -581,3 +581,21 @@ TEST_CASE("where packets are missing the digest of a trailer says nothing") {
     CHECK(report.is_mixed == (lost == 0));
   }
 }
+
+TEST_CASE("the end of a stream that the sink refuses is told when the decoder is asked again") {
+  const Bytes stream =
+      Stream().slices(of_key, {key(0), Code().rows_off(3).end()}).trailer(3).bytes();
+  Bytes memory(slice_decoder_bytes(limits));
+  RowLog log(true);
+  log.set_width(limits.width);
+  SliceDecoder decoder;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(log)));
+  size_t taken = 0;
+  until_done([&] {
+    const Decoded decoded = decoder.push(stream.data() + taken, stream.size() - taken);
+    taken += decoded.bytes;
+    return decoded.status;
+  });
+  CHECK(taken == stream.size());
+  CHECK(log.rows.back().is(RowEvent::Kind::finish));
+}

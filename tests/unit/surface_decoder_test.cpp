@@ -274,3 +274,19 @@ TEST_CASE("a surface decoder tells how many bytes it has taken, and looks at no 
       CHECK(decoder.report().is_complete());
     }
 }
+
+TEST_CASE("what the end of a scan brings is told before its stream is over, whoever is busy") {
+  const Bytes stream = encode_slices(volume());
+  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  EventLog log(reference::refuses_first);
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  size_t taken = 0;
+  until_done([&] {
+    const Decoded decoded = decoder.push(stream.data() + taken, stream.size() - taken);
+    taken += decoded.bytes;
+    return decoded.status;
+  });
+  CHECK(taken == stream.size());
+  CHECK(log.events.back().is(Event::Kind::finish));
+}
