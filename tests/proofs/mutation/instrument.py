@@ -143,11 +143,15 @@ class Instrumenter:
         elif cursor.kind == Kind.CXX_BOOL_LITERAL_EXPR:
             self.boolean(cursor, constant)
         for i, child in enumerate(children):
-            if cursor.kind == Kind.CASE_STMT and i == 0:
-                continue
+            if i == 0 and (cursor.kind == Kind.CASE_STMT or self.is_constexpr_if(cursor)):
+                continue  # the compiler's
             if cursor.kind in DECLARATIONS and self.last_before(child) in '[:':
                 continue  # the size of an array, the width of a bit field
             self.visit(child, constant)
+
+    def is_constexpr_if(self, cursor):
+        begun = self.text[cursor.extent.start.offset:]
+        return cursor.kind == Kind.IF_STMT and re.match(r'if\s+constexpr', begun) is not None
 
     def is_constant_variable(self, cursor):
         if cursor.kind == Kind.UNEXPOSED_DECL:  # a template of a variable is one
@@ -186,8 +190,7 @@ class Instrumenter:
 
     def conditions(self, cursor, children, constant):
         if cursor.kind == Kind.IF_STMT:
-            begun = self.text[cursor.extent.start.offset:]
-            if children[0].kind.is_expression() and not re.match(r'if\s+constexpr', begun):
+            if children[0].kind.is_expression() and not self.is_constexpr_if(cursor):
                 self.forced(children[0], ('true', 'false'), constant)
         elif cursor.kind == Kind.CONDITIONAL_OPERATOR:
             self.forced(children[0], ('true', 'false'), constant)
