@@ -241,11 +241,15 @@ bool Extractor<Index, Normals, Sweep>::is_last_slice() const {
 template <class Index, class Normals, class Sweep>
 uint32_t Extractor<Index, Normals, Sweep>::ready_rows() const {
   const bool is_closed = limits_.border == Border::closed;
-  const uint32_t all = limits_.height + (is_closed ? 1 : 0);
   const int32_t first = limits_.slab.continues_below ? 1 : is_closed ? -1 : 0;
   if (middle_slice() < first) return 0;
+  if (is_last_slice()) {
+    // Nothing has come up to the slice above a slab that has no slices.
+    if (limits_.slab.continues_above && middle_slice() == first) return 0;
+    return limits_.height + (is_closed ? 1 : 0);
+  }
   const uint32_t arrived = rows_.rows();
-  if (arrived == limits_.height || is_last_slice()) return all;
+  if (arrived == limits_.height) return limits_.height + (is_closed ? 1 : 0);
   return is_closed || arrived == 0 ? arrived : arrived - 1;
 }
 
