@@ -135,8 +135,8 @@ class Extractor {
   HighWater high_water() const {
     return {sweep_.fragments().records().high_water(), sweep_.delivery().holes().high_water()};
   }
-  /// The bytes of the caller's memory that the scan has used so far: all that lie before, and none
-  /// behind, have ever been written.
+  /// So many bytes at the beginning of the caller's memory the scan has used so far: nothing behind
+  /// them has been written.
   size_t bytes_used() const;
   /// Complete slices so far, and complete rows of the current one.
   uint32_t slices() const { return intake_.slices(rows_); }

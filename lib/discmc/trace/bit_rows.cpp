@@ -53,9 +53,9 @@ uint32_t* BitRows::arriving() {
   return words;
 }
 
-// Turns voxels on: bit i is that of column_ + i. A word begins with the copy of the last column of
-// the word before, and so these two overlap in two columns. Limit: bits < 2^28.
-void BitRows::place(uint32_t* words, uint32_t bits) const {
+// Turns voxels of the row on: bit i is that of column_ + i. A word begins with the copy of the last
+// column of the word before, and so these two overlap in two columns. Limit: bits < 2^28.
+void BitRows::turn_on(uint32_t* words, uint32_t bits) const {
   const uint32_t word = word_of(column_);
   const uint32_t bit = column_ - word * columns_per_word + 2;  // 2 to 31
   words[word] |= bits << bit;
@@ -75,12 +75,13 @@ void BitRows::append_windows(uint32_t* words, const Sample* samples, uint32_t co
   const Sample* const last = samples + (count - on.lanes);
   const uint32_t word = word_of(column_);
   words += word;
-  int32_t own = static_cast<int32_t>(word * columns_per_word - 2) - static_cast<int32_t>(column_);
-  for (; own < 0; own += step) *words++ |= on.reached(samples) << -own;
-  samples += own;
+  // The first sample of the word, counted from those given.
+  int32_t first = static_cast<int32_t>(word * columns_per_word - 2) - static_cast<int32_t>(column_);
+  for (; first < 0; first += step) *words++ |= on.reached(samples) << -first;
+  samples += first;
   for (; samples <= last; samples += step) *words++ = on.reached(samples);
-  for (own = static_cast<int32_t>(samples - last); own < 32 && words != end; own += step)
-    *words++ = on.reached(last) >> own;
+  for (first = static_cast<int32_t>(samples - last); first < 32 && words != end; first += step)
+    *words++ = on.reached(last) >> first;
 }
 
 template <class Sample>
@@ -112,7 +113,7 @@ void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int
       for (; taken < most && taken < count; ++taken)
         bits |= static_cast<uint32_t>(on.reached(samples[size_t{taken} * stride])) << taken;
     }
-    if (bits != 0) place(words, bits);
+    if (bits != 0) turn_on(words, bits);
     column_ += taken;
     count -= taken;
     if (count > 0) samples += size_t{taken} * stride;
@@ -128,7 +129,7 @@ void BitRows::append_bits(const uint8_t* bits) {
   for (; column_ < width_; column_ += 8) {
     const uint32_t left = width_ - column_;
     const uint32_t count = left < 8 ? left : 8;
-    place(words, *bits++ & ((uint32_t{1} << count) - 1));
+    turn_on(words, *bits++ & ((uint32_t{1} << count) - 1));
   }
   column_ = width_;
 }
@@ -137,7 +138,7 @@ void BitRows::write_bits(uint8_t* bits) const {
   const uint32_t* const words = row_before(0);
   for (uint32_t column = 0; column < width_; column += 8) {
     const uint32_t word = word_of(column);
-    const uint32_t bit = column - word * columns_per_word + 2;  // as place() puts them
+    const uint32_t bit = column - word * columns_per_word + 2;  // as in turn_on()
     const uint32_t next = word + 1 < words_ ? words[word + 1] >> 2 : 0;
     *bits++ = static_cast<uint8_t>(words[word] >> bit | next << (32 - bit));
   }

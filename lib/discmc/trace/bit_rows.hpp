@@ -101,7 +101,7 @@ class BitRows {
  private:
   uint32_t* row_before(uint32_t back) const;
   uint32_t* row_off() const { return &ring_[size_t{words_} * ring_rows_]; }
-  void place(uint32_t* words, uint32_t bits) const;
+  void turn_on(uint32_t* words, uint32_t bits) const;
   template <class Sample>
   void append_windows(uint32_t* words, const Sample* samples, uint32_t count,
                       int32_t threshold) const;

@@ -114,8 +114,9 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
     return begin_next_loose(chains);
   }
   begin_ring(records);
-  if (event_.hole && (!sends_ || (holes_.count() < most_holes_ &&
-                                  chains.spare() >= 4 + Holes<Index, Normal>::records_each))) {
+  constexpr uint32_t least_spare =
+      minimum_capacities().records + Holes<Index, Normal>::records_each;
+  if (event_.hole && (!sends_ || (holes_.count() < most_holes_ && chains.spare() >= least_spare))) {
     holes_.keep(records, out);
     out.kind = Out::Kind::none;
     return;

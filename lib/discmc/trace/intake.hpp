@@ -10,11 +10,11 @@
 
 namespace discmc {
 
-/// What is to be told of the row of bits that came of samples.
+/// What the sink is to be told of a row of bits.
 enum class Arrival : uint8_t {
-  nothing,   ///< or there is no row yet
-  skipped,   ///< the samples of that row never came,
-  repeated,  ///< and the row before stands in for them
+  nothing,   ///< its samples came, or it is not complete
+  skipped,   ///< its samples never came: it is off
+  repeated,  ///< they never came: the row before stands in
 };
 
 /// What a run carries of the normal where it starts when nobody wants normals.
