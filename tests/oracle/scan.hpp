@@ -123,25 +123,34 @@ Collector scan(const BitVolume& volume, const Plan& plan = {}) {
   return collector;
 }
 
+/// Of the slab from a slice of a volume to before another.
+inline Limits limits_of_slab(const BitVolume& volume, Border border, uint32_t first, uint32_t end) {
+  Limits limits = limits_of(volume, border);
+  limits.slab = {first, first > 0, end < volume.depth};
+  return limits;
+}
+/// The voxels of its slices, with those of context.
+inline std::vector<uint8_t> voxels_of_slab(const BitVolume& volume, uint32_t first, uint32_t end) {
+  const size_t slice = size_t{volume.width} * volume.height;
+  const uint32_t from = first > 0 ? first - 1 : 0;
+  const uint32_t to = end < volume.depth ? end + 1 : end;
+  return {volume.on.data() + from * slice, volume.on.data() + to * slice};
+}
+
 /// Scans a volume in slabs of some slices, the last of them maybe thinner, each in memory of some
 /// bytes beyond the minimum. Errors: as scan_into().
 template <class Index>
 std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32_t slices,
                                   uint64_t spare, const EventLog::Refuses& refuses = {}) {
   std::vector<Collector> scans;
-  const size_t slice = size_t{volume.width} * volume.height;
   for (uint32_t first = 0; first < volume.depth; first += slices) {
     const uint32_t end = std::min(first + slices, volume.depth);
-    Limits limits = limits_of(volume, border);
-    limits.slab = {first, first > 0, end < volume.depth};
-    const uint32_t from = first > 0 ? first - 1 : 0;
-    const uint32_t to = end < volume.depth ? end + 1 : end;
+    const Limits limits = limits_of_slab(volume, border, first, end);
     Block block(minimum_bytes<Index>(limits) + spare);
     EventLog log(refuses);
     Extractor<Index> extractor;
     require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
-    push_all(extractor,
-             std::vector<uint8_t>(volume.on.data() + from * slice, volume.on.data() + to * slice));
+    push_all(extractor, voxels_of_slab(volume, first, end));
     finish_all(extractor);
     if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
     scans.push_back(collected(log.events, true, limits.slab));

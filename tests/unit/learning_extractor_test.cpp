@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <vector>
 
 #include "oracle/event_log.hpp"
+#include "oracle/join.hpp"
+#include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 
 using namespace discmc;
@@ -131,6 +134,102 @@ BitVolume walls(Size size) {
   return volume;
 }
 
+// ---- slabs ----
+
+// How many slices the slabs of a volume have, in turn.
+const std::vector<uint32_t> thicknesses[] = {{1}, {2}, {3}, {7}, {3, 1, 2}};
+
+template <class Visit>
+void for_each_slab(const BitVolume& volume, const std::vector<uint32_t>& thick, Visit visit) {
+  size_t turn = 0;
+  for (uint32_t first = 0; first < volume.depth;) {
+    const uint32_t end = std::min(first + thick[turn++ % thick.size()], volume.depth);
+    visit(first, end);
+    first = end;
+  }
+}
+
+struct SlabScan {
+  const BitVolume& volume;
+  Border border;
+  uint32_t first, end;
+
+  Limits limits() const { return limits_of_slab(volume, border, first, end); }
+
+  template <class Extractor>
+  EventLog by(Extractor& extractor, const Capacities& capacities,
+              const EventLog::Refuses& refuses = {}) const {
+    EventLog log(refuses);
+    Block block(bytes_for<uint32_t>(limits(), capacities));
+    require_ok(extractor.start(limits(), capacities, 1, block.memory(), sink_to(log)));
+    push_all(extractor, voxels_of_slab(volume, first, end));
+    finish_all(extractor);
+    CHECK(block.is_intact());
+    return log;
+  }
+};
+
+// What a slab sends, in an order of its own: regions, loose fragments and counts, as numbers.
+std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan& scan) {
+  (void)collected(log.events, true, scan.limits().slab);  // checks the grammar
+  std::vector<std::vector<uint64_t>> parts(1);
+  for (const RecordedEvent& event : log.events) {
+    for_each_number(event.event(), [&](uint64_t number) { parts.back().push_back(number); });
+    if (event.is(Event::Kind::region_end) || event.is(Event::Kind::fragment_end) ||
+        event.is(Event::Kind::start) || event.is(Event::Kind::layer))
+      parts.emplace_back();
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+// Of a region or a loose fragment.
+bool is_piece(const RecordedEvent& event) {
+  return !event.is(Event::Kind::start) && !event.is(Event::Kind::layer) &&
+         !event.is(Event::Kind::finish);
+}
+
+std::vector<Region> regions_among(const Events& events) {
+  std::vector<Region> regions;
+  Vertex at{};
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
+    if (recorded.is(Event::Kind::region)) regions.push_back({event.incidence, {}});
+    if (recorded.is(Event::Kind::ring)) {
+      regions.back().rings.emplace_back();
+      at = event.start;
+    }
+    if (recorded.is(Event::Kind::run)) {
+      const Incidence incidence = regions.back().incidence;
+      const Ring side = vertices_of(incidence, at, {event.run});
+      Ring& ring = regions.back().rings.back();
+      ring.insert(ring.end(), side.begin(), side.end());
+      move(at, incidence, event.run.direction(), event.run.length());
+    }
+  }
+  return canonical(std::move(regions));
+}
+
+// Straight up through all slices, but for a few voxels.
+BitVolume rough_columns(Size size) {
+  BitVolume volume = columns(size);
+  const BitVolume noise = random(size, 12, 9);
+  for (size_t i = 0; i < volume.on.size(); ++i) volume.on[i] ^= noise.on[i];
+  return volume;
+}
+
+// Chains of all kinds across seams: holes in levels, straight up, up and down, and noise.
+std::vector<BitVolume> volumes_of_slabs() {
+  return {random({13, 9, 8}, 128, 1),
+          random({33, 12, 15}, 20, 2),
+          checkerboard({8, 8, 8}),
+          columns({9, 9, 9}),
+          ball({18, 18, 18}, {17, 17, 17}, 200),
+          box({5, 5, 15}, {1, 1, 0}, {3, 3, 14}),
+          torus({24, 24, 24}, 8, 3),
+          spiral({15, 15, 9})};
+}
+
 }  // namespace
 
 TEST_CASE("an extractor that learns gives the events of one that does not, from scan to scan") {
@@ -193,21 +292,175 @@ TEST_CASE("the fragments are handed over where slices are too many for a corner'
   for (const Border border : {Border::closed, Border::open}) HandingOver(column, border).check(0);
 }
 
-TEST_CASE("a slab is scanned as by any other") {
-  const BitVolume volume = random({20, 20, 9}, 100, 3);
-  Limits limits = limits_of(volume, Border::closed);
-  limits.slab = {3, true, true};
-  const auto scanned_slab = [&](auto& extractor) {
-    EventLog log;
-    Block block(bytes_for<uint32_t>(limits, much));
-    require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(log)));
-    push_all(extractor, volume.on);
-    finish_all(extractor);
-    return log.events;
-  };
-  Extractor32 other;
+TEST_CASE("a slab has the regions, the loose fragments and the counts of any other's") {
   LearningExtractor extractor;
-  CHECK(scanned_slab(extractor) == scanned_slab(other));
+  Extractor32 other;
+  for (const BitVolume& volume : volumes_of_slabs())
+    for (const Border border : {Border::closed, Border::open})
+      for (const std::vector<uint32_t>& thick : thicknesses) {
+        CAPTURE(volume.depth);
+        CAPTURE(thick[0]);
+        for_each_slab(volume, thick, [&](uint32_t first, uint32_t end) {
+          const SlabScan scan{volume, border, first, end};
+          const EventLog log = scan.by(extractor, much);
+          CHECK(parts_of(log, scan) == parts_of(scan.by(other, {1000000, 1000}), scan));
+          CHECK(has_kept_corners(extractor));
+          CHECK(scan.by(extractor, much, refuses_first).events == log.events);
+          CHECK(scan.by(extractor, much, refuses_some).events == log.events);
+        });
+      }
+}
+
+TEST_CASE("slabs join to the whole wherever their fragments are handed over, by whomever scanned") {
+  // With so many records fragments are handed over in the slice below, the first, a later one, or
+  // not at all.
+  constexpr uint32_t records[] = {200, 37120, 41000, 48000, 60000};
+  LearningExtractor extractor;
+  Extractor32 other;
+  uint32_t turn = 0;
+  for (const BitVolume& volume :
+       {random({40, 30, 4}, 128, 5), random({60, 40, 4}, 25, 6), rough_columns({32, 20, 6})})
+    for (const Border border : {Border::closed, Border::open}) {
+      Plan plan;
+      plan.border = border;
+      const EventLog whole = expected_of(volume, plan);
+      const std::vector<Region> regions = collected(whole.events, true).regions();
+      const std::vector<Region> expected = canonical(regions);
+      for (const uint32_t capacity : records)
+        for (const std::vector<uint32_t>& thick : {thicknesses[0], thicknesses[4]}) {
+          CAPTURE(capacity);
+          CAPTURE(thick[0]);
+          std::vector<Collector> slabs;
+          Events events;
+          for_each_slab(volume, thick, [&](uint32_t first, uint32_t end) {
+            const SlabScan scan{volume, border, first, end};
+            const EventLog::Refuses refuses = ++turn % 2 == 0 ? refuses_first : nullptr;
+            const EventLog log = turn % 5 == 0 ? scan.by(other, {capacity, 100}, refuses)
+                                               : scan.by(extractor, {capacity, 100}, refuses);
+            slabs.push_back(collected(log.events, true, scan.limits().slab));
+            std::copy_if(log.events.begin(), log.events.end(), std::back_inserter(events),
+                         is_piece);
+          });
+          CHECK(unlike_joined(slabs, regions) == "");
+          JoinPlan join_plan;
+          join_plan.order = InputOrder::any;
+          join_plan.capacities = enough_for(events);
+          const Joined joined = join(events, join_plan);
+          CHECK(joined.report.unmatched == 0);
+          CHECK(regions_among(joined.events) == expected);
+        }
+    }
+}
+
+TEST_CASE(
+    "a slab has them, too, where more chains cross a seam than queues have room for at first") {
+  const BitVolume volume = columns({60, 60, 3});
+  constexpr Capacities plenty{300000, 100};
+  LearningExtractor extractor;
+  Extractor32 other;
+  for (const uint32_t end : {2U, 3U}) {
+    const SlabScan scan{volume, Border::closed, 1, end};
+    CHECK(parts_of(scan.by(extractor, plenty), scan) == parts_of(scan.by(other, plenty), scan));
+  }
+}
+
+TEST_CASE("the corners of loose fragments that have gone out are used again") {
+  LearningExtractor extractor;
+  const auto records_used = [&](bool has_fragments) {
+    BitVolume volume({30, 30, 9});
+    const BitVolume noise = random({30, 30, 2}, 128, 8);
+    const auto put_noise = [&](uint32_t z) {
+      std::copy(noise.on.begin(), noise.on.end(), &volume.on[volume.index(0, 0, z)]);
+    };
+    if (has_fragments) put_noise(0);
+    put_noise(5);
+    (void)SlabScan{volume, Border::closed, 1, 9}.by(extractor, much);
+    return extractor.high_water().records;
+  };
+  CHECK(records_used(true) == records_used(false));
+}
+
+TEST_CASE("slabs behind the slices that a corner's place has room for join to the whole") {
+  constexpr uint32_t depth = 32790;
+  BitVolume column({4, 3, depth});
+  const BitVolume noise = random({4, 3, 60}, 90, 7);
+  std::copy(noise.on.begin(), noise.on.end(), &column.on[column.index(0, 0, depth - 60)]);
+  const std::vector<Region> regions = collected(expected_of(column).events, true).regions();
+  LearningExtractor extractor;
+  for (uint32_t cut = 32755; cut < 32775; ++cut) {
+    CAPTURE(cut);
+    std::vector<Collector> slabs;
+    for_each_slab(column, {cut, 2, depth}, [&](uint32_t first, uint32_t end) {
+      const SlabScan scan{column, Border::closed, first, end};
+      slabs.push_back(collected(scan.by(extractor, much).events, true, scan.limits().slab));
+    });
+    CHECK(unlike_joined(slabs, regions) == "");
+  }
+}
+
+TEST_CASE("a slab without a slice of its own has no surface, however many corners lie beneath it") {
+  const BitVolume noise = random({9, 9, 9}, 128, 5);
+  LearningExtractor extractor;
+  for (const bool continues_above : {false, true}) {
+    Limits limits = limits_of(noise, Border::closed);
+    limits.slab = {7, true, continues_above};
+    Block block(bytes_for<uint32_t>(limits, much));
+    EventLog log;
+    require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.push(noise.on.data(), continues_above ? 162 : 81).status);
+    finish_all(extractor);
+    CHECK(extractor.statistics().cells == 0);
+    CHECK(extractor.statistics().links == 0);
+  }
+}
+
+TEST_CASE(
+    "a slab abandoned after any sample, or with the sink not ready, has what any other's has") {
+  const BitVolume volume = random({7, 6, 7}, 128, 4);
+  const auto abandoned = [](auto& extractor, const SlabScan& scan, uint32_t samples,
+                            const EventLog::Refuses& refuses) {
+    EventLog log(refuses);
+    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), sink_to(log)));
+    uint32_t pushed = 0;
+    const std::vector<uint8_t> voxels = voxels_of_slab(scan.volume, scan.first, scan.end);
+    while (pushed < samples)
+      pushed += extractor.push(voxels.data() + pushed, samples - pushed).samples;
+    while (extractor.abandon() == Status::more) {
+    }
+    return log;
+  };
+  LearningExtractor extractor;
+  Extractor32 other;
+  for (const Border border : {Border::closed, Border::open})
+    for (uint32_t samples = 0; samples <= 6 * 42; samples += 5) {
+      const SlabScan scan{volume, border, 2, 6};
+      const auto expected = parts_of(abandoned(other, scan, samples, {}), scan);
+      CAPTURE(samples);
+      CHECK(parts_of(abandoned(extractor, scan, samples, {}), scan) == expected);
+      CHECK(parts_of(abandoned(extractor, scan, samples, refuses_first), scan) == expected);
+    }
+}
+
+TEST_CASE("a slab goes on from a checkpoint in any of its slices, those of context included") {
+  const BitVolume volume = random({20, 20, 7}, 100, 3);
+  const SlabScan scan{volume, Border::closed, 1, 6};
+  LearningExtractor extractor;
+  const EventLog expected = scan.by(extractor, much);
+  const std::vector<uint8_t> voxels = voxels_of_slab(volume, 1, 6);
+  const auto checkpoint = std::make_unique<Checkpoint<LearningExtractor>>();
+  for (uint32_t cut = 0; cut <= voxels.size(); cut += 130) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.push(voxels.data(), cut).status);
+    require_ok(extractor.save(*checkpoint));
+    LearningExtractor after;
+    require_ok(after.restore(*checkpoint, block.memory(), sink_to(log)));
+    require_ok(after.push(voxels.data() + cut, static_cast<uint32_t>(voxels.size()) - cut).status);
+    finish_all(after);
+    CHECK(log.events == expected.events);
+  }
 }
 
 TEST_CASE("an extractor learns in memory with any alignment, and may begin anew in other memory") {
@@ -253,6 +506,22 @@ TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to 
         CHECK(next.events == expected.events);
       }
     }
+  }
+}
+
+TEST_CASE("a slab that breaks off above its last slice leaves nothing to the next") {
+  const BitVolume volume = random({20, 20, 9}, 100, 3);
+  const SlabScan scan{volume, Border::closed, 2, 5};
+  LearningExtractor extractor;
+  const EventLog expected = scan.by(extractor, much);
+  for (const uint64_t left : {2U, 100U, 400U}) {
+    EventLog log([&](uint64_t offer) { return offer >= expected.events.size() - left; });
+    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), sink_to(log)));
+    const std::vector<uint8_t> voxels = voxels_of_slab(volume, 2, 5);
+    require_ok(extractor.push(voxels.data(), static_cast<uint32_t>(voxels.size())).status);
+    CHECK(extractor.finish() == Status::more);
+    CHECK(scan.by(extractor, much).events == expected.events);
   }
 }
 

@@ -11,8 +11,11 @@ namespace discmc::trace {
 /// So the order of numbers is the order z, y, x, and a vector is a number to be added.
 class CornerCode {
  public:
-  /// Slices that fit, the row before the first one and the centroids behind the last included.
+  /// Slices that fit, the row before the first one and what lies behind the last included: its
+  /// centroids, and the slice above a slab.
   static constexpr int32_t most_slices = 32760;
+  /// In place of a link that lies beyond the seam of a slab.
+  static constexpr Link beyond_seam = link_codes;
 
   constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
 
@@ -33,6 +36,9 @@ class CornerCode {
   constexpr bool is_origin() const { return (bits_ & 1) != 0; }
   constexpr Link onwards() const { return bits_ >> 1 & 31; }
   constexpr Link came() const { return bits_ >> 6 & 31; }
+  /// Whether it is the first corner of a loose fragment, or the last one (Corners::cut_at_seam()).
+  constexpr bool begins_at_seam() const { return came() == beyond_seam; }
+  constexpr bool ends_at_seam() const { return onwards() == beyond_seam; }
   constexpr Incidence incidence() const { return bits_ >> 11 & 31; }
   constexpr Vertex vertex() const {
     const auto coordinate = [this](int at) {

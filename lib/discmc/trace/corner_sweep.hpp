@@ -2,7 +2,7 @@
 //
 // Then fragments are lists of corners (corners.hpp). When too many records would be in use they are
 // handed over to the sweep that firmware has, which goes on. It does everything from the start for
-// slabs, and for sinks that take no fragments.
+// sinks that take no fragments.
 #ifndef DISCMC_TRACE_CORNER_SWEEP_HPP
 #define DISCMC_TRACE_CORNER_SWEEP_HPP
 
@@ -14,6 +14,8 @@ namespace discmc::trace {
 /// To an extractor what a Sweep is.
 class CornerSweep {
  public:
+  static constexpr bool opens_seams = true;
+
   Corners::Chains& fragments() { return plain_.fragments(); }
   Delivery<uint32_t, NoNormal>& delivery() { return plain_.delivery(); }
   const Corners::Chains& fragments() const { return plain_.fragments(); }
@@ -31,23 +33,29 @@ class CornerSweep {
  private:
   using Records = Corners::Records;
 
-  struct Ring {
+  // A chain that is closed, or cut off at seams.
+  struct Chain {
     uint32_t start;
     uint32_t corners;
     CornerCode code;  // of the start
   };
 
+  void open_seam(const SweptRow& row);
+  bool close_seam(const SweptRow& row, const Sink& sink, Statistics& statistics);
   bool sweep_corners(const SweptRow& row, const Sink& sink, Statistics& statistics);
-  bool deliver_rings(const Sink& sink, Statistics& statistics);
-  Ring ring_of(uint32_t closed) const;
-  bool deliver(const Ring& ring, const Sink& sink, Statistics& statistics);
-  void put_out(const Ring& ring);
+  void hand_over(const SweptRow& row, uint32_t word);
+  bool go_on_delivering(const Sink& sink, Statistics& statistics);
+  bool deliver_chains(const Sink& sink, Statistics& statistics);
+  Chain chain_of(uint32_t closed) const;
+  bool deliver(const Chain& ring, const Sink& sink, Statistics& statistics);
+  void put_out(const Chain& chain);
 
   Sweep<uint32_t, NoNormal> plain_;
   bool keeps_corners_ = false;
   bool is_suspended_ = false;  // the sink has said "not now"
   Corners corners_;
   LearntPasses passes_;
+  DerivedPasses passes_beyond_;  // of the slices below and above a slab
 };
 
 }  // namespace discmc::trace

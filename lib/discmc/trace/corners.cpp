@@ -40,6 +40,11 @@ BeginQueues begin_queues() {
 /// The voxels before this one have been visited.
 struct Front {
   int32_t x, y, z;
+
+  bool has_passed(const Vertex& v) const {
+    const int32_t by[] = {(v.z >> 1) - z, (v.y >> 1) - y, (v.x >> 1) - x};
+    return (by[0] != 0 ? by[0] : by[1] != 0 ? by[1] : by[2]) < 0;
+  }
 };
 
 bool is_centroid(const Vertex& v) {
@@ -71,32 +76,33 @@ class HandOver {
       : chains_(chains), records_(chains.records()), front_(front) {}
 
   /// A begin that waits at a corner: hands it over with all up to the origin of the arm to the
-  /// tail, which stays behind and names it.
+  /// tail, which stays behind and names it, unless the fragment ends there, at a seam.
   void hand_over_begin(uint8_t queue, uint32_t at) {
     uint32_t list = no_record;
     const CornerCode first = corner(records_, at).code();
     const uint32_t begin = add_end(queue, first, first.came(), opposite_link(first.came()), list);
-    bool has_passed_origin = false;
-    for (uint32_t last = no_record;;) {
-      const CornerCode code = corner(records_, at).code();
-      if (!has_passed_origin && code.is_origin()) {
-        has_passed_origin = true;
-        last = corner(records_, at).mate;
-      }
-      if (at == last) break;
-      const uint32_t next = corner(records_, at).next;
-      append_side(records_, list, code, corner(records_, next).code());
-      records_.give(at);
-      at = next;
+    uint32_t origin = at;
+    while (!corner(records_, origin).code().is_origin()) origin = corner(records_, origin).next;
+    const uint32_t last = corner(records_, origin).mate;
+    append_sides(at, last, list);
+    if (corner(records_, last).code().ends_at_seam()) {
+      records_.give(last);
+      return chains_.connect(begin, loose_end<uint32_t>(), list);
     }
     records_[begin].end.last = list;
-    corner(records_, at).next = begin;
+    corner(records_, last).next = begin;
+    corner(records_, last).mate = no_record;
   }
 
-  /// A tail that waits at a corner: hands it over with the arm to it.
+  /// A tail that waits at a corner: hands it over with the arm to it, and with all from the seam on
+  /// where the fragment begins there.
   void hand_over_tail(uint8_t queue, uint32_t at) {
     uint32_t list = no_record;
     CornerCode code = corner(records_, at).code();
+    if (code.begins_at_seam() && !front_.has_passed(code.vertex())) {
+      records_.give(at);
+      return chains_.lose_in(queue);
+    }
     const uint32_t tail = add_end(queue, code, code.onwards(), code.onwards(), list);
     while (!code.is_origin()) {
       const uint32_t before = corner(records_, at).next;
@@ -106,12 +112,29 @@ class HandOver {
       at = before;
       code = code_before;
     }
-    const uint32_t begin = corner(records_, at).next;
+    const uint32_t first = corner(records_, at).mate;
+    uint32_t begin = corner(records_, at).next, list_before = no_record;
+    if (first == no_record) {
+      list_before = records_[begin].end.last;
+    } else {
+      const CornerCode seam = corner(records_, first).code();
+      begin = loose_end<uint32_t>(sector_table.direction(seam.incidence(), seam.onwards()));
+      append_sides(first, at, list_before);
+    }
     records_.give(at);
-    chains_.connect(begin, tail, Lists::concatenate(records_, records_[begin].end.last, list));
+    chains_.connect(begin, tail, Lists::concatenate(records_, list_before, list));
   }
 
  private:
+  // Appends the sides between two corners to a list, and gives back the corners but the last.
+  void append_sides(uint32_t at, uint32_t last, uint32_t& list) {
+    while (at != last) {
+      const uint32_t next = corner(records_, at).next;
+      append_side(records_, list, corner(records_, at).code(), corner(records_, next).code());
+      records_.give(at);
+      at = next;
+    }
+  }
   // An end that waits, on a side by a link. What has been passed of the side already, ahead of the
   // corner, goes into the list: the rest is short.
   uint32_t add_end(uint8_t queue, CornerCode at, Link side, Link ahead, uint32_t& list) {
@@ -171,11 +194,17 @@ void Corners::set_ring(Records& records, uint32_t queue, uint32_t mask, uint32_t
   first_[exit_of(queue)] = first_[entry_of(queue)] = first;
 }
 
-bool Corners::find_room(Records& records, const LearntPasses& passes) {
-  const uint32_t more = passes.count() > free_corners_ ? passes.count() - free_corners_ : 0;
+bool Corners::find_room(Records& records, uint32_t corners, uint32_t edges) {
+  const uint32_t more = corners > free_corners_ ? corners - free_corners_ : 0;
   if (records.available() < more + reserve_of(corners_ + more)) return false;
-  corners_ += more;
-  for (; free_corners_ < passes.count(); ++free_corners_) {
+  add_corners(records, more);
+  return edges <= free_places_ || find_places(records);
+}
+
+void Corners::add_corners(Records& records, uint32_t count) {
+  corners_ += count;
+  free_corners_ += count;
+  for (; count > 0; --count) {
     const uint32_t index = records.take();
     Corner<uint32_t>& made = corner(records, index);
     made.next = free_;
@@ -183,7 +212,6 @@ bool Corners::find_room(Records& records, const LearntPasses& passes) {
     made.set_code(CornerCode(0));
     free_ = index;
   }
-  return passes.edges() <= free_places_ || find_places(records);
 }
 
 // Makes room in the queues: each has a free place at least for each one that is taken.
@@ -250,7 +278,40 @@ void Corners::take(Records& records, const LearntPasses& passes) {
   joins_ = joins;
 }
 
-uint32_t Corners::close_ring(Records& records) {
+void Corners::cut_at_seam(Records& records, const Pass& pass, const Vertex& vertex) {
+  const auto corner_at = [&](const Vertex& at, Link came, Link onwards) {
+    return CornerCode(CornerCode::position(at) |
+                      CornerCode::sides(pass.incidence, came, onwards, true));
+  };
+  if (pass.in >= first_rising_queue)
+    add_at_seam(records, pass.in, pass.comes_from_ahead,
+                corner_at(vertex, pass.came, CornerCode::beyond_seam));
+  if (pass.out >= first_rising_queue)
+    add_at_seam(records, pass.out, pass.goes_ahead(),
+                corner_at(Chains::next_vertex(pass, vertex), CornerCode::beyond_seam, pass.second));
+}
+
+// Adds an origin that waits for what comes, or meets what has waited.
+void Corners::add_at_seam(Records& records, uint8_t queue, bool waits, CornerCode code) {
+  if (free_corners_ == 0) add_corners(records, 1);
+  --free_corners_;
+  const uint32_t index = free_;
+  Corner<uint32_t>& made = corner(records, index);
+  free_ = made.next;
+  made.mate = index;
+  made.set_code(code);
+  const Port port = waits ? entry_of(queue) : exit_of(queue);
+  uint32_t& slot = slots(records)[first_[port] + (count_[port]++ & mask_[port])];
+  if (waits) {
+    slot = index;
+    --free_places_;
+    return;
+  }
+  made.next = code.ends_at_seam() ? slot : index;
+  join_[joins_++] = {index, code.ends_at_seam() ? index : slot};
+}
+
+uint32_t Corners::close_chain(Records& records) {
   while (next_join_ != joins_) {
     const Join join = join_[next_join_++];
     // The arm to the tail that came, turned round.
@@ -272,14 +333,19 @@ uint32_t Corners::close_ring(Records& records) {
     const uint32_t tail = corner(records, to).mate;
     corner(records, begin).mate = tail;
     corner(records, tail).mate = begin;
+    if (corner(records, begin).code().begins_at_seam() &&
+        corner(records, tail).code().ends_at_seam()) {
+      corner(records, tail).next = begin;
+      return begin;
+    }
   }
   joins_ = next_join_ = 0;
   return no_record;
 }
 
-void Corners::give(Records& records, uint32_t ring, uint32_t count) {
-  const uint32_t second = corner(records, ring).next;
-  corner(records, ring).next = free_;
+void Corners::give(Records& records, uint32_t chain, uint32_t count) {
+  const uint32_t second = corner(records, chain).next;
+  corner(records, chain).next = free_;
   free_ = second;
   free_corners_ += count;
 }

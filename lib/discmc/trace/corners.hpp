@@ -8,6 +8,9 @@
 // their origins is then a list in the chain's direction. The origins at the ends of that list name
 // each other: they are mates.
 //
+// At the seam of a slab a chain that comes from beyond begins, and one that goes there ends, at an
+// origin of which only one end waits. A fragment between two of these is complete, as a ring is.
+//
 // Corners and queues lie in the pool of records: a checkpoint has them, and those of no more use
 // are records again.
 #ifndef DISCMC_TRACE_CORNERS_HPP
@@ -34,23 +37,32 @@ class Corners {
   /// Begins with records that have just been cleared. False when they are fewer than the least.
   bool start(Records& records);
 
-  /// Makes room for passes that have been found. False when too many records would be in use: then
-  /// hand_over().
-  bool make_room(Records& records, const LearntPasses& passes) {
-    const bool has_room = records.available() >= reserve_of(corners_) &&
-                          passes.count() <= free_corners_ && passes.edges() <= free_places_;
-    return has_room || find_room(records, passes);
+  /// Makes room for so many corners, made at so many edges. False when too many records would be in
+  /// use: then hand_over().
+  bool make_room(Records& records, uint32_t corners, uint32_t edges) {
+    const bool has_room = records.available() >= reserve_of(corners_) && corners <= free_corners_ &&
+                          edges <= free_places_;
+    return has_room || find_room(records, corners, edges);
   }
 
   /// Takes passes in. Limit: there is room, and all rings have been closed.
   void take(Records& records, const LearntPasses& passes);
 
-  /// Joins the chains that have met, in the order in which they did, until a ring closes: a corner
-  /// of it, or no_record when there are no more. Its corners name one another in its direction.
-  uint32_t close_ring(Records& records);
+  /// The most corners that cut_at_seam() makes of the passes at a vertex.
+  static constexpr uint32_t most_cut = 2 * PassList::most;
+  /// Cuts a chain off at a seam, at a vertex of the slice beyond it: there it ends, and at the next
+  /// vertex it begins. Below a slab, the end waits for what comes; above, it is met. Limit: below,
+  /// as take(); above, all records may be used that are set aside, and there is no hand_over().
+  void cut_at_seam(Records& records, const Pass& pass, const Vertex& vertex);
 
-  /// Gives the corners of a ring back, of which one is named. count: how many they are.
-  void give(Records& records, uint32_t ring, uint32_t count);
+  /// Joins the chains that have met, in the order in which they did, until a ring is closed, or a
+  /// fragment has come to seams at both its ends: a corner of it, the first one of a fragment, or
+  /// no_record when there are no more. Its corners name one another in its direction; the last one
+  /// of a fragment names the first.
+  uint32_t close_chain(Records& records);
+
+  /// Gives the corners of a closed chain back, of which one is named. count: how many they are.
+  void give(Records& records, uint32_t chain, uint32_t count);
 
   /// Hands all fragments over, when a sweep has come to a place.
   void hand_over(Chains& chains, const SweptRow& row, uint32_t word);
@@ -67,7 +79,9 @@ class Corners {
   };
 
   static uint32_t reserve_of(uint32_t corners) { return records_a_corner * corners; }
-  bool find_room(Records& records, const LearntPasses& passes);
+  bool find_room(Records& records, uint32_t corners, uint32_t edges);
+  void add_corners(Records& records, uint32_t count);
+  void add_at_seam(Records& records, uint8_t queue, bool waits, CornerCode code);
   bool find_places(Records& records);
   bool grow(Records& records, uint32_t queue);
   void give_all(Records& records);

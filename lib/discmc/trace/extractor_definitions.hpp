@@ -241,11 +241,12 @@ bool Extractor<Index, Normals, Sweep>::is_last_slice() const {
 template <class Index, class Normals, class Sweep>
 uint32_t Extractor<Index, Normals, Sweep>::ready_rows() const {
   const bool is_closed = limits_.border == Border::closed;
-  const int32_t first = limits_.slab.continues_below ? 1 : is_closed ? -1 : 0;
+  const int32_t first_own = limits_.slab.continues_below ? 1 : is_closed ? -1 : 0;
+  const int32_t first = Sweep::opens_seams && limits_.slab.continues_below ? 0 : first_own;
   if (middle_slice() < first) return 0;
   if (is_last_slice()) {
     // Nothing has come up to the slice above a slab that has no slices.
-    if (limits_.slab.continues_above && middle_slice() == first) return 0;
+    if (limits_.slab.continues_above && middle_slice() == first_own) return 0;
     return limits_.height + (is_closed ? 1 : 0);
   }
   const uint32_t arrived = rows_.rows();
@@ -269,6 +270,8 @@ template <class Index, class Normals, class Sweep>
 bool Extractor<Index, Normals, Sweep>::sweep_row() {
   const bool is_open = limits_.border == Border::open;
   const bool is_above_slab = is_last_slice() && limits_.slab.continues_above;
+  const bool is_below_slab =
+      Sweep::opens_seams && limits_.slab.continues_below && middle_slice() == 0;
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
   const int32_t z = middle_slice() + static_cast<int32_t>(limits_.slab.first) -
                     (limits_.slab.continues_below ? 1 : 0);
@@ -278,14 +281,17 @@ bool Extractor<Index, Normals, Sweep>::sweep_row() {
   row.width = limits_.width;
   row.y = y;
   row.z = z;
-  row.absent_rows = rows_outside(y) | (is_above_slab ? trace::CellRowBits::above : 0);
+  row.absent_rows = rows_outside(y) | (is_above_slab ? trace::CellRowBits::above : 0) |
+                    (is_below_slab ? trace::CellRowBits::below : 0);
   row.has_open_ends = is_open;
-  row.work = !is_above_slab      ? trace::RowWork::take_passes
+  row.work = is_below_slab       ? trace::RowWork::open_seam
+             : !is_above_slab    ? trace::RowWork::take_passes
              : chains_are_ended_ ? trace::RowWork::begin_chains
                                  : trace::RowWork::end_chains;
   if (sink_.sealing != nullptr && !seal(row)) return false;
   row.set_missing();
-  sweep_.fragments().set_below_is_lost(limits_.slab.continues_below && middle_slice() == 1);
+  sweep_.fragments().set_below_is_lost(!Sweep::opens_seams && limits_.slab.continues_below &&
+                                       middle_slice() == 1);
   // Above a slab the row is swept twice: as an end does not know where it is, the chains that come
   // up to a vertex are ended there, and those that go down from it begin there.
   for (;;) {

@@ -112,16 +112,30 @@ class Fragments {
   void end_at(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, true); }
   void begin_below(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, false); }
 
+  /// The vertex that a chain comes to.
+  static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
+    Vertex next = vertex;
+    if (pass.has_centroid()) move(next, pass.first, 1);
+    move(next, pass.second, 1);
+    return next;
+  }
+
   /// Whether what comes from below is another slab's.
   void set_below_is_lost(bool is_lost) {
     queues_.lose_from(is_lost ? first_rising_queue : queue_count);
   }
 
-  /// Whether chains never begin or end at a seam, and may be sent loose.
-  bool takes_whole_chains() const { return at_seam_ == nullptr && plenty_ != 0; }
+  /// Whether the sink takes loose fragments.
+  bool sends() const { return plenty_ != 0; }
   /// For fragments that have been kept in another way (corners.hpp), while there is room: adds an
-  /// end that waits, then makes two ends a fragment with its runs.
+  /// end that waits, or is lost, then makes two ends a fragment with its runs.
   Index wait_in(uint8_t queue, Side side);
+  void lose_in(uint8_t queue) { push_lost(queue); }
+  /// In the slice below a slab: the ends that lead up are another slab's.
+  void lose_at_seam(const Pass& pass) {
+    if (pass.in >= first_rising_queue) push_lost(pass.in);
+    if (pass.out >= first_rising_queue) push_lost(pass.out);
+  }
   void connect(Index begin, Index tail, Index list);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
@@ -140,17 +154,11 @@ class Fragments {
   static Direction direction(const Pass& pass, Link link) {
     return sector_table.direction(pass.incidence, link);
   }
-  // Where the side begins that a chain leaves along, and the vertex that it comes to.
+  // Where the side begins that a chain leaves along.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
     Vertex corner = vertex;
     if (pass.turns_at_centroid()) move(corner, pass.first, 1);
     return corner;
-  }
-  static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
-    Vertex next = vertex;
-    if (pass.has_centroid()) move(next, pass.first, 1);
-    move(next, pass.second, 1);
-    return next;
   }
 
   template <class Normals>

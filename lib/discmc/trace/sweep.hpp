@@ -11,6 +11,9 @@ namespace discmc::trace {
 template <class Index, class Normal>
 class Sweep {
  public:
+  /// Whether the slice below a slab is swept, too. If not, what comes from there is lost.
+  static constexpr bool opens_seams = false;
+
   Fragments<Index, Normal>& fragments() { return fragments_; }
   Delivery<Index, Normal>& delivery() { return delivery_; }
   const Fragments<Index, Normal>& fragments() const { return fragments_; }

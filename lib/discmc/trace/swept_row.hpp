@@ -14,6 +14,7 @@ namespace discmc::trace {
 /// What is done at the vertices of a row.
 enum class RowWork : uint8_t {
   take_passes,
+  open_seam,    ///< below a slab: the ends wait that are another slab's
   end_chains,   ///< above a slab: the chains that come up to it end,
   begin_chains  ///< and those that go down from it begin
 };
