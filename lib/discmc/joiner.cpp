@@ -2,8 +2,6 @@
 
 namespace discmc {
 
-namespace {
-
 void add(Statistics& sum, const Statistics& other) {
   sum.cells += other.cells;
   sum.facets += other.facets;
@@ -14,8 +12,6 @@ void add(Statistics& sum, const Statistics& other) {
   sum.fragments += other.fragments;
   sum.skipped_rows += other.skipped_rows;
 }
-
-}  // namespace
 
 Status Joiner::start(Memory memory, const Sink& sink, InputOrder order) {
   return start(default_capacities(memory.bytes), memory, sink, order);

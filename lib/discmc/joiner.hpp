@@ -24,6 +24,9 @@
 
 namespace discmc {
 
+/// Adds the totals of a scan to those of others, such as the slabs of one volume.
+void add(Statistics& sum, const Statistics& other);
+
 /// What is known of the order in which events come.
 enum class InputOrder : uint8_t {
   /// That of one sweep. A region is delivered as soon as its outer ring closes.

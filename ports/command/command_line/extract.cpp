@@ -15,6 +15,8 @@
 namespace discmc::host {
 namespace {
 
+constexpr unsigned most_jobs = 1024;
+
 // Whether a file of this name can hold no more than a mesh.
 bool is_one_mesh(const std::string& output) {
   return !FilePattern(output).has_name() && format_of(output) != Format::stream &&
@@ -144,6 +146,20 @@ void check_slab(const ExtractArguments& arguments) {
                                "leave out --normals, and give decode --normals gradient --volume");
 }
 
+void check_jobs(const ExtractArguments& arguments) {
+  if (!arguments.jobs) return;
+  const bool is_stream = format_of(arguments.output) == Format::stream;
+  if (!is_divisible(arguments))
+    throw CLI::ValidationError("--jobs",
+                               "of --memory, --capacities, --labels and --surface interpolated "
+                               "the volume is taken as a whole: leave out one or the other");
+  if (is_stream &&
+      (arguments.wire == Wire::slices || arguments.slab || arguments.normals == Normals::gradient))
+    throw CLI::ValidationError("--jobs",
+                               "a stream of slices, of a slab or with normals is that of one "
+                               "sweep: leave out one or the other");
+}
+
 void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_output(arguments.output);
   check_faces(arguments.mesh.faces, arguments.output);
@@ -157,6 +173,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_tolerance(arguments, *app.get_option("--tolerance"));
   check_wire(arguments);
   check_slab(arguments);
+  check_jobs(arguments);
 }
 
 // "2/7". Throws where it is none.
@@ -239,6 +256,13 @@ Command add_extract(CLI::App& app) {
   add_label_options(*extract, *arguments);
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
+  extract
+      ->add_option("-j,--jobs", arguments->jobs,
+                   "parts of the volume that are worked on at once (default: as many as there are "
+                   "cores for a mesh, which is the same whatever the number; a stream is that of "
+                   "one sweep unless this is given)")
+      ->check(CLI::Range(1U, most_jobs))
+      ->option_text("N");
   add_mesh_options(*extract, arguments->mesh);
   add_component_options(*extract, arguments->components);
   add_space_option(*extract, arguments->space);

@@ -18,6 +18,9 @@ Command add_join(CLI::App& app) {
       ->check(named_with({".dmc"}, "what is joined is a stream"))
       ->check(without_braces())
       ->required();
+  add_memory_option(*join, arguments->memory,
+                    "bytes for pieces that wait for others, with K, M or G for 1024, 1024^2 and "
+                    "1024^3 (default: 1G); more go to a temporary file in the folder TMPDIR");
   join->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");
   join->footer(
       "Examples:\n"

@@ -87,12 +87,19 @@ struct ExtractArguments {
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
   std::uint16_t scan = 0;        ///< the number in a stream
   std::optional<SlabChoice> slab;
+  std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
   bool interpolates = false;       ///< the vertices of a mesh
   bool quiet = false;
 };
+
+/// Whether the volume may be extracted in parts.
+inline bool is_divisible(const ExtractArguments& arguments) {
+  return !arguments.interpolates && !arguments.takes_all_labels && arguments.reading.memory == 0 &&
+         arguments.reading.capacities.empty();
+}
 
 /// Of `info`.
 struct InfoArguments {
@@ -119,6 +126,7 @@ struct StreamArguments {
 struct JoinArguments {
   std::vector<std::string> streams;
   std::string output;
+  std::uint64_t memory = std::uint64_t{1} << 30;  ///< what outgrows it goes to a temporary file
   bool quiet = false;
 };
 

@@ -1,9 +1,11 @@
 // discmc extract: a volume to a stream or to meshes.
 #include "extract.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "commands.hpp"
@@ -62,6 +64,10 @@ std::vector<std::string> files_for(const FilePattern& pattern,
     files.push_back(pattern.file_for(each.name, addition));
   }
   return files;
+}
+
+unsigned jobs_of(const ExtractArguments& arguments) {
+  return arguments.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers) {

@@ -77,6 +77,9 @@ void write_parts(const ExtractArguments& arguments, const std::vector<Mesh>& par
 
 MeshSummary summary_of(const Mesh& mesh, const ExtractArguments& arguments);
 
+/// How much is done at once: as asked for, or as there are cores.
+unsigned jobs_of(const ExtractArguments& arguments);
+
 /// As check_surface(), of each. volume: that they are of.
 void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,
                     const MeasuredVolume& volume);

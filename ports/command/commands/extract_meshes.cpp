@@ -35,6 +35,7 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
 MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output) {
   MeshOptions options = arguments.mesh;
   options.crossings = output.crossings;
+  options.jobs = jobs_of(arguments);
   return options;
 }
 
@@ -99,11 +100,13 @@ int extract_meshes(const ExtractArguments& arguments) {
   const bool is_shared = shares_file(arguments);
   const std::vector<std::string> files = files_for(pattern, selections);
   Progress progress("extracting", info.dims[2]);
-  const ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
+  ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
+  if (is_divisible(arguments)) options.jobs = jobs_of(arguments);
 
   const SurfaceReceivers receivers = receivers_for(selections);
   for (const auto& receiver : receivers) receiver->start_surface();
   std::vector<SurfaceRequest> requests = requests_of(selections, receivers);
+  for (std::size_t i = 0; i < receivers.size(); ++i) requests[i].builder = receivers[i]->builder();
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates)
     for (const NamedSelection& each : selections) finders.emplace_back(info, each.selection);

@@ -87,7 +87,8 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   std::vector<NamedSelection> selections = arguments.reading.selections;
   options.slab = slab_of(arguments, info.dims[2]);
   options.normals = arguments.normals == Normals::gradient;
-  options.measures_memory = !arguments.quiet;
+  options.jobs = arguments.jobs;
+  options.measures_memory = !arguments.quiet && !options.jobs;
   std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);

@@ -12,7 +12,7 @@
 #include "stream_input.hpp"
 #include "streams/slab_ranges.hpp"
 #include "summary.hpp"
-#include "surface/growing_joiner.hpp"
+#include "surface/spilling_joiner.hpp"
 #include "surface_receiver.hpp"
 
 namespace discmc::host {
@@ -37,7 +37,9 @@ bool is_same_volume(const StreamHeader& a, const StreamHeader& b) {
 // Takes the events of all streams, one after another, and joins them to one.
 class Join {
  public:
-  explicit Join(std::ostream& out) : output_(&out) {}
+  /// memory: for pieces that wait. Units: bytes.
+  Join(std::ostream& out, std::uint64_t memory)
+      : output_(&out), joiner_(sink_to(encoded_), memory) {}
 
   /// Throws std::runtime_error where the streams do not belong together.
   int add(const std::string& path) {
@@ -114,7 +116,7 @@ class Join {
   StreamOutput output_;
   NormalEncoder encoder_;
   Encoded encoded_{encoder_};
-  GrowingJoiner joiner_{sink_to(encoded_), InputOrder::any};
+  SpillingJoiner joiner_;
   SlabRanges slabs_;
   std::uint32_t depth_ = 0;  // of the volume; where headers do not tell it, of the first range
   StreamHeader header_;
@@ -130,7 +132,7 @@ class Join {
 
 int run_join(const JoinArguments& arguments) {
   OutputFile file(arguments.output);
-  Join join(file.stream());
+  Join join(file.stream(), arguments.memory);
   int code = exit_ok;
   for (const std::string& stream : arguments.streams) code = std::max(code, join.add(stream));
   join.finish();

@@ -56,7 +56,7 @@ void write_surface(const Surface& surface, Format format, const MeshOptions& opt
   if (format == Format::jsonl)
     return write_to(file, [&](std::ostream& out) { write_jsonl(surface, out); });
   const Mesh mesh = placed_mesh(surface, options, add_normals, placement);
-  write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out); });
+  write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out, options.jobs); });
 }
 
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {

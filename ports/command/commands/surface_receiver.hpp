@@ -58,6 +58,8 @@ class SurfaceReceiver {
 
   /// Of the stream; 0 without one.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
+  /// Where polygons may go as well, or null where none are kept.
+  SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
   /// Empty unless begun. The spacing is for the caller to set.
   Surface& surface() { return builder_.surface(); }
 

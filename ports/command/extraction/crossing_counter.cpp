@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <utility>
 
 #include "selection.hpp"
 
@@ -34,9 +35,11 @@ CrossingCounter::CrossingCounter(const Limits& limits)
     : width_(limits.width),
       height_(limits.height),
       is_closed_(limits.border == Border::closed),
+      is_context_(limits.slab.continues_below),
+      continues_above_(limits.slab.continues_above),
       off_(bit_row_bytes(width_), 0),
       rows_(off_.size() * height_, 0),
-      has_below_(is_closed_) {}
+      has_below_(is_closed_ && !is_context_) {}
 
 std::uint64_t CrossingCounter::changes_along(const std::uint8_t* row) const {
   std::uint64_t count = 0;
@@ -62,11 +65,19 @@ void CrossingCounter::add_row(const std::uint8_t* bits) {
   std::copy(bits, bits + bytes, below);
   if (++y_ < height_) return;
   if (is_closed_) count_ += differences(bits, off_.data(), bytes);
+  end_slice();
+}
+
+void CrossingCounter::end_slice() {
+  if (is_context_) count_ = 0;
+  count_before_slice_ = std::exchange(count_at_slice_, count_);
+  is_context_ = false;
   has_below_ = true;
   y_ = 0;
 }
 
 std::uint64_t CrossingCounter::count() const {
+  if (continues_above_) return count_before_slice_;
   if (!is_closed_) return count_;
   std::uint64_t count = count_;
   for (std::size_t y = 0; y < height_; ++y)

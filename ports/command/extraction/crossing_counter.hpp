@@ -11,9 +11,10 @@
 namespace discmc::host {
 
 /// Counts the lattice edges between an on and an off voxel: classic Marching Cubes puts a vertex on
-/// each of them.
+/// each of them. Of a slab: those in its own slices, and between the first one and that below.
 class CrossingCounter {
  public:
+  /// limits: of the slab, if it is one.
   explicit CrossingCounter(const Limits& limits);
 
   /// Takes the next row, as Extractor::push_bits() does, but with unused bits off.
@@ -26,15 +27,20 @@ class CrossingCounter {
   // Around a closed volume all is off; around an open one is what is at its side, so that nothing
   // crosses there.
   std::uint64_t changes_along(const std::uint8_t* row) const;
+  void end_slice();
 
   std::uint32_t width_;
   std::uint32_t height_;
   bool is_closed_;
+  bool is_context_;  // the slice under way, which lies below the slab
+  bool continues_above_;
   std::vector<std::uint8_t> off_;   // a row
   std::vector<std::uint8_t> rows_;  // a slice of them: of this one so far, then of the one before
   std::uint32_t y_ = 0;
   bool has_below_;
   std::uint64_t count_ = 0;
+  // When the last slice had come, and the one before it: the last one may lie above the slab.
+  std::uint64_t count_at_slice_ = 0, count_before_slice_ = 0;
 };
 
 }  // namespace discmc::host

@@ -1,35 +1,22 @@
 #include "extraction.hpp"
 
-#include <discmc/learning_extractor.hpp>
-#include <discmc/surface_group.hpp>
-
 #include <algorithm>
 #include <cstdlib>
-#include <deque>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
-#include "crossing_counter.hpp"
+#include "bit_source.hpp"
 #include "mask_bits.hpp"
-#include "own_filter.hpp"
+#include "part_extraction.hpp"
 #include "require.hpp"
+#include "scan.hpp"
 #include "streams/stream_file.hpp"
 
 namespace discmc::host {
 namespace {
-
-constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
-
-struct Arena {
-  bool has_narrow_indices;
-  std::uint64_t bytes;
-  Capacities capacities;
-};
 
 template <class Normals>
 Arena arena_with(const Limits& limits, const Capacities& capacities) {
@@ -56,11 +43,6 @@ Arena arena_of(const Limits& limits, std::uint64_t bytes) {
   return {false, bytes, default_capacities<std::uint32_t, Normals>(limits, bytes)};
 }
 
-template <class Normals>
-std::uint64_t generous_bytes_for(const Limits& limits) {
-  return std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
-}
-
 // What is asked for, or a generous one. Throws where an extractor would refuse.
 template <class Normals>
 Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
@@ -72,215 +54,30 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   return arena_of<Normals>(limits, std::min(asked, most));
 }
 
-// Rows of bits from samples: those of all surfaces side by side, as SurfaceGroup and SliceEncoder
-// take them.
-class BitSource {
- public:
-  BitSource(const VolumeInfo& info, const Limits& limits, const ExtractionOptions& options,
-            const std::vector<SurfaceRequest>& surfaces)
-      : height_(limits.height),
-        row_bytes_(bit_row_bytes(limits.width)),
-        bits_(row_bytes_ * surfaces.size() * height_),
-        filtered_(row_bytes_ * surfaces.size()),
-        full_row_(row_bytes_, 0xff),
-        is_full_(surfaces.size(), true) {
-    if (limits.width % 8 != 0)
-      full_row_.back() = static_cast<std::uint8_t>((1U << limits.width % 8) - 1);
-    for (const SurfaceRequest& surface : surfaces) {
-      selectors_.emplace_back(info, surface.selection);
-      crossings_.emplace_back(limits);
-      if (options.takes_majority) filters_.push_back(std::make_unique<OwnFilter>(limits));
-    }
-  }
-
-  /// Calls for every row that is due after this slice. mask: the rows of its mask, if it has one.
-  template <class Call>
-  void add_slice(const void* samples, const std::uint8_t* mask, Call call) {
-    if (mask != nullptr) mask_.insert(mask_.end(), mask, mask + row_bytes_ * height_);
-    const std::size_t stride = filtered_.size();
-    for (std::size_t i = 0; i < selectors_.size(); ++i) {
-      const auto not_numbers = selectors_[i].select(samples, bits_.data() + i * row_bytes_, stride);
-      if (i == 0) not_numbers_ += not_numbers;
-    }
-    for (std::uint32_t y = 0; y < height_; ++y) add_row(bits_.data() + y * stride, call);
-  }
-  /// Calls for the rows that are left.
-  template <class Call>
-  void finish(Call call) {
-    while (is_filtered([](OwnFilter& own, std::size_t) { return own.filter.drain(); }))
-      pass_on(filtered_.data(), call);
-  }
-
-  std::uint64_t crossings(std::size_t surface) const { return crossings_[surface].count(); }
-  std::uint64_t not_numbers() const { return not_numbers_; }
-  bool is_full(std::size_t surface) const { return is_full_[surface]; }
-
- private:
-  template <class Call>
-  void add_row(std::uint8_t* row, Call call) {
-    if (filters_.empty()) return pass_on(row, call);
-    if (is_filtered(
-            [&](OwnFilter& own, std::size_t i) { return own.filter.push(row + i * row_bytes_); }))
-      pass_on(filtered_.data(), call);
-  }
-  // Whether the filters, which are all where the first one is, had a row each.
-  template <class Next>
-  bool is_filtered(Next next) {
-    bool has_row = false;
-    for (std::size_t i = 0; i < filters_.size(); ++i) {
-      const std::uint8_t* const row = next(*filters_[i], i);
-      has_row = row != nullptr;
-      if (has_row) std::copy(row, row + row_bytes_, filtered_.data() + i * row_bytes_);
-    }
-    return has_row;
-  }
-  template <class Call>
-  void pass_on(std::uint8_t* row, Call call) {
-    if (!mask_.empty()) apply_mask(row);
-    for (std::size_t i = 0; i < crossings_.size(); ++i) {
-      const std::uint8_t* const own = row + i * row_bytes_;
-      crossings_[i].add_row(own);
-      is_full_[i] = is_full_[i] && std::equal(full_row_.begin(), full_row_.end(), own);
-    }
-    call(row);
-  }
-  // After the filters, which would put voxels beside the mask's edge on again.
-  void apply_mask(std::uint8_t* row) {
-    const auto end = mask_.begin() + static_cast<std::ptrdiff_t>(row_bytes_);
-    for (std::size_t i = 0; i < crossings_.size(); ++i)
-      keep_masked(row + i * row_bytes_, mask_.begin(), row_bytes_);
-    mask_.erase(mask_.begin(), end);
-  }
-
-  std::uint32_t height_;
-  std::size_t row_bytes_;
-  std::vector<std::uint8_t> bits_;      // of a slice
-  std::vector<std::uint8_t> filtered_;  // a row
-  std::vector<std::uint8_t> full_row_;
-  std::vector<bool> is_full_;      // so far, of each surface
-  std::deque<std::uint8_t> mask_;  // rows of the mask that are not yet due
-  std::vector<SliceSelector> selectors_;
-  std::vector<std::unique_ptr<OwnFilter>> filters_;
-  std::vector<CrossingCounter> crossings_;
-  std::uint64_t not_numbers_ = 0;
-};
-
-// Slices of a volume that follow each other.
-struct SliceSpan {
-  std::uint32_t first, end;
-  bool holds(std::uint32_t z) const { return z >= first && z < end; }
-};
-
-// What an extractor is given: of a slab also a slice of its neighbours.
-SliceSpan given_slices(const Limits& limits, std::uint32_t depth,
-                       const std::optional<SlabRange>& slab) {
-  if (!slab) return {0, depth};
-  return {slab->first - (limits.slab.continues_below ? 1 : 0),
-          slab->end() + (limits.slab.continues_above ? 1 : 0)};
-}
-
-// What these are made from: the filter looks at a slice on either side.
-SliceSpan slices_for(const SliceSpan& given, std::uint32_t depth, bool takes_majority) {
-  const std::uint32_t reach = takes_majority ? 1 : 0;
-  return {given.first > reach ? given.first - reach : 0, std::min(depth, given.end + reach)};
-}
-
-// The samples that an extractor takes, where it takes any beside bits.
-template <class AnyExtractor>
-struct SampleOf {
-  using Type = void;
-};
-template <class Index, class Sample>
-struct SampleOf<Extractor<Index, GradientNormals<Sample>>> {
-  using Type = Sample;
-};
-template <class AnyExtractor>
-constexpr bool holds_samples = !std::is_void_v<typename SampleOf<AnyExtractor>::Type>;
-
-// Left as it comes: what is never used costs nothing.
-std::unique_ptr<std::uint8_t[]> untouched(std::uint64_t bytes) {
-  return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[bytes]);
-}
-
-// The extractors of all surfaces, in memory of their own.
-template <class AnyExtractor>
-class Scan {
- public:
-  static constexpr bool learns = std::is_same_v<AnyExtractor, LearningExtractor>;
-
-  Scan(const VolumeInfo& info, const Limits& limits, const Arena& arena,
-       const std::vector<SurfaceRequest>& surfaces)
-      : arena_(arena), extractors_(surfaces.size()) {
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      memory_.push_back(untouched(arena.bytes));
-      if constexpr (holds_samples<AnyExtractor>) {
-        const auto spacing = spacing_nm(info.spacing_mm);
-        extractors_[i].set_spacing({spacing[0], spacing[1], spacing[2]});
-      }
-      if constexpr (learns) {
-        learnt_.push_back(untouched(learnt_bytes));
-        extractors_[i].learn_in({learnt_.back().get(), learnt_bytes});
-      }
-      const std::int32_t threshold = stored_threshold(info, surfaces[i].selection.low);
-      const Status started = extractors_[i].start(
-          limits, arena.capacities, threshold, {memory_[i].get(), arena.bytes}, surfaces[i].sink);
-      if (started != Status::ok) throw std::invalid_argument(text(started));
-    }
-  }
-
-  SurfaceGroup<AnyExtractor> group() {
-    return {extractors_.data(), static_cast<std::uint32_t>(extractors_.size()),
-            extractors_[0].limits().width};
-  }
-
-  std::vector<Extraction> results(const VolumeInfo& info, const std::optional<SlabRange>& slab,
-                                  const BitSource& bits) const {
-    const std::uint64_t slices = slab ? slab->slices : info.dims[2];
-    const std::uint64_t voxels = slices * info.dims[0] * info.dims[1];
-    std::vector<Extraction> results;
-    for (std::size_t i = 0; i < extractors_.size(); ++i)
-      results.push_back({extractors_[i].statistics(), voxels, bits.crossings(i), bits.not_numbers(),
-                         bits.is_full(i), slab.has_value(), use_of(extractors_[i])});
-    return results;
-  }
-
- private:
-  static constexpr std::uint64_t learnt_bytes = std::uint64_t{1} << 20;
-
-  std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
-    if (learns) return std::nullopt;
-    return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities,
-                     extractor.high_water()};
-  }
-
-  Arena arena_;
-  std::vector<std::unique_ptr<std::uint8_t[]>> memory_, learnt_;
-  std::vector<AnyExtractor> extractors_;
-};
-
 template <class AnyExtractor>
 std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
                              const ExtractionOptions& options, const Arena& arena,
                              const std::vector<SurfaceRequest>& surfaces) {
   const VolumeInfo& info = volume.info();
-  Scan<AnyExtractor> scan(info, limits, arena, surfaces);
+  const SlabSpans spans = slab_spans(options.slab, info.dims[2], options.takes_majority);
+  Scan<AnyExtractor> scan(arena, surfaces.size());
+  scan.start(info, limits, surfaces);
   auto all = scan.group();
-  BitSource bits(info, limits, options, surfaces);
-  const SliceSpan given = given_slices(limits, info.dims[2], options.slab);
-  const SliceSpan read = slices_for(given, info.dims[2], options.takes_majority);
-  std::uint64_t rows = std::uint64_t{read.first} * limits.height;
+  BitSource bits(info, limits, spans, options.takes_majority, surfaces);
   const auto push_bits = [&](const std::uint8_t* row) {
-    if (!given.holds(static_cast<std::uint32_t>(rows++ / limits.height))) return;
     if constexpr (!holds_samples<AnyExtractor>) require(all.push_bits(row).status);
     if (options.slices != nullptr) require(options.slices->push_bits(row).status);
   };
   std::optional<MaskBits> mask;
   if (options.mask != nullptr) mask.emplace(*options.mask);
   std::vector<std::uint8_t> slice(info.slice_bytes());
-  for (std::uint32_t z = 0; z < read.end; ++z) {
+  for (std::uint32_t z = 0; z < spans.read.first; ++z) {
+    volume.skip_slice();
+    if (mask) mask->skip_slice();
+  }
+  for (std::uint32_t z = spans.read.first; z < spans.read.end; ++z) {
     volume.read_slice(slice.data());
     const std::uint8_t* const mask_rows = mask ? mask->next_slice() : nullptr;
-    if (z < read.first) continue;
     bits.add_slice(slice.data(), mask_rows, push_bits);
     for (const SurfaceRequest& surface : surfaces)
       if (surface.crossings != nullptr) surface.crossings->add_slice(slice.data(), mask_rows);
@@ -294,13 +91,12 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
   bits.finish(push_bits);
   require(all.finish());
   if (options.slices != nullptr) require(options.slices->finish());
-  return scan.results(info, options.slab, bits);
+  return scan.results(info, spans, bits);
 }
 
 Limits limits_of(const VolumeInfo& info, const ExtractionOptions& options) {
   Limits limits{info.dims[0], info.dims[1], options.border};
-  if (const auto& slab = options.slab)
-    limits.slab = {slab->first, slab->first > 0, slab->end() < info.dims[2]};
+  if (options.slab) limits.slab = slab_limits(*options.slab, info.dims[2]);
   return limits;
 }
 
@@ -373,6 +169,7 @@ Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const
 
 std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
                                 const std::vector<SurfaceRequest>& surfaces) {
+  if (options.jobs) return extract_in_parts(volume, options, surfaces);
   if (!options.normals) {
     const bool is_of_device =
         options.measures_memory || options.memory > 0 || options.capacities.has_value();

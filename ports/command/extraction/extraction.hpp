@@ -14,6 +14,7 @@
 
 #include "crossings.hpp"
 #include "selection.hpp"
+#include "surface/surface_builder.hpp"
 #include "volumes/volume_reader.hpp"
 
 namespace discmc::host {
@@ -44,6 +45,10 @@ struct ExtractionOptions {
   /// Only these slices of the volume, where there is one. What crosses its seams are loose
   /// fragments. Slices behind it are not read. Limit: its depth is the volume's.
   std::optional<SlabRange> slab{};
+  /// The volume in parts, so many at once (extract_in_parts()), where there is a number. What
+  /// `memory` says is then the first try: a part that it is not enough for takes more.
+  /// Limit: not with capacities, measures_memory, normals, slices, a slab or crossings.
+  std::optional<unsigned> jobs{};
 };
 
 /// What a device would need.
@@ -57,8 +62,7 @@ struct MemoryUse {
 struct Extraction {
   Statistics statistics{};
   std::uint64_t voxels = 0;            ///< of a slab its own
-  std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross,
-                                       ///< at a seam those of both slabs
+  std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
   std::uint64_t not_numbers = 0;       ///< samples that are not a number: off
   bool is_full = false;                ///< whether every voxel is on
   bool is_of_slab = false;             ///< so there may be loose fragments
@@ -72,6 +76,9 @@ struct SurfaceRequest {
   Sink sink;
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
+  /// Is given regions as polygons in place of their events, where parts are extracted and a region
+  /// lies in one, if there is one. Owner: the caller.
+  SurfaceBuilder* builder = nullptr;
 };
 
 /// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to

@@ -19,6 +19,7 @@ class MaskBits {
 
   /// The rows of the next slice, bit_row_bytes() each. Valid until the next call.
   const std::uint8_t* next_slice();
+  void skip_slice() { mask_.skip_slice(); }
 
  private:
   VolumeReader& mask_;

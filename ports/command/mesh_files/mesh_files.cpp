@@ -4,14 +4,14 @@
 
 namespace discmc::host {
 
-void write_mesh(const Mesh& mesh, Format format, std::ostream& out) {
+void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned jobs) {
   switch (format) {
     case Format::stl:
-      return write_stl(mesh, out);
+      return write_stl(mesh, out, jobs);
     case Format::ply:
-      return write_ply(mesh, out);
+      return write_ply(mesh, out, jobs);
     case Format::obj:
-      return write_obj(mesh, out);
+      return write_obj(mesh, out, jobs);
     case Format::glb:
       return write_glb({&mesh}, out);
     case Format::three_mf:

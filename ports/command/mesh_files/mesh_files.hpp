@@ -17,7 +17,8 @@ namespace discmc::host {
 using Meshes = std::vector<const Mesh*>;
 
 /// By the writer of the format, of those below that take a mesh; otherwise std::invalid_argument.
-void write_mesh(const Mesh& mesh, Format format, std::ostream& out);
+/// jobs: parts that are made at once, where the writer takes any. The file is the same.
+void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned jobs = 1);
 
 /// The same of several in one file, each with its name and colour. Limit: a format that holds
 /// several, or one mesh; otherwise std::invalid_argument.
@@ -25,17 +26,17 @@ void write_meshes(const Meshes& meshes, Format format, std::ostream& out);
 
 /// Binary STL, coordinates as 32-bit floats. Units: millimetres.
 /// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
-void write_stl(const Mesh& mesh, std::ostream& out);
+void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// PLY, binary little endian, coordinates as 32-bit floats, and so are normals, where the mesh has
 /// them; the colour of the mesh, if it has one, at every vertex. Units: millimetres.
 /// Limit: faces of max_face_corners, otherwise std::invalid_argument: corners are counted by a
 /// byte, as every reader takes it.
-void write_ply(const Mesh& mesh, std::ostream& out);
+void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
 /// the mesh has normals.
-void write_obj(const Mesh& mesh, std::ostream& out);
+void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, under a node that scales them to
 /// the metres of the format and turns z upwards, which there is y. Normals where the mesh has them;

@@ -16,27 +16,35 @@ void write_point(const char* key, const Point& point, Writer& writer) {
   writer.text("\n");
 }
 
+void write_face(const Mesh& mesh, std::size_t face, Writer& writer) {
+  writer.text("f");
+  for (std::size_t i = 0; i < mesh.face_size(face); ++i) {
+    const std::uint64_t number = std::uint64_t{mesh.face(face)[i]} + 1;
+    writer.text(" ");
+    writer.decimal(number);
+    if (mesh.normals.empty()) continue;
+    writer.text("//");
+    writer.decimal(number);
+  }
+  writer.text("\n");
+}
+
 }  // namespace
 
-void write_obj(const Mesh& mesh, std::ostream& out) {
+void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   Writer writer(out);
   writer.text("# ");
   writer.text(header_text(mesh));
   writer.text("\n");
-  for (const Point& vertex : mesh.vertices_mm) write_point("v", vertex, writer);
-  for (const Point& normal : mesh.normals) write_point("vn", normal, writer);
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    writer.text("f");
-    for (std::size_t i = 0; i < mesh.face_size(face); ++i) {
-      const std::uint64_t number = std::uint64_t{mesh.face(face)[i]} + 1;
-      writer.text(" ");
-      writer.decimal(number);
-      if (mesh.normals.empty()) continue;
-      writer.text("//");
-      writer.decimal(number);
-    }
-    writer.text("\n");
-  }
+  const auto write_points = [&](const char* key, const std::vector<Point>& points) {
+    writer.items(jobs, points.size(), [key, &points](Writer& part, std::size_t point) {
+      write_point(key, points[point], part);
+    });
+  };
+  write_points("v", mesh.vertices_mm);
+  write_points("vn", mesh.normals);
+  writer.items(jobs, mesh.face_count(),
+               [&mesh](Writer& part, std::size_t face) { write_face(mesh, face, part); });
   writer.finish();
 }
 

@@ -6,7 +6,7 @@
 
 namespace discmc::host {
 
-void write_ply(const Mesh& mesh, std::ostream& out) {
+void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     if (mesh.face_size(face) > max_face_corners)
       throw std::invalid_argument("a face of more corners than PLY counts in a byte");
@@ -22,16 +22,16 @@ void write_ply(const Mesh& mesh, std::ostream& out) {
   writer.text("\nelement face ");
   writer.decimal(mesh.face_count());
   writer.text("\nproperty list uchar int vertex_indices\nend_header\n");
-  for (std::size_t vertex = 0; vertex < mesh.vertices_mm.size(); ++vertex) {
-    writer.point(mesh.vertices_mm[vertex]);
-    if (!mesh.normals.empty()) writer.point(mesh.normals[vertex]);
+  writer.items(jobs, mesh.vertices_mm.size(), [&mesh](Writer& part, std::size_t vertex) {
+    part.point(mesh.vertices_mm[vertex]);
+    if (!mesh.normals.empty()) part.point(mesh.normals[vertex]);
     if (mesh.colour)
-      for (const std::uint8_t part : *mesh.colour) writer.bytes(part, 1);
-  }
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    writer.bytes(mesh.face_size(face), 1);
-    for (std::size_t i = 0; i < mesh.face_size(face); ++i) writer.bytes(mesh.face(face)[i], 4);
-  }
+      for (const std::uint8_t value : *mesh.colour) part.bytes(value, 1);
+  });
+  writer.items(jobs, mesh.face_count(), [&mesh](Writer& part, std::size_t face) {
+    part.bytes(mesh.face_size(face), 1);
+    for (std::size_t i = 0; i < mesh.face_size(face); ++i) part.bytes(mesh.face(face)[i], 4);
+  });
   writer.finish();
 }
 

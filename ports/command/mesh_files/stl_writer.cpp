@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -7,8 +8,18 @@
 #include "writer.hpp"
 
 namespace discmc::host {
+namespace {
 
-void write_stl(const Mesh& mesh, std::ostream& out) {
+// Of each incidence.
+std::array<Point, incidence_codes> plane_normals(const Point& spacing_mm) {
+  std::array<Point, incidence_codes> normals;
+  for (Incidence i = 0; i < incidence_codes; ++i) normals[i] = outward_normal(i, spacing_mm);
+  return normals;
+}
+
+}  // namespace
+
+void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   require_triangles(mesh, "STL");
   if (mesh.face_count() > 0xFFFFFFFFu) throw std::invalid_argument("too many triangles for STL");
   Writer writer(out);
@@ -17,16 +28,13 @@ void write_stl(const Mesh& mesh, std::ostream& out) {
   header.resize(80, ' ');
   writer.text(header);
   writer.bytes(mesh.face_count(), 4);
-  const std::vector<Incidence>& planes = mesh.incidences;
-  Point normal{};
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    // The triangles of a polygon come together.
-    const bool is_parallel = face > 0 && !planes.empty() && planes[face] == planes[face - 1];
-    if (!is_parallel) normal = face_normal(mesh, face);
-    writer.point(normal);
-    for (std::size_t i = 0; i < 3; ++i) writer.point(mesh.vertices_mm[mesh.face(face)[i]]);
-    writer.bytes(0, 2);
-  }
+  const bool has_planes = !mesh.incidences.empty();
+  const auto normals = plane_normals(mesh.spacing_mm);
+  writer.items(jobs, mesh.face_count(), [&](Writer& part, std::size_t face) {
+    part.point(has_planes ? normals[mesh.incidences[face]] : face_normal(mesh, face));
+    for (std::size_t i = 0; i < 3; ++i) part.point(mesh.vertices_mm[mesh.face(face)[i]]);
+    part.bytes(0, 2);
+  });
   writer.finish();
 }
 

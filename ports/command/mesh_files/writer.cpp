@@ -25,15 +25,28 @@ void Writer::text(std::string_view text) {
   }
 }
 
+void Writer::make_room(std::size_t count) {
+  if (out_ != nullptr)
+    flush();
+  else
+    buffer_.resize(2 * buffer_.size() + count);
+}
+
+void Writer::write_through(std::string_view bytes) {
+  flush();
+  out_->write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!*out_) throw std::runtime_error("writing failed");
+}
+
 void Writer::finish() {
   flush();
-  out_.flush();
-  if (!out_) throw std::runtime_error("writing failed");
+  out_->flush();
+  if (!*out_) throw std::runtime_error("writing failed");
 }
 
 void Writer::flush() {
-  out_.write(buffer_.data(), static_cast<std::streamsize>(used_));
-  if (!out_) throw std::runtime_error("writing failed");
+  out_->write(buffer_.data(), static_cast<std::streamsize>(used_));
+  if (!*out_) throw std::runtime_error("writing failed");
   used_ = 0;
 }
 

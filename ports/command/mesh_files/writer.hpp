@@ -3,6 +3,7 @@
 #ifndef DISCMC_COMMAND_MESH_FILES_WRITER_HPP
 #define DISCMC_COMMAND_MESH_FILES_WRITER_HPP
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,7 @@
 
 #include "mesh_files.hpp"
 #include "meshes/mesh.hpp"
+#include "ordered_pipeline.hpp"
 
 namespace discmc::host {
 
@@ -48,7 +50,7 @@ std::string decimal(Number value) {
 /// Collects small writes, and makes a failing stream a std::runtime_error.
 class Writer {
  public:
-  explicit Writer(std::ostream& out) : out_(out), buffer_(full) {}
+  explicit Writer(std::ostream& out) : out_(&out), buffer_(full) {}
 
   void text(std::string_view text);
 
@@ -74,22 +76,46 @@ class Writer {
     }
   }
 
+  /// Calls write(writer, item) for items 0 to count - 1: for some of them side by side, each with a
+  /// writer of its own. They are written in order.
+  template <typename Write>
+  void items(unsigned jobs, std::size_t count, const Write& write) {
+    run_in_order<Writer>(
+        jobs, (count + items_a_part - 1) / items_a_part,
+        [](std::size_t, Writer& part) { part.used_ = 0; },
+        [&write, count](std::size_t number, Writer& part) {
+          const std::size_t first = number * items_a_part;
+          const std::size_t end = std::min(first + items_a_part, count);
+          for (std::size_t item = first; item < end; ++item) write(part, item);
+        },
+        [this](std::size_t, Writer& part) {
+          write_through({part.buffer_.data(), part.used_});
+        });
+  }
+
   /// Call last; what is still collected is lost otherwise.
   void finish();
 
  private:
   static constexpr std::size_t full = std::size_t{1} << 16;
+  static constexpr std::size_t items_a_part = std::size_t{1} << 14;
+
+  template <class Item, class Fill, class Work, class Take>
+  friend class OrderedPipeline;
+  Writer() : buffer_(full) {}  // of a part: without a stream
 
   // Where the next bytes go, full at most.
   char* room_for(std::size_t count) {
-    if (used_ + count > full) flush();
+    if (used_ + count > buffer_.size()) make_room(count);
     char* const place = buffer_.data() + used_;
     used_ += count;
     return place;
   }
+  void make_room(std::size_t count);
+  void write_through(std::string_view bytes);
   void flush();
 
-  std::ostream& out_;
+  std::ostream* out_ = nullptr;
   std::vector<char> buffer_;
   std::size_t used_ = 0;
 };

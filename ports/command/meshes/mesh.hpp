@@ -38,6 +38,9 @@ struct MeshOptions {
   /// How far a crossing may be from the mesh then: where it would be farther, sides and triangles
   /// are split. Units: voxels.
   double tolerance = 0.05;
+  /// Polygons are triangulated by so many at once, unless they are interpolated. The mesh is the
+  /// same.
+  unsigned jobs = 1;
 };
 
 /// Faces over shared vertices. Faces are counter-clockwise seen from outside.

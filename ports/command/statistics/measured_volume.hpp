@@ -25,6 +25,7 @@ class MeasuredVolume final : public VolumeReader {
 
   const VolumeInfo& info() const override { return volume_->info(); }
   void read_slice(void* samples) override;
+  void skip_slice() override { volume_->skip_slice(); }
 
   /// Of the finite values that were read so far, if there are any.
   std::optional<ValueRange> range() const;

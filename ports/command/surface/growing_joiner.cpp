@@ -12,8 +12,9 @@ bool is_of_region(Event::Kind kind) {
 
 }  // namespace
 
-GrowingJoiner::GrowingJoiner(const Sink& sink, InputOrder order, std::size_t bytes)
-    : sink_(sink), order_(order), bytes_(bytes), memory_(new std::uint8_t[bytes]) {
+GrowingJoiner::GrowingJoiner(const Sink& sink, InputOrder order, std::size_t bytes,
+                             std::optional<Limit> limit)
+    : sink_(sink), order_(order), bytes_(bytes), limit_(limit), memory_(new std::uint8_t[bytes]) {
   const Sink joined{this, [](void* context, const Event& event) {
                       return static_cast<GrowingJoiner*>(context)->pass(event);
                     }};
@@ -33,10 +34,25 @@ void GrowingJoiner::finish() {
     static_cast<void>(joiner->joiner_.finish());
 }
 
+const Statistics& GrowingJoiner::totals() const {
+  const GrowingJoiner* last = this;
+  while (last->next_) last = last->next_.get();
+  return last->totals_;
+}
+
 Answer GrowingJoiner::pass(const Event& event) {
-  if (event.kind == Event::Kind::fragment && !next_ && !is_unmatched())
-    next_ = std::make_unique<GrowingJoiner>(sink_, order_, 4 * bytes_);
-  return next_ ? next_->take(event) : sink_.take(sink_.context, event);
+  const bool has_room = next_ == nullptr && !is_beyond_limit_;
+  if (event.kind == Event::Kind::fragment && has_room && !is_unmatched()) grow();
+  if (event.kind == Event::Kind::finish) totals_ = *event.statistics;
+  if (next_) return next_->take(event);
+  const Sink& sink = is_beyond_limit_ ? limit_->beyond : sink_;
+  return sink.take(sink.context, event);
+}
+
+void GrowingJoiner::grow() {
+  // Those before this one have a third of its memory together.
+  is_beyond_limit_ = limit_ && bytes_ + bytes_ / 3 + 4 * std::uint64_t{bytes_} > limit_->bytes;
+  if (!is_beyond_limit_) next_ = std::make_unique<GrowingJoiner>(sink_, order_, 4 * bytes_, limit_);
 }
 
 // Whether the fragment that comes out has no partner. Else the joiner is short of memory.

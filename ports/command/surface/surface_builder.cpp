@@ -1,6 +1,7 @@
 #include "surface_builder.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -42,6 +43,15 @@ Answer SurfaceBuilder::take(const Event& event) {
   return Answer::taken;
 }
 
+void SurfaceBuilder::append(SurfaceBuilder&& other) {
+  add_links(other.links_);
+  incomplete_regions_ += other.incomplete_regions_;
+  std::vector<Polygon>& added = other.surface_.polygons;
+  surface_.polygons.insert(surface_.polygons.end(), std::make_move_iterator(added.begin()),
+                           std::make_move_iterator(added.end()));
+  surface_.normals.merge(other.surface_.normals);
+}
+
 SurfaceBuilder::Chain SurfaceBuilder::chain(std::size_t ring) const {
   const std::size_t end = ring + 1 < rings_.size() ? rings_[ring + 1].first_run : runs_.size();
   return {rings_[ring].start, runs_.data() + rings_[ring].first_run, runs_.data() + end};
@@ -68,13 +78,17 @@ bool SurfaceBuilder::is_sound(const Chain& chain) {
   }
   const bool is_closed = x == chain.start.x && y == chain.start.y && z == chain.start.z;
   if (!is_always_inside || !is_closed) return false;
+  add_links(links);
+  return true;
+}
+
+void SurfaceBuilder::add_links(std::uint64_t links) {
   links_ += links;
   if (links_ > max_links)
     throw std::runtime_error(
         "more than " + std::to_string(max_links) +
         " links, more than is kept in memory: take less at once, of a volume by --crop or "
         "--shrink");
-  return true;
 }
 
 // Whether a closed chain turns to one side only, and once round. Most do, and are simple.

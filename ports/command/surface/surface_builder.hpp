@@ -22,6 +22,9 @@ class SurfaceBuilder {
 
   Answer take(const Event& event);
 
+  /// Adds the polygons of another, behind its own. Throws as take().
+  void append(SurfaceBuilder&& other);
+
   /// What has been delivered so far; spacing_mm is for the caller to set.
   Surface& surface() { return surface_; }
   const Surface& surface() const { return surface_; }
@@ -47,6 +50,7 @@ class SurfaceBuilder {
   };
 
   void end_region();
+  void add_links(std::uint64_t links);
   Chain chain(std::size_t ring) const;
   bool is_sound(const Chain& chain);
   bool is_convex(const Chain& chain) const;

@@ -28,8 +28,9 @@ class CroppedVolume final : public VolumeReader {
     if (next_ == end)
       fail(file_, "all " + std::to_string(info_.dims[2]) + " slices of the part have been read",
            "open the volume again");
-    const std::uint32_t wanted = std::max(next_, first_[2]);
-    for (; next_ <= wanted; ++next_) volume_->read_slice(slice_.data());
+    for (; next_ < first_[2]; ++next_) volume_->skip_slice();
+    volume_->read_slice(slice_.data());
+    ++next_;
 
     const std::size_t size = sample_bytes(info_.type);
     const std::size_t stride = size * volume_->info().dims[0];

@@ -9,8 +9,8 @@
 
 namespace discmc::host {
 
-/// Slices before the part are read and dropped, those behind it are not read: what is missing or
-/// damaged there is not found, and whatever writes into a pipe finds it closed. Holds one slice of
+/// Slices before the part are skipped, those behind it are not read: what is missing or damaged
+/// there is not found, and whatever writes into a pipe finds it closed. Holds one slice of
 /// the volume. Throws a VolumeError where the part is not within the volume. file: for errors.
 std::unique_ptr<VolumeReader> cropped(const std::filesystem::path& file,
                                       std::unique_ptr<VolumeReader> volume, const Crop& crop);

@@ -142,6 +142,7 @@ class RespacedVolume final : public VolumeReader {
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override { volume_->read_slice(samples); }
+  void skip_slice() override { volume_->skip_slice(); }
 
  private:
   std::unique_ptr<VolumeReader> volume_;

@@ -75,6 +75,13 @@ class VolumeReader {
   /// are missing), when compressed data is damaged, and after the last slice. What a failed call
   /// wrote has no meaning.
   virtual void read_slice(void* samples) = 0;
+
+  /// Goes past the next slice, without reading it where the file allows. Throws as read_slice(), of
+  /// what it comes by.
+  virtual void skip_slice() {
+    std::vector<std::uint8_t> dropped(info().slice_bytes());
+    read_slice(dropped.data());
+  }
 };
 
 /// The iso value, less what decimal numbers may have lost when they were rounded on their way here:

@@ -119,11 +119,15 @@ std::optional<std::string> ByteStream::read_line() {
   return line;
 }
 
-void ByteStream::skip(std::uint64_t count) {
+std::uint64_t ByteStream::drop(std::uint64_t count) {
   const std::size_t taken = take_ahead(nullptr, std::min<std::uint64_t>(count, ahead()));
   const std::uint64_t skipped = source_->skip(count - taken);
   position_ += skipped;
-  const std::uint64_t missing = count - taken - skipped;
+  return taken + skipped;
+}
+
+void ByteStream::skip(std::uint64_t count) {
+  const std::uint64_t missing = count - drop(count);
   if (missing == 0) return;
   fail(file_,
        "of " + std::to_string(count) + " bytes to skip " + std::to_string(missing) +
@@ -165,15 +169,28 @@ SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian, Be
 }
 
 void SliceStream::read_slice(void* samples) {
+  require_more();
+  const std::uint64_t bytes = info_.slice_bytes();
+  end_slice(stream_.read(samples, static_cast<std::size_t>(bytes)));
+  const std::size_t size = sample_bytes(info_.type);
+  order_samples(static_cast<unsigned char*>(samples), bytes / size, size, big_endian_);
+}
+
+void SliceStream::skip_slice() {
+  require_more();
+  end_slice(stream_.drop(info_.slice_bytes()));
+}
+
+void SliceStream::require_more() const {
   if (slice_ == info_.dims[2])
     fail(stream_.file(), "all " + std::to_string(slice_) + " slices have been read",
          "open the volume again");
-  const std::uint64_t bytes = info_.slice_bytes();
-  const std::size_t got = stream_.read(samples, static_cast<std::size_t>(bytes));
-  if (got < bytes) fail_in_slice(bytes - got);
+}
+
+// bytes: that were there.
+void SliceStream::end_slice(std::uint64_t bytes) {
+  if (bytes < info_.slice_bytes()) fail_in_slice(info_.slice_bytes() - bytes);
   if (slice_ + 1 == info_.dims[2]) end();
-  const std::size_t size = sample_bytes(info_.type);
-  order_samples(static_cast<unsigned char*>(samples), bytes / size, size, big_endian_);
   ++slice_;
 }
 

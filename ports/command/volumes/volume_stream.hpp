@@ -50,6 +50,9 @@ class ByteStream {
   /// behind the first MiB: no header is as long.
   std::optional<std::string> read_line();
 
+  /// Returns the number of bytes dropped: fewer than asked as for read().
+  std::uint64_t drop(std::uint64_t count);
+
   /// Drops bytes. Throws when there are fewer.
   void skip(std::uint64_t count);
 
@@ -92,8 +95,11 @@ class SliceStream final : public VolumeReader {
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override;
+  void skip_slice() override;
 
  private:
+  void require_more() const;
+  void end_slice(std::uint64_t bytes);
   void end();
   [[noreturn]] void fail_in_slice(std::uint64_t missing) const;
 

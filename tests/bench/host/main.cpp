@@ -105,6 +105,8 @@ void compare(const std::string& discmc, const std::string& vtk, const DescribedV
                             joined(spacing),
                             "--iso",
                             std::to_string(threshold),
+                            "--jobs",
+                            "1",
                             "-q",
                             "-o",
                             stl};

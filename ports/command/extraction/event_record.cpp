@@ -1,0 +1,30 @@
+#include "event_record.hpp"
+
+#include "surface/event_words.hpp"
+
+namespace discmc::host {
+
+Answer EventRecord::take(const Event& event) {
+  if (event.kind == Event::Kind::layer) return Answer::taken;
+  if (event.kind == Event::Kind::start) header_ = *event.header;
+  if (event.kind == Event::Kind::finish) {
+    totals_ = *event.statistics;
+    slices_ = event.slice;
+  }
+  append_words(event, words_);
+  return Answer::taken;
+}
+
+void EventRecord::tell(const Sink& sink) const {
+  Event event;
+  for (EventWords words(words_); words.next(event);) {
+    if (event.kind == Event::Kind::start) event.header = &header_;
+    if (event.kind == Event::Kind::finish) {
+      event.statistics = &totals_;
+      event.slice = slices_;
+    }
+    static_cast<void>(sink.take(sink.context, event));
+  }
+}
+
+}  // namespace discmc::host

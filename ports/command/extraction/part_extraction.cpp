@@ -1,0 +1,321 @@
+#include "part_extraction.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+
+#include <discmc/plane.hpp>
+
+#include "bit_source.hpp"
+#include "event_record.hpp"
+#include "mask_bits.hpp"
+#include "ordered_pipeline.hpp"
+#include "require.hpp"
+#include "scan.hpp"
+#include "surface/growing_joiner.hpp"
+
+namespace discmc::host {
+namespace {
+
+// What a part gives to a surface: regions, as polygons or as events, and what is to be joined. As
+// parts follow each other from below, the pieces of a region come in the order of a sweep.
+//
+// A hole may go out loose, as a ring, although the region around it is whole: where a fragment of
+// its plane goes out before. Then the region is to be joined, too. Holes that cross a seam are in
+// regions that do: nothing of a hole lies below all of what surrounds it, or above.
+class PartSurface {
+ public:
+  explicit PartSurface(bool builds = false) : builds_(builds) {}
+
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::finish) return Answer::taken;  // all parts have one together
+    if (event.kind == Event::Kind::region) {
+      region_ = event;  // until its plane is known
+      return Answer::taken;
+    }
+    if (event.kind == Event::Kind::ring && region_) begin_region(event.start);
+    if (place_ == Place::joined) follow_fragment(event);
+    const Answer answer = give(event);
+    if (event.kind == Event::Kind::region_end) place_ = Place::joined;
+    return answer;
+  }
+
+  // What is to be joined goes to the joiner, which stands before the same sink.
+  void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
+    if (builds_) request.builder->append(std::move(polygons_));
+    joined_.tell(sink_to(joiner));
+    regions_.tell(request.sink);
+  }
+
+ private:
+  enum class Place { polygons, regions, joined };
+
+  static std::uint64_t plane_of(Incidence incidence, const Vertex& vertex) {
+    return std::uint64_t{incidence} << 32 |
+           static_cast<std::uint32_t>(plane_offset(incidence, vertex));
+  }
+
+  void begin_region(const Vertex& vertex) {
+    const Event region = *std::exchange(region_, std::nullopt);
+    const bool has_loose_rings = ring_planes_.count(plane_of(region.incidence, vertex)) > 0;
+    place_ = has_loose_rings ? Place::joined : builds_ ? Place::polygons : Place::regions;
+    give(region);
+  }
+
+  // Notes the planes of loose rings: they end where they start, and come there as they came.
+  void follow_fragment(const Event& event) {
+    if (event.kind == Event::Kind::fragment) {
+      fragment_ = event;
+      end_ = event.start;
+    } else if (event.kind == Event::Kind::run) {
+      last_ = event.run.direction();
+      move(end_, fragment_.incidence, last_, event.run.length());
+    } else if (event.kind == Event::Kind::fragment_end && end_ == fragment_.start &&
+               last_ == fragment_.came) {
+      ring_planes_.insert(plane_of(fragment_.incidence, end_));
+    }
+  }
+
+  Answer give(const Event& event) {
+    return place_ == Place::polygons  ? polygons_.take(event)
+           : place_ == Place::regions ? regions_.take(event)
+                                      : joined_.take(event);
+  }
+
+  bool builds_;
+  std::optional<Event> region_;
+  Place place_ = Place::joined;  // of what is under way
+  Event fragment_{};             // the last one
+  Vertex end_{};                 // of it, so far
+  Direction last_ = 0;           // by which it came there
+  std::unordered_set<std::uint64_t> ring_planes_;
+  SurfaceBuilder polygons_;
+  EventRecord regions_, joined_;
+};
+
+struct Part {
+  SlabSpans spans;
+  std::vector<std::uint8_t> samples;  // of the slices that are read
+  std::vector<std::uint8_t> mask;     // rows of bits, if there is a mask
+  std::vector<PartSurface> surfaces;
+  std::vector<Extraction> extractions;
+};
+
+// Slices of equal size, read once, for spans that overlap.
+class OverlappingSlices {
+ public:
+  explicit OverlappingSlices(std::size_t slice_bytes) : slice_bytes_(slice_bytes) {}
+
+  // read(bytes): reads the next slice. Limit: spans in order, none after a gap.
+  template <class Read>
+  void fill(const SliceSpan& span, std::vector<std::uint8_t>& slices, Read read) {
+    const std::size_t known = (end_ - span.first) * slice_bytes_;
+    slices.resize(span.count() * slice_bytes_);
+    std::copy(last_.end() - static_cast<std::ptrdiff_t>(known), last_.end(), slices.begin());
+    for (std::size_t at = known; at < slices.size(); at += slice_bytes_) read(slices.data() + at);
+    const std::size_t kept = std::min<std::size_t>(most_shared, span.count()) * slice_bytes_;
+    last_.assign(slices.end() - static_cast<std::ptrdiff_t>(kept), slices.end());
+    end_ = span.end;
+  }
+
+ private:
+  // A slice of context and one for the filter, on both sides of a seam.
+  static constexpr std::size_t most_shared = 4;
+
+  std::size_t slice_bytes_;
+  std::vector<std::uint8_t> last_;
+  std::uint32_t end_ = 0;
+};
+
+class PartReader {
+ public:
+  PartReader(VolumeReader& volume, VolumeReader* mask)
+      : volume_(volume), samples_(volume.info().slice_bytes()), bits_(0) {
+    if (mask == nullptr) return;
+    mask_.emplace(*mask);
+    mask_bytes_ = bit_row_bytes(mask->info().dims[0]) * mask->info().dims[1];
+    bits_ = OverlappingSlices(mask_bytes_);
+  }
+
+  void read(Part& part) {
+    samples_.fill(part.spans.read, part.samples,
+                  [this](std::uint8_t* slice) { volume_.read_slice(slice); });
+    if (!mask_) return;
+    bits_.fill(part.spans.read, part.mask, [this](std::uint8_t* slice) {
+      std::memcpy(slice, mask_->next_slice(), mask_bytes_);
+    });
+  }
+
+ private:
+  VolumeReader& volume_;
+  OverlappingSlices samples_;
+  std::optional<MaskBits> mask_;
+  std::size_t mask_bytes_ = 0;
+  OverlappingSlices bits_;
+};
+
+using PartScan = Scan<LearningExtractor>;
+
+// Those at rest, with what they have learnt.
+class Scans {
+ public:
+  std::unique_ptr<PartScan> take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (scans_.empty()) return nullptr;
+    std::unique_ptr<PartScan> scan = std::move(scans_.back());
+    scans_.pop_back();
+    return scan;
+  }
+  void give(std::unique_ptr<PartScan> scan) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    scans_.push_back(std::move(scan));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<PartScan>> scans_;
+};
+
+class Parts {
+ public:
+  Parts(VolumeReader& volume, const ExtractionOptions& options,
+        const std::vector<SurfaceRequest>& surfaces)
+      : info_(volume.info()),
+        options_(options),
+        requests_(surfaces),
+        reader_(volume, options.mask),
+        spans_(parts_of(info_)) {
+    for (const SurfaceRequest& request : requests_)
+      joiners_.push_back(std::make_unique<GrowingJoiner>(request.sink));
+  }
+
+  std::vector<Extraction> extract() {
+    run_in_order<Part>(
+        *options_.jobs, spans_.size(), [this](std::size_t i, Part& part) { read(i, part); },
+        [this](std::size_t, Part& part) { work_on(part); },
+        [this](std::size_t, Part& part) { take(part); });
+    for (std::size_t i = 0; i < requests_.size(); ++i) finish(*joiners_[i], sums_[i].statistics);
+    return sums_;
+  }
+
+ private:
+  void read(std::size_t number, Part& part) {
+    const SliceSpan own = spans_[number];
+    part.spans = slab_spans(SlabRange{own.first, own.count(), info_.dims[2]}, info_.dims[2],
+                            options_.takes_majority);
+    reader_.read(part);
+  }
+
+  void work_on(Part& part) {
+    std::unique_ptr<PartScan> scan = scans_.take();
+    if (!scan) scan = std::make_unique<PartScan>(arena_of(first_arena_bytes()), requests_.size());
+    while (!is_scanned(part, *scan))
+      scan = std::make_unique<PartScan>(arena_of(4 * scan->arena().bytes), requests_.size());
+    scans_.give(std::move(scan));
+  }
+
+  // Whether memory was enough. Else some pieces have gone out loose that cross no seam, and they
+  // would have to be joined before the regions that are whole.
+  bool is_scanned(Part& part, PartScan& scan) const {
+    Limits limits = volume_limits();
+    const SlabRange slab{part.spans.own.first, part.spans.own.count(), info_.dims[2]};
+    limits.slab = slab_limits(slab, info_.dims[2]);
+    std::vector<SurfaceRequest> requests = requests_;
+    part.surfaces.clear();
+    for (const SurfaceRequest& request : requests_)
+      part.surfaces.emplace_back(request.builder != nullptr);
+    for (std::size_t i = 0; i < requests.size(); ++i) requests[i].sink = sink_to(part.surfaces[i]);
+    scan.start(info_, limits, requests);
+    auto all = scan.group();
+    BitSource bits(info_, limits, part.spans, options_.takes_majority, requests);
+    const auto push_bits = [&all](const std::uint8_t* row) { require(all.push_bits(row).status); };
+    const std::size_t slice_bytes = info_.slice_bytes();
+    const std::size_t mask_bytes = part.mask.size() / part.spans.read.count();
+    for (std::uint32_t z = 0; z < part.spans.read.count(); ++z)
+      bits.add_slice(part.samples.data() + z * slice_bytes,
+                     mask_bytes > 0 ? part.mask.data() + z * mask_bytes : nullptr, push_bits);
+    bits.finish(push_bits);
+    require(all.finish());
+    part.extractions = scan.results(info_, part.spans, bits);
+    return scan.had_enough();
+  }
+
+  void take(Part& part) {
+    for (std::size_t i = 0; i < requests_.size(); ++i)
+      part.surfaces[i].pass_on(requests_[i], *joiners_[i]);
+    part.surfaces.clear();
+    add(part.extractions);
+    if (options_.progress) options_.progress(part.spans.own.end);
+  }
+
+  // totals: of the parts; then of what was joined.
+  void finish(GrowingJoiner& joiner, Statistics& totals) const {
+    Event event{};
+    event.kind = Event::Kind::finish;
+    event.slice = info_.dims[2];
+    event.statistics = &totals;
+    joiner.take(event);
+    joiner.finish();
+    totals = joiner.totals();
+  }
+
+  void add(const std::vector<Extraction>& extractions) {
+    if (sums_.empty()) {
+      sums_ = extractions;
+      for (Extraction& sum : sums_) sum.is_of_slab = false;
+      return;
+    }
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      discmc::add(sums_[i].statistics, extractions[i].statistics);
+      sums_[i].voxels += extractions[i].voxels;
+      sums_[i].classic_vertices += extractions[i].classic_vertices;
+      sums_[i].not_numbers += extractions[i].not_numbers;
+      sums_[i].is_full = sums_[i].is_full && extractions[i].is_full;
+    }
+  }
+
+  Limits volume_limits() const { return {info_.dims[0], info_.dims[1], options_.border}; }
+  std::uint64_t first_arena_bytes() const { return generous_bytes_for<NoNormals>(volume_limits()); }
+  Arena arena_of(std::uint64_t bytes) const {
+    return {false, bytes, default_capacities<std::uint32_t>(volume_limits(), bytes)};
+  }
+
+  VolumeInfo info_;
+  const ExtractionOptions& options_;
+  const std::vector<SurfaceRequest>& requests_;
+  PartReader reader_;
+  std::vector<SliceSpan> spans_;
+  Scans scans_;
+  std::vector<std::unique_ptr<GrowingJoiner>> joiners_;
+  std::vector<Extraction> sums_;
+};
+
+}  // namespace
+
+std::vector<SliceSpan> parts_of(const VolumeInfo& info) {
+  constexpr std::uint32_t least = 16, most = 32, parts = 8;
+  constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
+  const std::uint32_t depth = info.dims[2];
+  const auto most_slices = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(most_bytes / info.slice_bytes(), 2, most));
+  const std::uint32_t slices = std::min(std::clamp(depth / parts, least, most), most_slices);
+  const std::uint32_t count = (depth + slices - 1) / slices;
+  const auto end_of = [depth, count](std::uint32_t part) {
+    return static_cast<std::uint32_t>(std::uint64_t{depth} * part / count);
+  };
+  std::vector<SliceSpan> spans;
+  for (std::uint32_t part = 0; part < count; ++part)
+    spans.push_back({end_of(part), end_of(part + 1)});
+  return spans;
+}
+
+std::vector<Extraction> extract_in_parts(VolumeReader& volume, const ExtractionOptions& options,
+                                         const std::vector<SurfaceRequest>& surfaces) {
+  return Parts(volume, options, surfaces).extract();
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,26 @@
+// A volume in parts, on several cores.
+#ifndef DISCMC_COMMAND_EXTRACTION_PART_EXTRACTION_HPP
+#define DISCMC_COMMAND_EXTRACTION_PART_EXTRACTION_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "extraction.hpp"
+#include "slab_spans.hpp"
+
+namespace discmc::host {
+
+/// The slabs that a volume is divided into: 16 to 32 slices each, fewer where these are large.
+/// They depend on the volume alone, so that the surface does not depend on the jobs.
+std::vector<SliceSpan> parts_of(const VolumeInfo& info);
+
+/// As extract(), by so many jobs at once. Regions come in the order of the parts: those that cross
+/// seams with the part that they end in, before its own.
+/// Memory: twice as many parts as jobs, and the pieces that cross seams. Limit: at least one job;
+/// of the options and requests what ExtractionOptions::jobs says.
+std::vector<Extraction> extract_in_parts(VolumeReader& volume, const ExtractionOptions& options,
+                                         const std::vector<SurfaceRequest>& surfaces);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,47 @@
+// The slices that a slab is made of, and those beside it that it takes.
+#ifndef DISCMC_COMMAND_EXTRACTION_SLAB_SPANS_HPP
+#define DISCMC_COMMAND_EXTRACTION_SLAB_SPANS_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include <discmc/limits.hpp>
+#include <discmc/slab_range.hpp>
+
+namespace discmc::host {
+
+/// Slices of a volume that follow each other.
+struct SliceSpan {
+  std::uint32_t first, end;
+
+  bool holds(std::uint32_t z) const { return z >= first && z < end; }
+  std::uint32_t count() const { return end - first; }
+  /// With so many slices more on either side, where the volume has them.
+  SliceSpan widened(std::uint32_t slices, std::uint32_t depth) const {
+    return {first > slices ? first - slices : 0, end + std::min(slices, depth - end)};
+  }
+};
+
+struct SlabSpans {
+  SliceSpan own;
+  SliceSpan given;  ///< to the extractor: a slice of each neighbour, too
+  SliceSpan read;   ///< what these are made from: a MajorityFilter looks at a slice on either side
+};
+
+/// slab: nothing stands for the whole volume. depth: of the volume.
+inline SlabSpans slab_spans(const std::optional<SlabRange>& slab, std::uint32_t depth,
+                            bool takes_majority) {
+  const SliceSpan own = slab ? SliceSpan{slab->first, slab->end()} : SliceSpan{0, depth};
+  const SliceSpan given = own.widened(1, depth);
+  return {own, given, given.widened(takes_majority ? 1 : 0, depth)};
+}
+
+/// What an extractor is told of a slab. depth: of the volume.
+inline Slab slab_limits(const SlabRange& slab, std::uint32_t depth) {
+  return {slab.first, slab.first > 0, slab.end() < depth};
+}
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,15 @@
+// The mesh of a surface whose vertices are moved to the crossings.
+#ifndef DISCMC_COMMAND_MESHES_INTERPOLATED_MESH_HPP
+#define DISCMC_COMMAND_MESHES_INTERPOLATED_MESH_HPP
+
+#include "mesh.hpp"
+#include "numbered_corners.hpp"
+
+namespace discmc::host {
+
+/// As build_mesh(). corners: of the surface. Limit: the options have crossings.
+Mesh interpolated_mesh(const Surface& surface, NumberedCorners corners, const MeshOptions& options);
+
+}  // namespace discmc::host
+
+#endif

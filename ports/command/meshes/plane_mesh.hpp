@@ -1,0 +1,15 @@
+// The mesh of a surface whose polygons stay in their planes.
+#ifndef DISCMC_COMMAND_MESHES_PLANE_MESH_HPP
+#define DISCMC_COMMAND_MESHES_PLANE_MESH_HPP
+
+#include "mesh.hpp"
+#include "numbered_corners.hpp"
+
+namespace discmc::host {
+
+/// As build_mesh(). corners: of the surface. Limit: nothing is interpolated.
+Mesh plane_mesh(const Surface& surface, const NumberedCorners& corners, const MeshOptions& options);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,97 @@
+// Steps that come in order, and work between them that does not.
+#include "ordered_pipeline.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using discmc::host::run_in_order;
+
+constexpr std::size_t count = 100;
+
+std::vector<std::size_t> numbers_below(std::size_t end) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < end; ++i) numbers.push_back(i);
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("items are filled and taken in order, whoever works on them") {
+  for (const unsigned jobs : {1U, 2U, 7U}) {
+    CAPTURE(jobs);
+    std::vector<std::size_t> filled, taken, results;
+    run_in_order<std::size_t>(
+        jobs, count,
+        [&](std::size_t number, std::size_t& item) {
+          filled.push_back(number);
+          item = 3 * number;
+        },
+        [](std::size_t number, std::size_t& item) {
+          if (number % 5 == 0) std::this_thread::yield();
+          item += number;
+        },
+        [&](std::size_t number, std::size_t& item) {
+          taken.push_back(number);
+          results.push_back(item / 4);
+        });
+    CHECK(filled == numbers_below(count));
+    CHECK(taken == numbers_below(count));
+    CHECK(results == numbers_below(count));
+  }
+}
+
+TEST_CASE("no more items are held than twice the jobs") {
+  for (const unsigned jobs : {1U, 3U}) {
+    std::atomic<unsigned> held{0}, most{0};
+    run_in_order<int>(
+        jobs, count,
+        [&](std::size_t, int&) {
+          if (++held > most) most = held.load();
+        },
+        [](std::size_t, int&) {}, [&](std::size_t, int&) { --held; });
+    CHECK(held == 0);
+    CHECK(most <= 2 * jobs);
+  }
+}
+
+TEST_CASE("one job is the thread that asks") {
+  const auto own = std::this_thread::get_id();
+  run_in_order<int>(
+      1, 3, [](std::size_t, int&) {},
+      [own](std::size_t, int&) { CHECK((std::this_thread::get_id() == own)); },
+      [](std::size_t, int&) {});
+}
+
+TEST_CASE("what a step throws is thrown, and nothing behind it is taken") {
+  for (const unsigned jobs : {1U, 4U})
+    for (const std::string step : {"fill", "work", "take"}) {
+      CAPTURE(step);
+      std::size_t taken = 0;
+      const auto fail_in = [&step](const std::string& own, std::size_t number) {
+        if (own == step && number == 20) throw std::runtime_error(own);
+      };
+      CHECK_THROWS_WITH_AS(
+          run_in_order<int>(
+              jobs, count, [&](std::size_t number, int&) { fail_in("fill", number); },
+              [&](std::size_t number, int&) { fail_in("work", number); },
+              [&](std::size_t number, int&) {
+                fail_in("take", number);
+                ++taken;
+              }),
+          step.c_str(), std::runtime_error);
+      CHECK(taken <= 20);
+    }
+}
+
+TEST_CASE("without items nothing is called") {
+  const auto never = [](std::size_t, int&) { FAIL("called"); };
+  run_in_order<int>(2, 0, never, never, never);
+}

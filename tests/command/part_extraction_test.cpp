@@ -1,0 +1,226 @@
+// Volumes in parts, on several cores: the surface is that of one sweep.
+#include "extraction/part_extraction.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "hand_made.hpp"
+#include "oracle/region.hpp"
+#include "sample_reader.hpp"
+#include "surface/growing_joiner.hpp"
+
+namespace {
+
+using discmc::Border;
+using discmc::host::Extraction;
+using discmc::host::ExtractionOptions;
+using discmc::host::GrowingJoiner;
+using discmc::host::parts_of;
+using discmc::host::SliceSpan;
+using discmc::host::Surface;
+using discmc::host::SurfaceBuilder;
+using discmc::host::SurfaceRequest;
+using discmc::host::VolumeInfo;
+using discmc::reference::BitVolume;
+using discmc::reference::describe_difference;
+using discmc::reference::random;
+using hand_made::regions_of;
+using sample_reader::bit_threshold;
+using sample_reader::SampleReader;
+
+ExtractionOptions options_with(Border border, bool takes_majority = false) {
+  ExtractionOptions options{bit_threshold, border, 0, {}};
+  options.takes_majority = takes_majority;
+  return options;
+}
+
+struct Extracted {
+  Extraction extraction;
+  Surface surface;
+};
+
+// by_polygons: whether regions may come as such.
+Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
+                    bool by_polygons = false) {
+  SampleReader reader(volume);
+  SurfaceBuilder builder;
+  SurfaceRequest request{options.selection, discmc::sink_to(builder)};
+  if (by_polygons) request.builder = &builder;
+  const Extraction extraction = extract(reader, options, std::vector<SurfaceRequest>{request})[0];
+  CHECK(builder.incomplete_regions() == 0);
+  return {extraction, std::move(builder.surface())};
+}
+
+// Tall enough for several parts.
+std::vector<BitVolume> tall_volumes() {
+  return {random({9, 8, 50}, 128, 1), random({20, 17, 70}, 40, 2), random({5, 40, 33}, 220, 3),
+          discmc::reference::ball({30, 30, 90}, {30, 30, 90}, 1600),
+          discmc::reference::checkerboard({6, 6, 34})};
+}
+
+bool are_same(const Surface& a, const Surface& b) {
+  if (a.polygons.size() != b.polygons.size()) return false;
+  for (std::size_t i = 0; i < a.polygons.size(); ++i)
+    if (a.polygons[i].incidence != b.polygons[i].incidence ||
+        a.polygons[i].rings != b.polygons[i].rings)
+      return false;
+  return true;
+}
+
+void check_same_surface(const BitVolume& volume, ExtractionOptions options) {
+  const Extracted whole = extracted(volume, options);
+  for (const bool by_polygons : {false, true}) {
+    CAPTURE(by_polygons);
+    options.jobs = 2;
+    const Extracted parts = extracted(volume, options, by_polygons);
+    CHECK(describe_difference(regions_of(parts.surface), regions_of(whole.surface)) == "");
+    CHECK(parts.extraction.voxels == whole.extraction.voxels);
+    CHECK(parts.extraction.classic_vertices == whole.extraction.classic_vertices);
+    CHECK(parts.extraction.is_full == whole.extraction.is_full);
+    CHECK(parts.extraction.statistics.regions == whole.extraction.statistics.regions);
+    CHECK(parts.extraction.statistics.rings == whole.extraction.statistics.rings);
+    CHECK(parts.extraction.statistics.fragments == 0);
+    CHECK_FALSE(parts.extraction.is_of_slab);
+    for (const unsigned jobs : {1U, 3U, 7U}) {
+      CAPTURE(jobs);
+      options.jobs = jobs;
+      CHECK(are_same(extracted(volume, options, by_polygons).surface, parts.surface));
+    }
+  }
+}
+
+VolumeInfo info_of(std::uint32_t width, std::uint32_t height, std::uint32_t depth) {
+  VolumeInfo info;
+  info.dims = {width, height, depth};
+  return info;
+}
+
+}  // namespace
+
+TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
+  for (const std::uint32_t depth : {1U, 15U, 16U, 17U, 33U, 275U, 5000U}) {
+    std::uint32_t end = 0;
+    for (const SliceSpan& part : parts_of(info_of(4, 4, depth))) {
+      CHECK(part.first == end);
+      CHECK(part.count() >= 1);
+      CHECK(part.count() <= 32);
+      end = part.end;
+    }
+    CHECK(end == depth);
+  }
+  CHECK(parts_of(info_of(4, 4, 16)).size() == 1);
+  CHECK(parts_of(info_of(512, 512, 512)).size() == 16);
+  // 64 MiB at most, but two slices at least.
+  CHECK(parts_of(info_of(4096, 4096, 100)).size() == 25);
+  CHECK(parts_of(info_of(32766, 32766, 10)).size() == 5);
+}
+
+TEST_CASE("the regions of parts are those of one sweep, in an order without regard to jobs") {
+  for (const BitVolume& volume : tall_volumes())
+    for (const Border border : {Border::closed, Border::open}) {
+      check_same_surface(volume, options_with(border));
+      check_same_surface(volume, options_with(border, true));
+    }
+}
+
+TEST_CASE("a part that memory is not enough for takes more") {
+  const BitVolume volume = random({20, 20, 40}, 128, 5);
+  ExtractionOptions options = options_with(Border::closed);
+  const Extracted whole = extracted(volume, options);
+  options.jobs = 2;
+  options.memory = 20000;
+  for (const bool by_polygons : {false, true})
+    CHECK(describe_difference(regions_of(extracted(volume, options, by_polygons).surface),
+                              regions_of(whole.surface)) == "");
+}
+
+TEST_CASE("the statistics of parts are those of one sweep, up to one a seam") {
+  const BitVolume volume = random({20, 17, 70}, 128, 2);
+  const auto whole = extracted(volume, options_with(Border::closed)).extraction.statistics;
+  ExtractionOptions options = options_with(Border::closed);
+  options.jobs = 2;
+  const auto parts = extracted(volume, options).extraction.statistics;
+  const std::uint64_t seams = parts_of(info_of(20, 17, 70)).size() - 1;
+  CHECK(parts.cells <= whole.cells);
+  CHECK(parts.cells + seams >= whole.cells);
+  CHECK(parts.facets + seams >= whole.facets);
+  CHECK(parts.classic_triangles + seams >= whole.classic_triangles);
+}
+
+TEST_CASE("files are the same whatever the jobs") {
+  const command::Workshop workshop;
+  std::string samples;
+  std::uint32_t noise = 1;
+  for (int i = 0; i < 40 * 40 * 70; ++i) {
+    noise = noise * 1664525 + 1013904223;
+    samples.push_back(static_cast<char>(i % 40 / 4 % 2 * 60 + static_cast<int>(noise >> 26)));
+  }
+  workshop.write("v.raw", samples);
+  workshop.write("m.raw", std::string(40 * 40 * 35, 1) + std::string(40 * 40 * 35, 0));
+  const std::string volume = "extract v.raw --dims 40,40,70 --type u8 --iso 50 -q ";
+  for (const std::string options :
+       {"-o v.stl", "-o v.ply", "-o v.obj --normals surface", "-o v.glb --border open",
+        "-o v.ply --median 3 --largest 1", "-o v.dmc", "-o v.dmc --iso 80 --wire regions"}) {
+    CAPTURE(options);
+    const std::string file = options.substr(3, 5);
+    workshop.done(volume + options + " --jobs 1");
+    const std::string one = workshop.read(file);
+    CHECK(one.size() > 10000);
+    for (const std::string jobs : {"2", "3", "7"}) {
+      workshop.done(volume + options + " --jobs " + jobs);
+      CHECK(workshop.read(file) == one);
+    }
+  }
+  workshop.done(volume + "-o v.stl --jobs 1");
+  workshop.done(volume + "-o all.stl");
+  CHECK(workshop.read("all.stl") == workshop.read("v.stl"));
+}
+
+TEST_CASE("a stream of parts holds the regions of one sweep") {
+  const command::Workshop workshop;
+  std::string samples;
+  for (int i = 0; i < 20 * 20 * 50; ++i) samples.push_back(static_cast<char>(i * i % 251 % 97));
+  workshop.write("v.raw", samples);
+  const std::string volume = "extract v.raw --dims 20,20,50 --type u8 --iso 50 -q ";
+  workshop.done(volume + "-o whole.dmc");
+  workshop.done(volume + "--jobs 2 -o parts.dmc");
+  auto whole = workshop.info("whole.dmc"), parts = workshop.info("parts.dmc");
+  for (const std::string key : {"regions", "holes", "links", "corners", "complete", "fragments"}) {
+    CAPTURE(key);
+    CHECK(parts[key] == whole[key]);
+  }
+}
+
+TEST_CASE("a volume that ends early is refused as in one sweep, and nothing is left") {
+  const command::Workshop workshop;
+  workshop.write("v.nrrd",
+                 "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 60\nencoding: raw\n\n" +
+                     std::string(20 * 20 * 45, 'a'));
+  for (const std::string jobs : {"1", "4"}) {
+    const command::Result result = workshop.run("extract v.nrrd --iso 50 -o v.stl --jobs " + jobs);
+    CHECK(result.code == 1);
+    CHECK(command::contains(result.error, "v.nrrd"));
+    CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+  }
+}
+
+TEST_CASE("jobs that cannot be are refused, with the remedy") {
+  const command::Workshop workshop;
+  workshop.write("v.raw", std::string(4 * 4 * 4, 'a'));
+  const auto refused = [&](const std::string& options, const std::string& part) {
+    const command::Result result =
+        workshop.run("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options);
+    INFO(options, "\n", result.error);
+    CHECK(result.code == 2);
+    CHECK(command::contains(result.error, part));
+  };
+  refused("-o v.stl --jobs 0", "--jobs");
+  refused("-o v.stl --jobs 2 --memory 4096", "leave out one or the other");
+  refused("-o v.stl --jobs 2 --surface interpolated", "leave out one or the other");
+  refused("-o v.dmc --jobs 2 --wire slices", "leave out one or the other");
+  refused("-o v.dmc --jobs 2 --slab 1/2", "leave out one or the other");
+  refused("-o v.dmc --jobs 2 --normals gradient", "leave out one or the other");
+}
