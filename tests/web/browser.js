@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
+import { inOrder } from './command.js';
 
 const require = createRequire(new URL('../../ports/web/', import.meta.url));
 const { chromium } = require('playwright-core');
@@ -74,8 +75,9 @@ export async function saved(page, kind) {
   return { name: download.suggestedFilename(), path: await download.path() };
 }
 
-/** The polygons that are shown, a line each. */
-export const shownPolygons = async (page) => readFileSync((await saved(page, 'jsonl')).path, 'utf8');
+/** The polygons that are shown, as inOrder() has them. */
+export const shownPolygons = async (page) =>
+  inOrder(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
 
 /** Waits until what is told of a stream begins with these words. */
 export const streamTells = (page, words) => page.waitForFunction((wanted) =>

@@ -37,23 +37,22 @@ export async function servedBy(context, program, ...words) {
   return { address, input: server.stdin, end };
 }
 
-/** The polygons of a volume or stream, a line each, sorted. */
+/** The polygons of a volume or stream, as inOrder() has them. */
 export function polygonsByCommand(folder, ...words) {
   const file = join(folder, 'polygons.jsonl');
   command(...words, '-o', file);
-  return sorted(readFileSync(file, 'utf8'));
+  return inOrder(readFileSync(file, 'utf8'));
 }
 
-/** The same with every ring from its first corner in order on: those of joined pieces begin anywhere. */
-export const turned = (lines) => sorted(lines.split('\n').filter(Boolean).map((line) => {
+/** Polygons, a line each, in an order that does not depend on how they were joined. */
+export const inOrder = (lines) => lines.split('\n').filter(Boolean).map((line) => {
   const polygon = JSON.parse(line);
-  polygon.rings = polygon.rings.map((ring) => {
-    const corners = ring.map(String);
-    const first = corners.indexOf(corners.reduce((a, b) => (b < a ? b : a)));
-    return [...ring.slice(first), ...ring.slice(0, first)];
-  });
-  polygon.rings.sort();
-  return JSON.stringify(polygon);
-}).join('\n'));
+  const [outer, ...holes] = polygon.rings.map(fromFirstCorner);
+  return JSON.stringify({ ...polygon, rings: [outer, ...holes.sort()] });
+}).sort().join('\n');
 
-export const sorted = (lines) => lines.split('\n').sort().join('\n');
+function fromFirstCorner(ring) {
+  const corners = ring.map(String);
+  const first = corners.indexOf(corners.reduce((a, b) => (b < a ? b : a)));
+  return [...ring.slice(first), ...ring.slice(0, first)];
+}

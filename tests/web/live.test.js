@@ -6,13 +6,13 @@ import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
 import { checkAccess, openFiles, openPage, pixelsOf, saved, shownPolygons, startBrowser, streamTells }
   from './browser.js';
-import { command, polygonsByCommand, turned, workFolder } from './command.js';
+import { command, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
 const volume = join(folder, 'ball.nrrd'), stream = join(folder, 'ball.dmc');
 writeFileSync(volume, nrrdOf(roughBall()));
 command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
-const expected = turned(polygonsByCommand(folder, 'decode', stream));
+const expected = polygonsByCommand(folder, 'decode', stream);
 
 let browser;
 before(async () => (browser = await startBrowser()));
@@ -41,7 +41,7 @@ test('a stream is replayed at the pace of its line, and is the same in the end',
   const begin = Date.now();
   await streamTells(page, 'Complete');
   assert.ok(Date.now() - begin > (seconds / 2) * 1000, 'as slow as the line');
-  assert.equal(turned(await shownPolygons(page)), expected);
+  assert.equal(await shownPolygons(page), expected);
   await page.check('#measure');
   await page.press('#view', 'Enter');
   assert.match(await page.textContent('#distance'), /^From/, 'the surface is in the picture');
@@ -62,7 +62,7 @@ test('what is lost is told, and what is whole is shown', async () => {
   await streamTells(page, 'Incomplete');
   assert.match(await page.textContent('#stream-text'), /Missing: \d+ packets?, \d+ pieces? of the surface/);
   const whole = new Set(expected.split('\n'));
-  const shown = turned(await shownPolygons(page)).split('\n').filter(Boolean);
+  const shown = (await shownPolygons(page)).split('\n');
   assert.ok(shown.length > 0 && shown.length < whole.size);
   for (const polygon of shown) assert.ok(whole.has(polygon), polygon);
   assert.match(await page.textContent('#missing-text'), /^Missing in slices \d/);
@@ -119,7 +119,7 @@ test('a device on a serial port: shown as it sends, kept, and saved', async () =
   await page.keyboard.press('Enter');
   await streamTells(page, 'Complete');
   assert.equal(await page.evaluate(() => navigator.serial.port.options.baudRate), 921600);
-  assert.equal(turned(await shownPolygons(page)), expected);
+  assert.equal(await shownPolygons(page), expected);
   assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), readFileSync(stream));
   assert.deepEqual(complaints, []);
   await page.context().close();
@@ -132,6 +132,6 @@ test('a line that carries something else: what to check, and the page goes on', 
   await page.waitForSelector('#error:not([hidden])');
   assert.match(await page.textContent('#error-text'), /no header .* check the baud rate/);
   await openFiles(page, stream);
-  assert.equal(turned(await shownPolygons(page)), expected);
+  assert.equal(await shownPolygons(page), expected);
   await page.context().close();
 });

@@ -4,7 +4,7 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { command, polygonsByCommand, turned, workFolder } from './command.js';
+import { command, polygonsByCommand, workFolder } from './command.js';
 import { openVolume, polygonsOf, startModule } from './module_of_page.js';
 
 const folder = workFolder(after);
@@ -89,7 +89,7 @@ test('gradient normals point away from the middle of a ball', async () => {
 test('a scan with little memory is a longer stream of the same polygons', async () => {
   const { module } = await openVolume(file);
   module.extract(400, false);
-  const expected = turned(await polygonsOf(module));
+  const expected = await polygonsOf(module);
   const rich = module.scan(64 << 20), richStream = module.stream();
   const poor = module.scan(module.leastMemory()), poorStream = module.stream();
   assert.equal(rich.fragments, 0);
@@ -99,14 +99,14 @@ test('a scan with little memory is a longer stream of the same polygons', async 
   for (const stream of [richStream, poorStream, slicesStream]) {
     const path = join(folder, 'scan.dmc');
     writeFileSync(path, stream);
-    assert.equal(turned(polygonsByCommand(folder, 'decode', path)), expected);
+    assert.equal(polygonsByCommand(folder, 'decode', path), expected);
     const decoded = await startModule();
     decoded.newStream();
     decoded.pushStream(stream);
     const report = decoded.endStream();
     assert.ok(report.isComplete);
     assert.deepEqual(report.dims, ball.dims);
-    assert.equal(turned(await polygonsOf(decoded)), expected);
+    assert.equal(await polygonsOf(decoded), expected);
     assert.equal(decoded.draw().leftOut, 0);
   }
 });
@@ -123,8 +123,8 @@ test('of a link with several surfaces the chosen one is shown', async () => {
       assert.equal(module.endStream().threshold, iso);
       assert.deepEqual(module.streamSurfaces(),
         [{ scan: 7, channel: 0, threshold: 200 }, { scan: 7, channel: 1, threshold: 600 }]);
-      assert.equal(turned(await polygonsOf(module)), turned(polygonsByCommand(folder, 'decode', path,
-        '--channel', `${choice?.channel ?? 0}`)));
+      assert.equal(await polygonsOf(module),
+        polygonsByCommand(folder, 'decode', path, '--channel', `${choice?.channel ?? 0}`));
     }
   }
 });
@@ -153,8 +153,8 @@ test('streams of version 1 are read', async () => {
     module.newStream();
     module.pushStream(readFileSync(join(golden, name)));
     assert.ok(module.endStream().isComplete, name);
-    assert.equal(turned(await polygonsOf(module)),
-      turned(polygonsByCommand(folder, 'decode', join(golden, name))), name);
+    assert.equal(await polygonsOf(module),
+      polygonsByCommand(folder, 'decode', join(golden, name)), name);
   }
 });
 

@@ -6,7 +6,7 @@ import { openFiles } from '../../ports/web/page/formats/volume_file.js';
 import { sampleBytes, sampleTypes, volumeBytes } from '../../ports/web/page/formats/volume_info.js';
 import { Module } from '../../ports/web/page/module.js';
 import { jsonl } from '../../ports/web/page/save/jsonl.js';
-import { sorted } from './command.js';
+import { inOrder } from './command.js';
 
 export const startModule = () => Module.start(readFileSync(process.env.DISCMC_MODULE));
 
@@ -24,5 +24,5 @@ export async function openVolume(paths, layout) {
   return { info, module };
 }
 
-/** The polygons that a module holds, a line each, sorted. */
-export const polygonsOf = async (module) => sorted(await jsonl(module.polygons()).text());
+/** The polygons that a module holds, as inOrder() has them. */
+export const polygonsOf = async (module) => inOrder(await jsonl(module.polygons()).text());

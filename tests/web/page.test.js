@@ -9,7 +9,7 @@ import { planesOf } from '../../ports/web/page/light.js';
 import { nrrdOf, roughBall } from './ball.js';
 import { checkAccess, hasSurface, now, openFiles, openPage, pixelsOf, rested, saved, shown, shownPolygons,
   startBrowser, streamTells } from './browser.js';
-import { command, polygonsByCommand, sorted, turned, workFolder } from './command.js';
+import { command, inOrder, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
 const volume = join(folder, 'ball.nrrd');
@@ -35,7 +35,7 @@ test('dragged over 40 thresholds, each surface is that of the command', async ()
     const iso = -100 + 25 * step;
     await setThreshold(page, iso);
     await shown(page, iso);
-    assert.equal(sorted(await shownPolygons(page)), byCommand(iso), `threshold ${iso}`);
+    assert.equal(await shownPolygons(page), byCommand(iso), `threshold ${iso}`);
   }
   assert.deepEqual(complaints, []);
   await page.context().close();
@@ -78,7 +78,7 @@ test('a drag that is too fast for it ends at its last threshold', async () => {
   await shown(page, 500);
   const { name, path } = await saved(page, 'jsonl');
   assert.equal(name, 'ball-500.jsonl');
-  assert.equal(sorted(readFileSync(path, 'utf8')), byCommand(500));
+  assert.equal(inOrder(readFileSync(path, 'utf8')), byCommand(500));
   await page.context().close();
 });
 
@@ -109,7 +109,7 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   await openFiles(page, cut);
   await setThreshold(page, 425);
   await shown(page, 425);
-  assert.equal(sorted(await shownPolygons(page)), byCommand(425), 'what was open before still is');
+  assert.equal(await shownPolygons(page), byCommand(425), 'what was open before still is');
 
   await openFiles(page, damaged);
   assert.match(await page.textContent('#stream-text'), /^Incomplete. Missing: [1-9]\d* packets?, [1-9]\d* pieces? of/);
@@ -207,8 +207,8 @@ test('of a stream with several surfaces each can be chosen', async () => {
     await page.waitForFunction((iso) => document.querySelector('#stream-text').textContent
       .endsWith(`threshold ${iso}.`), channel ? 600 : 200);
     assert.equal(await page.evaluate(() => document.querySelector('#surface').selectedIndex), channel);
-    assert.equal(turned(await shownPolygons(page)),
-      turned(polygonsByCommand(folder, 'decode', path, '--channel', `${channel}`)));
+    assert.equal(await shownPolygons(page),
+      polygonsByCommand(folder, 'decode', path, '--channel', `${channel}`));
   }
   await openFiles(page, volume);
   assert.deepEqual(complaints, []);

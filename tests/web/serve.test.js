@@ -8,14 +8,14 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
 import { hasSurface, openPage, saved, shownPolygons, startBrowser, streamTells } from './browser.js';
-import { command, polygonsByCommand, served, turned, workFolder } from './command.js';
+import { command, polygonsByCommand, served, workFolder } from './command.js';
 
 const folder = workFolder(after);
 const volume = join(folder, 'ball.nrrd'), stream = join(folder, 'ball.dmc');
 writeFileSync(volume, nrrdOf(roughBall()));
 command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
 const bytes = readFileSync(stream), half = bytes.length >> 1;
-const expected = turned(polygonsByCommand(folder, 'decode', stream));
+const expected = polygonsByCommand(folder, 'decode', stream);
 
 let browser;
 before(async () => (browser = await startBrowser()));
@@ -28,8 +28,8 @@ test('a volume is fetched, and any threshold can be chosen', async (t) => {
   assert.equal(await page.textContent('#file-name'),
     'ball.nrrd · 48 × 40 × 36 voxels of 0.5 × 0.75 × 1.25 mm');
   const iso = await page.inputValue('#threshold-number');
-  assert.equal(turned(await shownPolygons(page)),
-    turned(polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', iso)));
+  assert.equal(await shownPolygons(page),
+    polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', iso));
   assert.deepEqual(complaints, []);
   await page.context().close();
   assert.equal(await end(), 0);
@@ -40,7 +40,7 @@ test('a threshold of it, and a stream that is a file', async (t) => {
     const { address, end } = await served(t, ...words);
     const { page, complaints } = await openPage(browser, { address });
     await streamTells(page, 'Complete');
-    assert.equal(turned(await shownPolygons(page)), expected);
+    assert.equal(await shownPolygons(page), expected);
     assert.deepEqual(complaints, []);
     await page.context().close();
     assert.equal(await end(), 0);
@@ -59,7 +59,7 @@ test('a stream on standard input is shown while it comes; who comes later gets a
   input.end(bytes.subarray(half));
   for (const { page, complaints } of [first, later]) {
     await streamTells(page, 'Complete');
-    assert.equal(turned(await shownPolygons(page)), expected);
+    assert.equal(await shownPolygons(page), expected);
     assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), bytes);
     assert.deepEqual(complaints, []);
     await page.context().close();
