@@ -9,6 +9,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "input.hpp"
@@ -416,7 +417,7 @@ class Caller {
                 static_cast<uint8_t*>(memory.data));
     check_own_memory();
     place_ = std::move(place);
-    extractor_ = Extractor<Index>{};
+    new (&extractor_) Extractor<Index>{};
     const Sink sink = sink_to(listener_, takes_fragments_);
     uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % used];
     any = static_cast<uint8_t>(any ^ 1);

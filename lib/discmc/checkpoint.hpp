@@ -39,8 +39,8 @@ struct CheckpointHead {
 };
 
 /// An Object and the memory it works in, at one moment. It holds no addresses, is copied as plain
-/// bytes, and can be restored by the build that saved it, wherever its memory then lies. The
-/// checksum finds accidents, not attacks: store it where nobody else writes.
+/// bytes, unlike the object itself, and can be restored by the build that saved it, wherever its
+/// memory then lies. The checksum finds accidents, not attacks: store it where nobody else writes.
 template <class Object>
 struct Checkpoint {
   CheckpointHead head;

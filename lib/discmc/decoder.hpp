@@ -26,9 +26,14 @@ struct [[nodiscard]] Decoded {
   size_t bytes;
 };
 
-/// Runs come with the normals where they start, if the stream tells any.
+/// Runs come with the normals where they start, if the stream tells any. It points into itself, so
+/// it is neither copied nor moved.
 class Decoder {
  public:
+  Decoder() = default;
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
   /// Begins a stream: the one of the first whole packet that comes on this channel. Packets of
   /// other scans and channels are counted and left alone, so every decoder of a link may get all
   /// bytes. Errors: bad_sink.

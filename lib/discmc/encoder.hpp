@@ -29,10 +29,13 @@ class SymbolCoder {
 /// Writes the stream of one scan. One packet and one record are all that is held. The encoder may
 /// be suspended after any byte: while the output takes nothing, take() answers not_now, and goes on
 /// where it was when asked again. Use it as Encoder, or as NormalEncoder where the normals of runs
-/// are to be told too; a stream without any is the same from both.
+/// are to be told too; a stream without any is the same from both. It points into itself, so it is
+/// neither copied nor moved, but by save() and restore().
 template <class Normals>
 class BasicEncoder : private Normals {
  public:
+  BasicEncoder() = default;
+
   /// Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of
   /// its header, the first packet. A further scan is a further stream; its number is one more.
   /// Where a reset may have cut off a frame, send a zero byte first: it ends the frame, and is
@@ -85,6 +88,10 @@ class BasicEncoder : private Normals {
   static constexpr uint32_t layout = sizeof(void*) << 4 | (Normals::are_told ? 1 : 0);
 
  private:
+  friend struct Checkpoint<BasicEncoder>;
+  BasicEncoder(const BasicEncoder&) = default;
+  BasicEncoder& operator=(const BasicEncoder&) = default;
+
   struct Coder {
     RangeEncoder range;
     bool bit(uint32_t context, bool bit) {

@@ -35,11 +35,14 @@ struct HighWater {
 /// capacities. Normals is NoNormals, or GradientNormals<Sample>: then push() takes samples of this
 /// type alone, keeps those of four slices in the memory, and sweeps a slice and a row later; the
 /// events are the same but for the normals in them. Sweep: another is that of
-/// learning_extractor.hpp.
+/// learning_extractor.hpp. It is neither copied nor moved, but by save() and restore(): two would
+/// write to the same memory.
 template <class Index, class Normals = NoNormals,
           class Sweep = trace::Sweep<Index, typename Normals::Normal>>
 class Extractor {
  public:
+  Extractor() = default;
+
   /// Begins a scan with as many records as the memory has room for (default_capacities()).
   /// threshold: a voxel is on where its sample is >= threshold.
   /// memory: at least minimum_bytes<Index, Normals>(limits); Owner: the caller, for as long as the
@@ -146,6 +149,10 @@ class Extractor {
   static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Normals::type << 8;
 
  private:
+  friend struct Checkpoint<Extractor>;
+  Extractor(const Extractor&) = default;
+  Extractor& operator=(const Extractor&) = default;
+
   enum class State : uint8_t { idle, scanning, finishing, finished };
   using Normal = typename Normals::Normal;
   using Chains = trace::Fragments<Index, Normal>;

@@ -70,9 +70,13 @@ struct JoinReport {
 /// Its regions, rings and loose fragments are those that were delivered. Layer marks stay true
 /// in the order of a sweep alone.
 ///
+/// It is neither copied nor moved: two would write to the same memory.
+///
 /// Cost: of a fragment, its runs. Of a region, its runs times the holes that wait on its plane.
 class Joiner {
  public:
+  Joiner() = default;
+
   /// The bytes that a joiner takes from the caller's memory, and the least.
   static constexpr uint64_t bytes_for(const JoinCapacities& capacities) {
     return WaitingChains::bytes_for(capacities.fragments, capacities.runs) + Arena::alignment - 1;
@@ -111,6 +115,9 @@ class Joiner {
   JoinCapacities high_water() const { return {chains().high_water(), chains().run_high_water()}; }
 
  private:
+  Joiner(const Joiner&) = default;
+  Joiner& operator=(const Joiner&) = default;  // start() makes it as new
+
   bool accept(const Event& event);
   bool begin_fragment(const Event& event);
   bool add_run(const Event& event);

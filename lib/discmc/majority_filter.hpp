@@ -17,9 +17,14 @@
 
 namespace discmc {
 
-/// Rows of bits in, and the rows that most of their neighbours make of them out.
+/// Rows of bits in, and the rows that most of their neighbours make of them out. It is neither
+/// copied nor moved: two would write to the same memory.
 class MajorityFilter {
  public:
+  MajorityFilter() = default;
+  MajorityFilter(const MajorityFilter&) = delete;
+  MajorityFilter& operator=(const MajorityFilter&) = delete;
+
   /// The memory that start() takes: two slices of bits and four rows. Units: bytes.
   static constexpr uint64_t bytes_for(const Limits& limits) {
     return Arena::bytes_of(rows_held(limits) + 1, 4 * words_of(limits.width)) + Arena::alignment -

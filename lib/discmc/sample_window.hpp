@@ -18,10 +18,15 @@
 
 namespace discmc {
 
-/// The last four slices. Sample is uint8_t, uint16_t or int16_t.
+/// The last four slices. Sample is uint8_t, uint16_t or int16_t. It is neither copied nor moved:
+/// two would write to the same memory.
 template <class Sample>
 class SampleWindow {
  public:
+  SampleWindow() = default;
+  SampleWindow(const SampleWindow&) = delete;
+  SampleWindow& operator=(const SampleWindow&) = delete;
+
   static constexpr uint32_t slices_held = 4;
 
   static constexpr uint64_t bytes_for(const Limits& limits) {

@@ -18,9 +18,14 @@
 namespace discmc {
 
 /// It holds a frame: what one encoder has begun to send is no matter of the others, who would wait
-/// for ever if that one had nothing more to say.
+/// for ever if that one had nothing more to say. The outputs that it gives point to it, so it is
+/// neither copied nor moved.
 class SharedOutput {
  public:
+  SharedOutput() = default;
+  SharedOutput(const SharedOutput&) = delete;
+  SharedOutput& operator=(const SharedOutput&) = delete;
+
   /// Drops a frame that is held. Limit: the output has a function.
   void start(const ByteOutput& output) {
     output_ = output;

@@ -52,9 +52,14 @@ RowSink row_sink_to(Receiver& receiver) {
           }};
 }
 
-/// Reads one stream of bits, and hands its rows to a RowSink.
+/// Reads one stream of bits, and hands its rows to a RowSink. It points into itself, so it is
+/// neither copied nor moved.
 class SliceDecoder {
  public:
+  SliceDecoder() = default;
+  SliceDecoder(const SliceDecoder&) = delete;
+  SliceDecoder& operator=(const SliceDecoder&) = delete;
+
   /// Begins a stream. memory: at least slice_decoder_bytes() for the size and the surfaces that the
   /// header will tell, or none before it is known; Owner: the caller, as long as the decoder is
   /// used. channel: as of the Decoder; the rows of all surfaces of its stream are handed out.

@@ -21,9 +21,14 @@
 
 namespace discmc {
 
-/// Takes the samples of a scan, and writes one stream of the bits of its surfaces.
+/// Takes the samples of a scan, and writes one stream of the bits of its surfaces. It points into
+/// itself, so it is neither copied nor moved.
 class SliceEncoder {
  public:
+  SliceEncoder() = default;
+  SliceEncoder(const SliceEncoder&) = delete;
+  SliceEncoder& operator=(const SliceEncoder&) = delete;
+
   /// Begins a scan and its stream; the header is the first packet, and its thresholds those of the
   /// samples. Where it has several surfaces each gets all samples; bits of the further ones are
   /// told by those of the first, so let that be the one that the others are like. memory: at least

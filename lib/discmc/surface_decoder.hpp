@@ -24,11 +24,16 @@ constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces
   return slice_decoder_bytes(limits, surfaces) + minimum_bytes<uint32_t>(limits);
 }
 
-/// Reads one stream of either kind, and hands the events of one of its surfaces to a Sink.
+/// Reads one stream of either kind, and hands the events of one of its surfaces to a Sink. It
+/// points into itself, so it is neither copied nor moved.
 class SurfaceDecoder {
  public:
   /// A call skips at most so many lost rows, as a hostile stream can claim any number of them.
   static constexpr uint32_t most_skipped_rows = uint32_t{1} << 16;
+
+  SurfaceDecoder() = default;
+  SurfaceDecoder(const SurfaceDecoder&) = delete;
+  SurfaceDecoder& operator=(const SurfaceDecoder&) = delete;
 
   /// Begins a stream. memory: none for streams of regions, or before it is known; at least
   /// minimum_surface_bytes() for the size that the header of a stream of bits will tell, and more

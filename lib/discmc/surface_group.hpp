@@ -15,7 +15,8 @@
 namespace discmc {
 
 /// Scanner is an Extractor of any kind. Each of the group has a sink of its own, and any of them
-/// may say "not now": the group waits for all.
+/// may say "not now": the group waits for all. It is neither copied nor moved: of two each would
+/// miss what is pushed to the other.
 template <class Scanner>
 class SurfaceGroup {
  public:
@@ -23,6 +24,8 @@ class SurfaceGroup {
   /// long as the scan lasts. Units: width in voxels
   SurfaceGroup(Scanner* scanners, uint32_t count, uint32_t width)
       : first_(scanners), end_(scanners + count), width_(width) {}
+  SurfaceGroup(const SurfaceGroup&) = delete;
+  SurfaceGroup& operator=(const SurfaceGroup&) = delete;
 
   /// As Extractor::push(), for all. Status::more: some sink said "not now"; what the result counts
   /// has gone to all.

@@ -74,29 +74,25 @@ Collector sweep(const fs::path& file, int32_t threshold, Border border, uint64_t
   return collector;
 }
 
-// An encoder in front of nothing, and what it was told.
-class StreamSize {
- public:
-  explicit StreamSize(const BitVolume& volume) {
-    require_ok(encoder_.start(test::header_of(volume).label(), {nullptr, take_all}));
-  }
-  Answer take(const Event& event) {
-    fragments_ += event.kind == Event::Kind::fragment;
-    return encoder_.take(event);
-  }
-  uint64_t bytes() const { return encoder_.bytes(); }
-  uint64_t fragments() const { return fragments_; }
-
- private:
-  static size_t take_all(void*, const uint8_t*, size_t count) { return count; }
-  Encoder encoder_;
-  uint64_t fragments_ = 0;
+struct StreamSize {
+  uint64_t bytes;
+  uint64_t fragments;
 };
 
-StreamSize stream_size(const BitVolume& volume, uint64_t bytes) {
-  StreamSize size(volume);
-  scan_into<uint16_t>(size, volume, {}, bytes);
-  return size;
+StreamSize stream_size(const BitVolume& volume, uint64_t memory_bytes) {
+  struct Counter {
+    Answer take(const Event& event) {
+      fragments += event.kind == Event::Kind::fragment;
+      return encoder.take(event);
+    }
+    static size_t take_all(void*, const uint8_t*, size_t count) { return count; }
+
+    Encoder encoder;
+    uint64_t fragments = 0;
+  } counter;
+  require_ok(counter.encoder.start(test::header_of(volume).label(), {nullptr, Counter::take_all}));
+  scan_into<uint16_t>(counter, volume, {}, memory_bytes);
+  return {counter.encoder.bytes(), counter.fragments};
 }
 
 // The CT head of the known answers, or an empty path.
@@ -151,10 +147,10 @@ TEST_CASE("the CT head's skin takes few more bytes in little memory") {
   const fs::path file = ct_head();
   if (file.empty()) return;
   const BitVolume volume = read(file, skin);
-  const auto whole = static_cast<double>(stream_size(volume, 256 * kib).bytes());
+  const auto whole = static_cast<double>(stream_size(volume, 256 * kib).bytes);
   const auto in = [&](uint64_t memory) {
     const uint64_t bytes = memory * kib - sizeof(Extractor16);
-    return static_cast<double>(stream_size(volume, bytes).bytes()) / whole;
+    return static_cast<double>(stream_size(volume, bytes).bytes) / whole;
   };
   CHECK(in(64) <= 1.1);
   CHECK(in(48) <= 1.25);
@@ -204,13 +200,13 @@ TEST_CASE("more memory never makes more loose fragments or bytes of a real volum
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
     uint64_t bytes = minimum_bytes<uint16_t>(limits_of(volume, Border::closed));
     StreamSize before = stream_size(volume, bytes);
-    while (before.fragments() > 0 && bytes < 256 * kib) {
+    while (before.fragments > 0 && bytes < 256 * kib) {
       bytes += 2 * kib;
       CAPTURE(scan.file.string());
       CAPTURE(bytes);
       const StreamSize size = stream_size(volume, bytes);
-      CHECK(size.bytes() <= before.bytes() + before.bytes() / 10000);
-      CHECK(size.fragments() <= before.fragments() + before.fragments() / 10000);
+      CHECK(size.bytes <= before.bytes + before.bytes / 10000);
+      CHECK(size.fragments <= before.fragments + before.fragments / 10000);
       before = size;
     }
   }

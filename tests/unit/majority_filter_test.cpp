@@ -39,7 +39,7 @@ BitVolume counted(const BitVolume& volume) {
   return result;
 }
 
-BitVolume filtered(const BitVolume& volume, MajorityFilter filter = {}) {
+BitVolume filtered(const BitVolume& volume, MajorityFilter& filter) {
   const Limits limits{volume.width, volume.height};
   Block block(MajorityFilter::bytes_for(limits));
   REQUIRE(filter.start(limits, block.memory()) == Status::ok);
@@ -65,6 +65,11 @@ BitVolume filtered(const BitVolume& volume, MajorityFilter filter = {}) {
   CHECK(rows == std::size_t{volume.height} * volume.depth);
   CHECK(block.is_intact());
   return result;
+}
+
+BitVolume filtered(const BitVolume& volume) {
+  MajorityFilter filter;
+  return filtered(volume, filter);
 }
 
 }  // namespace

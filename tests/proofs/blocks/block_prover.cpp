@@ -1,5 +1,6 @@
 #include "block_prover.hpp"
 
+#include <cstring>
 #include <string>
 
 #include "oracle/agreement.hpp"
@@ -58,7 +59,7 @@ void BlockProver::take_rows(uint32_t row) {
 }
 
 void BlockProver::save(Saved& saved) const {
-  saved.extractor = extractor_;
+  std::memcpy(saved.extractor.data(), &extractor_, sizeof extractor_);
   const auto end = static_cast<std::ptrdiff_t>(extractor_.bytes_used());
   saved.memory.assign(memory_.begin(), memory_.begin() + end);
   saved.sum = check_.sum();
@@ -67,7 +68,7 @@ void BlockProver::save(Saved& saved) const {
 
 // All pointers stay what they are: everything goes back to its place.
 void BlockProver::put_back(const Saved& saved) {
-  extractor_ = saved.extractor;
+  std::memcpy(static_cast<void*>(&extractor_), saved.extractor.data(), sizeof extractor_);
   std::copy(saved.memory.begin(), saved.memory.end(), memory_.begin());
   check_.go_back(saved.sum);
   forest_.go_back(saved.forest);

@@ -53,7 +53,7 @@ class BlockProver {
  private:
   // What the scan came to before a row.
   struct Saved {
-    Extractor16 extractor;
+    std::array<uint8_t, sizeof(Extractor16)> extractor;  // its bytes: it stays where it is
     std::vector<uint8_t> memory;
     RegionCheck::Sum sum;
     Forest::Mark forest;

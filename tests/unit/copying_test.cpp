@@ -1,0 +1,46 @@
+// What works in the caller's memory, or points into itself, is not copied by mistake.
+#include <doctest/doctest.h>
+
+#include <discmc/discmc.hpp>
+#include <discmc/learning_extractor.hpp>
+#include <discmc/majority_filter.hpp>
+
+#include <type_traits>
+
+using namespace discmc;
+
+namespace {
+
+template <class Object>
+constexpr bool stays_where_it_is =
+    !std::is_copy_constructible_v<Object> && !std::is_move_constructible_v<Object> &&
+    !std::is_copy_assignable_v<Object> && !std::is_move_assignable_v<Object>;
+
+template <class Object>
+constexpr bool is_plain_bytes =
+    std::is_trivially_copyable_v<Object>&& std::is_copy_assignable_v<Object>;
+
+}  // namespace
+
+TEST_CASE("what works in the caller's memory or points into itself stays where it is") {
+  static_assert(stays_where_it_is<Extractor16> && stays_where_it_is<Extractor32> &&
+                    stays_where_it_is<LearningExtractor> &&
+                    stays_where_it_is<Extractor<uint16_t, GradientNormals<int16_t>>>,
+                "two extractors would write to one memory");
+  static_assert(stays_where_it_is<Encoder> && stays_where_it_is<NormalEncoder> &&
+                    stays_where_it_is<SliceEncoder> && stays_where_it_is<Decoder> &&
+                    stays_where_it_is<SliceDecoder> && stays_where_it_is<SurfaceDecoder>,
+                "a copy would point into the original");
+  static_assert(stays_where_it_is<Joiner> && stays_where_it_is<MajorityFilter> &&
+                    stays_where_it_is<SampleWindow<uint8_t>>,
+                "two would write to one memory");
+  static_assert(stays_where_it_is<SharedOutput>, "encoders would go on with the original");
+  static_assert(stays_where_it_is<SurfaceGroup<Extractor16>>, "each would miss rows");
+}
+
+TEST_CASE("checkpoints are written, read back and copied as plain bytes") {
+  static_assert(
+      is_plain_bytes<Checkpoint<Extractor16>> && is_plain_bytes<Checkpoint<LearningExtractor>> &&
+          is_plain_bytes<Checkpoint<Encoder>> && is_plain_bytes<Checkpoint<NormalEncoder>>,
+      "checkpoints are written, read back and copied as bytes");
+}
