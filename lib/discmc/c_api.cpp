@@ -56,7 +56,7 @@ static_assert(DISCMC_BAD_RECORD == static_cast<int>(Status::bad_record) &&
                   DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
                   DISCMC_FINISHED == static_cast<int>(Status::finished) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
-                  DISCMC_NOT_NOW == static_cast<int>(Answer::not_now) &&
+                  DISCMC_NEVER == static_cast<int>(Answer::never) &&
                   DISCMC_OPEN == static_cast<int>(Border::open) &&
                   DISCMC_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row),
               "enumerations are in the same order");

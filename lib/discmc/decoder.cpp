@@ -19,7 +19,7 @@ Decoded Decoder::push(const uint8_t* bytes, size_t count) {
   if (!is_started_) return {Status::not_started, 0};
   for (size_t taken = 0;; ++taken) {
     if (packets_.is_refused()) return {Status::wrong_version, taken};
-    if (!deliver()) return {Status::more, taken};
+    if (!deliver()) return {status_of(answer_), taken};
     if (taken == count) return {Status::ok, count};
     open(packets_.take(bytes[taken]));
   }
@@ -27,10 +27,10 @@ Decoded Decoder::push(const uint8_t* bytes, size_t count) {
 
 Status Decoder::finish() {
   if (!is_started_) return Status::not_started;
-  if (!deliver()) return Status::more;
+  if (!deliver()) return status_of(answer_);
   packets_.finish();
   open(PacketReader::Arrival::nothing);
-  return deliver() ? Status::ok : Status::more;
+  return deliver() ? Status::ok : status_of(answer_);
 }
 
 void Decoder::open(PacketReader::Arrival arrival) {

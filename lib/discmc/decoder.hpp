@@ -42,12 +42,13 @@ class Decoder {
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again,
   /// be it none.
   /// Status::wrong_version: the header names a version this decoder does not know; nothing more of
-  /// this stream is delivered. Errors: also not_started.
+  /// this stream is delivered. Errors: also not_started, and bad_sink: the sink said "never", as an
+  /// encoder does that was not started, or that gets anything before the header of its stream.
   /// The events of packets that arrive before any header are delivered too.
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// Tells that no byte follows: an unfinished region or fragment is reported lost. Status::more as
-  /// push().
+  /// push(). Errors: not_started, bad_sink.
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }
@@ -81,12 +82,16 @@ class Decoder {
   bool deliver();
   bool tell_start();
   bool deliver_record();
-  bool offer(const Event& event) { return sink_.take(sink_.context, event) == Answer::taken; }
+  bool offer(const Event& event) {
+    answer_ = sink_.take(sink_.context, event);
+    return answer_ == Answer::taken;
+  }
 
   Sink sink_;
   PacketReader packets_;
   bool is_started_ = false;
   bool start_is_told_ = false;
+  Answer answer_ = Answer::taken;  // of the sink, to the last event
 
   Stage stage_ = Stage::collect;
   Model model_{Coder{}};

@@ -239,9 +239,11 @@ typedef struct discmc_event {
   } of;
 } discmc_event;
 
-/* A sink's answer. What it did not take is offered again, unchanged, on the next resume. */
+/* A sink's answer. What it did not take is offered again, unchanged, on the next resume. Never: the
+ * sink was not started, and asking again is of no use. Extractors are not started then; decoders
+ * and joiners say DISCMC_BAD_SINK. To an extractor at work it is as "not now". */
 typedef uint8_t discmc_answer;
-enum { DISCMC_TAKEN, DISCMC_NOT_NOW };
+enum { DISCMC_TAKEN, DISCMC_NOT_NOW, DISCMC_NEVER };
 
 /* Where events go. Owner: the context is the caller's and must outlive the scan; the sink is
  * copied. */
@@ -384,7 +386,8 @@ DISCMC_NODISCARD discmc_status discmc_encoder_start(discmc_encoder* encoder,
                                                     discmc_byte_output output);
 
 /* Takes an event; encoder points to a discmc_encoder, so that this is the `take` of a sink whose
- * context is one: {&encoder, discmc_encoder_take, 1}. */
+ * context is one: {&encoder, discmc_encoder_take, 1}. DISCMC_NEVER before discmc_encoder_start(),
+ * and before the start of a scan: a stream begins with its header. */
 discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
 
 /* Sends an application record now, in the order of the stream. DISCMC_MORE: the output takes
@@ -512,12 +515,13 @@ DISCMC_NODISCARD discmc_status discmc_decoder_start(discmc_decoder* decoder,
 
 /* Takes bytes, any number at a time. DISCMC_MORE: the sink said "not now", push the rest again, be
  * it none. DISCMC_WRONG_VERSION: nothing more of this stream is delivered. Errors: also
- * DISCMC_NOT_STARTED. Any bytes are safe. */
+ * DISCMC_NOT_STARTED, and DISCMC_BAD_SINK: the sink said "never", as an encoder does that was not
+ * started, or that gets anything before the header of its stream. Any bytes are safe. */
 DISCMC_NODISCARD discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes,
                                                     size_t count);
 
 /* Says that no byte follows: an unfinished region or fragment is reported lost. DISCMC_MORE as a
- * push. */
+ * push. Errors: DISCMC_NOT_STARTED, DISCMC_BAD_SINK. */
 DISCMC_NODISCARD discmc_status discmc_decoder_finish(discmc_decoder* decoder);
 
 discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder);
@@ -758,12 +762,13 @@ DISCMC_NODISCARD discmc_status discmc_joiner_start(discmc_joiner* joiner,
                                                    uint8_t order);
 
 /* Takes an event; joiner points to a discmc_joiner, so that this is the `take` of a sink whose
- * context is one: {&joiner, discmc_joiner_take, 1}. Any events are safe. */
+ * context is one: {&joiner, discmc_joiner_take, 1}. DISCMC_NEVER before discmc_joiner_start(), and
+ * where the sink says so. Any events are safe. */
 discmc_answer discmc_joiner_take(void* joiner, const discmc_event* event);
 
 /* Tells that no event follows, and delivers what waits. DISCMC_MORE: the sink said "not now", call
- * again. Errors: DISCMC_NOT_STARTED; DISCMC_TOO_LITTLE_MEMORY when memory was short at any time:
- * then the sink got fragments that another joiner can join. */
+ * again. Errors: DISCMC_NOT_STARTED; DISCMC_BAD_SINK (it said "never"); DISCMC_TOO_LITTLE_MEMORY
+ * when memory was short at any time: then the sink got fragments that another joiner can join. */
 DISCMC_NODISCARD discmc_status discmc_joiner_finish(discmc_joiner* joiner);
 
 discmc_join_report discmc_joiner_report(const discmc_joiner* joiner);

@@ -39,11 +39,13 @@ class BasicEncoder : private Normals {
   /// Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of
   /// its header, the first packet. A further scan is a further stream; its number is one more.
   /// Where a reset may have cut off a frame, send a zero byte first: it ends the frame, and is
-  /// none. Errors: bad_label, bad_sink (no write).
+  /// none. In the middle of a scan this breaks its stream off: start the extractor anew, too.
+  /// Errors: bad_label, bad_sink (no write).
   [[nodiscard]] Status start(const StreamLabel& label, const ByteOutput& output);
 
-  /// Takes an event of the extractor (or of a decoder); nothing before start(), and no start of a
-  /// scan while the output has not taken what was sealed before.
+  /// Takes an event of the extractor (or of a decoder). Answer::never before start(), and before
+  /// the start of a scan: a stream begins with its header. Answer::not_now while the output has not
+  /// taken what was sealed before.
   /// Cost: a few decisions a run, and the bytes.
   Answer take(const Event& event) {
     // Most events: on a host they are worth a shortcut.
@@ -115,7 +117,7 @@ class BasicEncoder : private Normals {
            !is_emptying_ && packets_.is_started();
   }
   Answer take_any(const Event& event);
-  bool begin_stream(const StreamHeader& scan);
+  Answer begin_stream(const StreamHeader& scan);
   bool put(const Event& event);
   bool encode_whole(const Event& event);
   bool encode_part(uint32_t& words, Event::Kind cause);

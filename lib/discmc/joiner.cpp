@@ -35,14 +35,14 @@ Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink
 }
 
 Answer Joiner::take(const Event& event) {
-  const bool is_taken = sink_.take != nullptr && settle() && accept(event);
-  return is_taken ? Answer::taken : Answer::not_now;
+  if (sink_.take == nullptr) return Answer::never;
+  return settle() && accept(event) ? Answer::taken : answer_;
 }
 
 Status Joiner::finish() {
   if (sink_.take == nullptr) return Status::not_started;
   forget_fragment();
-  if (!settle() || !end()) return Status::more;
+  if (!settle() || !end()) return status_of(answer_);
   return is_short_ ? Status::too_little_memory : Status::ok;
 }
 
@@ -146,14 +146,19 @@ bool Joiner::take_finish(const Event& event) {
   return order_ == InputOrder::any || end();
 }
 
+bool Joiner::offer(const Event& event) {
+  answer_ = sink_.take(sink_.context, event);
+  return answer_ == Answer::taken;
+}
+
 bool Joiner::pass(const Event& event) {
-  if (sink_.take(sink_.context, event) != Answer::taken) return false;
+  if (!offer(event)) return false;
   region_.follow(event, waiting_);
   return true;
 }
 
 bool Joiner::pass_loose(const Event& event) {
-  return !wants_loose() || sink_.take(sink_.context, event) == Answer::taken;
+  return !wants_loose() || offer(event);
 }
 
 // ---- fragments ----
@@ -348,7 +353,7 @@ bool Joiner::send_finish() {
   event.slice = slices_;
   event.abandoned = was_abandoned_;
   event.statistics = &totals;
-  has_finish_ = sink_.take(sink_.context, event) != Answer::taken;
+  has_finish_ = !offer(event);
   return !has_finish_;
 }
 

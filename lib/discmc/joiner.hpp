@@ -101,12 +101,14 @@ class Joiner {
   [[nodiscard]] Status start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
                              InputOrder order);
 
-  /// Takes an event; nothing before start(). What it completes has been delivered once it is taken.
+  /// Takes an event; Answer::never before start(), and where the sink says so. What it completes
+  /// has been delivered once it is taken.
   Answer take(const Event& event);
 
   /// Tells that no event follows, and delivers what waits; a `finish` event in the order of a sweep
   /// does the same. Status::more: the sink said "not now", call again. Errors: not_started;
-  /// too_little_memory when memory was short at any time, though all is done that can be.
+  /// bad_sink (it said "never"); too_little_memory when memory was short at any time, though all is
+  /// done that can be.
   [[nodiscard]] Status finish();
 
   const JoinReport& report() const { return report_; }
@@ -126,6 +128,7 @@ class Joiner {
   bool lose(const Event& event);
   bool take_start(const Event& event);
   bool take_finish(const Event& event);
+  bool offer(const Event& event);
   bool pass(const Event& event);
   bool pass_loose(const Event& event);
 
@@ -158,7 +161,8 @@ class Joiner {
   JoinCapacities capacities_{0, 0};
   JoinReport report_{};
   InputOrder order_ = InputOrder::sweep;
-  bool is_short_ = false;  // of memory: everything is passed on
+  Answer answer_ = Answer::taken;  // of the sink, to the last event
+  bool is_short_ = false;          // of memory: everything is passed on
 
   // What becomes of the fragment that arrives, and the chain that holds it.
   enum class Arrival : uint8_t { none, held, passed, ignored };

@@ -1,7 +1,8 @@
 // What the extractor hands out, and to whom.
 //
 // A sink is one function with a context. It is offered events in a fixed grammar and answers
-// `taken` or `not_now`; what it did not take is offered again, unchanged, on the next resume().
+// `taken`, `not_now` or `never`; what it did not take is offered again, unchanged, on the next
+// resume().
 //
 //   scan     = start { region | fragment | skipped | layer | application } finish
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
@@ -24,11 +25,23 @@
 #include <discmc/application_record.hpp>
 #include <discmc/chain.hpp>
 #include <discmc/normal.hpp>
+#include <discmc/status.hpp>
 #include <discmc/stream_header.hpp>
 
 namespace discmc {
 
-enum class Answer : uint8_t { taken, not_now };
+/// What a sink says of an event.
+enum class Answer : uint8_t {
+  taken,
+  not_now,
+  never,  ///< the sink was not started, and asking again is of no use. Extractors are not started
+          ///< then; decoders and joiners say bad_sink. To an extractor at work it is as `not_now`.
+};
+
+/// What a decoder or joiner says when its sink has not taken an event.
+constexpr Status status_of(Answer answer) {
+  return answer == Answer::never ? Status::bad_sink : Status::more;
+}
 
 /// Totals of a scan so far. All counts are exact; none wraps in practice (64 bits). Two slabs share
 /// the cells at their seam: of the first three counts the slabs of a volume have up to one less a

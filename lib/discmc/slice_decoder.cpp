@@ -31,7 +31,7 @@ Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
   if (!is_started_) return {Status::not_started, 0};
   for (size_t taken = 0;; ++taken) {
     if (refusal_ != Status::ok) return {refusal_, taken};
-    if (!deliver()) return {Status::more, taken};
+    if (!deliver()) return {status_of(answer_), taken};
     if (taken == count) return {Status::ok, count};
     open(packets_.take(bytes[taken]));
   }
@@ -49,7 +49,7 @@ Status SliceDecoder::give_memory(Memory memory) {
 Status SliceDecoder::finish() {
   if (!is_started_) return Status::not_started;
   if (refusal_ != Status::ok) return refusal_;
-  if (!deliver()) return Status::more;
+  if (!deliver()) return status_of(answer_);
   packets_.finish();
   return Status::ok;
 }
@@ -287,7 +287,8 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
     surfaces_[surface_].rows.write_bits(bits_);
     event.bits = bits_;
   }
-  return sink_.take(sink_.context, event) == Answer::taken;
+  answer_ = sink_.take(sink_.context, event);
+  return answer_ == Answer::taken;
 }
 
 }  // namespace discmc

@@ -107,7 +107,8 @@ class SliceDecoder {
   PacketReader packets_;
   Stage stage_ = Stage::collect;
   bool is_started_ = false;
-  Status refusal_ = Status::ok;  // of what the stream holds
+  Answer answer_ = Answer::taken;  // of the sink, to the last event
+  Status refusal_ = Status::ok;    // of what the stream holds
   bool is_laid_out_ = false;
   bool is_whole_ = false;      // nothing is lost since the last key slice began
   bool is_key_ahead_ = false;  // the next row is the first of a key slice

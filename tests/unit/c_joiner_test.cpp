@@ -103,7 +103,7 @@ TEST_CASE("what a joiner's start refuses it refuses through C, and one of zeros 
   const discmc_event event = {};
   discmc_joiner joiner = {};
   CHECK(discmc_joiner_finish(&joiner) == DISCMC_NOT_STARTED);
-  CHECK(discmc_joiner_take(&joiner, &event) == DISCMC_NOT_NOW);
+  CHECK(discmc_joiner_take(&joiner, &event) == DISCMC_NEVER);
   CHECK(discmc_joiner_start(&joiner, nullptr, all, &none, DISCMC_SWEEP_ORDER) == DISCMC_BAD_SINK);
   CHECK(discmc_joiner_start(&joiner, &bad, all, &sink, DISCMC_SWEEP_ORDER) ==
         DISCMC_BAD_CAPACITIES);

@@ -433,7 +433,7 @@ TEST_CASE("a region that is lost before its end is told as lost, whatever follow
 TEST_CASE("an encoder that is not started takes nothing") {
   Encoder encoder;
   const Events events = Script().layer(1).region(up).square({1, 0, 0}, 2).region_end().events;
-  for (const RecordedEvent& event : events) CHECK(encoder.take(event.event()) == Answer::not_now);
+  for (const RecordedEvent& event : events) CHECK(encoder.take(event.event()) == Answer::never);
 }
 
 TEST_CASE("a ring may begin wherever a record is nearly full") {

@@ -978,7 +978,7 @@ TEST_CASE("what start() refuses leaves everything as it was") {
   Event layer{};
   layer.kind = Kind::layer;
   CHECK(joiner.finish() == Status::not_started);
-  CHECK(joiner.take(layer) == Answer::not_now);
+  CHECK(joiner.take(layer) == Answer::never);
   CHECK(joiner.start(all, Sink{}, InputOrder::any) == Status::bad_sink);
   CHECK(joiner.start({nullptr, 4000}, sink_to(log), InputOrder::any) == Status::too_little_memory);
   CHECK(joiner.start({memory.data(), Joiner::minimum_bytes() - 1}, sink_to(log), InputOrder::any) ==

@@ -34,11 +34,11 @@ Status BasicEncoder<Normals>::start(const StreamLabel& label, const ByteOutput& 
 
 // The header is what the label says and what the extractor knows.
 template <class Normals>
-bool BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
-  if (!packets_.has_output() || !scan.is_valid()) return false;
+Answer BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
+  if (!packets_.has_output() || !scan.is_valid()) return Answer::never;
   StreamHeader header = packets_.header();
   if (packets_.is_started()) {
-    if (!drain()) return false;
+    if (!drain()) return Answer::not_now;
     ++header.scan;
   }
   header.width = scan.width;
@@ -51,14 +51,14 @@ bool BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
   is_emptying_ = false;
   piece_is_open_ = false;
   (void)drain();  // whoever listens knows at once; or later
-  return true;
+  return Answer::taken;
 }
 
 template <class Normals>
 Answer BasicEncoder<Normals>::take_any(const Event& event) {
-  if (event.kind == Event::Kind::start)
-    return begin_stream(*event.header) ? Answer::taken : Answer::not_now;
-  if (!packets_.is_started() || !drain()) return Answer::not_now;
+  if (event.kind == Event::Kind::start) return begin_stream(*event.header);
+  if (!packets_.is_started()) return Answer::never;
+  if (!drain()) return Answer::not_now;
   const bool is_run = event.kind == Event::Kind::run;
   bool done = true;
   switch (event.kind) {

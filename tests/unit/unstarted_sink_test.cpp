@@ -1,0 +1,115 @@
+// A sink that was not started is told as an error: "not now" would have its source wait for ever.
+#include <doctest/doctest.h>
+
+#include <discmc/joiner.hpp>
+#include <discmc/surface_decoder.hpp>
+
+#include "oracle/slice_stream.hpp"
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using reference::Block;
+using reference::require_ok;
+
+namespace {
+
+constexpr Limits limits{6, 5};
+
+BitVolume volume() {
+  return reference::random({6, 5, 4}, 100, 1);
+}
+
+Bytes regions() {
+  return encode(events_of(volume()), header_of(volume()));
+}
+
+// Whether the start fails whatever is pushed, and goes on once the encoder is started.
+template <class Decoding>
+void check_refusal(Decoding& decoder, Encoder& encoder, const Bytes& stream) {
+  const Decoded first = decoder.push(stream.data(), stream.size());
+  CHECK(first.status == Status::bad_sink);
+  CHECK(first.bytes < stream.size());
+  CHECK(decoder.push(nullptr, 0).status == Status::bad_sink);
+  CHECK(decoder.finish() == Status::bad_sink);
+  Line line;
+  require_ok(encoder.start(header_of(volume()).label(), line.output()));
+  const Decoded rest = decoder.push(stream.data() + first.bytes, stream.size() - first.bytes);
+  CHECK(rest.status == Status::ok);
+  CHECK(decode(line.bytes).report.is_complete());
+}
+
+}  // namespace
+
+TEST_CASE("an extractor is not started before its encoder, nor with a joiner between them") {
+  Block block(minimum_bytes<uint16_t>(limits));
+  Extractor16 extractor;
+  Encoder encoder;
+  CHECK(extractor.start(limits, 1, block.memory(), sink_to(encoder)) == Status::bad_sink);
+  Joiner joiner;
+  CHECK(extractor.start(limits, 1, block.memory(), sink_to(joiner)) == Status::bad_sink);
+  Bytes memory(Joiner::minimum_bytes());
+  require_ok(joiner.start({memory.data(), memory.size()}, sink_to(encoder), InputOrder::sweep));
+  CHECK(extractor.start(limits, 1, block.memory(), sink_to(joiner)) == Status::bad_sink);
+  CHECK(extractor.finish() == Status::not_started);
+}
+
+TEST_CASE("a decoder says that its encoder is not started, and goes on when it is") {
+  Encoder encoder;
+  Decoder decoder;
+  require_ok(decoder.start(sink_to(encoder)));
+  check_refusal(decoder, encoder, regions());
+}
+
+TEST_CASE("a decoder says that its joiner, or the encoder behind that, is not started") {
+  Encoder encoder;
+  Joiner joiner;
+  Decoder decoder;
+  require_ok(decoder.start(sink_to(joiner)));
+  const Bytes stream = regions();
+  const Decoded first = decoder.push(stream.data(), stream.size());
+  CHECK(first.status == Status::bad_sink);
+  Bytes memory(4000);
+  require_ok(joiner.start({memory.data(), memory.size()}, sink_to(encoder), InputOrder::sweep));
+  require_ok(decoder.start(sink_to(joiner)));
+  check_refusal(decoder, encoder, stream);
+}
+
+TEST_CASE("a joiner says in the end that its sink is not started") {
+  struct Listener {
+    Answer take(const Event& event) {
+      return event.kind == Event::Kind::finish ? Answer::never : Answer::taken;
+    }
+  } listener;
+  Bytes memory(4000);
+  Joiner joiner;
+  require_ok(joiner.start({memory.data(), memory.size()}, sink_to(listener), InputOrder::any));
+  for (const RecordedEvent& event : events_of(volume()))
+    REQUIRE(joiner.take(event.event()) == Answer::taken);
+  CHECK(joiner.finish() == Status::bad_sink);
+}
+
+TEST_CASE("a surface decoder says so of either kind of stream") {
+  for (const Bytes& stream : {regions(), encode_slices(volume())}) {
+    Bytes memory(minimum_surface_bytes(limits) + 20000);
+    Encoder encoder;
+    SurfaceDecoder decoder;
+    require_ok(decoder.start({memory.data(), memory.size()}, sink_to(encoder)));
+    check_refusal(decoder, encoder, stream);
+  }
+}
+
+TEST_CASE("an encoder refuses what comes before the header of its stream") {
+  std::vector<Bytes> frames = frames_of(regions());
+  REQUIRE(frames.size() > 2);
+  frames.erase(frames.begin());
+  const Bytes headless = joined(frames);
+  Line line;
+  Encoder encoder;
+  Decoder decoder;
+  require_ok(encoder.start({}, line.output()));
+  require_ok(decoder.start(sink_to(encoder)));
+  CHECK(decoder.push(headless.data(), headless.size()).status == Status::bad_sink);
+  CHECK(line.bytes.empty());
+}
