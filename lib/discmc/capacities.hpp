@@ -8,6 +8,14 @@
 
 namespace discmc {
 
+/// Whether records can be counted with a type.
+template <class Index>
+constexpr bool is_index = false;
+template <>
+inline constexpr bool is_index<uint16_t> = true;
+template <>
+inline constexpr bool is_index<uint32_t> = true;
+
 /// What there is room for. A shortage costs bytes of the stream, never regions: what has no room is
 /// sent as loose fragments.
 struct Capacities {
@@ -60,6 +68,7 @@ constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices
 /// Index, Normals, here and below: as of the Extractor.
 template <class Index, class Normals = NoNormals>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
+  static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
   return Normals::bytes_for(limits) +
          trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
          Arena::bytes_of(sizing::sealed_words(limits), sizeof(uint32_t)) +

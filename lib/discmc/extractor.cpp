@@ -3,11 +3,11 @@
 
 namespace discmc {
 
-#define DISCMC_INSTANTIATE(Index)                                                  \
-  template class Extractor<Index>;                                                 \
-  template PushResult Extractor<Index>::push(const uint8_t*, uint32_t, uint32_t);  \
-  template PushResult Extractor<Index>::push(const uint16_t*, uint32_t, uint32_t); \
-  template PushResult Extractor<Index>::push(const int16_t*, uint32_t, uint32_t);
+#define DISCMC_INSTANTIATE(Index)                                                          \
+  template class Extractor<Index>;                                                         \
+  template PushResult Extractor<Index>::push_samples(const uint8_t*, uint32_t, uint32_t);  \
+  template PushResult Extractor<Index>::push_samples(const uint16_t*, uint32_t, uint32_t); \
+  template PushResult Extractor<Index>::push_samples(const int16_t*, uint32_t, uint32_t);
 
 DISCMC_INSTANTIATE(uint16_t)
 DISCMC_INSTANTIATE(uint32_t)

@@ -40,6 +40,8 @@ struct HighWater {
 template <class Index, class Normals = NoNormals,
           class Sweep = trace::Sweep<Index, typename Normals::Normal>>
 class Extractor {
+  static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
+
  public:
   Extractor() = default;
 
@@ -85,7 +87,12 @@ class Extractor {
   /// Sample is uint8_t, uint16_t or int16_t. Cost: a comparison a sample; a completed row also
   /// sweeps a row of the slice below (DESIGN.md, "Work").
   template <class Sample>
-  PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1);
+  PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
+    static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
+    static_assert(!Normals::holds_samples || Normals::type == sample_type<Sample>,
+                  "samples must be of the type that the normals are made of");
+    return push_samples(samples, count, stride);
+  }
 
   /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0.
   /// Errors: as push(), row_in_progress. PushResult::samples is the width when the row was taken,
@@ -164,6 +171,8 @@ class Extractor {
 
   Status start(const Limits& limits, const Capacities& capacities, int32_t threshold, Memory memory,
                const Sink& sink, AtSeam at_seam);
+  template <class Sample>
+  PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   PushResult push_row_of_bits(const uint8_t* bits);
   bool lay_out(Memory memory);
   void clear();

@@ -4,10 +4,10 @@
 namespace discmc {
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the arguments are types.
-#define DISCMC_INSTANTIATE(Index, Sample)                                                      \
-  template class Extractor<Index, GradientNormals<Sample>>;                                    \
-  template PushResult Extractor<Index, GradientNormals<Sample>>::push(const Sample*, uint32_t, \
-                                                                      uint32_t);
+#define DISCMC_INSTANTIATE(Index, Sample)                                                    \
+  template class Extractor<Index, GradientNormals<Sample>>;                                  \
+  template PushResult Extractor<Index, GradientNormals<Sample>>::push_samples(const Sample*, \
+                                                                              uint32_t, uint32_t);
 // NOLINTEND(bugprone-macro-parentheses)
 
 DISCMC_INSTANTIATE(uint16_t, uint8_t)

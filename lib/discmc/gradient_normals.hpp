@@ -15,6 +15,7 @@
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
+#include <discmc/row_input.hpp>
 #include <discmc/trace/intake.hpp>
 #include <discmc/trace/sample_rows.hpp>
 
@@ -23,9 +24,11 @@ namespace discmc {
 /// The intake of an extractor that makes normals. Sample is uint8_t, uint16_t or int16_t.
 template <class Sample>
 class GradientNormals {
+  static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
+
  public:
   static constexpr bool holds_samples = true;
-  static constexpr uint32_t type = 2 * sizeof(Sample) + (static_cast<Sample>(-1) < 0 ? 1 : 0);
+  static constexpr uint32_t type = sample_type<Sample>;
   using Normal = OctahedralNormal;
 
   // A corner at the centroid of a cell below may be met a slice later than the cell, and the normal

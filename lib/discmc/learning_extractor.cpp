@@ -5,8 +5,8 @@
 namespace discmc {
 
 template class Extractor<uint32_t, NoNormals, trace::CornerSweep>;
-template PushResult LearningExtractor::push(const uint8_t*, uint32_t, uint32_t);
-template PushResult LearningExtractor::push(const uint16_t*, uint32_t, uint32_t);
-template PushResult LearningExtractor::push(const int16_t*, uint32_t, uint32_t);
+template PushResult LearningExtractor::push_samples(const uint8_t*, uint32_t, uint32_t);
+template PushResult LearningExtractor::push_samples(const uint16_t*, uint32_t, uint32_t);
+template PushResult LearningExtractor::push_samples(const int16_t*, uint32_t, uint32_t);
 
 }  // namespace discmc

@@ -6,6 +6,20 @@
 
 namespace discmc {
 
+/// Whether samples of a type can be pushed.
+template <class Sample>
+constexpr bool is_sample = false;
+template <>
+inline constexpr bool is_sample<uint8_t> = true;
+template <>
+inline constexpr bool is_sample<uint16_t> = true;
+template <>
+inline constexpr bool is_sample<int16_t> = true;
+
+/// Tells the types of samples apart.
+template <class Sample>
+constexpr uint32_t sample_type = 2 * sizeof(Sample) + (static_cast<Sample>(-1) < 0 ? 1 : 0);
+
 /// What stands in for a row that never came.
 enum class Substitute : uint8_t { off, previous_row };
 

@@ -13,6 +13,7 @@
 #ifndef DISCMC_SAMPLE_WINDOW_HPP
 #define DISCMC_SAMPLE_WINDOW_HPP
 
+#include <discmc/row_input.hpp>
 #include <discmc/status.hpp>
 #include <discmc/trace/sample_rows.hpp>
 
@@ -22,6 +23,8 @@ namespace discmc {
 /// two would write to the same memory.
 template <class Sample>
 class SampleWindow {
+  static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
+
  public:
   SampleWindow() = default;
   SampleWindow(const SampleWindow&) = delete;

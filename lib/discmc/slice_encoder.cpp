@@ -43,7 +43,7 @@ Status SliceEncoder::ready_for_row() {
 }
 
 template <class Sample>
-PushResult SliceEncoder::push(const Sample* samples, uint32_t count, uint32_t stride) {
+PushResult SliceEncoder::push_samples(const Sample* samples, uint32_t count, uint32_t stride) {
   PushResult result{ready_for_row(), 0};
   while (result.status == Status::ok && result.samples < count) {
     const uint32_t room = packets_.header().width - column();
@@ -61,9 +61,9 @@ PushResult SliceEncoder::push(const Sample* samples, uint32_t count, uint32_t st
   return result;
 }
 
-template PushResult SliceEncoder::push(const uint8_t*, uint32_t, uint32_t);
-template PushResult SliceEncoder::push(const uint16_t*, uint32_t, uint32_t);
-template PushResult SliceEncoder::push(const int16_t*, uint32_t, uint32_t);
+template PushResult SliceEncoder::push_samples(const uint8_t*, uint32_t, uint32_t);
+template PushResult SliceEncoder::push_samples(const uint16_t*, uint32_t, uint32_t);
+template PushResult SliceEncoder::push_samples(const int16_t*, uint32_t, uint32_t);
 
 PushResult SliceEncoder::push_bits(const uint8_t* bits) {
   const Status status = ready_for_row();

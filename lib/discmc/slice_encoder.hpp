@@ -45,7 +45,10 @@ class SliceEncoder {
   /// Sample is uint8_t, uint16_t or int16_t. Cost: a comparison a sample, and of a row one decision
   /// where it is as its neighbours say, else about one a voxel of outline and two.
   template <class Sample>
-  PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1);
+  PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
+    static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
+    return push_samples(samples, count, stride);
+  }
 
   /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0; of
   /// several surfaces one row behind the other, each of which begins with a byte. Errors: as
@@ -89,6 +92,8 @@ class SliceEncoder {
  private:
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
+  template <class Sample>
+  PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   Status ready_for_row();
   uint32_t column() const { return surfaces_.rows().column(); }
   PushResult take_row(slices::RowNote note);

@@ -93,8 +93,8 @@ Status Extractor<Index, Normals, Sweep>::ready_for_samples() {
 
 template <class Index, class Normals, class Sweep>
 template <class Sample>
-PushResult Extractor<Index, Normals, Sweep>::push(const Sample* samples, uint32_t count,
-                                                  uint32_t stride) {
+PushResult Extractor<Index, Normals, Sweep>::push_samples(const Sample* samples, uint32_t count,
+                                                          uint32_t stride) {
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
     const uint32_t room = limits_.width - intake_.column(rows_);
