@@ -1,6 +1,6 @@
 /* discmc for C99: scan, encode and decode, linked by the C linker. Only C++ makes normals, and has
- * LearningExtractor, SurfaceGroup and SharedOutput: several surfaces of a scan are one stream of
- * slices here, or extractors that are given the same rows.
+ * LearningExtractor, MajorityFilter, SurfaceGroup and SharedOutput: several surfaces of a scan are
+ * one stream of slices here, or extractors that are given the same rows.
  *
  *   discmc_encoder_start      once
  *   discmc_extractor_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
@@ -15,6 +15,11 @@
  * Objects are opaque and lie in your memory. They must be zero before their first use: static ones
  * are, others are with `= {{0}}`. Do not move them once started. Drop them at any time: nothing has
  * to be released. Objects share nothing, and no function has static state.
+ *
+ * The functions that you give, of sinks and outputs, are called within calls of the object that has
+ * them, by the same thread, and at no other time. They may wait. They must not throw or jump out,
+ * nor call a function of that object, or of one before it on the way of the data, that does
+ * something or saves.
  *
  * Pointers must not be null unless said otherwise. Call an object's functions from one context at a
  * time: see ports/README.md for interrupts. Coordinates are in half-steps: voxel (i, j, k) lies at
@@ -40,8 +45,14 @@ extern "C" {
 
 /* Result of a call. DISCMC_OK and DISCMC_MORE are not errors: DISCMC_MORE means that the sink or
  * output said "not now" and that ..._resume() goes on with the work; of a decoder, a push of the
- * rest. After an error nothing has changed and nothing was delivered; but a start that finds too
- * little memory also ends the scan under way. */
+ * rest.
+ *
+ * After an error what is under way goes on as if the call had not been made. But what comes before
+ * the error is done: events that waited have been delivered, and a push tells how much it has
+ * taken. Some errors leave more behind. discmc_extractor_start, DISCMC_TOO_LITTLE_MEMORY, or
+ * DISCMC_BAD_SINK of a sink that did not take the start: the scan before has ended, too. A
+ * decoder's push, DISCMC_WRONG_VERSION: nothing more of this stream comes.
+ * discmc_joiner_finish, DISCMC_TOO_LITTLE_MEMORY: all has been done that can be. */
 typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,
@@ -136,17 +147,18 @@ typedef struct discmc_octahedral_normal {
   uint8_t u, v;
 } discmc_octahedral_normal;
 
-/* Totals of a scan so far. All counts are exact; two slabs share the cells at their seam, and of
- * the first three counts the slabs of a volume have up to one less a seam, all together. */
+/* Totals of a scan so far. All are exact, but for slabs: of the cells at a seam either slab counts
+ * a part, and drops what is not whole in the end. So the first three counts of a volume's slabs add
+ * up to those of the volume, less one a seam at most. */
 typedef struct discmc_statistics {
-  uint64_t cells;             /* active cells swept */
-  uint64_t facets;            /* before merging */
-  uint64_t classic_triangles; /* what classic Marching Cubes would have made */
-  uint64_t regions;           /* delivered */
-  uint64_t rings;             /* delivered, as parts of regions */
-  uint64_t links;             /* of all that was delivered, loose fragments included */
+  uint64_t cells;             /* that the surface passes through */
+  uint64_t facets;            /* in them, before they are merged to regions */
+  uint64_t classic_triangles; /* that classic Marching Cubes would have made in them */
+  uint64_t regions;           /* delivered whole */
+  uint64_t rings;             /* of these regions, holes included */
+  uint64_t links;             /* of rings and loose fragments: the lengths of all runs delivered */
   uint64_t fragments;         /* loose ones, delivered */
-  uint64_t skipped_rows;
+  uint64_t skipped_rows;      /* that never came, by skip_row; not those after abandon */
 } discmc_statistics;
 
 /* What an encoder is told of a scan; the rest the extractor knows. */
@@ -250,7 +262,10 @@ enum { DISCMC_TAKEN, DISCMC_NOT_NOW, DISCMC_NEVER };
 typedef struct discmc_sink {
   void* context;
   discmc_answer (*take)(void* context, const discmc_event* event);
-  uint8_t takes_fragments; /* 0: for lack of memory regions are cut at cells instead */
+  /* 1: also loose fragments; who passes over them has holes in the surface. 0: for lack of memory
+   * an extractor cuts regions up at cells instead, and a joiner leaves out what it cannot join. A
+   * decoder hands out what its stream holds: put a joiner between. */
+  uint8_t takes_fragments;
 } discmc_sink;
 
 /* ---- the extractor (extractor.hpp) ---- */
@@ -293,7 +308,8 @@ DISCMC_NODISCARD discmc_status discmc_extractor_start(discmc_extractor* extracto
                                                       int32_t threshold, discmc_memory memory,
                                                       const discmc_sink* sink);
 
-/* Begins the next scan with the limits, threshold, memory and sink of the last start. */
+/* Begins the next scan with the limits, threshold, memory and sink of the last start. Errors:
+ * DISCMC_NOT_STARTED, DISCMC_BAD_SINK (it does not take the start of the scan). */
 DISCMC_NODISCARD discmc_status discmc_extractor_reset(discmc_extractor* extractor);
 
 /* Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
@@ -321,7 +337,8 @@ DISCMC_NODISCARD discmc_push_result discmc_extractor_push_bits(discmc_extractor*
 DISCMC_NODISCARD discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor,
                                                               uint8_t substitute);
 
-/* Goes on after DISCMC_MORE. Also harmless at any other time. */
+/* Goes on after DISCMC_MORE, which it may answer again. Harmless at any other time. Errors:
+ * DISCMC_NOT_STARTED. */
 DISCMC_NODISCARD discmc_status discmc_extractor_resume(discmc_extractor* extractor);
 
 /* Ends the scan: delivers every region and the totals. After DISCMC_MORE go on with resume. Errors:
@@ -364,11 +381,12 @@ uint32_t discmc_extractor_rows(const discmc_extractor* extractor);
 /* The version of the stream that is written, and the most bytes of one of its frames. */
 enum { DISCMC_WIRE_VERSION = 2, DISCMC_MAX_FRAME = 256 };
 
-/* Where bytes go. Owner: the context is the caller's. */
+/* Where bytes go. Owner: the context is the caller's, and must stay until there is another output,
+ * or the encoder is used no more. */
 typedef struct discmc_byte_output {
   void* context;
-  /* Takes up to `count` bytes and returns how many it took; 0 means "not now". On error, return
-   * 0. */
+  /* Takes up to `count` bytes and returns how many it took, never more; 0 means "not now". On
+   * error, return 0. bytes: valid during the call. */
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
 } discmc_byte_output;
 
@@ -575,7 +593,8 @@ DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_push_bits(discmc_slice_
 DISCMC_NODISCARD discmc_push_result discmc_slice_encoder_skip_row(discmc_slice_encoder* encoder,
                                                                   uint8_t substitute);
 
-/* Goes on after DISCMC_MORE. Also harmless at any other time. Errors: DISCMC_NOT_STARTED. */
+/* Goes on after DISCMC_MORE, which it may answer again. Harmless at any other time. Errors:
+ * DISCMC_NOT_STARTED. */
 DISCMC_NODISCARD discmc_status discmc_slice_encoder_resume(discmc_slice_encoder* encoder);
 
 /* Hands over what is there so far instead of waiting for a full packet; costs about 15 bytes of
@@ -668,11 +687,11 @@ DISCMC_NODISCARD discmc_decoded discmc_slice_decoder_push(discmc_slice_decoder* 
                                                           const uint8_t* bytes, size_t count);
 
 /* Goes on with other memory, of discmc_slice_decoder_bytes_for(), after DISCMC_TOO_LITTLE_MEMORY.
- * Errors: DISCMC_NOT_STARTED, DISCMC_TOO_LITTLE_MEMORY. */
+ * Errors: DISCMC_NOT_STARTED, DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
 DISCMC_NODISCARD discmc_status discmc_slice_decoder_give_memory(discmc_slice_decoder* decoder,
                                                                 discmc_memory memory);
 
-/* Tells that no byte follows. DISCMC_MORE as a push. Errors: DISCMC_NOT_STARTED. */
+/* Tells that no byte follows. DISCMC_MORE and errors as a push. */
 DISCMC_NODISCARD discmc_status discmc_slice_decoder_finish(discmc_slice_decoder* decoder);
 
 discmc_stream_header discmc_slice_decoder_header(const discmc_slice_decoder* decoder);
@@ -713,7 +732,8 @@ DISCMC_NODISCARD discmc_decoded discmc_surface_decoder_push(discmc_surface_decod
 DISCMC_NODISCARD discmc_status discmc_surface_decoder_give_memory(discmc_surface_decoder* decoder,
                                                                   discmc_memory memory);
 
-/* As discmc_decoder_finish(). Of a stream of bits that has no end the surface has none either. */
+/* As discmc_decoder_finish(); errors as a push. Of a stream of bits that has no end the surface has
+ * none either. */
 DISCMC_NODISCARD discmc_status discmc_surface_decoder_finish(discmc_surface_decoder* decoder);
 
 discmc_stream_header discmc_surface_decoder_header(const discmc_surface_decoder* decoder);

@@ -31,7 +31,15 @@
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
 //
 // Everywhere: lattice.hpp (coordinates in half-steps, links, incidences), plane.hpp, status.hpp,
-// arena.hpp, pool.hpp.
+// arena.hpp, pool.hpp, compiler.hpp.
+//
+// They say of a function or a value, where there is something to say:
+//
+//   Owner:   whose the memory is that a pointer leads to, and how long it must stay
+//   Units:   what a number counts
+//   Limit:   what must hold; it is checked only where an error or is_valid() says so
+//   Errors:  which Status comes of what; `ok` and `more` are none
+//   Cost:    how the work grows with what
 //
 // The namespace has short names (Link, Run, Event, Memory) and namespaces (trace, wire, slices):
 // where yours are alike, write discmc:: instead of `using namespace discmc`.
@@ -40,25 +48,31 @@
 //
 //   intake.hpp, sample_rows.hpp       where samples come in, and are kept for normals
 //   threshold.hpp, bit_rows.hpp       samples become bits
+//     vector.hpp, vector_threshold.hpp  many at once, on hosts
 //   swept_row.hpp, neighbourhood.hpp  crossing edges, and the voxels around them
 //   sector_table.hpp, passes.hpp      which chains pass a vertex; derived_passes.hpp finds them
+//     loop_facets.hpp                 from the facets of a cell
 //   sweep.hpp                         hands them on to
 //   fragments.hpp, queues.hpp         pieces of chains, and their ends that wait
 //     records.hpp, run_list.hpp       what they are kept in
 //   delivery.hpp, holes.hpp           rings, grouped into regions, to the sink
 //   sealing.hpp, seams.hpp            for sinks that take no fragments, and for slabs
+//     cell_patches.hpp                what a cell adds that stands alone
 //   corner_sweep.hpp                  what hosts do faster:
 //     learnt_passes.hpp                 passes that are remembered,
-//     corners.hpp                       and fragments as lists of corners
+//     numbered_passes.hpp               by their numbers,
+//     corners.hpp, corner.hpp           and fragments as lists of corners,
+//     corner_pass.hpp                   which passes lengthen
+//   extractor_definitions.hpp         what is compiled of all this, for each kind of extractor
 //
 // Behind encoder and decoder works stream/:
 //
 //   wire.hpp                                     packets: cobs.hpp frames, crc32.hpp protects them
-//     packet_writer.hpp, packet_reader.hpp         how they are written and read, whatever they
-//     hold
+//     packet_writer.hpp, packet_reader.hpp         written and read, whatever they hold
 //   record.hpp, record_encoding.hpp              what they hold
 //     region_model.hpp, range_coder.hpp            in few bits
 //   normal_encoding.hpp                          and the normals in it
+//   encoder_definitions.hpp                      what is compiled of the encoders
 //
 // Behind the encoder and the decoder of slices works slices/:
 //
@@ -71,6 +85,8 @@
 //   waiting_chains.hpp, waiting_table.hpp  what waits for the fragments before and behind it
 //     held_chains.hpp                        what chains are kept in
 //   region_holes.hpp                       which holes lie in a region
+//
+// The functions of discmc.h, for C, share c_sink.hpp and c_values.hpp.
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 
@@ -79,6 +95,7 @@
 #include <discmc/extractor.hpp>
 #include <discmc/facet_table.hpp>
 #include <discmc/joiner.hpp>
+#include <discmc/majority_filter.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>

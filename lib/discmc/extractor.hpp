@@ -106,7 +106,8 @@ class Extractor {
   /// Stands in for a row that never came; the sink is told. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
 
-  /// Goes on after Status::more. Also harmless at any other time.
+  /// Goes on after Status::more; the sink may say "not now" again, then it is Status::more again.
+  /// Harmless at any other time. Errors: not_started.
   [[nodiscard]] Status resume();
 
   /// Ends the scan: delivers every region and the totals. Errors: not_started, slice_in_progress.
@@ -128,10 +129,11 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
-  /// Remembers in this memory what it works out of neighbourhoods, from this scan to the next: 1
-  /// MiB is a good size. Call it at any time. Nothing is remembered before, and after restore().
-  /// Owner: the memory is the caller's, for as long as scans last. Limit: a LearningExtractor.
-  /// Cost: a quarter of it is written.
+  /// Remembers in this memory, besides that of start(), what it works out of neighbourhoods, from
+  /// this scan to the next: 1 MiB is a good size. Call it at any time; what was remembered
+  /// elsewhere is forgotten. Nothing is remembered before, and after restore(). Owner: the memory
+  /// is the caller's, for as long as scans last. Limit: a LearningExtractor. Cost: a quarter of it
+  /// is written.
   template <class S = Sweep>
   void learn_in(Memory memory) {
     S& sweep = sweep_;

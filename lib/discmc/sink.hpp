@@ -43,18 +43,18 @@ constexpr Status status_of(Answer answer) {
   return answer == Answer::never ? Status::bad_sink : Status::more;
 }
 
-/// Totals of a scan so far. All counts are exact; none wraps in practice (64 bits). Two slabs share
-/// the cells at their seam: of the first three counts the slabs of a volume have up to one less a
-/// seam, all together.
+/// Totals of a scan so far. All are exact, but for slabs: of the cells at a seam either slab counts
+/// a part, and drops what is not whole in the end. So the first three counts of a volume's slabs
+/// add up to those of the volume, less one a seam at most.
 struct Statistics {
-  uint64_t cells;              ///< active cells swept
-  uint64_t facets;             ///< before merging
-  uint64_t classic_triangles;  ///< what classic Marching Cubes would have made
-  uint64_t regions;            ///< delivered
-  uint64_t rings;              ///< delivered, as parts of regions
-  uint64_t links;              ///< of all that was delivered, loose fragments included
+  uint64_t cells;              ///< that the surface passes through
+  uint64_t facets;             ///< in them, before they are merged to regions
+  uint64_t classic_triangles;  ///< that classic Marching Cubes would have made in them
+  uint64_t regions;            ///< delivered whole
+  uint64_t rings;              ///< of these regions, holes included
+  uint64_t links;              ///< of rings and loose fragments: the lengths of all runs delivered
   uint64_t fragments;          ///< loose ones, delivered
-  uint64_t skipped_rows;
+  uint64_t skipped_rows;       ///< that never came, by skip_row(); not those after abandon()
 };
 
 /// One thing that a sink is offered. Only the members that its kind names have a meaning.
@@ -75,7 +75,7 @@ struct Event {
   };
   Kind kind;
   Incidence incidence;
-  Direction came;  ///< the link by which a fragment's chain comes to its start
+  Direction came;  ///< of the link by which a fragment's chain comes to its start
   bool hole;
   bool repeated;
   bool abandoned;
@@ -100,6 +100,12 @@ extern const Sealing sealing;
 }  // namespace trace
 
 /// Where events go. Owner: the context belongs to the caller and must outlive the scan.
+///
+/// take() is called within calls of the object that has the sink, by the same thread, and at no
+/// other time. It may wait, and call functions of other objects. Of that object it may call those
+/// that tell something, such as slices(), but none that does something or saves. It must not throw:
+/// the library is compiled without exceptions. Nothing is locked: all calls of an object come from
+/// one context at a time, and from an interrupt only where none come from elsewhere.
 struct Sink {
   void* context = nullptr;
   Answer (*take)(void* context, const Event& event) = nullptr;
@@ -110,7 +116,10 @@ struct Sink {
   bool takes_fragments() const { return sealing == nullptr; }
 };
 
-/// A sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
+/// A sink that calls `receiver.take(event)` with every event, loose fragments among them. Where
+/// memory is short these are all that comes of some regions: a receiver that passes over them has
+/// holes in its surface. So put a Joiner before it, or use region_sink_to(). Owner: the receiver
+/// must outlive the sink.
 template <class Receiver>
 Sink sink_to(Receiver& receiver) {
   return {&receiver, [](void* context, const Event& event) {
@@ -118,8 +127,9 @@ Sink sink_to(Receiver& receiver) {
           }};
 }
 
-/// The same for a receiver that takes no fragments: for lack of memory regions are cut up at cells
-/// instead.
+/// The same for a receiver that takes no fragments: for lack of memory an extractor cuts regions up
+/// at cells instead, and a joiner leaves out what it cannot join. A decoder hands out what its
+/// stream holds, loose fragments too: put a joiner between.
 template <class Receiver>
 Sink region_sink_to(Receiver& receiver) {
   Sink sink = sink_to(receiver);

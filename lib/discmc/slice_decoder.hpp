@@ -69,15 +69,16 @@ class SliceDecoder {
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
   /// Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells of
   /// larger slices than the memory serves: give_memory(), and push the rest. Errors: also
-  /// not_started. Packets that arrive before any header are lost. Of a stream of regions nothing is
-  /// handed out: report().holds_slices says what it is. Cost: as the encoder's.
+  /// not_started, and bad_sink (the sink said "never"). Packets that arrive before any header are
+  /// lost. Of a stream of regions nothing is handed out: report().holds_slices says what it is.
+  /// Cost: as the encoder's.
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// Goes on with other memory, of slice_decoder_bytes(), after Status::too_little_memory. Errors:
-  /// too_little_memory.
+  /// Goes on with other memory, of slice_decoder_bytes(), after Status::too_little_memory; at
+  /// any other time it does nothing. Errors: not_started, too_little_memory, wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// Tells that no byte follows. Status::more as push(). Errors: not_started.
+  /// Tells that no byte follows. Status::more and errors as push().
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }

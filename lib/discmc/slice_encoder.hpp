@@ -59,7 +59,8 @@ class SliceEncoder {
   /// before it, and is taken as off. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
 
-  /// Goes on after Status::more. Also harmless at any other time. Errors: not_started.
+  /// Goes on after Status::more; the output may take nothing again, then it is Status::more again.
+  /// Harmless at any other time. Errors: not_started.
   [[nodiscard]] Status resume();
 
   /// Hands over what is there so far instead of waiting for a full packet; costs about 15 bytes of

@@ -7,10 +7,17 @@
 namespace discmc {
 
 /// Result of a call. `ok` and `more` are not errors: `more` means that the sink or output said "not
-/// now" and that resume() goes on with the work; of a decoder, push() of the rest. After an error
-/// nothing has changed and nothing was delivered, with two exceptions: push() may have taken
-/// samples before it (PushResult::samples), and a start() that finds too little memory also ends
-/// the scan under way.
+/// now" and that resume() goes on with the work; of a decoder, push() of the rest.
+///
+/// After an error what is under way goes on as if the call had not been made. But what comes before
+/// the error is done: events that waited have been delivered, and push() tells how much it has
+/// taken of what it was given. Some errors leave more behind:
+///
+///   Extractor::start()       too_little_memory, or bad_sink of a sink that did not take the start:
+///                            the scan before has ended, too
+///   MajorityFilter::start()  whichever: the filter is not started
+///   push() of decoders       wrong_version: nothing more of this stream comes
+///   Joiner::finish()         too_little_memory: all has been done that can be
 enum class Status : uint8_t {
   ok,
   more,               ///< suspended; nothing is lost: resume(), of a decoder push() the rest

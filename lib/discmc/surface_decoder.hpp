@@ -49,7 +49,8 @@ class SurfaceDecoder {
   /// As SliceDecoder::give_memory(), with minimum_surface_bytes() or more.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// As Decoder::finish(). Of a stream of bits that has no end the surface has none either.
+  /// As Decoder::finish(); errors as push(). Of a stream of bits that has no end the surface has
+  /// none either.
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return regions_.header(); }

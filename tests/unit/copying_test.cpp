@@ -3,7 +3,6 @@
 
 #include <discmc/discmc.hpp>
 #include <discmc/learning_extractor.hpp>
-#include <discmc/majority_filter.hpp>
 
 #include <type_traits>
 

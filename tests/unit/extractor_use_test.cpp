@@ -134,6 +134,48 @@ TEST_CASE("a start that finds too little memory ends the scan before it") {
   CHECK(extractor.reset() == Status::not_started);
 }
 
+TEST_CASE("so does one whose sink does not take the start; all others let the scan go on") {
+  const BitVolume volume = random({3, 3, 2}, 128, 4);
+  EventLog log;
+  Block block(1 << 14), other(1 << 14);
+  const Memory memory = other.memory();
+  struct Busy {
+    Answer take(const Event&) { return Answer::not_now; }
+  } busy;
+  Extractor16 extractor;
+  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.push(volume.on.data(), 4).status);
+  CHECK(extractor.start({0, 3}, 1, memory, sink_to(busy)) == Status::bad_limits);
+  CHECK(extractor.start({4, 4}, {0, 0}, 1, memory, sink_to(busy)) == Status::bad_capacities);
+  CHECK(extractor.start({4, 4}, 1, memory, Sink{}) == Status::bad_sink);
+  require_ok(extractor.push(volume.on.data() + 4, 14).status);
+  require_ok(extractor.finish());
+  CHECK(log.events == events_of(volume).events);
+  require_ok(extractor.reset());
+  CHECK(extractor.start({4, 4}, 1, memory, sink_to(busy)) == Status::bad_sink);
+  CHECK(extractor.finish() == Status::not_started);
+}
+
+TEST_CASE("a reset that the sink does not take lets the scan go on") {
+  const BitVolume volume = random({3, 3, 2}, 128, 4);
+  struct Once {
+    Answer take(const Event& event) {
+      const bool is_start = event.kind == Event::Kind::start;
+      return is_start && starts++ > 0 ? Answer::not_now : log.take(event);
+    }
+    int starts = 0;
+    EventLog log{};
+  } sink;
+  Block block(1 << 14);
+  Extractor16 extractor;
+  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(sink)));
+  require_ok(extractor.push(volume.on.data(), 13).status);
+  CHECK(extractor.reset() == Status::bad_sink);
+  require_ok(extractor.push(volume.on.data() + 13, 5).status);
+  require_ok(extractor.finish());
+  CHECK(sink.log.events == events_of(volume).events);
+}
+
 TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   EventLog log;

@@ -1,0 +1,58 @@
+// What discmc.hpp says of the headers, of which it is the list.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path library = fs::path(DISCMC_SOURCE_DIR) / "lib";
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+// The headers of this library that one of them includes, by whatever way.
+void add_included(const std::string& header, std::set<std::string>& all) {
+  if (!all.insert(header).second) return;
+  std::istringstream lines(text_of(library / header));
+  const std::string include = "#include <discmc/";
+  for (std::string line; std::getline(lines, line);)
+    if (line.compare(0, include.size(), include) == 0)
+      add_included(line.substr(10, line.size() - 11), all);
+}
+
+}  // namespace
+
+TEST_CASE("the list of headers has all of them") {
+  const std::string list = text_of(library / "discmc/discmc.hpp");
+  size_t headers = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(library / "discmc")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".hpp" || name == "discmc.hpp") continue;
+    CAPTURE(name);
+    CHECK(list.find(" " + name) != std::string::npos);
+    ++headers;
+  }
+  CHECK(headers > 50);
+}
+
+TEST_CASE("discmc.hpp includes the whole interface but that of hosts") {
+  std::set<std::string> included;
+  add_included("discmc/discmc.hpp", included);
+  const std::set<std::string> not_included = {"learning_extractor.hpp", "c_sink.hpp",
+                                              "c_values.hpp"};
+  for (const fs::directory_entry& entry : fs::directory_iterator(library / "discmc")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".hpp") continue;
+    CAPTURE(name);
+    CHECK(included.count("discmc/" + name) == 1 - not_included.count(name));
+  }
+}
