@@ -27,15 +27,17 @@ class SharedOutput {
   SharedOutput(const SharedOutput&) = delete;
   SharedOutput& operator=(const SharedOutput&) = delete;
 
-  /// Drops a frame that is held. Limit: the output has a function.
+  /// Drops a frame that is held.
   void start(const ByteOutput& output) {
     output_ = output;
     held_ = 0;
     sent_ = 0;
   }
 
-  /// The output of every encoder.
+  /// The output of every encoder; before start(), or where that got none, one without a function,
+  /// with which encoders do not start.
   ByteOutput output() {
+    if (output_.write == nullptr) return {};
     return {this, [](void* context, const uint8_t* bytes, size_t count) {
               return static_cast<SharedOutput*>(context)->take(bytes, count);
             }};

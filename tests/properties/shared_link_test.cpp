@@ -397,6 +397,18 @@ TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all
   }
 }
 
+TEST_CASE("encoders of a shared link that is not started are not started either") {
+  SharedOutput link;
+  Encoder encoder;
+  CHECK(encoder.start({}, link.output()) == Status::bad_sink);
+  link.start({});
+  CHECK(encoder.start({}, link.output()) == Status::bad_sink);
+  CHECK(link.flush());
+  Line line;
+  link.start(line.output());
+  CHECK(encoder.start({}, link.output()) == Status::ok);
+}
+
 TEST_CASE("a shared link that is started anew sends nothing of before") {
   Line line;
   SharedOutput link;
