@@ -21,6 +21,7 @@ BEGIN {
   sub(/Extractor<unsigned short, discmc::NoNormals, discmc::trace::Sweep<unsigned short, discmc::NoNormal> >/, "Extractor16", name)
   sub(/BasicEncoder<discmc::NoRecordNormals>/, "Encoder", name)
   sub(/push_row_of_bits/, "push_bits", name)
+  sub(/push_samples/, "push", name)
   sub(/<.*$/, "", name)
   if (!(name in most) || $1 > most[name]) most[name] = $1
 }
