@@ -64,6 +64,12 @@ class BasicEncoder : private Normals {
   /// finished, bad_record.
   [[nodiscard]] Status tell(const ApplicationRecord& record);
 
+  /// Sends a packet of records that another encoder of the same surface has sealed, as it is: so
+  /// parts of a scan are encoded side by side. payload: of that packet; pieces: how many regions
+  /// and fragments end in it. One that goes on in a further packet must be followed by that.
+  /// Status::more: as of tell(). Errors: not_started, finished, bad_record. Cost: the bytes.
+  [[nodiscard]] Status append(const uint8_t* payload, size_t bytes, uint32_t pieces);
+
   /// Goes on with another output, and with a header, so that a receiver may come late. Without a
   /// function the stream is dropped, but counted: so a scan goes on though its link is dead, and
   /// stream there is again once it has an output. Limit: start().

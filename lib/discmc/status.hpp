@@ -34,7 +34,7 @@ enum class Status : uint8_t {
   wrong_version,  ///< the stream's version is not known to this decoder
   bad_checkpoint,  ///< the checkpoint, or the memory that goes with it, is not what was saved
   bad_label,       ///< see StreamLabel; of a StreamHeader also its surfaces
-  bad_record,      ///< an application record is too long
+  bad_record,      ///< an application record is too long, or a packet of records
 };
 
 /// A short English text for a status. Owner: static storage.
@@ -69,7 +69,7 @@ constexpr const char* text(Status status) {
     case Status::bad_label:
       return "channels are 0 to 63, and a stream has at most 4 surfaces";
     case Status::bad_record:
-      return "an application record holds at most 200 bytes";
+      return "an application record holds at most 200 bytes, a packet of records 243";
   }
   return "unknown status";
 }

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <discmc/decoder.hpp>
+
 #include <string>
 #include <vector>
 
@@ -52,6 +54,29 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
   const Extraction extraction = extract(reader, options, std::vector<SurfaceRequest>{request})[0];
   CHECK(builder.incomplete_regions() == 0);
   return {extraction, std::move(builder.surface())};
+}
+
+// The regions of a stream, whose encoder may get them as packets.
+Surface streamed(const BitVolume& volume, const ExtractionOptions& options, bool by_packets) {
+  SampleReader reader(volume);
+  std::vector<std::uint8_t> bytes;
+  discmc::NormalEncoder encoder;
+  REQUIRE(encoder.start({}, {&bytes, [](void* kept, const std::uint8_t* part, std::size_t count) {
+                               auto& stream = *static_cast<std::vector<std::uint8_t>*>(kept);
+                               stream.insert(stream.end(), part, part + count);
+                               return count;
+                             }}) == discmc::Status::ok);
+  SurfaceRequest request{options.selection, discmc::sink_to(encoder)};
+  if (by_packets) request.encoder = &encoder;
+  extract(reader, options, std::vector<SurfaceRequest>{request});
+  SurfaceBuilder builder;
+  discmc::Decoder decoder;
+  REQUIRE(decoder.start(discmc::sink_to(builder)) == discmc::Status::ok);
+  CHECK(decoder.push(bytes.data(), bytes.size()).status == discmc::Status::ok);
+  static_cast<void>(decoder.finish());
+  CHECK(decoder.report().is_complete());
+  CHECK(builder.incomplete_regions() == 0);
+  return std::move(builder.surface());
 }
 
 // Tall enough for several parts.
@@ -177,6 +202,19 @@ TEST_CASE("files are the same whatever the jobs") {
   workshop.done(volume + "-o v.stl --jobs 1");
   workshop.done(volume + "-o all.stl");
   CHECK(workshop.read("all.stl") == workshop.read("v.stl"));
+}
+
+TEST_CASE("packets of parts are the regions of one sweep, in an order without regard to jobs") {
+  for (const BitVolume& volume : tall_volumes()) {
+    ExtractionOptions options = options_with(Border::closed);
+    const auto whole = regions_of(extracted(volume, options).surface);
+    options.jobs = 2;
+    const Surface parts = streamed(volume, options, true);
+    CHECK(describe_difference(regions_of(parts), whole) == "");
+    CHECK(are_same(streamed(volume, options, false), parts));
+    options.jobs = 5;
+    CHECK(are_same(streamed(volume, options, true), parts));
+  }
 }
 
 TEST_CASE("a stream of parts holds the regions of one sweep") {

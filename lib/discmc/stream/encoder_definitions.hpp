@@ -111,6 +111,20 @@ Status BasicEncoder<Normals>::tell(const ApplicationRecord& record) {
 }
 
 template <class Normals>
+Status BasicEncoder<Normals>::append(const uint8_t* payload, size_t bytes, uint32_t pieces) {
+  if (!packets_.is_started()) return Status::not_started;
+  if (packets_.is_ended()) return Status::finished;
+  if (bytes > wire::max_payload) return Status::bad_record;
+  if (piece_is_open_ || !flush()) return Status::more;
+  uint8_t* place = packets_.payload();
+  for (size_t i = 0; i < bytes; ++i) *place++ = payload[i];
+  packets_.count_pieces(pieces);
+  packets_.seal(wire::PacketKind::records, place);
+  (void)drain();  // it is taken, whenever the output takes it
+  return Status::ok;
+}
+
+template <class Normals>
 void BasicEncoder<Normals>::set_output(const ByteOutput& output) {
   packets_.set_output(output);
   if (output.write != nullptr) packets_.repeat_header(packet_is_empty_);
@@ -191,7 +205,7 @@ bool BasicEncoder<Normals>::put(const Event& event) {
   is_emptying_ = false;
   if (is_end(event.kind)) {
     piece_is_open_ = false;
-    packets_.count_piece();
+    packets_.count_pieces(1);
   }
   return true;
 }

@@ -41,8 +41,8 @@ class PacketWriter {
   /// Hands over what is sealed. True when all of it is gone: then the next packet is open.
   bool drain();
 
-  /// One more piece is complete, in the open packet or before it.
-  void count_piece() { ++pieces_; }
+  /// So many more pieces are complete, in the open packet or before it.
+  void count_pieces(uint32_t pieces) { pieces_ += pieces; }
   /// The bytes that the output has taken so far.
   uint64_t bytes() const { return bytes_; }
 

@@ -106,7 +106,6 @@ int extract_meshes(const ExtractArguments& arguments) {
   const SurfaceReceivers receivers = receivers_for(selections);
   for (const auto& receiver : receivers) receiver->start_surface();
   std::vector<SurfaceRequest> requests = requests_of(selections, receivers);
-  for (std::size_t i = 0; i < receivers.size(); ++i) requests[i].builder = receivers[i]->builder();
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates)
     for (const NamedSelection& each : selections) finders.emplace_back(info, each.selection);

@@ -58,8 +58,10 @@ class SurfaceReceiver {
 
   /// Of the stream; 0 without one.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
-  /// Where polygons may go as well, or null where none are kept.
+  /// Where polygons may go in place of their events, or null where none are kept.
   SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
+  /// Likewise packets, or null without a stream.
+  NormalEncoder* encoder() { return encodes_ ? &encoder_ : nullptr; }
   /// Empty unless begun. The spacing is for the caller to set.
   Surface& surface() { return builder_.surface(); }
 

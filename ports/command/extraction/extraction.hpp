@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/slab_range.hpp>
 #include <discmc/slice_encoder.hpp>
@@ -76,9 +77,11 @@ struct SurfaceRequest {
   Sink sink;
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
-  /// Is given regions as polygons in place of their events, where parts are extracted and a region
-  /// lies in one, if there is one. Owner: the caller.
+  /// Where parts are extracted, those of these two that there are get the regions that lie in one,
+  /// in place of the sink: as polygons, and encoded. Limit: the sink is what starts the encoder,
+  /// whose output takes all. Owner: the caller.
   SurfaceBuilder* builder = nullptr;
+  NormalEncoder* encoder = nullptr;
 };
 
 /// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to

@@ -16,23 +16,29 @@
 #include "ordered_pipeline.hpp"
 #include "require.hpp"
 #include "scan.hpp"
+#include "streams/encoded_part.hpp"
 #include "surface/growing_joiner.hpp"
 
 namespace discmc::host {
 namespace {
 
-// What a part gives to a surface: regions, as polygons or as events, and what is to be joined. As
-// parts follow each other from below, the pieces of a region come in the order of a sweep.
+// What a part gives to a surface: regions, as polygons, as packets or as events, and what is to be
+// joined. As parts follow each other from below, the pieces of a region come in the order of a
+// sweep.
 //
 // A hole may go out loose, as a ring, although the region around it is whole: where a fragment of
 // its plane goes out before. Then the region is to be joined, too. Holes that cross a seam are in
 // regions that do: nothing of a hole lies below all of what surrounds it, or above.
 class PartSurface {
  public:
-  explicit PartSurface(bool builds = false) : builds_(builds) {}
+  explicit PartSurface(const SurfaceRequest& request) {
+    if (request.builder != nullptr) polygons_.emplace();
+    if (request.encoder != nullptr) packets_ = std::make_unique<EncodedPart>();
+  }
 
   Answer take(const Event& event) {
     if (event.kind == Event::Kind::finish) return Answer::taken;  // all parts have one together
+    if (event.kind == Event::Kind::start && packets_) packets_->take(event);
     if (event.kind == Event::Kind::region) {
       region_ = event;  // until its plane is known
       return Answer::taken;
@@ -46,13 +52,14 @@ class PartSurface {
 
   // What is to be joined goes to the joiner, which stands before the same sink.
   void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
-    if (builds_) request.builder->append(std::move(polygons_));
+    if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.tell(sink_to(joiner));
-    regions_.tell(request.sink);
+    if (packets_) packets_->append_to(*request.encoder);
+    events_.tell(request.sink);
   }
 
  private:
-  enum class Place { polygons, regions, joined };
+  enum class Place { whole, joined };
 
   static std::uint64_t plane_of(Incidence incidence, const Vertex& vertex) {
     return std::uint64_t{incidence} << 32 |
@@ -62,7 +69,7 @@ class PartSurface {
   void begin_region(const Vertex& vertex) {
     const Event region = *std::exchange(region_, std::nullopt);
     const bool has_loose_rings = ring_planes_.count(plane_of(region.incidence, vertex)) > 0;
-    place_ = has_loose_rings ? Place::joined : builds_ ? Place::polygons : Place::regions;
+    place_ = has_loose_rings ? Place::joined : Place::whole;
     give(region);
   }
 
@@ -81,20 +88,23 @@ class PartSurface {
   }
 
   Answer give(const Event& event) {
-    return place_ == Place::polygons  ? polygons_.take(event)
-           : place_ == Place::regions ? regions_.take(event)
-                                      : joined_.take(event);
+    if (place_ == Place::joined) return joined_.take(event);
+    if (polygons_) polygons_->take(event);
+    if (packets_) packets_->take(event);
+    return polygons_ || packets_ ? Answer::taken : events_.take(event);
   }
 
-  bool builds_;
   std::optional<Event> region_;
   Place place_ = Place::joined;  // of what is under way
   Event fragment_{};             // the last one
   Vertex end_{};                 // of it, so far
   Direction last_ = 0;           // by which it came there
   std::unordered_set<std::uint64_t> ring_planes_;
-  SurfaceBuilder polygons_;
-  EventRecord regions_, joined_;
+  // The regions that are whole: one, or the first two, as they are asked for.
+  std::optional<SurfaceBuilder> polygons_;
+  std::unique_ptr<EncodedPart> packets_;
+  EventRecord events_;
+  EventRecord joined_;
 };
 
 struct Part {
@@ -226,8 +236,7 @@ class Parts {
     limits.slab = slab_limits(slab, info_.dims[2]);
     std::vector<SurfaceRequest> requests = requests_;
     part.surfaces.clear();
-    for (const SurfaceRequest& request : requests_)
-      part.surfaces.emplace_back(request.builder != nullptr);
+    for (const SurfaceRequest& request : requests_) part.surfaces.emplace_back(request);
     for (std::size_t i = 0; i < requests.size(); ++i) requests[i].sink = sink_to(part.surfaces[i]);
     scan.start(info_, limits, requests);
     auto all = scan.group();

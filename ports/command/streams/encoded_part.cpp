@@ -1,0 +1,48 @@
+#include "encoded_part.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <discmc/stream/cobs.hpp>
+#include <discmc/stream/wire.hpp>
+
+#include "require.hpp"
+
+namespace discmc::host {
+
+Answer EncodedPart::take(const Event& event) {
+  if (event.kind == Event::Kind::start)
+    require(encoder_.start({}, {this, [](void* self, const std::uint8_t* frame, std::size_t bytes) {
+                                  return static_cast<EncodedPart*>(self)->keep(frame, bytes);
+                                }}));
+  if (event.kind == Event::Kind::region_end) ++pieces_;
+  return encoder_.take(event);
+}
+
+// An encoder offers a frame at a time. Headers are the other encoder's matter.
+std::size_t EncodedPart::keep(const std::uint8_t* frame, std::size_t bytes) {
+  std::uint8_t plain[wire::max_frame];
+  std::copy_n(frame, bytes, plain);
+  const std::uint8_t* const packet = plain + 1;
+  const std::size_t count = cobs::unstuff(plain, bytes - 1);
+  if (packet[0] != static_cast<std::uint8_t>(wire::PacketKind::records)) return bytes;
+  wire::ByteReader head(packet + 2, 2);
+  const auto pieces_before = static_cast<std::uint16_t>(head.get(2));
+  payloads_.insert(payloads_.end(), packet + wire::packet_head, packet + count - wire::packet_tail);
+  packets_.push_back({payloads_.size(), pieces_before});
+  return bytes;
+}
+
+void EncodedPart::append_to(NormalEncoder& encoder) {
+  if (!encoder_.flush()) throw std::logic_error("a part's encoder holds back a packet");
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < packets_.size(); ++i) {
+    const bool is_last = i + 1 == packets_.size();
+    const std::uint16_t pieces_after = is_last ? pieces_ : packets_[i + 1].pieces_before;
+    const auto pieces = static_cast<std::uint16_t>(pieces_after - packets_[i].pieces_before);
+    require(encoder.append(payloads_.data() + begin, packets_[i].end - begin, pieces));
+    begin = packets_[i].end;
+  }
+}
+
+}  // namespace discmc::host
