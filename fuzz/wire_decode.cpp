@@ -22,7 +22,7 @@ Bytes framed(const uint8_t* data, size_t size) {
     const size_t left = size - at - 4;
     const size_t count = data[at] < left ? data[at] : left;
     // Mostly what an encoder would say of a packet, so that its records are looked at.
-    packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 7;
+    packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 8;
     packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
     packet.pieces = data[at + 3];
     packet.payload.assign(data + at + 4, data + at + 4 + count);
@@ -35,6 +35,23 @@ Bytes framed(const uint8_t* data, size_t size) {
   return stream;
 }
 
+// The events of a decoder that passes packets of whole regions on to an encoder.
+Events events_beside_packets(const Bytes& stream) {
+  Line line;
+  Encoder encoder;
+  require(begin_stream(encoder, any_header(), line.output()) == Status::ok, "no stream begins");
+  EventLog log;
+  Decoder decoder;
+  require(decoder.start(sink_to(log)) == Status::ok, "no decoder starts");
+  decoder.pass_whole_regions_to({&encoder, [](void* to, const RecordsPacket& packet) {
+                                   const Status status = static_cast<Encoder*>(to)->append(packet);
+                                   require(status == Status::ok, "a packet is not taken");
+                                 }});
+  static_cast<void>(decoder.push(stream.data(), stream.size()));
+  static_cast<void>(decoder.finish());
+  return log.events;
+}
+
 void check(const Bytes& stream, size_t portion) {
   const Received arrival = decode(stream);
   const std::vector<Events> pieces = pieces_of(arrival.events);
@@ -43,6 +60,7 @@ void check(const Bytes& stream, size_t portion) {
   const Received again = decode(stream, portion, true);
   require(again.events == arrival.events, "portions or refusals show");
   require(again.report.lost_pieces == arrival.report.lost_pieces, "the report depends on them");
+  static_cast<void>(pieces_of(events_beside_packets(stream)));  // keep to the grammar as well
   const Bytes copy = encode<NormalEncoder>(arrival.events);
   for (const Bytes& frame : frames_of(copy))
     require(frame.size() <= wire::max_frame, "a frame too long");

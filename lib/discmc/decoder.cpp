@@ -6,6 +6,7 @@ namespace discmc {
 Status Decoder::start(const Sink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
+  packet_sink_ = {};
   packets_.start(channel);
   is_started_ = true;
   start_is_told_ = false;
@@ -38,7 +39,9 @@ void Decoder::open(PacketReader::Arrival arrival) {
   if (arrival == PacketReader::Arrival::records) {
     model_ = Model(Coder{RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     normals_are_ahead_ = false;
-    stage_ = Stage::records;
+    const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.take != nullptr;
+    if (may_pass) lose_open();
+    stage_ = may_pass ? Stage::whole_regions : Stage::records;
   } else if (arrival == PacketReader::Arrival::application) {
     note_application();
   } else if (arrival == PacketReader::Arrival::trailer) {
@@ -259,7 +262,7 @@ bool Decoder::begin_record() {
     lose_open();
     if (record_.is_last) {
       ++packets_.report().lost_pieces;
-      packets_.pass_piece();
+      packets_.pass_pieces(1);
     }
     stage_ = Stage::records;
     return true;
@@ -300,6 +303,9 @@ bool Decoder::deliver() {
     switch (stage_) {
       case Stage::collect:
         return true;
+      case Stage::whole_regions:
+        pass_whole_regions();
+        break;
       case Stage::records:
         read_record();
         break;
@@ -313,6 +319,17 @@ bool Decoder::deliver() {
         break;
     }
   }
+}
+
+// Before any header the sink has no scan, and gets events as ever.
+void Decoder::pass_whole_regions() {
+  stage_ = start_is_told_ ? Stage::collect : Stage::records;
+  if (!start_is_told_) return;
+  const uint32_t count = packets_.whole_regions();
+  packet_sink_.take(packet_sink_.context,
+                    {packets_.payload(), packets_.payload_bytes(), count, true});
+  packets_.report().regions += count;
+  packets_.pass_pieces(count);
 }
 
 // Tells of the header once it is there, and between two pieces. A stream of slices is not for this
@@ -367,7 +384,7 @@ bool Decoder::deliver_record() {
   is_open_ = false;
   StreamReport& report = packets_.report();
   ++(record_.is_fragment ? report.fragments : report.regions);
-  packets_.pass_piece();
+  packets_.pass_pieces(1);
   return true;
 }
 

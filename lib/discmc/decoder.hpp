@@ -14,6 +14,7 @@
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
 
+#include <discmc/records_packet.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/normal_encoding.hpp>
 #include <discmc/stream/packet_reader.hpp>
@@ -39,6 +40,10 @@ class Decoder {
   /// bytes. Errors: bad_sink.
   [[nodiscard]] Status start(const Sink& sink, uint8_t channel = any_channel);
 
+  /// Until the next start() packets of whole regions, as RecordsPacket has them, go there in place
+  /// of the events of their regions. They come after the scan's start, and between two pieces.
+  void pass_whole_regions_to(const RecordsPacketSink& sink) { packet_sink_ = sink; }
+
   /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again,
   /// be it none.
   /// Status::wrong_version: the header names a version this decoder does not know; nothing more of
@@ -62,9 +67,10 @@ class Decoder {
   using Model = RegionModel<Coder>;
 
   // What is under way between two bytes.
-  enum class Stage : uint8_t { collect, records, record, mark, packet_mark };
+  enum class Stage : uint8_t { collect, whole_regions, records, record, mark, packet_mark };
 
   void open(PacketReader::Arrival arrival);
+  void pass_whole_regions();
   void lose_open();
   void note_application();
   void note_finish();
@@ -88,6 +94,7 @@ class Decoder {
   }
 
   Sink sink_;
+  RecordsPacketSink packet_sink_;
   PacketReader packets_;
   bool is_started_ = false;
   bool start_is_told_ = false;

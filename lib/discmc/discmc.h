@@ -520,7 +520,7 @@ typedef struct discmc_decoded {
 
 /* Reads one stream of regions, and hands its events to a sink. */
 typedef struct discmc_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 1328 : 1264) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 1344 : 1272) / 8];
 } discmc_decoder;
 
 /* Begins a stream: the one of the first whole packet that comes on this channel, or
@@ -705,7 +705,7 @@ enum { DISCMC_MOST_SKIPPED_ROWS = 65536 };
 /* Makes events of a stream of either kind: of bits those of an extractor that is given the same
  * rows. Rows that were lost on the way are skipped rows. */
 typedef struct discmc_surface_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 2872 : 2584) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 2888 : 2592) / 8];
 } discmc_surface_decoder;
 
 /* The least memory for streams of bits of this size. Limit: as of the slice encoder. sizes.h has

@@ -19,6 +19,7 @@
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
 //   decoder.hpp           bytes of a stream in, the same events out
 //     stream_report.hpp       what arrived, and what did not
+//   records_packet.hpp    packets that pass from an encoder or a decoder to another encoder
 //   slice_encoder.hpp     samples in, a stream of their bits out: a tenth of the bytes, and whoever
 //                         receives it extracts the surface
 //     key_slices.hpp          where it can be begun, and what memory it takes

@@ -3,6 +3,7 @@
 #define DISCMC_ENCODER_HPP
 
 #include <discmc/checkpoint.hpp>
+#include <discmc/records_packet.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/normal_encoding.hpp>
 #include <discmc/stream/packet_writer.hpp>
@@ -30,8 +31,8 @@ class SymbolCoder {
 /// be suspended after any byte: while the output takes nothing, take() answers not_now, and goes on
 /// where it was when asked again. Use it as Encoder, or as NormalEncoder where the normals of runs
 /// are to be told too; a stream without any is the same from both. It points into itself, so it is
-/// neither copied nor moved, but by save() and restore().
-template <class Normals>
+/// neither copied nor moved, but by save() and restore(). max_payload: of a packet. Units: bytes.
+template <class Normals, size_t max_payload = wire::max_payload>
 class BasicEncoder : private Normals {
  public:
   BasicEncoder() = default;
@@ -64,11 +65,10 @@ class BasicEncoder : private Normals {
   /// finished, bad_record.
   [[nodiscard]] Status tell(const ApplicationRecord& record);
 
-  /// Sends a packet of records that another encoder of the same surface has sealed, as it is: so
-  /// parts of a scan are encoded side by side. payload: of that packet; pieces: how many regions
-  /// and fragments end in it. One that goes on in a further packet must be followed by that.
-  /// Status::more: as of tell(). Errors: not_started, finished, bad_record. Cost: the bytes.
-  [[nodiscard]] Status append(const uint8_t* payload, size_t bytes, uint32_t pieces);
+  /// Sends a packet of records that a PartEncoder of the same surface has made, as it is. The
+  /// parts of a piece that goes through several packets must follow each other. Status::more: as of
+  /// tell(). Errors: not_started, finished, bad_record. Cost: the bytes.
+  [[nodiscard]] Status append(const RecordsPacket& packet);
 
   /// Goes on with another output, and with a header, so that a receiver may come late. Without a
   /// function the stream is dropped, but counted: so a scan goes on though its link is dead, and
@@ -151,11 +151,14 @@ class BasicEncoder : private Normals {
 
 extern template class BasicEncoder<NoRecordNormals>;
 extern template class BasicEncoder<RecordNormals>;
+extern template class BasicEncoder<NoRecordNormals, wire::max_appended>;
 
 using Encoder = BasicEncoder<NoRecordNormals>;
 /// A normal takes 2 to 3 bytes, and a stream with them about four times the bytes of one without.
 /// The object has 192 bytes more.
 using NormalEncoder = BasicEncoder<RecordNormals>;
+/// Of a part of a scan: its packets go to append() of one of the two above.
+using PartEncoder = BasicEncoder<NoRecordNormals, wire::max_appended>;
 
 }  // namespace discmc
 

@@ -42,6 +42,11 @@ class SurfaceDecoder {
   /// bad_sink.
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
+  /// As of the Decoder.
+  void pass_whole_regions_to(const RecordsPacketSink& sink) {
+    regions_.pass_whole_regions_to(sink);
+  }
+
   /// As Decoder::push(). Status::more: also that there are more lost rows to skip. Errors: also
   /// too_little_memory, as of SliceDecoder::push().
   Decoded push(const uint8_t* bytes, size_t count);

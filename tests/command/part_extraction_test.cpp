@@ -20,7 +20,6 @@ using discmc::Border;
 using discmc::host::Extraction;
 using discmc::host::ExtractionOptions;
 using discmc::host::GrowingJoiner;
-using discmc::host::parts_of;
 using discmc::host::SliceSpan;
 using discmc::host::Surface;
 using discmc::host::SurfaceBuilder;
@@ -123,6 +122,10 @@ VolumeInfo info_of(std::uint32_t width, std::uint32_t height, std::uint32_t dept
   return info;
 }
 
+std::vector<SliceSpan> parts_of(const VolumeInfo& info) {
+  return discmc::host::parts_of(info, {0, info.dims[2]});
+}
+
 }  // namespace
 
 TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
@@ -141,6 +144,14 @@ TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
   // 64 MiB at most, but two slices at least.
   CHECK(parts_of(info_of(4096, 4096, 100)).size() == 25);
   CHECK(parts_of(info_of(32766, 32766, 10)).size() == 5);
+}
+
+TEST_CASE("parts of a slab cover its slices alone") {
+  const auto parts = discmc::host::parts_of(info_of(4, 4, 100), {30, 80});
+  CHECK(parts.size() > 1);
+  CHECK(parts.front().first == 30);
+  for (std::size_t i = 1; i < parts.size(); ++i) CHECK(parts[i].first == parts[i - 1].end);
+  CHECK(parts.back().end == 80);
 }
 
 TEST_CASE("the regions of parts are those of one sweep, in an order without regard to jobs") {
@@ -259,6 +270,5 @@ TEST_CASE("jobs that cannot be are refused, with the remedy") {
   refused("-o v.stl --jobs 2 --memory 4096", "leave out one or the other");
   refused("-o v.stl --jobs 2 --surface interpolated", "leave out one or the other");
   refused("-o v.dmc --jobs 2 --wire slices", "leave out one or the other");
-  refused("-o v.dmc --jobs 2 --slab 1/2", "leave out one or the other");
   refused("-o v.dmc --jobs 2 --normals gradient", "leave out one or the other");
 }

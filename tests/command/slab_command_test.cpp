@@ -105,6 +105,30 @@ TEST_CASE("slabs of any thickness are joined to the regions of one sweep") {
   }
 }
 
+TEST_CASE("slabs of several parts, on several cores, are joined to the regions of one sweep") {
+  const Workshop workshop;
+  std::string samples = rough_samples(20, 20, 80);
+  // A plate with many holes is more than a packet holds.
+  for (int i = 30 * 400; i < 34 * 400; ++i)
+    samples[static_cast<std::size_t>(i)] = i % 2 == 0 || i / 20 % 2 == 0 ? 'z' : 0;
+  workshop.write("v.raw", samples);
+  const std::string tall = "extract v.raw --dims 20,20,80 --type u8 --iso 50 -q ";
+  workshop.done(tall + "-o whole.dmc");
+  for (const std::string slab : {"1", "2"}) {
+    workshop.done(tall + "--slab " + slab + "/2 -o " + slab + ".dmc");
+    workshop.done(tall + "--slab " + slab + "/2 --jobs 3 -o jobs.dmc");
+    CHECK(workshop.read("jobs.dmc") == workshop.read(slab + ".dmc"));
+  }
+  workshop.done("join 2.dmc 1.dmc -o joined.dmc");
+  CHECK(discmc::reference::describe_difference(regions_in(workshop, "joined.dmc"),
+                                               regions_in(workshop, "whole.dmc")) == "");
+  auto whole = workshop.info("whole.dmc"), joined = workshop.info("joined.dmc");
+  for (const std::string key : {"regions", "holes", "links", "corners", "complete", "fragments"}) {
+    CAPTURE(key);
+    CHECK(joined[key] == whole[key]);
+  }
+}
+
 TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
   const Workshop workshop;
   workshop.write("v.raw", rough_samples(13, 11, 9));

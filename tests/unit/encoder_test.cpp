@@ -19,21 +19,6 @@ std::vector<Packet> packets_of(const Bytes& stream) {
   return packets;
 }
 
-// The stream of an encoder that is given the packets of another.
-Bytes appended(const std::vector<Packet>& packets, const Event& finish) {
-  Line line;
-  Encoder encoder;
-  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  for (size_t i = 0; i < packets.size(); ++i) {
-    if (!packets[i].is(PacketKind::records)) continue;
-    const Bytes& payload = packets[i].payload;
-    const uint32_t pieces = (packets[i + 1].pieces - packets[i].pieces) & 0xFFFFU;
-    CHECK(encoder.append(payload.data(), payload.size(), pieces) == Status::ok);
-  }
-  CHECK(encoder.take(finish) == Answer::taken);
-  return line.bytes;
-}
-
 // Many regions, a few to a packet.
 Events many_regions(uint32_t count, uint32_t runs = 60) {
   Script script;
@@ -131,43 +116,6 @@ TEST_CASE("every packet is numbered, short enough, and counts the pieces before 
     CHECK(packet_of(frames.front()).is(PacketKind::header));
     CHECK(packet_of(frames.back()).is(PacketKind::trailer));
   }
-}
-
-TEST_CASE("packets of another encoder are sent as they are, and their pieces counted") {
-  for (const Events& events : {monstrous_events(), many_regions(1000)}) {
-    const Bytes stream = encode(events);
-    CHECK(appended(packets_of(stream), events.back().event()) == stream);
-  }
-}
-
-TEST_CASE("a packet of another encoder is sent behind what there was before") {
-  const Events others = many_regions(1);
-  const Packet packet = packets_of(encode(others))[1];
-  const Events before = Script().region(up).square({1, 0, 0}, 3).region_end().events;
-  Line line;
-  Encoder encoder;
-  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  for (const RecordedEvent& event : before) CHECK(encoder.take(event.event()) == Answer::taken);
-  CHECK(encoder.append(packet.payload.data(), packet.payload.size(), 1) == Status::ok);
-  CHECK(encoder.take(others.back().event()) == Answer::taken);
-  Events all = before;
-  all.insert(all.end(), others.begin(), others.end());
-  CHECK(decode(line.bytes).events == all);
-}
-
-TEST_CASE("a packet of another encoder that cannot be sent is refused") {
-  const Bytes payload(wire::max_payload + 1);
-  Line line;
-  Encoder encoder;
-  CHECK(encoder.append(payload.data(), 1, 0) == Status::not_started);
-  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  CHECK(encoder.append(payload.data(), payload.size(), 0) == Status::bad_record);
-  const Events events = many_regions(1);
-  REQUIRE(encoder.take(events.front().event()) == Answer::taken);
-  CHECK(encoder.append(payload.data(), 1, 0) == Status::more);
-  for (size_t i = 1; i < events.size(); ++i)
-    REQUIRE(encoder.take(events[i].event()) == Answer::taken);
-  CHECK(encoder.append(payload.data(), 1, 0) == Status::finished);
 }
 
 TEST_CASE("packets are nearly full") {

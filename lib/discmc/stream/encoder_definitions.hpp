@@ -19,8 +19,9 @@ constexpr bool is_end(Event::Kind kind) {
   return kind == Event::Kind::region_end || kind == Event::Kind::fragment_end;
 }
 
-template <class Normals>
-Status BasicEncoder<Normals>::start(const StreamLabel& label, const ByteOutput& output) {
+template <class Normals, size_t max_payload>
+Status BasicEncoder<Normals, max_payload>::start(const StreamLabel& label,
+                                                 const ByteOutput& output) {
   if (label.channel > StreamLabel::max_channel) return Status::bad_label;
   if (output.write == nullptr) return Status::bad_sink;
   packets_.open(output);
@@ -33,8 +34,8 @@ Status BasicEncoder<Normals>::start(const StreamLabel& label, const ByteOutput& 
 }
 
 // The header is what the label says and what the extractor knows.
-template <class Normals>
-Answer BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
+template <class Normals, size_t max_payload>
+Answer BasicEncoder<Normals, max_payload>::begin_stream(const StreamHeader& scan) {
   if (!packets_.has_output() || !scan.is_valid()) return Answer::never;
   StreamHeader header = packets_.header();
   if (packets_.is_started()) {
@@ -54,8 +55,8 @@ Answer BasicEncoder<Normals>::begin_stream(const StreamHeader& scan) {
   return Answer::taken;
 }
 
-template <class Normals>
-Answer BasicEncoder<Normals>::take_any(const Event& event) {
+template <class Normals, size_t max_payload>
+Answer BasicEncoder<Normals, max_payload>::take_any(const Event& event) {
   if (event.kind == Event::Kind::start) return begin_stream(*event.header);
   if (!packets_.is_started()) return Answer::never;
   if (!drain()) return Answer::not_now;
@@ -99,8 +100,8 @@ Answer BasicEncoder<Normals>::take_any(const Event& event) {
   return done ? Answer::taken : Answer::not_now;
 }
 
-template <class Normals>
-Status BasicEncoder<Normals>::tell(const ApplicationRecord& record) {
+template <class Normals, size_t max_payload>
+Status BasicEncoder<Normals, max_payload>::tell(const ApplicationRecord& record) {
   if (!packets_.is_started()) return Status::not_started;
   if (packets_.is_ended()) return Status::finished;
   if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
@@ -110,28 +111,25 @@ Status BasicEncoder<Normals>::tell(const ApplicationRecord& record) {
   return Status::ok;
 }
 
-template <class Normals>
-Status BasicEncoder<Normals>::append(const uint8_t* payload, size_t bytes, uint32_t pieces) {
+template <class Normals, size_t max_payload>
+Status BasicEncoder<Normals, max_payload>::append(const RecordsPacket& packet) {
   if (!packets_.is_started()) return Status::not_started;
   if (packets_.is_ended()) return Status::finished;
-  if (bytes > wire::max_payload) return Status::bad_record;
+  if (packet.bytes > wire::max_appended || packet.pieces > 0xFFFF) return Status::bad_record;
   if (piece_is_open_ || !flush()) return Status::more;
-  uint8_t* place = packets_.payload();
-  for (size_t i = 0; i < bytes; ++i) *place++ = payload[i];
-  packets_.count_pieces(pieces);
-  packets_.seal(wire::PacketKind::records, place);
+  packets_.seal_appended(packet);
   (void)drain();  // it is taken, whenever the output takes it
   return Status::ok;
 }
 
-template <class Normals>
-void BasicEncoder<Normals>::set_output(const ByteOutput& output) {
+template <class Normals, size_t max_payload>
+void BasicEncoder<Normals, max_payload>::set_output(const ByteOutput& output) {
   packets_.set_output(output);
   if (output.write != nullptr) packets_.repeat_header(packet_is_empty_);
 }
 
-template <class Normals>
-bool BasicEncoder<Normals>::flush() {
+template <class Normals, size_t max_payload>
+bool BasicEncoder<Normals, max_payload>::flush() {
   if (!packets_.is_started()) return true;
   if (!drain()) return false;
   if (!packet_is_empty_) seal_records();
@@ -140,8 +138,8 @@ bool BasicEncoder<Normals>::flush() {
 
 // ---- checkpoints ----
 
-template <class Normals>
-Status BasicEncoder<Normals>::save(Checkpoint<BasicEncoder>& checkpoint) const {
+template <class Normals, size_t max_payload>
+Status BasicEncoder<Normals, max_payload>::save(Checkpoint<BasicEncoder>& checkpoint) const {
   if (!packets_.is_started()) return Status::not_started;
   BasicEncoder& image = checkpoint.object;
   image = *this;
@@ -151,9 +149,9 @@ Status BasicEncoder<Normals>::save(Checkpoint<BasicEncoder>& checkpoint) const {
   return Status::ok;
 }
 
-template <class Normals>
-Status BasicEncoder<Normals>::restore(const Checkpoint<BasicEncoder>& checkpoint,
-                                      const ByteOutput& output) {
+template <class Normals, size_t max_payload>
+Status BasicEncoder<Normals, max_payload>::restore(const Checkpoint<BasicEncoder>& checkpoint,
+                                                   const ByteOutput& output) {
   if (!checkpoint.is_whole({})) return Status::bad_checkpoint;
   if (output.write == nullptr) return Status::bad_sink;
   *this = checkpoint.object;
@@ -164,26 +162,26 @@ Status BasicEncoder<Normals>::restore(const Checkpoint<BasicEncoder>& checkpoint
 
 // ---- records ----
 
-template <class Normals>
-void BasicEncoder<Normals>::Coder::tell(uint32_t context, bool bit) {
+template <class Normals, size_t max_payload>
+void BasicEncoder<Normals, max_payload>::Coder::tell(uint32_t context, bool bit) {
   range.encode(bit, region_model[context]);
 }
 
-template <class Normals>
-void BasicEncoder<Normals>::drop(uint32_t words) {
+template <class Normals, size_t max_payload>
+void BasicEncoder<Normals, max_payload>::drop(uint32_t words) {
   record_.drop(words);
   if constexpr (Normals::are_told) Normals::drop(words, record_.count);
 }
 
-template <class Normals>
-void BasicEncoder<Normals>::encode_normals(uint32_t words) {
+template <class Normals, size_t max_payload>
+void BasicEncoder<Normals, max_payload>::encode_normals(uint32_t words) {
   if constexpr (Normals::are_told) Normals::encode(model_, record_, words);
 }
 
 // Puts a mark, or what is in the record, into this packet or the next. What cannot be told whole,
 // or is longer than a packet, goes in parts, into as many packets as it takes; no mark does.
-template <class Normals>
-bool BasicEncoder<Normals>::put(const Event& event) {
+template <class Normals, size_t max_payload>
+bool BasicEncoder<Normals, max_payload>::put(const Event& event) {
   for (uint32_t words = record_.count;;) {
     const Model before = model_;
     const bool is_told = is_emptying_ ? encode_part(words, event.kind) : encode_whole(event);
@@ -205,13 +203,13 @@ bool BasicEncoder<Normals>::put(const Event& event) {
   is_emptying_ = false;
   if (is_end(event.kind)) {
     piece_is_open_ = false;
-    packets_.count_pieces(1);
+    packets_.count_piece();
   }
   return true;
 }
 
-template <class Normals>
-bool BasicEncoder<Normals>::encode_whole(const Event& event) {
+template <class Normals, size_t max_payload>
+bool BasicEncoder<Normals, max_payload>::encode_whole(const Event& event) {
   switch (event.kind) {
     case Event::Kind::layer:
       model_.record_kind(RecordKind::layer);
@@ -233,8 +231,8 @@ bool BasicEncoder<Normals>::encode_whole(const Event& event) {
 }
 
 // Encodes the first words of the record as a part. False when fewer fit: `words` says how many.
-template <class Normals>
-bool BasicEncoder<Normals>::encode_part(uint32_t& words, Event::Kind cause) {
+template <class Normals, size_t max_payload>
+bool BasicEncoder<Normals, max_payload>::encode_part(uint32_t& words, Event::Kind cause) {
   encode_normals(words);
   model_.record_kind(RecordKind::part);
   model_.part(record_);
@@ -251,8 +249,8 @@ bool BasicEncoder<Normals>::encode_part(uint32_t& words, Event::Kind cause) {
   return true;
 }
 
-template <class Normals>
-bool BasicEncoder<Normals>::put_trailer(const Event& event) {
+template <class Normals, size_t max_payload>
+bool BasicEncoder<Normals, max_payload>::put_trailer(const Event& event) {
   if (!packets_.is_ended()) {
     if (!flush()) return false;
     packets_.seal_trailer(event);
@@ -262,26 +260,26 @@ bool BasicEncoder<Normals>::put_trailer(const Event& event) {
 
 // ---- packets ----
 
-template <class Normals>
-bool BasicEncoder<Normals>::fits(size_t reserve) const {
-  return model_.coder().range.size() + reserve <= wire::max_payload;
+template <class Normals, size_t max_payload>
+bool BasicEncoder<Normals, max_payload>::fits(size_t reserve) const {
+  return model_.coder().range.size() + reserve <= max_payload;
 }
 
-template <class Normals>
-void BasicEncoder<Normals>::open_packet() {
-  model_ = Model(Coder{RangeEncoder(packets_.payload(), wire::max_payload)});
+template <class Normals, size_t max_payload>
+void BasicEncoder<Normals, max_payload>::open_packet() {
+  model_ = Model(Coder{RangeEncoder(packets_.payload(), max_payload)});
   packet_is_empty_ = true;
 }
 
-template <class Normals>
-void BasicEncoder<Normals>::seal_records() {
+template <class Normals, size_t max_payload>
+void BasicEncoder<Normals, max_payload>::seal_records() {
   model_.record_kind(RecordKind::end);
   packets_.seal(wire::PacketKind::records, packets_.payload() + model_.coder().range.finish());
 }
 
 // Hands the sealed frame over. When all of it is gone the next packet is open.
-template <class Normals>
-bool BasicEncoder<Normals>::drain() {
+template <class Normals, size_t max_payload>
+bool BasicEncoder<Normals, max_payload>::drain() {
   if (packets_.is_open()) return true;
   if (!packets_.drain()) return false;
   open_packet();

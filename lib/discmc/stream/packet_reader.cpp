@@ -77,7 +77,18 @@ PacketReader::Arrival PacketReader::open_frame(size_t bytes) {
   if (kind == PacketKind::application || kind == PacketKind::slices_application)
     return payload_bytes_ < application_head ? damage() : Arrival::application;
   if (is_of_slices(packet[0])) return Arrival::slices;
+  if (kind == PacketKind::whole_regions) {
+    if (payload_bytes_ < whole_regions_tail) return damage();
+    payload_bytes_ -= whole_regions_tail;
+    return Arrival::records;
+  }
   return kind == PacketKind::records ? Arrival::records : Arrival::nothing;
+}
+
+uint32_t PacketReader::whole_regions() const {
+  if (frame_[1] != static_cast<uint8_t>(wire::PacketKind::whole_regions)) return 0;
+  wire::ByteReader tail(payload() + payload_bytes_, wire::whole_regions_tail);
+  return static_cast<uint32_t>(tail.get(wire::whole_regions_tail));
 }
 
 ApplicationRecord PacketReader::application() const {

@@ -36,8 +36,12 @@ class PacketReader {
   uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
   size_t payload_bytes() const { return payload_bytes_; }
 
-  /// A piece that began in one of the packets has been completed, or lost.
-  void pass_piece() { ++pieces_passed_; }
+  /// How many regions the records that have arrived say they are, if these are known to be whole;
+  /// else 0.
+  uint32_t whole_regions() const;
+
+  /// Pieces that began in the packets have been completed, or lost.
+  void pass_pieces(uint32_t pieces) { pieces_passed_ += pieces; }
   /// A packet, whole by its checksum, does not hold what it should.
   void note_unreadable();
 

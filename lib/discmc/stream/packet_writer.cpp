@@ -91,6 +91,14 @@ void PacketWriter::seal_application(wire::PacketKind kind, const ApplicationReco
   seal(kind, place);
 }
 
+void PacketWriter::seal_appended(const RecordsPacket& packet) {
+  uint8_t* place = payload();
+  for (size_t i = 0; i < packet.bytes; ++i) *place++ = packet.payload[i];
+  pieces_ += packet.pieces;
+  if (packet.is_whole) place = wire::put(place, packet.pieces, wire::whole_regions_tail);
+  seal(packet.is_whole ? wire::PacketKind::whole_regions : wire::PacketKind::records, place);
+}
+
 bool PacketWriter::drain() {
   while (frame_bytes_ > 0) {
     const size_t left = static_cast<size_t>(frame_bytes_ - drained_);

@@ -4,6 +4,7 @@
 #define DISCMC_STREAM_PACKET_WRITER_HPP
 
 #include <discmc/byte_output.hpp>
+#include <discmc/records_packet.hpp>
 #include <discmc/stream/wire.hpp>
 
 namespace discmc {
@@ -38,11 +39,14 @@ class PacketWriter {
   /// Seals an application record. kind: of the two for such. Limit: the packet is open, and the
   /// record not too long.
   void seal_application(wire::PacketKind kind, const ApplicationRecord& record);
+  /// Seals a copy. Limit: the packet is open, the copy within wire::max_appended, and its pieces
+  /// within 16 bits.
+  void seal_appended(const RecordsPacket& packet);
   /// Hands over what is sealed. True when all of it is gone: then the next packet is open.
   bool drain();
 
-  /// So many more pieces are complete, in the open packet or before it.
-  void count_pieces(uint32_t pieces) { pieces_ += pieces; }
+  /// One more piece is complete, in the open packet or before it.
+  void count_piece() { ++pieces_; }
   /// The bytes that the output has taken so far.
   uint64_t bytes() const { return bytes_; }
 

@@ -20,6 +20,7 @@ enum class PacketKind : uint8_t {
   slices_trailer = 4,
   application = 5,
   slices_application = 6,
+  whole_regions = 7,
   slices = 16
 };
 
@@ -63,6 +64,10 @@ constexpr uint8_t channel_in(uint32_t tag) {
 constexpr uint8_t further_surfaces_in(uint32_t tag) {
   return static_cast<uint8_t>(tag >> 22);
 }
+
+/// A packet of whole regions tells last how many they are. Units: bytes.
+constexpr size_t whole_regions_tail = 2;
+constexpr size_t max_appended = max_payload - whole_regions_tail;
 
 /// A frame is a packet with its stuffing byte and its ending zero.
 constexpr size_t max_frame = max_packet + 2;

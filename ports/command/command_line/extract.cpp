@@ -153,11 +153,10 @@ void check_jobs(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--jobs",
                                "of --memory, --capacities, --labels and --surface interpolated "
                                "the volume is taken as a whole: leave out one or the other");
-  if (is_stream &&
-      (arguments.wire == Wire::slices || arguments.slab || arguments.normals == Normals::gradient))
+  if (is_stream && (arguments.wire == Wire::slices || arguments.normals == Normals::gradient))
     throw CLI::ValidationError("--jobs",
-                               "a stream of slices, of a slab or with normals is that of one "
-                               "sweep: leave out one or the other");
+                               "a stream of slices or with normals is that of one sweep: leave out "
+                               "one or the other");
 }
 
 void check(const ExtractArguments& arguments, const CLI::App& app) {

@@ -88,6 +88,8 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   options.slab = slab_of(arguments, info.dims[2]);
   options.normals = arguments.normals == Normals::gradient;
   options.jobs = arguments.jobs;
+  // A slab in parts is faster to join.
+  if (options.slab && is_divisible(arguments)) options.jobs = arguments.jobs.value_or(1);
   options.measures_memory = !arguments.quiet && !options.jobs;
   std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(info.type)) {

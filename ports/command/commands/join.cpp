@@ -46,6 +46,9 @@ class Join {
     path_ = path;
     is_begun_ = has_range_ = false;
     StreamReader reader(sink_to(*this));
+    reader.pass_whole_regions_to({this, [](void* self, const RecordsPacket& packet) {
+                                    require(static_cast<Join*>(self)->encoder_.append(packet));
+                                  }});
     read_file(path, reader);
     if (is_begun_ && !has_range_ && depth_ > 0) add_range({0, depth_, depth_});
     return completeness(path, reader.report());

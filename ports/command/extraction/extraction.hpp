@@ -48,7 +48,7 @@ struct ExtractionOptions {
   std::optional<SlabRange> slab{};
   /// The volume in parts, so many at once (extract_in_parts()), where there is a number. What
   /// `memory` says is then the first try: a part that it is not enough for takes more.
-  /// Limit: not with capacities, measures_memory, normals, slices, a slab or crossings.
+  /// Limit: not with capacities, measures_memory, normals, slices or crossings.
   std::optional<unsigned> jobs{};
 };
 
@@ -78,7 +78,7 @@ struct SurfaceRequest {
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
   /// Where parts are extracted, those of these two that there are get the regions that lie in one,
-  /// in place of the sink: as polygons, and encoded. Limit: the sink is what starts the encoder,
+  /// in place of the sink: as polygons, and encoded, in packets that a join passes on. Limit: the sink is what starts the encoder,
   /// whose output takes all. Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   NormalEncoder* encoder = nullptr;

@@ -120,10 +120,10 @@ class OverlappingSlices {
  public:
   explicit OverlappingSlices(std::size_t slice_bytes) : slice_bytes_(slice_bytes) {}
 
-  // read(bytes): reads the next slice. Limit: spans in order, none after a gap.
+  // read(bytes): reads the next slice. Limit: spans in order, none after a gap but the first.
   template <class Read>
   void fill(const SliceSpan& span, std::vector<std::uint8_t>& slices, Read read) {
-    const std::size_t known = (end_ - span.first) * slice_bytes_;
+    const std::size_t known = end_ > span.first ? (end_ - span.first) * slice_bytes_ : 0;
     slices.resize(span.count() * slice_bytes_);
     std::copy(last_.end() - static_cast<std::ptrdiff_t>(known), last_.end(), slices.begin());
     for (std::size_t at = known; at < slices.size(); at += slice_bytes_) read(slices.data() + at);
@@ -152,8 +152,10 @@ class PartReader {
   }
 
   void read(Part& part) {
+    skip_to(part.spans.read.first);
     samples_.fill(part.spans.read, part.samples,
                   [this](std::uint8_t* slice) { volume_.read_slice(slice); });
+    end_ = part.spans.read.end;
     if (!mask_) return;
     bits_.fill(part.spans.read, part.mask, [this](std::uint8_t* slice) {
       std::memcpy(slice, mask_->next_slice(), mask_bytes_);
@@ -161,11 +163,19 @@ class PartReader {
   }
 
  private:
+  void skip_to(std::uint32_t first) {
+    for (; end_ < first; ++end_) {
+      volume_.skip_slice();
+      if (mask_) mask_->skip_slice();
+    }
+  }
+
   VolumeReader& volume_;
   OverlappingSlices samples_;
   std::optional<MaskBits> mask_;
   std::size_t mask_bytes_ = 0;
   OverlappingSlices bits_;
+  std::uint32_t end_ = 0;  // of the slices that were read or skipped
 };
 
 using PartScan = Scan<LearningExtractor>;
@@ -198,7 +208,7 @@ class Parts {
         options_(options),
         requests_(surfaces),
         reader_(volume, options.mask),
-        spans_(parts_of(info_)) {
+        spans_(parts_of(info_, slab_spans(options.slab, info_.dims[2], false).own)) {
     for (const SurfaceRequest& request : requests_)
       joiners_.push_back(std::make_unique<GrowingJoiner>(request.sink));
   }
@@ -265,7 +275,7 @@ class Parts {
   void finish(GrowingJoiner& joiner, Statistics& totals) const {
     Event event{};
     event.kind = Event::Kind::finish;
-    event.slice = info_.dims[2];
+    event.slice = spans_.back().end - spans_.front().first;
     event.statistics = &totals;
     joiner.take(event);
     joiner.finish();
@@ -275,7 +285,7 @@ class Parts {
   void add(const std::vector<Extraction>& extractions) {
     if (sums_.empty()) {
       sums_ = extractions;
-      for (Extraction& sum : sums_) sum.is_of_slab = false;
+      for (Extraction& sum : sums_) sum.is_of_slab = options_.slab.has_value();
       return;
     }
     for (std::size_t i = 0; i < sums_.size(); ++i) {
@@ -305,16 +315,16 @@ class Parts {
 
 }  // namespace
 
-std::vector<SliceSpan> parts_of(const VolumeInfo& info) {
+std::vector<SliceSpan> parts_of(const VolumeInfo& info, const SliceSpan& slices) {
   constexpr std::uint32_t least = 16, most = 32, parts = 8;
   constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
-  const std::uint32_t depth = info.dims[2];
+  const std::uint32_t depth = slices.count();
   const auto most_slices = static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>(most_bytes / info.slice_bytes(), 2, most));
-  const std::uint32_t slices = std::min(std::clamp(depth / parts, least, most), most_slices);
-  const std::uint32_t count = (depth + slices - 1) / slices;
-  const auto end_of = [depth, count](std::uint32_t part) {
-    return static_cast<std::uint32_t>(std::uint64_t{depth} * part / count);
+  const std::uint32_t thickness = std::min(std::clamp(depth / parts, least, most), most_slices);
+  const std::uint32_t count = (depth + thickness - 1) / thickness;
+  const auto end_of = [&](std::uint32_t part) {
+    return slices.first + static_cast<std::uint32_t>(std::uint64_t{depth} * part / count);
   };
   std::vector<SliceSpan> spans;
   for (std::uint32_t part = 0; part < count; ++part)

@@ -10,9 +10,9 @@
 
 namespace discmc::host {
 
-/// The slabs that a volume is divided into: 16 to 32 slices each, fewer where these are large.
-/// They depend on the volume alone, so that the surface does not depend on the jobs.
-std::vector<SliceSpan> parts_of(const VolumeInfo& info);
+/// The parts that slices of a volume are divided into: 16 to 32 slices each, fewer where these are
+/// large. They do not depend on the jobs, and neither does the surface.
+std::vector<SliceSpan> parts_of(const VolumeInfo& info, const SliceSpan& slices);
 
 /// As extract(), by so many jobs at once. Regions come in the order of the parts: those that cross
 /// seams with the part that they end in, before its own.

@@ -4,11 +4,29 @@
 #include <stdexcept>
 
 #include <discmc/stream/cobs.hpp>
+#include <discmc/stream/region_model.hpp>
 #include <discmc/stream/wire.hpp>
 
 #include "require.hpp"
 
 namespace discmc::host {
+namespace {
+
+struct Coder {
+  RangeDecoder range;
+  bool bit(std::uint32_t context, bool) { return range.decode(region_model[context]); }
+};
+
+// Whether a region that a packet before has begun goes on in this one.
+bool continues_region(const std::uint8_t* payload, std::size_t bytes) {
+  RegionModel<Coder> model(Coder{RangeDecoder(payload, bytes)});
+  if (model.record_kind(RecordKind::end) != RecordKind::part) return false;
+  Record record;
+  model.part(record);
+  return record.continues;
+}
+
+}  // namespace
 
 Answer EncodedPart::take(const Event& event) {
   if (event.kind == Event::Kind::start)
@@ -28,8 +46,12 @@ std::size_t EncodedPart::keep(const std::uint8_t* frame, std::size_t bytes) {
   if (packet[0] != static_cast<std::uint8_t>(wire::PacketKind::records)) return bytes;
   wire::ByteReader head(packet + 2, 2);
   const auto pieces_before = static_cast<std::uint16_t>(head.get(2));
-  payloads_.insert(payloads_.end(), packet + wire::packet_head, packet + count - wire::packet_tail);
-  packets_.push_back({payloads_.size(), pieces_before});
+  const std::uint8_t* const payload = packet + wire::packet_head;
+  const std::uint8_t* const end = packet + count - wire::packet_tail;
+  payloads_.insert(payloads_.end(), payload, end);
+  const bool continues = continues_region(payload, static_cast<std::size_t>(end - payload));
+  if (continues) packets_.back().is_whole = false;
+  packets_.push_back({payloads_.size(), pieces_before, !continues});
   return bytes;
 }
 
@@ -37,11 +59,13 @@ void EncodedPart::append_to(NormalEncoder& encoder) {
   if (!encoder_.flush()) throw std::logic_error("a part's encoder holds back a packet");
   std::size_t begin = 0;
   for (std::size_t i = 0; i < packets_.size(); ++i) {
+    const Packet& packet = packets_[i];
     const bool is_last = i + 1 == packets_.size();
     const std::uint16_t pieces_after = is_last ? pieces_ : packets_[i + 1].pieces_before;
-    const auto pieces = static_cast<std::uint16_t>(pieces_after - packets_[i].pieces_before);
-    require(encoder.append(payloads_.data() + begin, packets_[i].end - begin, pieces));
-    begin = packets_[i].end;
+    const auto pieces = static_cast<std::uint16_t>(pieces_after - packet.pieces_before);
+    require(
+        encoder.append({payloads_.data() + begin, packet.end - begin, pieces, packet.is_whole}));
+    begin = packet.end;
   }
 }
 

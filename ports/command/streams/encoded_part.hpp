@@ -28,11 +28,12 @@ class EncodedPart {
   struct Packet {
     std::size_t end;              // of its payload
     std::uint16_t pieces_before;  // as the packet tells them
+    bool is_whole;                // no region goes on before or behind it
   };
 
   std::size_t keep(const std::uint8_t* frame, std::size_t bytes);
 
-  Encoder encoder_;
+  PartEncoder encoder_;
   std::vector<std::uint8_t> payloads_;  // one after another
   std::vector<Packet> packets_;
   std::uint16_t pieces_ = 0;  // taken, modulo 2^16

@@ -47,6 +47,10 @@ class StreamReader {
  public:
   /// sink: it must not say "not now".
   explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
+  /// As of the Decoder; of version 1 nothing goes there.
+  void pass_whole_regions_to(const RecordsPacketSink& sink) {
+    decoder_.pass_whole_regions_to(sink);
+  }
   /// Any number of bytes; a sink gets what they complete. Throws std::runtime_error when the
   /// stream's version is not known, has not what was chosen, or it claims that more was lost than
   /// anybody can wait for. Limit: not after that.

@@ -1,0 +1,212 @@
+// Packets of records on their way from an encoder or a decoder to another encoder.
+#include <discmc/records_packet.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "oracle/stream_samples.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using Kind = Event::Kind;
+using wire::PacketKind;
+
+namespace {
+
+// Regions of 12 runs, a few to a packet.
+Events small_regions(uint32_t count) {
+  Script script;
+  Chance chance(1);
+  for (uint32_t i = 0; i < count; ++i) add_ragged_region(script, chance, 12, 1000);
+  return script.finish().events;
+}
+
+struct KeptPacket {
+  Bytes payload;
+  uint32_t pieces;
+  bool is_whole;
+};
+using KeptPackets = std::vector<KeptPacket>;
+
+// The packets of records that a PartEncoder makes.
+KeptPackets packets_of(const Events& events, bool are_whole = true) {
+  std::vector<Packet> all;
+  for (const Bytes& frame : frames_of(encode<PartEncoder>(events))) all.push_back(packet_of(frame));
+  KeptPackets packets;
+  for (size_t i = 0; i < all.size(); ++i) {
+    const auto pieces = static_cast<uint16_t>(all[(i + 1) % all.size()].pieces - all[i].pieces);
+    if (all[i].is(PacketKind::records)) packets.push_back({all[i].payload, pieces, are_whole});
+  }
+  return packets;
+}
+
+Status append(Encoder& encoder, const KeptPacket& packet) {
+  return encoder.append(
+      {packet.payload.data(), packet.payload.size(), packet.pieces, packet.is_whole});
+}
+
+// A stream of packets that come from elsewhere, behind some events of its own.
+Bytes appended(const KeptPackets& packets, const Event& finish, const Events& before = {}) {
+  Line line;
+  Encoder encoder;
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  take_all(encoder, before);
+  for (const KeptPacket& packet : packets) CHECK(append(encoder, packet) == Status::ok);
+  CHECK(encoder.take(finish) == Answer::taken);
+  return line.bytes;
+}
+
+// What a decoder passes on, and the rest.
+struct Passed {
+  KeptPackets packets;
+  std::vector<size_t> events_before;  // each packet
+  Events events;
+  StreamReport report;
+};
+
+struct Taker {
+  EventLog log;
+  Passed passed;
+  void take(const RecordsPacket& packet) {
+    passed.packets.push_back(
+        {Bytes(packet.payload, packet.payload + packet.bytes), packet.pieces, packet.is_whole});
+    passed.events_before.push_back(log.events.size());
+  }
+};
+
+Passed passed(const Bytes& stream) {
+  Taker taker;
+  Decoder decoder;
+  reference::require_ok(decoder.start(sink_to(taker.log)));
+  decoder.pass_whole_regions_to({&taker, [](void* context, const RecordsPacket& packet) {
+                                   static_cast<Taker*>(context)->take(packet);
+                                 }});
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  reference::require_ok(decoder.finish());
+  taker.passed.events = taker.log.events;
+  taker.passed.report = decoder.report();
+  return taker.passed;
+}
+
+bool are_same(const KeptPackets& a, const KeptPackets& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const KeptPacket& one, const KeptPacket& other) {
+                      return one.payload == other.payload && one.pieces == other.pieces &&
+                             one.is_whole == other.is_whole;
+                    });
+}
+
+Events regions_among(const Events& events) {
+  Events regions;
+  for (const Events& piece : pieces_of(events))
+    regions.insert(regions.end(), piece.begin(), piece.end());
+  return regions;
+}
+
+}  // namespace
+
+TEST_CASE("packets of another encoder are sent as they are, numbered and counted") {
+  for (const Events& events : {monstrous_events(), small_regions(1000)})
+    CHECK(appended(packets_of(events, false), events.back().event()) ==
+          encode<PartEncoder>(events));
+}
+
+TEST_CASE("packets of whole regions hold the same, and stand behind what there was before") {
+  const Events before = Script().region(up).square({1, 0, 0}, 3).region_end().events;
+  const Events regions = small_regions(1000);
+  Events all = before;
+  all.insert(all.end(), regions.begin(), regions.end());
+  const Received received = decode(appended(packets_of(regions), regions.back().event(), before));
+  CHECK(regions_among(received.events) == regions_among(all));
+  CHECK(received.report.lost_pieces == 0);
+  CHECK(received.report.lost_packets == 0);
+  CHECK_FALSE(received.report.is_mixed);
+}
+
+TEST_CASE("a decoder passes packets of whole regions on, and decodes all others") {
+  const Events fragments = Script().fragment(up, {1, 0, 0}, 6).run(0, 5).fragment_end().events;
+  const Events regions = small_regions(1000);
+  const KeptPackets packets = packets_of(regions);
+  const Passed one = passed(appended(packets, regions.back().event(), fragments));
+  CHECK(are_same(one.packets, packets));
+  CHECK(regions_among(one.events) == fragments);
+  CHECK(one.events.back().is(Kind::finish));
+  CHECK(one.report.regions == 1000);
+  CHECK(one.report.lost_pieces == 0);
+  const Passed none = passed(appended(packets_of(regions, false), regions.back().event()));
+  CHECK(none.packets.empty());
+  CHECK(regions_among(none.events) == regions_among(regions));
+}
+
+TEST_CASE("what is lost among packets that are passed on is counted") {
+  const Events regions = small_regions(1000);
+  const KeptPackets packets = packets_of(regions);
+  std::vector<Bytes> frames = frames_of(appended(packets, regions.back().event()));
+  frames.erase(frames.begin() + 5);
+  const Passed rest = passed(joined(frames));
+  CHECK(rest.packets.size() == packets.size() - 1);
+  CHECK(rest.report.lost_packets == 1);
+  CHECK(rest.report.lost_pieces == packets[4].pieces);
+  CHECK(rest.report.regions == 1000 - packets[4].pieces);
+}
+
+TEST_CASE("before a header packets of whole regions are decoded") {
+  const Events regions = small_regions(1000);
+  std::vector<Bytes> frames = frames_of(appended(packets_of(regions), regions.back().event()));
+  frames.erase(frames.begin());
+  const Passed late = passed(joined(frames));
+  CHECK_FALSE(late.packets.empty());  // those behind the header that comes again
+  CHECK(pieces_of(late.events).size() + late.packets.size() > 64);
+  CHECK(late.report.regions == 1000);
+}
+
+TEST_CASE("a region that breaks off before a packet that is passed on is lost") {
+  Script begun;
+  Chance chance(3);
+  add_ragged_region(begun, chance, 500, 1000);
+  std::vector<Bytes> frames = frames_of(appended({}, begun.events.back().event(), begun.events));
+  const Events regions = small_regions(4);
+  const std::vector<Bytes> others =
+      frames_of(appended(packets_of(regions), regions.back().event()));
+  Packet packet = packet_of(others[1]);
+  packet.number = 2;
+  frames.resize(2);
+  frames.push_back(frame_of(packet));
+  const Passed cut = passed(joined(frames));
+  REQUIRE(cut.packets.size() == 1);
+  CHECK(cut.events.at(cut.events_before[0] - 1).is(Kind::lost));
+}
+
+TEST_CASE("a packet that says it holds whole regions, but not how many, is damaged") {
+  const Events regions = small_regions(4);
+  std::vector<Bytes> frames = frames_of(appended(packets_of(regions), regions.back().event()));
+  Packet packet = packet_of(frames[1]);
+  packet.payload.resize(1);
+  frames[1] = frame_of(packet);
+  const Passed damaged = passed(joined(frames));
+  CHECK(damaged.packets.empty());
+  CHECK(damaged.report.damaged_packets == 1);
+}
+
+TEST_CASE("a packet of another encoder that cannot be sent is refused") {
+  const KeptPacket longest{Bytes(wire::max_appended), 0xFFFF, true};
+  KeptPacket too_long = longest, too_many = longest;
+  too_long.payload.push_back(0);
+  ++too_many.pieces;
+  Line line;
+  Encoder encoder;
+  CHECK(append(encoder, longest) == Status::not_started);
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  CHECK(append(encoder, too_long) == Status::bad_record);
+  CHECK(append(encoder, too_many) == Status::bad_record);
+  const Events events = small_regions(1);
+  REQUIRE(encoder.take(events.front().event()) == Answer::taken);
+  CHECK(append(encoder, longest) == Status::more);
+  for (size_t i = 1; i + 1 < events.size(); ++i)
+    REQUIRE(encoder.take(events[i].event()) == Answer::taken);
+  CHECK(append(encoder, longest) == Status::ok);
+  REQUIRE(encoder.take(events.back().event()) == Answer::taken);
+  CHECK(append(encoder, longest) == Status::finished);
+}
