@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 std::vector<host::DescribedVolume> scans() {
   const char* folder = std::getenv("DISCMC_DATA");
-  if (folder == nullptr) {
+  if (folder == nullptr || *folder == 0) {
     MESSAGE("skipped: DISCMC_DATA names no folder with volumes");
     return {};
   }
