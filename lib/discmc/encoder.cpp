@@ -1,9 +1,8 @@
-// The encoders without normals.
+// The encoder without normals.
 #include <discmc/stream/encoder_definitions.hpp>
 
 namespace discmc {
 
 template class BasicEncoder<NoRecordNormals>;
-template class BasicEncoder<NoRecordNormals, wire::max_appended>;
 
 }  // namespace discmc
