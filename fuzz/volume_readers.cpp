@@ -263,6 +263,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::optional<File> second;
   if (name.other != nullptr) second.emplace(folder.path() / name.other, tail);
 
+  // HDF5 is left out: its library makes no such promise (SECURITY.md).
+  if (head.size() >= 4 && std::memcmp(head.data(), "\x89HDF", 4) == 0) return 0;
+
   const size_t file_bytes = std::max(head.size(), tail.size());
   const Reading reading = read(opened, options, file_bytes);
   require(read(opened, options, file_bytes) == reading, "another reading of the same file");

@@ -30,7 +30,7 @@ const std::map<std::string, std::set<std::string>> table = {
     {"nifti2", all_types},    {"analyze", {"u8", "i16", "i32", "f32", "f64"}},
     {"metaimage", all_types}, {"vtk", all_types},
     {"vti", all_types},       {"numpy", all_types},
-    {"invesalius", {"i16"}},
+    {"hdf5", all_types},      {"invesalius", {"i16"}},
 };
 
 VolumeOptions frame(std::uint32_t number) {
@@ -91,8 +91,9 @@ TEST_CASE("both files of a pair may be packed") {
 }
 
 TEST_CASE("a file of several volumes is refused unless one of them is chosen") {
-  for (const std::string name : {"nrrd/i16-big-frame1.nrrd", "nifti1/i16-little-frame1.nii",
-                                 "nifti2/i16-little-frame1.nii", "numpy/i16-little-frame1.npy"}) {
+  for (const std::string name :
+       {"nrrd/i16-big-frame1.nrrd", "nifti1/i16-little-frame1.nii", "nifti2/i16-little-frame1.nii",
+        "numpy/i16-little-frame1.npy", "hdf5/i16-little-frame1.h5"}) {
     INFO(name);
     check_refusal(refusal(folder / name), "holds 2 volumes, and one is read at a time; choose one");
     check_refusal(refusal(folder / name, frame(2)), "no volume 2: the file holds 2");

@@ -239,7 +239,7 @@ Command add_extract(CLI::App& app) {
   extract
       ->add_option(
           "VOLUME", arguments->volume,
-          "file of NRRD, NIfTI, Analyze, MetaImage, VTK, NumPy or InVesalius, a folder or "
+          "file of NRRD, NIfTI, Analyze, MetaImage, VTK, NumPy, HDF5 or InVesalius, a folder or "
           "file of DICOM, a folder, 'pattern' or file of PNG or TIFF slices, or headerless "
           "samples with --dims and --type; - reads standard input")
       ->required();

@@ -29,7 +29,7 @@ constexpr Magic magics[] = {
     {"TIFF", 0, "MM\0*"sv},
     {"JPEG", 0, "\xff\xd8\xff"sv},
     {"PDF", 0, "%PDF"sv},
-    {"HDF5 (MINC, MATLAB)", 0, "\x89HDF"sv},
+    {"HDF5", 0, "\x89HDF"sv},
     {"zip", 0, "PK\x03\x04"sv},
     {"gzip", 0, "\x1f\x8b\x08"sv},
     {"bzip2", 0, "BZh"sv},

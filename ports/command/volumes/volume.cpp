@@ -12,6 +12,7 @@
 
 #include "cropped_volume.hpp"
 #include "dicom/files.hpp"
+#include "hdf5/name.hpp"
 #include "other_kinds.hpp"
 #include "pictures/picture_names.hpp"
 #include "shrunk_volume.hpp"
@@ -103,6 +104,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   if (is_picture_name(file)) return open_pictures(file, {file}, options);
   if (has_dicom_name(file)) return open_dicom(file, {file}, options);
   if (has_zip_name(file)) return open_zip(file, options);
+  if (has_hdf5_name(file)) return open_hdf5(file, options);
 
   ByteStream stream = open_content(file);
   for (const Format& format : formats)
@@ -118,6 +120,10 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   const bool is_bare_file = !stream.is_decoded() && !stream.is_read_once();
   if (found == "DICOM" && is_bare_file) return open_dicom(file, {file}, options);
   if (found == "zip" && is_bare_file) return open_zip(file, options);
+  if (found == "HDF5" && is_bare_file) return open_hdf5(file, options);
+  if (!is_bare_file && (found == "DICOM" || found == "zip" || found == "HDF5"))
+    fail(file, std::string(*found) + " is not read from a pipe, nor packed",
+         "store it in a file, unpacked");
   fail(
       stream.file(), found ? std::string(*found) + " is not read" : "the format is not known",
       "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims and "
@@ -172,7 +178,7 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
 
 bool is_volume_name(const std::filesystem::path& file) {
   return ends_with_one_of(file, raw_ends) || has_dicom_name(file) || is_picture_name(file) ||
-         has_zip_name(file) || is_folder(file) ||
+         has_zip_name(file) || has_hdf5_name(file) || is_folder(file) ||
          std::any_of(std::begin(formats), std::end(formats),
                      [&file](const Format& format) { return ends_with_one_of(file, format.ends); });
 }

@@ -44,6 +44,11 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures);
 
+/// An HDF5 file, or a dataset in it: scan.h5:/exchange/data. Of a file alone the dataset is the only
+/// one that can be a volume.
+std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
+                                        const VolumeOptions& options);
+
 /// Whether a file is named as archives of zip are.
 bool has_zip_name(const std::filesystem::path& file);
 

@@ -3,7 +3,7 @@
 nothing to do with discmc. The files are committed; the test container_table reads all of them.
 
 Run it again only to add files:   /usr/bin/python3 tests/command/volumes/write_volumes.py
-On Debian it needs python3-nibabel, python3-numpy, python3-vtk9 and teem-apps.
+On Debian it needs python3-h5py, python3-nibabel, python3-numpy, python3-vtk9 and teem-apps.
 
 A file is CONTAINER/TYPE-ORDER[-HOW].EXTENSION. The volume has 5 x 3 x 4 voxels of 0.5 x 0.75 x 2 mm
 at (10, -20, 30.5), and the samples of sample_at() in volume_files.hpp. In a file of two volumes
@@ -15,6 +15,7 @@ import plistlib
 import subprocess
 import tarfile
 
+import h5py
 import nibabel
 import numpy
 from vtkmodules import vtkIOImage, vtkIOLegacy, vtkIOXML
@@ -200,6 +201,43 @@ def write_numpy():
     numpy.save(path('numpy', 'i16-little-frame1.npy'), two_frames(samples('i16')))
 
 
+# HDF5, by h5py. What it tells of a voxel is along z, y and x, in micrometres.
+def hdf5_file(name, folder='hdf5'):
+    return h5py.File(path(folder, name), 'w')
+
+
+def add_dataset(file, name, array, **how):
+    dataset = file.create_dataset(name, data=array, track_times=False, **how)
+    dataset.attrs['element_size_um'] = [1000 * length for length in SPACING[::-1]]
+
+
+def write_hdf5():
+    for name in TYPES:
+        for order in orders(name):
+            array = samples(name)
+            array = array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
+            with hdf5_file(f'{name}-{order}.h5') as file:
+                add_dataset(file, 'volume', array)
+    with hdf5_file('i16-big-gzip.h5') as file:
+        add_dataset(file, 'exchange/data', samples('i16').astype('>i2'), chunks=(2, 2, 2),
+                    compression='gzip', shuffle=True, fletcher32=True)
+        file['theta'] = numpy.zeros((4, 3))
+        file['title'] = 'beside the volume'
+    with hdf5_file('i16-little-frame1.h5') as file:
+        add_dataset(file, 'volume', two_frames(samples('i16')), chunks=(1, 1, 3, 5))
+    with hdf5_file('several.hdf5', 'hdf5_arrays') as file:
+        add_dataset(file, 'scan/u8', samples('u8'))
+        add_dataset(file, 'scan/truth', samples('u8') >= 100)
+        file['scan/half'] = samples('f32').astype('float16')
+        file['scan/slice'] = samples('u8')[1]
+        file['scan/complex'] = samples('f32').astype('complex64')
+    with hdf5_file('packed.h5', 'hdf5_arrays') as file:
+        file.create_dataset('volume', (4, 3, 5), 'u1', chunks=(1, 3, 5), compression=32001,
+                            allow_unknown_filter=True)
+    with hdf5_file('minc.h5', 'hdf5_arrays') as file:
+        file['minc-2.0/image/0/image'] = samples('u16')
+
+
 # InVesalius, with the modules of Python that it writes its projects with.
 def write_invesalius():
     for how in ('', '-gzip'):
@@ -227,4 +265,5 @@ if __name__ == '__main__':
     write_metaimage()
     write_vtk()
     write_numpy()
+    write_hdf5()
     write_invesalius()

@@ -1,0 +1,28 @@
+#include "name.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+
+#include "volumes/volume_format.hpp"
+
+namespace discmc::host {
+
+Hdf5Name hdf5_name(const std::filesystem::path& name) {
+  const std::string& text = name.native();
+  const std::size_t colon = text.find(":/");
+  std::error_code ignored;
+  if (colon == std::string::npos || std::filesystem::exists(name, ignored)) return {name, {}};
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+bool has_hdf5_name(const std::filesystem::path& name) {
+  constexpr std::string_view extensions[] = {".h5", ".hdf5", ".nxs"};
+  const Hdf5Name parts = hdf5_name(name);
+  const std::string extension = lower(parts.file.extension().string());
+  return !parts.dataset.empty() ||
+         std::find(std::begin(extensions), std::end(extensions), extension) != std::end(extensions);
+}
+
+}  // namespace discmc::host
