@@ -11,7 +11,7 @@
 #include <discmc/c_values.hpp>
 #include <discmc/discmc.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -70,14 +70,13 @@ static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == D
                   ApplicationRecord::first_standard_kind == DISCMC_FIRST_STANDARD_KIND,
               "constants are the same");
 
-constexpr Limits some_limits{31, 7};
 static_assert(DISCMC_RECORD_BYTES_ == sizing::record_bytes<uint16_t, NoNormals> &&
                   DISCMC_MINIMUM_RECORDS_ == minimum_capacities().records &&
                   is_valid<uint16_t>({DISCMC_MOST_RECORDS_, 0}) &&
                   !is_valid<uint16_t>({DISCMC_MOST_RECORDS_ + 1, 0}) &&
-                  DISCMC_MINIMUM_BYTES(31, 7) == minimum_bytes<uint16_t>(some_limits) &&
+                  DISCMC_MINIMUM_BYTES(31, 7) == minimum_bytes<uint16_t>({31, 7}) &&
                   DISCMC_DEFAULT_RECORDS_(31, 7, 5000) ==
-                      default_capacities<uint16_t>(some_limits, 5000).records,
+                      default_capacities<uint16_t>({31, 7}, 5000).records,
               "the constants of sizes.h are what the functions give; the tests have many more");
 
 discmc_limits c(const Limits& from) {
@@ -137,8 +136,14 @@ const Decoder& cpp(const discmc_decoder* decoder) {
 
 }  // namespace
 
+extern "C" {
+
 const char* discmc_text(discmc_status status) {
   return text(static_cast<Status>(status));
+}
+
+const char* discmc_version() {
+  return version();
 }
 
 uint8_t discmc_limits_is_valid(const discmc_limits* limits) {
@@ -284,3 +289,7 @@ discmc_stream_header discmc_decoder_header(const discmc_decoder* decoder) {
 discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder) {
   return c(cpp(decoder).report());
 }
+
+}  // extern "C"
+
+}  // namespace discmc

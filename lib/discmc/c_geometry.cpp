@@ -8,7 +8,7 @@
 #include <discmc/normal.hpp>
 #include <discmc/polygon.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -43,6 +43,8 @@ const Vertex* cpp(const discmc_vertex* vertices) {
 }
 
 }  // namespace
+
+extern "C" {
 
 discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal normal) {
   const UnitNormal unit = unit_normal(OctahedralNormal{normal.u, normal.v});
@@ -157,3 +159,7 @@ discmc_facet_ring discmc_ring_of_facet(uint8_t facet) {
     result.vertices[result.count] = c(position(ring.point[result.count]));
   return result;
 }
+
+}  // extern "C"
+
+}  // namespace discmc

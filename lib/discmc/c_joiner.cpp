@@ -5,7 +5,7 @@
 #include <discmc/c_sink.hpp>
 #include <discmc/joiner.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -32,6 +32,8 @@ discmc_join_capacities c(const JoinCapacities& from) {
 }
 
 }  // namespace
+
+extern "C" {
 
 uint64_t discmc_joiner_bytes_for(const discmc_join_capacities* capacities) {
   return Joiner::bytes_for({capacities->fragments, capacities->runs});
@@ -70,3 +72,7 @@ discmc_join_capacities discmc_joiner_capacities(const discmc_joiner* joiner) {
 discmc_join_capacities discmc_joiner_high_water(const discmc_joiner* joiner) {
   return c(cpp(joiner).high_water());
 }
+
+}  // extern "C"
+
+}  // namespace discmc

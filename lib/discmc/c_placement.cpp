@@ -5,7 +5,7 @@
 #include <discmc/c_values.hpp>
 #include <discmc/placement.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -25,6 +25,8 @@ static_assert(DISCMC_FRAME_NONE == static_cast<int>(Frame::none) &&
 
 }  // namespace
 
+extern "C" {
+
 discmc_application_record discmc_placement_record(const discmc_placement* placement,
                                                   uint8_t* bytes) {
   return c(record_of(*reinterpret_cast<const Placement*>(placement), bytes));
@@ -33,3 +35,7 @@ uint8_t discmc_read_placement(const discmc_application_record* record,
                               discmc_placement* placement) {
   return read_placement(cpp(*record), *reinterpret_cast<Placement*>(placement)) ? 1 : 0;
 }
+
+}  // extern "C"
+
+}  // namespace discmc

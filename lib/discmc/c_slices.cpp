@@ -7,7 +7,7 @@
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -32,13 +32,11 @@ static_assert(fits<SliceEncoder, discmc_slice_encoder> &&
                   fits<SurfaceDecoderAdapter, discmc_surface_decoder>,
               "the sizes in discmc.h are enough and not much more");
 
-constexpr Limits some_limits{31, 7};
-static_assert(DISCMC_SLICE_ENCODER_BYTES_FOR(31, 7, 0, 1) ==
-                      slice_encoder_bytes(some_limits, {0}, 1) &&
+static_assert(DISCMC_SLICE_ENCODER_BYTES_FOR(31, 7, 0, 1) == slice_encoder_bytes({31, 7}, {0}, 1) &&
                   DISCMC_SLICE_ENCODER_BYTES_FOR(31, 7, 1, 3) ==
-                      slice_encoder_bytes(some_limits, {1}, 3) &&
-                  DISCMC_SLICE_DECODER_BYTES_FOR(31, 7, 3) == slice_decoder_bytes(some_limits, 3) &&
-                  DISCMC_MINIMUM_SURFACE_BYTES(31, 7, 3) == minimum_surface_bytes(some_limits, 3),
+                      slice_encoder_bytes({31, 7}, {1}, 3) &&
+                  DISCMC_SLICE_DECODER_BYTES_FOR(31, 7, 3) == slice_decoder_bytes({31, 7}, 3) &&
+                  DISCMC_MINIMUM_SURFACE_BYTES(31, 7, 3) == minimum_surface_bytes({31, 7}, 3),
               "the constants of sizes.h are what the functions give; the tests have many more");
 
 SliceEncoder& cpp(discmc_slice_encoder* encoder) {
@@ -67,6 +65,8 @@ const SurfaceDecoder& cpp(const discmc_surface_decoder* decoder) {
 }
 
 }  // namespace
+
+extern "C" {
 
 uint64_t discmc_slice_encoder_bytes_for(const discmc_limits* limits, uint32_t key_slice_interval,
                                         uint32_t surfaces) {
@@ -181,3 +181,7 @@ discmc_stream_header discmc_surface_decoder_header(const discmc_surface_decoder*
 discmc_stream_report discmc_surface_decoder_report(const discmc_surface_decoder* decoder) {
   return c(cpp(decoder).report());
 }
+
+}  // extern "C"
+
+}  // namespace discmc

@@ -28,6 +28,7 @@
 #define DISCMC_H
 
 #include <discmc/sizes.h>
+#include <discmc/version.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -75,6 +76,12 @@ enum {
 
 /* A short English text for a status. Owner: static storage. */
 const char* discmc_text(discmc_status status);
+
+/* ---- version (version.h) ---- */
+
+/* The version of the library that is linked, as "0.2.0". It is DISCMC_VERSION_STRING unless headers
+ * and library are of two versions. Owner: static storage. */
+const char* discmc_version(void);
 
 /* ---- limits and memory (limits.hpp, capacities.hpp) ---- */
 

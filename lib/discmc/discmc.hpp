@@ -30,6 +30,7 @@
 //   normal.hpp            normals in fixed point, of facets, gradients and polygons
 //   sample_window.hpp     normals of polygons that are there already, in a second pass
 //   cell.hpp, facet_table.hpp  the geometry of a cell, for tools and tests
+//   version.hpp           which version this is
 //
 // Everywhere: lattice.hpp (coordinates in half-steps, links, incidences), plane.hpp, status.hpp,
 // arena.hpp, pool.hpp, compiler.hpp.
@@ -105,5 +106,6 @@
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
+#include <discmc/version.hpp>
 
 #endif

@@ -1,6 +1,7 @@
 // The discmc command.
 #include <algorithm>
 #include <csignal>
+#include <discmc/version.hpp>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -20,7 +21,7 @@ int run(int argc, char** argv) {
       "discmc"};
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "print this help");
-  app.set_version_flag("--version", DISCMC_VERSION, "print the version");
+  app.set_version_flag("--version", discmc::version(), "print the version");
   app.formatter_fn([](const CLI::App* command, const std::string&, CLI::AppFormatMode) {
     return help(outline_of(*command));
   });

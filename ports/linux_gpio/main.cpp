@@ -1,5 +1,6 @@
 // discmc-gpio: a scan whose rows are triggered by a GPIO line.
 #include <chrono>
+#include <discmc/version.hpp>
 #include <iostream>
 #include <memory>
 
@@ -102,7 +103,7 @@ int main(int argc, char** argv) {
   using namespace discmc::device;
   CLI::App app{"Surface of a scan whose rows are triggered by a GPIO line, as a stream",
                "discmc-gpio"};
-  app.set_version_flag("--version", DISCMC_VERSION);
+  app.set_version_flag("--version", discmc::version());
   app.footer(exit_codes);
   Arguments arguments;
   add_options(app, arguments);

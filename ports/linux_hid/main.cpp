@@ -1,5 +1,6 @@
 // discmc-hid: a scan whose rows arrive in HID reports.
 #include <chrono>
+#include <discmc/version.hpp>
 #include <iostream>
 
 #include "device_gone.hpp"
@@ -132,7 +133,7 @@ int run_scan(const Arguments& arguments) {
 int main(int argc, char** argv) {
   using namespace discmc::device;
   CLI::App app{"Surface of a scan whose rows arrive in HID reports, as a stream", "discmc-hid"};
-  app.set_version_flag("--version", DISCMC_VERSION);
+  app.set_version_flag("--version", discmc::version());
   app.require_subcommand(1);
   app.footer(exit_codes);
   Arguments arguments;

@@ -31,7 +31,7 @@ CellPatch patch_from(const LoopFacets& facets, int begin) {
 }  // namespace
 
 CellPatch cell_patch(Configuration configuration, uint32_t number) {
-  const Loops loops = derive::loops(configuration);
+  const Loops loops = discmc::derive::loops(configuration);
   for (int l = 0; l < loops.count; ++l) {
     const LoopFacets facets = facets_of(loops.loop[l]);
     for (int i = 0; i < facets.loop.count; ++i) {
@@ -44,7 +44,7 @@ CellPatch cell_patch(Configuration configuration, uint32_t number) {
 
 CellCounts cell_counts(Configuration configuration) {
   CellCounts counts{0, 0};
-  const Loops loops = derive::loops(configuration);
+  const Loops loops = discmc::derive::loops(configuration);
   for (int l = 0; l < loops.count; ++l) {
     const LoopFacets facets = facets_of(loops.loop[l]);
     counts.facets += facets.is_fan ? facets.loop.count : 1U;

@@ -80,7 +80,7 @@ struct VertexLoop {
 
 constexpr VertexLoop loop_at_vertex(Configuration configuration) {
   const Point vertex = point_at({1, 0, 0});
-  const Loops loops = derive::loops(configuration);
+  const Loops loops = discmc::derive::loops(configuration);
   VertexLoop found{};
   for (int l = 0; l < loops.count; ++l) {
     found.points += loops.loop[l].count;
@@ -140,7 +140,7 @@ constexpr CellEdge own_edge(int axis, int quadrant) {
 }
 
 constexpr Link link_inwards(CellEdge edge) {
-  return derive::link_of(links, position(centroid) - position(edges.point[edge]));
+  return discmc::derive::link_of(links, position(centroid) - position(edges.point[edge]));
 }
 
 // Numbers queues, those within a slice first.
@@ -240,7 +240,7 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
           const Vertex there = here + vector;
           const bool is_ahead = is_visited_before(here, there);
           if (is_ahead != (pass == 0)) continue;
-          const Link link = derive::link_of(links, vector);
+          const Link link = discmc::derive::link_of(links, vector);
           const auto queue = static_cast<uint8_t>(
               is_ahead
                   ? numbers.take(2, is_in_next_slice(here, there))

@@ -1,0 +1,45 @@
+// All places that name the version name the same one.
+#include <discmc/discmc.h>
+#include <doctest/doctest.h>
+
+#include <discmc/version.hpp>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(std::string(DISCMC_SOURCE_DIR) + "/" + path);
+  REQUIRE_MESSAGE(file.is_open(), path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// The first version that follows some text in a file, which tells what versions stand behind.
+std::string version_after(const std::string& text, const std::string& path) {
+  std::smatch found;
+  const std::string all = text_of(path);
+  std::regex_search(all, found, std::regex(text + R"((\d+\.\d+\.\d+))"));
+  return found.empty() ? path + " names no version" : found[1].str();
+}
+
+}  // namespace
+
+TEST_CASE("the version is that of its three numbers, of the library and of the headers") {
+  const std::string version = DISCMC_VERSION_STRING;
+  CHECK(version == std::to_string(DISCMC_VERSION_MAJOR) + "." +
+                       std::to_string(DISCMC_VERSION_MINOR) + "." +
+                       std::to_string(DISCMC_VERSION_PATCH));
+  CHECK(version == discmc::version());
+  CHECK(version == discmc_version());
+}
+
+TEST_CASE("all files that name the version name this one") {
+  const std::string version = DISCMC_VERSION_STRING;
+  CHECK(version_after("project\\(discmc\\s+VERSION ", "CMakeLists.txt") == version);
+  CHECK(version_after("\n## \\[", "CHANGELOG.md") == version);
+  CHECK(version_after("discmc-", "docs/quick-start.md") == version);
+}
