@@ -60,6 +60,9 @@ class RangeEncoder {
 
   /// The encoder while it encodes several bits, in registers where all of it is inlined. Until it
   /// is gone the encoder itself is not to be used. Owner: the encoder is the caller's.
+  ///
+  /// It has a destructor: what is called until then says noexcept, or a compiler that does not
+  /// optimise would link the C++ run-time library.
   class Bits {
    public:
     explicit Bits(RangeEncoder& of) : of_(of), low_(of.low_), range_(of.range_) {}
@@ -67,7 +70,7 @@ class RangeEncoder {
     Bits(const Bits&) = delete;
     Bits& operator=(const Bits&) = delete;
 
-    void encode(bool bit, Probability one) {
+    void encode(bool bit, Probability one) noexcept {
       const uint32_t bound = (range_ >> 8) * one;
       if (bit) {
         range_ = bound;
@@ -79,7 +82,7 @@ class RangeEncoder {
     }
     /// The same for a bit that a processor's branch prediction foresees as little as anybody: no
     /// branch depends on it.
-    void encode_even(bool bit) {
+    void encode_even(bool bit) noexcept {
       const uint32_t half = range_ >> 8 << 7;
       const uint32_t if_zero = uint32_t{bit} - 1;
       low_ += half & if_zero;
@@ -88,12 +91,12 @@ class RangeEncoder {
     }
 
    private:
-    void write_back() {
+    void write_back() noexcept {
       of_.low_ = static_cast<uint32_t>(low_);
       of_.range_ = range_;
       of_.carry_ = static_cast<uint8_t>(of_.carry_ | low_ >> 32);
     }
-    void normalise() {
+    void normalise() noexcept {
       if (range_ >= min_range) return;
       write_back();
       of_.shift();
@@ -162,7 +165,7 @@ class RangeEncoder {
 
   // The top byte is held, and with it those of 255 that follow: a carry may still come through
   // them. They leave when none can, or when it has come.
-  void shift() {
+  void shift() noexcept {
     if (carry_ != 0 || low_ < 0xFF000000U) {
       for (; held_ > 0; --held_) {
         if (count_ < capacity_) buffer_[count_] = static_cast<uint8_t>(first_held_ + carry_);

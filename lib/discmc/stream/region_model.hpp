@@ -23,7 +23,7 @@ constexpr uint32_t slopes = 5;
 
 /// One or zero, equally likely. A type of its own: coders may know it at compile time.
 struct Even {
-  constexpr operator uint32_t() const { return 0; }
+  constexpr operator uint32_t() const noexcept { return 0; }
 };
 constexpr Even even{};
 constexpr uint32_t region_follows = even + 1;                   ///< by: what came before
