@@ -40,6 +40,7 @@ TEST_CASE("the version is that of its three numbers, of the library and of the h
 TEST_CASE("all files that name the version name this one") {
   const std::string version = DISCMC_VERSION_STRING;
   CHECK(version_after("project\\(discmc\\s+VERSION ", "CMakeLists.txt") == version);
+  CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);
   CHECK(version_after("\n## \\[", "CHANGELOG.md") == version);
   CHECK(version_after("discmc-", "docs/quick-start.md") == version);
 }
