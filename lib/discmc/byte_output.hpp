@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <discmc/compiler.hpp>
 
 namespace discmc {
 

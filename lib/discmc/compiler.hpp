@@ -1,27 +1,91 @@
-// What is particular to compilers: GCC and Clang have an instruction for each of these, others
-// compute the same.
+// What is particular to a compiler or a processor: all of it is here. GCC and Clang have an
+// instruction or an attribute for each of these; what is left to others computes the same.
+//
+// DISCMC_FORCE_PORTABLE takes what is left to others, whichever the compiler: for tests, and to
+// find out whether a fault is one of these. Define it for the library and for all that include its
+// headers. The streams are the same to the byte.
 #ifndef DISCMC_COMPILER_HPP
 #define DISCMC_COMPILER_HPP
 
+#include <limits.h>
+#include <stddef.h>
 #include <stdint.h>
+
+static_assert(INT_MAX >= 0x7FFFFFFF,
+              "discmc needs an int of at least 32 bits: its integers are promoted to int");
+
+// ---- what there is ----
+
+#if !defined(DISCMC_FORCE_PORTABLE)
+#if defined(__GNUC__) || defined(__clang__)
+#define DISCMC_HAS_GNU
+#if defined(__ARM_FEATURE_SIMD32)
+#define DISCMC_HAS_LANE_SELECTION
+#endif
+#endif
+// Vectors are for hosts: firmware is compiled freestanding.
+#if __STDC_HOSTED__ && defined(__AVX2__)
+#define DISCMC_HAS_AVX2
+#elif __STDC_HOSTED__ && defined(__SSE2__)
+#define DISCMC_HAS_SSE2
+#elif __STDC_HOSTED__ && defined(__AARCH64EL__) && defined(__ARM_NEON)
+#define DISCMC_HAS_NEON
+#endif
+#endif
+
+// ---- for speed and size ----
+
+#if defined(DISCMC_HAS_GNU)
+#define DISCMC_PRAGMA(text) _Pragma(#text)
+/// Before a function: it is not put into those that call it; it is, always; all that it calls is
+/// put into it.
+#define DISCMC_NOINLINE [[gnu::noinline]]
+#define DISCMC_ALWAYS_INLINE [[gnu::always_inline]] inline
+#define DISCMC_FLATTEN [[gnu::flatten]]
+/// Before a loop: so many rounds become one.
+#define DISCMC_UNROLL(rounds) DISCMC_PRAGMA(GCC unroll rounds)
+#else
+#define DISCMC_NOINLINE
+#define DISCMC_ALWAYS_INLINE inline
+#define DISCMC_FLATTEN
+#define DISCMC_UNROLL(rounds)
+#endif
 
 namespace discmc {
 
+// ---- the processor ----
+
 /// Whether the processor is a host's, with memory for larger tables and code: one of 64 bits.
 /// Boards are compiled hosted or freestanding, so that does not tell.
+#if defined(DISCMC_FORCE_PORTABLE)
+constexpr bool is_host = false;
+#else
 constexpr bool is_host = UINTPTR_MAX > UINT32_MAX;
+#endif
 
 /// Whether the lowest byte of a word comes first in memory. False where the compiler does not say.
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#if defined(DISCMC_HAS_GNU) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
 constexpr bool is_little_endian = true;
 #else
 constexpr bool is_little_endian = false;
 #endif
 
+// ---- memory ----
+
+/// Copies bytes, whatever the types of what lies there. The count is a constant, and small.
+DISCMC_ALWAYS_INLINE void copy_bytes(void* to, const void* from, size_t count) {
+#if defined(DISCMC_HAS_GNU)
+  __builtin_memcpy(to, from, count);
+#else
+  for (size_t i = 0; i < count; ++i)
+    static_cast<uint8_t*>(to)[i] = static_cast<const uint8_t*>(from)[i];
+#endif
+}
+
 /// The word at `memory`, whatever the type of what lies there. Limit: memory is aligned to four
 /// bytes and is_little_endian.
 inline uint32_t aligned_word(const void* memory) {
-#if defined(__GNUC__)
+#if defined(DISCMC_HAS_GNU)
   uint32_t word;
   __builtin_memcpy(&word, __builtin_assume_aligned(memory, sizeof word), sizeof word);
   return word;
@@ -30,6 +94,8 @@ inline uint32_t aligned_word(const void* memory) {
   return bytes[0] | uint32_t{bytes[1]} << 8 | uint32_t{bytes[2]} << 16 | uint32_t{bytes[3]} << 24;
 #endif
 }
+
+// ---- bits ----
 
 namespace derive {
 
@@ -57,7 +123,7 @@ constexpr uint32_t trailing_zeros_by_table(uint32_t bits) {
 
 /// Zeros below the lowest bit that is set. Limit: bits != 0.
 inline uint32_t trailing_zeros(uint32_t bits) {
-#if !defined(__GNUC__) || (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || \
+#if !defined(DISCMC_HAS_GNU) || (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || \
     (defined(__riscv) && !defined(__riscv_zbb))
   return trailing_zeros_by_table(bits);
 #else
@@ -67,12 +133,40 @@ inline uint32_t trailing_zeros(uint32_t bits) {
 
 /// Bits up to the highest one that is set, 0 to 64.
 inline uint32_t bit_width(uint64_t bits) {
-#if defined(__GNUC__)
+#if defined(DISCMC_HAS_GNU)
   return bits == 0 ? 0 : 64 - static_cast<uint32_t>(__builtin_clzll(bits));
 #else
   uint32_t width = 0;
   for (; bits != 0; bits >>= 1) ++width;
   return width;
+#endif
+}
+
+// ---- lanes of a word ----
+
+/// Whether select_lanes() is two instructions.
+#if defined(DISCMC_HAS_LANE_SELECTION)
+constexpr bool has_lane_selection = true;
+#else
+constexpr bool has_lane_selection = false;
+#endif
+
+/// The lanes of `yes` where those of `a` are not less than those of `b`, else those of `no`.
+template <uint32_t lane_bits>
+uint32_t select_lanes(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
+#if defined(DISCMC_HAS_LANE_SELECTION)
+  // The subtraction leaves a flag a lane, by which bytes are selected.
+  uint32_t lanes;
+  __asm__("usub%c5 %0, %1, %2\n\tsel %0, %3, %4"
+          : "=&r"(lanes)
+          : "r"(a), "r"(b), "r"(yes), "r"(no), "i"(lane_bits)
+          : "cc");
+  return lanes;
+#else
+  uint32_t lanes = 0;
+  for (uint32_t lane = (uint32_t{1} << lane_bits) - 1; lane != 0; lane <<= lane_bits)
+    lanes |= ((a & lane) >= (b & lane) ? yes : no) & lane;
+  return lanes;
 #endif
 }
 

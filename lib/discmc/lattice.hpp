@@ -12,6 +12,7 @@
 #define DISCMC_LATTICE_HPP
 
 #include <stdint.h>
+#include <discmc/compiler.hpp>
 
 namespace discmc {
 

@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <discmc/compiler.hpp>
 
 namespace discmc {
 

@@ -3,6 +3,7 @@
 #define DISCMC_STATUS_HPP
 
 #include <stdint.h>
+#include <discmc/compiler.hpp>
 
 namespace discmc {
 

@@ -3,6 +3,7 @@
 #ifndef DISCMC_STREAM_RECORD_ENCODING_HPP
 #define DISCMC_STREAM_RECORD_ENCODING_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/stream/region_model.hpp>
 
 namespace discmc {
@@ -94,7 +95,7 @@ bool encode_record(Model& model, const Record& record) {
 
 /// The same for a host, with all that it calls in one function: 20 KiB, and a tenth faster.
 template <class Model>
-[[gnu::flatten]] bool encode_record_in_place(Model& model, const Record& record) {
+DISCMC_FLATTEN bool encode_record_in_place(Model& model, const Record& record) {
   return encode_record(model, record);
 }
 

@@ -1,3 +1,4 @@
+#include <discmc/compiler.hpp>
 #include <discmc/trace/corners.hpp>
 
 namespace discmc::trace {
@@ -227,7 +228,7 @@ bool Corners::find_places(Records& records) {
 }
 
 // Makes a queue twice as long.
-[[gnu::noinline]] bool Corners::grow(Records& records, uint32_t queue) {
+DISCMC_NOINLINE bool Corners::grow(Records& records, uint32_t queue) {
   const uint32_t old_mask = mask_[entry_of(queue)], old_first = first_[entry_of(queue)];
   const uint32_t mask = 2 * old_mask + 1;
   const uint32_t old_block = (old_mask + 1) / slots_per_record;

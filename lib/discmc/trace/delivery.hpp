@@ -5,6 +5,7 @@
 #ifndef DISCMC_TRACE_DELIVERY_HPP
 #define DISCMC_TRACE_DELIVERY_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/sink.hpp>
 #include <discmc/trace/holes.hpp>
 
@@ -197,7 +198,7 @@ void Delivery<Index, Normal>::next_run(const Records& records) {
 
 // The sink has taken an event: what comes next?
 template <class Index, class Normal>
-[[gnu::noinline]] void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& statistics) {
+DISCMC_NOINLINE void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& statistics) {
   Records& records = chains.records();
   switch (event_.kind) {
     case Event::Kind::region:

@@ -2,6 +2,7 @@
 #ifndef DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 #define DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/trace/seams.hpp>
 
@@ -306,7 +307,7 @@ bool Extractor<Index, Normals, Sweep>::sweep_row() {
 
 // Apart, so that its arguments take no stack below a sink.
 template <class Index, class Normals, class Sweep>
-[[gnu::noinline]] bool Extractor<Index, Normals, Sweep>::seal(trace::SweptRow& row) {
+DISCMC_NOINLINE bool Extractor<Index, Normals, Sweep>::seal(trace::SweptRow& row) {
   return sink_.sealing->begin_row(sealed_, row, sweep_.fragments().spare(), sink_, statistics_);
 }
 

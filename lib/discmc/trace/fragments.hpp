@@ -2,6 +2,7 @@
 #ifndef DISCMC_TRACE_FRAGMENTS_HPP
 #define DISCMC_TRACE_FRAGMENTS_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/trace/passes.hpp>
 #include <discmc/trace/queues.hpp>
 #include <discmc/trace/run_list.hpp>
@@ -222,8 +223,8 @@ class Fragments {
 
 template <class Index, class Normal>
 template <class Normals>
-[[gnu::noinline]] void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
-                                                      const Normals& normals) {
+DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
+                                                    const Normals& normals) {
   const Place here = place_of(vertex);
   const Index begin = pass.goes_ahead() ? Index{no_record} : pop(pass.out);
   Index tail;
@@ -262,8 +263,8 @@ template <class Normals>
 // A tail that starts here. mate: its fragment's begin, or where that is loose the mark for it.
 template <class Index, class Normal>
 template <class Normals>
-[[gnu::noinline]] Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex,
-                                                           Index mate, const Normals& normals) {
+DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex,
+                                                         Index mate, const Normals& normals) {
   const Index tail = records_.take();
   EndRecord& record = end(tail);
   record.mate = mate;
@@ -275,9 +276,9 @@ template <class Normals>
 
 template <class Index, class Normal>
 template <class Normals>
-[[gnu::noinline]] Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
-                                                                 const Vertex& vertex,
-                                                                 const Normals& normals) {
+DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
+                                                               const Vertex& vertex,
+                                                               const Normals& normals) {
   const Direction came = direction(pass, pass.came);
   Index mate = loose_end<Index>(came);
   if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
@@ -296,9 +297,9 @@ template <class Normals>
 // A chain that comes from ahead goes on as a fragment that has waited for it.
 template <class Index, class Normal>
 template <class Normals>
-[[gnu::noinline]] void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
-                                                                const Vertex& vertex, Index begin,
-                                                                const Normals& normals) {
+DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
+                                                              const Vertex& vertex, Index begin,
+                                                              const Normals& normals) {
   const Place here = place_of(vertex);
   const bool is_waiting = admits(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();

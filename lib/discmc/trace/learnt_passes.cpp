@@ -12,13 +12,11 @@ constexpr uint32_t all_voxels = (1U << axis_shift) - 1;
 constexpr uint64_t next_voxel = CornerCode::vector({2, 0, 0});
 
 uint64_t two_words(const uint32_t* words) {
-  uint64_t both;
-  __builtin_memcpy(&both, words, sizeof both);
-  return both;
+  return words[0] | uint64_t{words[1]} << 32;
 }
 
 // Passes by words in which no edge crosses, two at a time.
-[[gnu::always_inline]] inline uint32_t pass_by(const SweptRow& row, uint32_t word) {
+DISCMC_ALWAYS_INLINE uint32_t pass_by(const SweptRow& row, uint32_t word) {
   constexpr uint64_t own = own_columns * 0x100000001;
   const uint32_t* const here = row.rows.row[1][1];
   const uint32_t* const behind = row.rows.row[1][2];
@@ -119,7 +117,7 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
       const uint32_t bit = trailing_zeros(left);
       const uint64_t voxel = origin + next_voxel * (column_of(word, bit) + 1);
       const uint32_t voxels = block.voxels(bit);
-#pragma GCC unroll 3
+      DISCMC_UNROLL(3)
       for (uint32_t axis = 0; axis < 3; ++axis) {
         edge->voxel = voxel;
         edge->key = (voxels & around[axis]) | axis << axis_shift;
@@ -163,7 +161,7 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
       continue;
     }
     // Four, whatever the count.
-#pragma GCC unroll 4
+    DISCMC_UNROLL(4)
     for (uint32_t k = 0; k < passes_an_entry; ++k) found[k] = voxel + entry.pass[k];
     sum.add(entry.parts);
     if (count > passes_an_entry)
@@ -176,8 +174,8 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
 }
 
 // Works out the passes at a vertex, and learns them where all cells take part.
-[[gnu::noinline]] LearntPasses::Derived LearntPasses::derive(const SweptRow& row, const Edge& edge,
-                                                             uint32_t place, FoundPass* found) {
+DISCMC_NOINLINE LearntPasses::Derived LearntPasses::derive(const SweptRow& row, const Edge& edge,
+                                                           uint32_t place, FoundPass* found) {
   const auto axis = static_cast<int>(edge.key >> axis_shift);
   // The voxel may be the one before the row.
   const Vertex next = CornerCode(edge.voxel + next_voxel).vertex();

@@ -2,6 +2,7 @@
 #ifndef DISCMC_TRACE_NEIGHBOURHOOD_HPP
 #define DISCMC_TRACE_NEIGHBOURHOOD_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/trace/bit_rows.hpp>
 
 namespace discmc::trace {
@@ -44,22 +45,23 @@ struct EdgePlace {
   bool lower_is_on() const { return (rows.row[1][1][word] >> bit & 1) != 0; }
   /// The ring of lines around it, two bits each.
   uint32_t lines() const;
+
+ private:
+  // The line along x in a row of the block.
+  DISCMC_ALWAYS_INLINE uint32_t line(int k, int j) const { return rows.row[k][j][word] >> bit & 3; }
+  // The lines from one row to another.
+  DISCMC_ALWAYS_INLINE uint32_t pair(const LineBits& bits, const uint32_t* lower,
+                                     const uint32_t* upper) const {
+    const uint32_t shift = bit - 1;
+    return bits.of[lower[word] >> shift & 7] | uint32_t{bits.of[upper[word] >> shift & 7]} << 1;
+  }
 };
 
 inline uint32_t EdgePlace::lines() const {
   const auto& row = rows.row;
-  if (axis == 0) {
-    const auto line = [&](int k, int j) __attribute__((always_inline)) {
-      return row[k][j][word] >> bit & 3;
-    };
+  if (axis == 0)
     return line(1, 2) | line(2, 2) << 2 | line(2, 1) << 4 | line(2, 0) << 6 | line(1, 0) << 8 |
            line(0, 0) << 10 | line(0, 1) << 12 | line(0, 2) << 14;
-  }
-  const auto pair = [&](const LineBits& bits, const uint32_t* lower, const uint32_t* upper)
-      __attribute__((always_inline)) {
-    const uint32_t shift = bit - 1;
-    return bits.of[lower[word] >> shift & 7] | uint32_t{bits.of[upper[word] >> shift & 7]} << 1;
-  };
   if (axis == 1)
     return pair(lines_of_y[0], row[2][1], row[2][2]) | pair(lines_of_y[1], row[1][1], row[1][2]) |
            pair(lines_of_y[2], row[0][1], row[0][2]);

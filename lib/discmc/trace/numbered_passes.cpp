@@ -1,3 +1,4 @@
+#include <discmc/compiler.hpp>
 #include <discmc/trace/numbered_passes.hpp>
 
 namespace discmc::trace {
@@ -7,7 +8,7 @@ namespace {
 uint64_t bits_of(const Pass& pass) {
   uint64_t bits;
   static_assert(sizeof bits == sizeof pass);
-  __builtin_memcpy(&bits, &pass, sizeof bits);
+  copy_bytes(&bits, &pass, sizeof bits);
   return bits;
 }
 

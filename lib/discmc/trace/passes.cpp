@@ -13,7 +13,7 @@ class Surroundings {
       : axis_(sector_table.axis[edge.axis]),
         lower_is_on_(edge.lower_is_on() ? 1 : 0),
         lines_(edge.lines() * 0x10001) {
-#pragma GCC unroll 4
+    DISCMC_UNROLL(4)
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       const CellAtVertex& seen = cell(quadrant);
       headings_ |= uint32_t{seen.headings} << 8 * quadrant;
@@ -26,9 +26,7 @@ class Surroundings {
     if (absent != 0) remove(absent);
   }
 
-  uint32_t parts() const {
-    return parts_;
-  }
+  uint32_t parts() const { return parts_; }
 
   // Where the sectors on both sides differ.
   uint32_t rays() const {

@@ -6,6 +6,7 @@
 #ifndef DISCMC_TRACE_QUEUES_HPP
 #define DISCMC_TRACE_QUEUES_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/pool.hpp>
 #include <discmc/trace/records.hpp>
 #include <discmc/trace/sector_table.hpp>
@@ -109,13 +110,13 @@ class Queues {
     set_lost(records[lost].end, count);
     return lost;
   }
-  [[gnu::noinline]] void push_behind_lost(Records& records, Queue<Index>& queue, Index end) {
+  DISCMC_NOINLINE void push_behind_lost(Records& records, Queue<Index>& queue, Index end) {
     const Index lost = new_count(records, count_of(queue));
     records[lost].linked.next = end;
     queue.head = lost;
     records.reserve();
   }
-  [[gnu::noinline]] Index pop_lost(Records& records, Queue<Index>& queue) {
+  DISCMC_NOINLINE Index pop_lost(Records& records, Queue<Index>& queue) {
     if (is_count(queue)) {
       set_count(queue, count_of(queue) - 1);
       return no_record;

@@ -9,6 +9,7 @@
 #define DISCMC_TRACE_RECORDS_HPP
 
 #include <discmc/chain.hpp>
+#include <discmc/compiler.hpp>
 #include <discmc/trace/corner.hpp>
 #include <discmc/trace/intake.hpp>
 
@@ -138,12 +139,12 @@ struct Corner<uint32_t> : Linked<uint32_t> {
 
   CornerCode code() const {
     uint64_t bits;
-    __builtin_memcpy(&bits, code_, sizeof bits);
+    copy_bytes(&bits, code_, sizeof bits);
     return CornerCode(bits);
   }
   void set_code(CornerCode code) {
     const uint64_t bits = code.bits();
-    __builtin_memcpy(code_, &bits, sizeof bits);
+    copy_bytes(code_, &bits, sizeof bits);
   }
 };
 

@@ -9,66 +9,62 @@
 
 namespace discmc::trace {
 
-/// Compares all lanes of a word, as unsigned numbers, with a level.
+/// A word of lanes.
 template <uint32_t lane_bits>
-class LaneThreshold {
- public:
+struct LanesOf {
   static constexpr uint32_t half = uint32_t{1} << (lane_bits - 1);
   static constexpr uint32_t ones = lane_bits == 8 ? 0x01010101 : 0x00010001;
   static constexpr uint32_t tops = ones * half;
+};
 
-#if defined(__ARM_FEATURE_SIMD32)
+/// Compares all lanes of a word, as unsigned numbers, with a level: where the processor selects
+/// lanes, by doing so.
+template <uint32_t lane_bits, bool selects = has_lane_selection>
+class LaneThreshold : public LanesOf<lane_bits> {
+  using Lanes = LanesOf<lane_bits>;
+
+ public:
   /// Limit: level <= 2 * half, which no lane reaches.
   explicit LaneThreshold(uint32_t level)
-      : level_(level * ones), answer_(level < 2 * half ? tops : 0) {}
+      : level_(level * Lanes::ones), answer_(level < 2 * Lanes::half ? Lanes::tops : 0) {}
 
   /// The top bits of the lanes that reach the level.
   uint32_t reached(uint32_t word) const {
-    return select(word, level_, answer_, 0);
+    return select_lanes<lane_bits>(word, level_, answer_, 0);
   }
 
   /// No lane of `a` or `b` is more than that of the bound: here it is the larger one.
-  static uint32_t bound(uint32_t a, uint32_t b) {
-    return select(a, b, a, b);
-  }
+  static uint32_t bound(uint32_t a, uint32_t b) { return select_lanes<lane_bits>(a, b, a, b); }
 
  private:
-  // The lanes of `yes` where those of `a` are not less than those of `b`, else those of `no`: the
-  // subtraction leaves a flag a lane, by which bytes are selected.
-  static uint32_t select(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
-    uint32_t lanes;
-    __asm__("usub%c5 %0, %1, %2\n\tsel %0, %3, %4"
-            : "=&r"(lanes)
-            : "r"(a), "r"(b), "r"(yes), "r"(no), "i"(lane_bits)
-            : "cc");
-    return lanes;
-  }
-
   uint32_t level_;
   uint32_t answer_;
-#else
-  /// Limit: level <= 2 * half, which no lane reaches.
-  explicit LaneThreshold(uint32_t level)
-      : flip_(level > half ? ~uint32_t{0} : 0),
-        addend_((level > half ? level - half : half - level) * ones) {}
+};
 
-  /// The top bits of the lanes that reach the level. A level of at most half is reached when the
-  /// top bit is set, or comes to be when half - level is added to the rest: without a carry into
-  /// the next lane. Above that the complement is compared, and the answer is its complement.
+/// The same by what every processor has.
+template <uint32_t lane_bits>
+class LaneThreshold<lane_bits, false> : public LanesOf<lane_bits> {
+  using Lanes = LanesOf<lane_bits>;
+
+ public:
+  explicit LaneThreshold(uint32_t level)
+      : flip_(level > Lanes::half ? ~uint32_t{0} : 0),
+        addend_((level > Lanes::half ? level - Lanes::half : Lanes::half - level) * Lanes::ones) {}
+
+  /// A level of at most half is reached when the top bit is set, or comes to be when half - level
+  /// is added to the rest: without a carry into the next lane. Above that the complement is
+  /// compared, and the answer is its complement.
   uint32_t reached(uint32_t word) const {
     const uint32_t lanes = word ^ flip_;
-    return ((lanes | ((lanes & ~tops) + addend_)) ^ flip_) & tops;
+    return ((lanes | ((lanes & ~Lanes::tops) + addend_)) ^ flip_) & Lanes::tops;
   }
 
-  /// No lane of `a` or `b` is more than that of the bound: the bitwise or is not less than either.
-  static uint32_t bound(uint32_t a, uint32_t b) {
-    return a | b;
-  }
+  /// The bitwise or is not less than either.
+  static uint32_t bound(uint32_t a, uint32_t b) { return a | b; }
 
  private:
   uint32_t flip_;
   uint32_t addend_;
-#endif
 };
 
 /// A threshold of any value for samples of type uint8_t, uint16_t or int16_t.
@@ -102,7 +98,7 @@ class Threshold {
     const Sample* at = samples;
     for (; count >= 8 * lanes; count -= 8 * lanes, at += 8 * lanes) {
       uint32_t most = word_at(at);
-#pragma GCC unroll 8
+      DISCMC_UNROLL(8)
       for (uint32_t word = 1; word < 8; ++word)
         most = Lanes::bound(most, word_at(at + word * lanes));
       if (lanes_.reached(most) != 0) break;

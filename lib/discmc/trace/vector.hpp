@@ -3,13 +3,13 @@
 #ifndef DISCMC_TRACE_VECTOR_HPP
 #define DISCMC_TRACE_VECTOR_HPP
 
-#include <stdint.h>
+#include <discmc/compiler.hpp>
 
-#if __STDC_HOSTED__ && defined(__AVX2__)
+#if defined(DISCMC_HAS_AVX2)
 #include <immintrin.h>
-#elif __STDC_HOSTED__ && defined(__SSE2__)
+#elif defined(DISCMC_HAS_SSE2)
 #include <emmintrin.h>
-#elif __STDC_HOSTED__ && defined(__AARCH64EL__) && defined(__ARM_NEON)
+#elif defined(DISCMC_HAS_NEON)
 #include <arm_neon.h>
 #endif
 
@@ -22,7 +22,7 @@ namespace discmc::trace {
 //   above(samples, bound)  0 in the lanes of samples that are not greater than the bound
 //   narrow(low, high)      a byte for each 16-bit lane of low, then of high: 0 where the lane is 0
 //   nonzero(bytes)         bit i: whether byte i of the vectors is not 0
-#if __STDC_HOSTED__ && defined(__AVX2__)
+#if defined(DISCMC_HAS_AVX2)
 
 constexpr bool has_vectors = true;
 using Vector = __m256i;
@@ -55,7 +55,7 @@ inline uint32_t nonzero(const Vector (&bytes)[1]) {
   return static_cast<uint32_t>(_mm256_movemask_epi8(top_bits));
 }
 
-#elif __STDC_HOSTED__ && defined(__SSE2__)
+#elif defined(DISCMC_HAS_SSE2)
 
 constexpr bool has_vectors = true;
 using Vector = __m128i;
@@ -91,7 +91,7 @@ inline uint32_t nonzero(const Vector (&bytes)[2]) {
   return nonzero(bytes[0]) | nonzero(bytes[1]) << 16;
 }
 
-#elif __STDC_HOSTED__ && defined(__AARCH64EL__) && defined(__ARM_NEON)
+#elif defined(DISCMC_HAS_NEON)
 
 constexpr bool has_vectors = true;
 using Vector = uint8x16_t;

@@ -2,6 +2,7 @@
 #ifndef DISCMC_TRACE_VECTOR_THRESHOLD_HPP
 #define DISCMC_TRACE_VECTOR_THRESHOLD_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/trace/vector.hpp>
 
 namespace discmc::trace {
@@ -23,7 +24,7 @@ class VectorThreshold {
   uint32_t reached(const Sample* samples) const {
     constexpr uint32_t bytes = sizeof(Vector);
     Vector on[lanes / bytes];
-#pragma GCC unroll 2
+    DISCMC_UNROLL(2)
     for (uint32_t i = 0; i < lanes / bytes; ++i) {
       const Sample* const at = samples + bytes * i;
       if constexpr (sizeof(Sample) == 1)

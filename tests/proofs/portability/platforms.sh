@@ -8,11 +8,14 @@ done
 for machine in aarch64 mips s390x cortex-m0plus cortex-m4 cortex-m33 rv32imac rv64imac; do
   platforms+=("gcc $machine")
 done
+# Nothing that is particular to these compilers: see lib/discmc/compiler.hpp.
+platforms+=('gcc portable' 'clang-19 portable')
 
 # What a machine is beyond its name.
 declare -A remark=(
-  [x86-32]='32 bits' [aarch64]='qemu-user' [mips]='qemu-user, 32 bits, big-endian'
-  [s390x]='qemu-user, 64 bits, big-endian' [cortex-m0plus]='firmware, microbit'
+  [x86-32]='32 bits' [portable]='DISCMC_FORCE_PORTABLE' [aarch64]='qemu-user'
+  [mips]='qemu-user, 32 bits, big-endian' [s390x]='qemu-user, 64 bits, big-endian'
+  [cortex-m0plus]='firmware, microbit'
   [cortex-m4]='firmware, mps2-an386' [cortex-m33]='firmware, mps2-an505'
   [rv32imac]='firmware, virt' [rv64imac]='firmware, virt')
 
@@ -26,9 +29,13 @@ use_platform() {
   local family=$1
   compile=() emulator=() board=
   case $2 in
-    x86-*)
-      compile=("${family/#clang/clang++}" -m"${2#x86-}")
-      [[ $family != gcc ]] || compile[0]=g++
+    x86-* | portable)
+      compile=("${family/#clang/clang++}")
+      [[ $family != gcc ]] || compile=(g++)
+      case $2 in
+        portable) compile+=(-DDISCMC_FORCE_PORTABLE) ;;
+        *) compile+=(-m"${2#x86-}") ;;
+      esac
       ;;
     aarch64 | mips | s390x)
       compile=("$2-linux-gnu-g++" -static)
