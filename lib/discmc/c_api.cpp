@@ -7,9 +7,8 @@
 // is copied member by member.
 #include <discmc/discmc.h>
 
-#include <discmc/c_sink.hpp>
-#include <discmc/c_values.hpp>
-#include <discmc/discmc.hpp>
+#include <discmc/c_extractors.hpp>
+#include <discmc/encoder.hpp>
 
 namespace discmc {
 
@@ -43,6 +42,13 @@ static_assert(sizeof(ApplicationRecord) == sizeof(discmc_application_record) &&
               "so have application records");
 #undef DISCMC_SAME_PLACE
 #define DISCMC_SAME_PLACE(member) \
+  (offsetof(RecordsPacket, member) == offsetof(discmc_records_packet, member))
+static_assert(sizeof(RecordsPacket) == sizeof(discmc_records_packet) &&
+                  DISCMC_SAME_PLACE(payload) && DISCMC_SAME_PLACE(bytes) &&
+                  DISCMC_SAME_PLACE(pieces) && DISCMC_SAME_PLACE(is_whole),
+              "so have packets of records");
+#undef DISCMC_SAME_PLACE
+#define DISCMC_SAME_PLACE(member) \
   (offsetof(Statistics, member) == offsetof(discmc_statistics, member))
 static_assert(sizeof(Statistics) == sizeof(discmc_statistics) && DISCMC_SAME_PLACE(cells) &&
                   DISCMC_SAME_PLACE(facets) && DISCMC_SAME_PLACE(classic_triangles) &&
@@ -65,7 +71,7 @@ static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == D
                   wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME &&
                   StreamLabel::max_channel == DISCMC_MAX_CHANNEL &&
                   StreamHeader::max_surfaces == DISCMC_MAX_SURFACES &&
-                  any_channel == DISCMC_ANY_CHANNEL &&
+                  any_channel == DISCMC_ANY_CHANNEL && wire::max_appended == DISCMC_MAX_APPENDED &&
                   ApplicationRecord::max_bytes == DISCMC_MAX_RECORD_BYTES &&
                   ApplicationRecord::first_standard_kind == DISCMC_FIRST_STANDARD_KIND,
               "constants are the same");
@@ -78,25 +84,6 @@ static_assert(DISCMC_RECORD_BYTES_ == sizing::record_bytes<uint16_t, NoNormals> 
                   DISCMC_DEFAULT_RECORDS_(31, 7, 5000) ==
                       default_capacities<uint16_t>({31, 7}, 5000).records,
               "the constants of sizes.h are what the functions give; the tests have many more");
-
-discmc_limits c(const Limits& from) {
-  return {from.width,
-          from.height,
-          static_cast<uint8_t>(from.border),
-          {from.slab.first, from.slab.continues_below, from.slab.continues_above}};
-}
-Capacities cpp(const discmc_capacities& from) {
-  return {from.records, from.holes};
-}
-discmc_capacities c(const Capacities& from) {
-  return {from.records, from.holes};
-}
-StreamLabel cpp(const discmc_stream_label& from) {
-  return {from.depth,
-          {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
-          from.scan,
-          from.channel};
-}
 
 using ExtractorAdapter = SinkAdapter<Extractor16>;
 using DecoderAdapter = SinkAdapter<Decoder>;
@@ -165,15 +152,17 @@ discmc_capacities discmc_default_capacities(const discmc_limits* limits, uint64_
   return c(default_capacities<uint16_t>(cpp(*limits), bytes));
 }
 
+discmc_capacities discmc_worst_case_capacities(const discmc_limits* limits, uint32_t slices) {
+  return c(worst_case_capacities(cpp(*limits), slices));
+}
+uint8_t discmc_stream_header_is_valid(const discmc_stream_header* header) {
+  return cpp(*header).is_valid() ? 1 : 0;
+}
+
 discmc_status discmc_extractor_start(discmc_extractor* extractor, const discmc_limits* limits,
                                      const discmc_capacities* capacities, int32_t threshold,
                                      discmc_memory memory, const discmc_sink* sink) {
-  return adapter(extractor).start_to(*sink, [&](const Sink& to) {
-    const Memory bytes = cpp(memory);
-    return capacities == nullptr
-               ? cpp(extractor).start(cpp(*limits), threshold, bytes, to)
-               : cpp(extractor).start(cpp(*limits), cpp(*capacities), threshold, bytes, to);
-  });
+  return start(adapter(extractor), limits, capacities, threshold, memory, sink);
 }
 discmc_status discmc_extractor_reset(discmc_extractor* extractor) {
   return c(cpp(extractor).reset());
@@ -207,15 +196,12 @@ discmc_status discmc_extractor_abandon(discmc_extractor* extractor) {
 }
 discmc_status discmc_extractor_save(const discmc_extractor* extractor,
                                     discmc_extractor_checkpoint* checkpoint) {
-  return c(cpp(extractor).save(*reinterpret_cast<Checkpoint<Extractor16>*>(checkpoint)));
+  return save(cpp(extractor), checkpoint);
 }
 discmc_status discmc_extractor_restore(discmc_extractor* extractor,
                                        const discmc_extractor_checkpoint* checkpoint,
                                        discmc_memory memory, const discmc_sink* sink) {
-  return adapter(extractor).start_to(*sink, [&](const Sink& to) {
-    return cpp(extractor).restore(*reinterpret_cast<const Checkpoint<Extractor16>*>(checkpoint),
-                                  cpp(memory), to);
-  });
+  return restore(adapter(extractor), checkpoint, memory, sink);
 }
 discmc_statistics discmc_extractor_statistics(const discmc_extractor* extractor) {
   return c(cpp(extractor).statistics());
@@ -227,8 +213,7 @@ discmc_capacities discmc_extractor_capacities(const discmc_extractor* extractor)
   return c(cpp(extractor).capacities());
 }
 discmc_high_water discmc_extractor_high_water(const discmc_extractor* extractor) {
-  const HighWater most = cpp(extractor).high_water();
-  return {most.records, most.holes};
+  return c(cpp(extractor).high_water());
 }
 size_t discmc_extractor_bytes_used(const discmc_extractor* extractor) {
   return cpp(extractor).bytes_used();
@@ -247,6 +232,9 @@ discmc_status discmc_encoder_start(discmc_encoder* encoder, const discmc_stream_
 discmc_status discmc_encoder_tell(discmc_encoder* encoder,
                                   const discmc_application_record* record) {
   return c(cpp(encoder).tell(cpp(*record)));
+}
+discmc_status discmc_encoder_append(discmc_encoder* encoder, const discmc_records_packet* packet) {
+  return c(cpp(encoder).append(cpp(*packet)));
 }
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output) {
   cpp(encoder).set_output(cpp(output));
@@ -276,6 +264,10 @@ discmc_status discmc_decoder_start(discmc_decoder* decoder, const discmc_sink* s
                                    uint8_t channel) {
   return adapter(decoder).start_to(*sink,
                                    [&](const Sink& to) { return cpp(decoder).start(to, channel); });
+}
+void discmc_decoder_pass_whole_regions_to(discmc_decoder* decoder,
+                                          const discmc_records_packet_sink* sink) {
+  cpp(decoder).pass_whole_regions_to(cpp(sink));
 }
 discmc_decoded discmc_decoder_push(discmc_decoder* decoder, const uint8_t* bytes, size_t count) {
   return c(cpp(decoder).push(bytes, count));

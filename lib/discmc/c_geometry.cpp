@@ -5,7 +5,7 @@
 #include <discmc/discmc.h>
 
 #include <discmc/facet_table.hpp>
-#include <discmc/normal.hpp>
+#include <discmc/plane.hpp>
 #include <discmc/polygon.hpp>
 
 namespace discmc {
@@ -20,7 +20,8 @@ static_assert(sizeof(Vertex) == sizeof(discmc_vertex) &&
                   offsetof(Vertex, z) == offsetof(discmc_vertex, z),
               "vertices have one layout");
 static_assert(no_incidence == DISCMC_NO_INCIDENCE && incidence_codes == DISCMC_INCIDENCE_CODES &&
-                  link_codes == DISCMC_LINK_CODES && no_direction == DISCMC_NO_DIRECTION,
+                  link_codes == DISCMC_LINK_CODES && max_directions == DISCMC_MAX_DIRECTIONS &&
+                  no_direction == DISCMC_NO_DIRECTION,
               "constants are the same");
 
 Vertex cpp(const discmc_vertex& from) {
@@ -28,6 +29,9 @@ Vertex cpp(const discmc_vertex& from) {
 }
 discmc_vertex c(const Vertex& from) {
   return {from.x, from.y, from.z};
+}
+discmc_plane_point c(const PlanePoint& from) {
+  return {from.u, from.v};
 }
 const Run* cpp(const discmc_run* runs) {
   return reinterpret_cast<const Run*>(runs);
@@ -45,11 +49,6 @@ const Vertex* cpp(const discmc_vertex* vertices) {
 }  // namespace
 
 extern "C" {
-
-discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal normal) {
-  const UnitNormal unit = unit_normal(OctahedralNormal{normal.u, normal.v});
-  return {unit.x, unit.y, unit.z};
-}
 
 discmc_vertex discmc_normal(uint8_t incidence) {
   return c(normal(incidence));
@@ -80,6 +79,9 @@ uint8_t discmc_opposite_direction(uint8_t incidence, uint8_t direction) {
 }
 uint8_t discmc_direction_of(uint8_t incidence, uint8_t link) {
   return direction_of(incidence, link);
+}
+uint8_t discmc_direction_of_vector(uint8_t incidence, discmc_vertex vector) {
+  return direction_of(incidence, cpp(vector));
 }
 int discmc_turn(uint8_t incidence, uint8_t from, uint8_t to) {
   return turn(incidence, from, to);
@@ -112,6 +114,33 @@ int64_t discmc_twice_area(uint8_t incidence, const discmc_run* runs, uint32_t co
 }
 uint64_t discmc_link_count(const discmc_run* runs, uint32_t count) {
   return link_count(cpp(runs), count);
+}
+
+uint8_t discmc_is_incidence(uint8_t incidence) {
+  return is_incidence(incidence) ? 1 : 0;
+}
+uint8_t discmc_is_direction_of(uint8_t incidence, uint8_t direction) {
+  return is_direction_of(incidence, direction) ? 1 : 0;
+}
+uint8_t discmc_is_run_of(uint8_t incidence, discmc_run run) {
+  return is_run_of(incidence, Run::from_code(run)) ? 1 : 0;
+}
+discmc_vertex discmc_after_run(uint8_t incidence, discmc_vertex from, discmc_run run) {
+  return c(after_run(incidence, cpp(from), Run::from_code(run)));
+}
+int32_t discmc_plane_offset(uint8_t incidence, discmc_vertex vertex) {
+  return plane_offset(incidence, cpp(vertex));
+}
+discmc_plane_point discmc_projected(uint8_t incidence, discmc_vertex vertex) {
+  return c(projected(incidence, cpp(vertex)));
+}
+discmc_plane_point discmc_point_beside(uint8_t incidence, discmc_vertex start, uint8_t first) {
+  return c(point_beside(incidence, cpp(start), first));
+}
+uint8_t discmc_meets_ray(uint8_t incidence, discmc_vertex from, discmc_run run,
+                         discmc_plane_point point) {
+  const PlaneSide side(incidence, cpp(from), Run::from_code(run));
+  return side.meets_ray({point.u, point.v}) ? 1 : 0;
 }
 
 void discmc_unfold(uint8_t incidence, discmc_vertex start, const discmc_run* runs, uint32_t count,
@@ -158,6 +187,10 @@ discmc_facet_ring discmc_ring_of_facet(uint8_t facet) {
   for (; result.count < ring.count; ++result.count)
     result.vertices[result.count] = c(position(ring.point[result.count]));
   return result;
+}
+discmc_neighbour discmc_across_edge(uint8_t facet, uint32_t edge) {
+  const Neighbour neighbour = across_edge(facet, static_cast<int>(edge));
+  return {c(neighbour.cell), neighbour.facet};
 }
 
 }  // extern "C"

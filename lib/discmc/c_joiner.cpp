@@ -35,6 +35,11 @@ discmc_join_capacities c(const JoinCapacities& from) {
 
 extern "C" {
 
+void discmc_add_statistics(discmc_statistics* sum, const discmc_statistics* other) {
+  // Totals have one layout on both sides (c_api.cpp).
+  add(*reinterpret_cast<Statistics*>(sum), *reinterpret_cast<const Statistics*>(other));
+}
+
 uint64_t discmc_joiner_bytes_for(const discmc_join_capacities* capacities) {
   return Joiner::bytes_for({capacities->fragments, capacities->runs});
 }

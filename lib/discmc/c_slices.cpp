@@ -164,6 +164,10 @@ discmc_status discmc_surface_decoder_start(discmc_surface_decoder* decoder, disc
   return adapter(decoder).start_to(
       *sink, [&](const Sink& to) { return cpp(decoder).start(cpp(memory), to, channel); });
 }
+void discmc_surface_decoder_pass_whole_regions_to(discmc_surface_decoder* decoder,
+                                                  const discmc_records_packet_sink* sink) {
+  cpp(decoder).pass_whole_regions_to(cpp(sink));
+}
 discmc_decoded discmc_surface_decoder_push(discmc_surface_decoder* decoder, const uint8_t* bytes,
                                            size_t count) {
   return c(cpp(decoder).push(bytes, count));

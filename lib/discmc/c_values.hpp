@@ -1,11 +1,13 @@
 // What the files of the C API share: values of C's as those of C++, and the other way round.
-// Headers and application records have one layout on both sides, which c_api.cpp checks.
+// Headers, application records and packets of records have one layout on both sides, which
+// c_api.cpp checks.
 #ifndef DISCMC_C_VALUES_HPP
 #define DISCMC_C_VALUES_HPP
 
 #include <discmc/discmc.h>
 #include <discmc/arena.hpp>
 #include <discmc/decoder.hpp>
+#include <discmc/records_packet.hpp>
 #include <discmc/row_input.hpp>
 #include <discmc/stream/packet_writer.hpp>
 
@@ -30,6 +32,25 @@ inline const ApplicationRecord& cpp(const discmc_application_record& from) {
   return reinterpret_cast<const ApplicationRecord&>(from);
 }
 
+inline const RecordsPacket& cpp(const discmc_records_packet& from) {
+  return reinterpret_cast<const RecordsPacket&>(from);
+}
+inline StreamLabel cpp(const discmc_stream_label& from) {
+  return {from.depth,
+          {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
+          from.scan,
+          from.channel};
+}
+/// sink: null for none; Owner: the caller, as long as packets are passed on.
+inline RecordsPacketSink cpp(const discmc_records_packet_sink* sink) {
+  if (sink == nullptr) return {};
+  return {const_cast<discmc_records_packet_sink*>(sink),
+          [](void* context, const RecordsPacket& packet) {
+            const auto& to = *static_cast<const discmc_records_packet_sink*>(context);
+            to.take(to.context, reinterpret_cast<const discmc_records_packet*>(&packet));
+          }};
+}
+
 inline discmc_status c(Status status) {
   return static_cast<discmc_status>(status);
 }
@@ -45,6 +66,9 @@ inline discmc_statistics c(const Statistics& from) {
 }
 inline discmc_stream_header c(const StreamHeader& from) {
   return *reinterpret_cast<const discmc_stream_header*>(&from);
+}
+inline discmc_byte_output c(const ByteOutput& from) {
+  return {from.context, from.write};
 }
 inline discmc_application_record c(const ApplicationRecord& from) {
   return *reinterpret_cast<const discmc_application_record*>(&from);

@@ -1,6 +1,7 @@
-/* discmc for C99: scan, encode and decode, linked by the C linker. Only C++ makes normals, and has
- * LearningExtractor, MajorityFilter, SurfaceGroup and SharedOutput: several surfaces of a scan are
- * one stream of slices here, or extractors that are given the same rows.
+/* discmc for C99: all that the C++ headers have, linked by the C linker. Left to C++ are
+ * MajorityFilter; Extractor32, as discmc_learning_extractor has indices of 32 bits, too; groups of
+ * other extractors than discmc_extractor, which are given the same rows one after another; and
+ * arithmetic on members that a line of C does.
  *
  *   discmc_encoder_start      once
  *   discmc_extractor_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
@@ -139,6 +140,10 @@ uint64_t discmc_bytes_for(const discmc_limits* limits, const discmc_capacities* 
  * make less of anything; fewer than discmc_minimum_bytes() give the minimum. */
 discmc_capacities discmc_default_capacities(const discmc_limits* limits, uint64_t bytes);
 
+/* Capacities with which no volume of so many slices ever sends anything loose: far more than real
+ * volumes need, and mostly more than 16-bit indices count. */
+discmc_capacities discmc_worst_case_capacities(const discmc_limits* limits, uint32_t slices);
+
 /* ---- events and sinks (sink.hpp) ---- */
 
 /* A point of the lattice. Units: half-steps. */
@@ -178,8 +183,10 @@ typedef struct discmc_stream_label {
                           * DISCMC_MAX_CHANNEL */
 } discmc_stream_label;
 
+enum { DISCMC_MAX_CHANNEL = 63 };
+
 /* For a decoder that takes the first stream that comes, of whatever channel. */
-enum { DISCMC_MAX_CHANNEL = 63, DISCMC_ANY_CHANNEL = 255 };
+enum { DISCMC_ANY_CHANNEL = 255 };
 
 /* What a stream says of its scan. */
 typedef struct discmc_stream_header {
@@ -194,6 +201,9 @@ typedef struct discmc_stream_header {
   int32_t further_thresholds[3]; /* of the second surface on */
 } discmc_stream_header;
 enum { DISCMC_MAX_SURFACES = 4 };
+
+/* 1 when sizes, border, surfaces and channels are within their limits, else 0. */
+uint8_t discmc_stream_header_is_valid(const discmc_stream_header* header);
 
 /* The user's own data in a stream: a time stamp, a pose, the state of a battery. A record goes out
  * at once, in a packet of its own: so tell rarely, and much at once. */
@@ -292,8 +302,8 @@ typedef struct discmc_high_water {
 enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
 
 /* Takes the samples of a scan, and hands its regions to a sink. With 16-bit indices: at most 32,759
- * records, which are 256 KiB. Hosts that give it more memory use C++, where Extractor32 has no such
- * limit. */
+ * records, which are 256 KiB. Hosts that give it more memory take a discmc_learning_extractor, and
+ * whoever wants normals a discmc_normal_extractor. */
 typedef struct discmc_extractor {
   uint64_t opaque[(sizeof(void*) == 8 ? 560 : 472) / 8];
 } discmc_extractor;
@@ -421,6 +431,23 @@ discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
 DISCMC_NODISCARD discmc_status discmc_encoder_tell(discmc_encoder* encoder,
                                                    const discmc_application_record* record);
 
+/* A packet of records on its way from an encoder or a decoder to another encoder
+ * (records_packet.hpp). */
+typedef struct discmc_records_packet {
+  const uint8_t* payload; /* Owner: who gives it */
+  size_t bytes;           /* Limit: at most DISCMC_MAX_APPENDED */
+  uint32_t pieces;        /* regions and loose fragments that end in it; Limit: below 2^16 */
+  uint8_t is_whole;       /* it holds whole regions alone, none of them in part, and no loose
+                           * fragment of any stream belongs to one of them */
+} discmc_records_packet;
+enum { DISCMC_MAX_APPENDED = 241 };
+
+/* Sends a packet of records as it is. The parts of a piece that goes through several packets must
+ * follow each other. DISCMC_MORE: as of tell. Errors: DISCMC_NOT_STARTED, DISCMC_FINISHED,
+ * DISCMC_BAD_RECORD. */
+DISCMC_NODISCARD discmc_status discmc_encoder_append(discmc_encoder* encoder,
+                                                     const discmc_records_packet* packet);
+
 /* Goes on with another output, and with a header, so that a receiver may come late. Without a write
  * the stream is dropped, but counted: so a scan goes on though its link is dead, and the stream is
  * there again once it has an output. */
@@ -490,6 +517,259 @@ discmc_application_record discmc_slab_range_record(const discmc_slab_range* rang
 DISCMC_NODISCARD uint8_t discmc_read_slab_range(const discmc_application_record* record,
                                                 discmc_slab_range* range);
 
+/* ---- a part's encoder (records_packet.hpp) ---- */
+
+/* Encodes a part of a scan beside the others: discmc_encoder_append() of the encoder of the whole
+ * scan takes the payloads of its packets of records, which WIRE.md finds in its frames. */
+typedef struct discmc_part_encoder {
+  uint64_t opaque[(sizeof(void*) == 8 ? 848 : 808) / 8];
+} discmc_part_encoder;
+
+/* Each as the function of discmc_encoder. */
+DISCMC_NODISCARD discmc_status discmc_part_encoder_start(discmc_part_encoder* encoder,
+                                                         const discmc_stream_label* label,
+                                                         discmc_byte_output output);
+discmc_answer discmc_part_encoder_take(void* encoder, const discmc_event* event);
+DISCMC_NODISCARD uint8_t discmc_part_encoder_flush(discmc_part_encoder* encoder);
+
+/* ---- normals on the device (gradient_normals.hpp) ---- */
+
+/* What a normal extractor is made for: samples of a type, and indices of 16 bits, which count at
+ * most 32,759 records of 14 bytes, or, for hosts, of 32 and records of 16. A program links the code
+ * of those kinds alone that it names. */
+typedef struct discmc_normal_kind discmc_normal_kind;
+extern const discmc_normal_kind discmc_normals_u8;
+extern const discmc_normal_kind discmc_normals_u16;
+extern const discmc_normal_kind discmc_normals_i16;
+extern const discmc_normal_kind discmc_host_normals_u8;
+extern const discmc_normal_kind discmc_host_normals_u16;
+extern const discmc_normal_kind discmc_host_normals_i16;
+
+/* An extractor that tells with every run the normal where it starts: of the samples' gradient, in
+ * the events' `normal`. It keeps the samples of four slices, and sweeps a slice and a row later;
+ * the events are those of a discmc_extractor but for the normals in them. */
+typedef struct discmc_normal_extractor {
+  uint64_t opaque[(sizeof(void*) == 8 ? 640 : 552) / 8];
+} discmc_normal_extractor;
+
+/* As discmc_minimum_bytes() and its neighbours. sizes.h has the same as constants, but for kinds of
+ * hosts: DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(), DISCMC_NORMAL_EXTRACTOR_BYTES_FOR() and
+ * DISCMC_NORMAL_EXTRACTOR_DEFAULT_CAPACITIES(). */
+uint64_t discmc_normal_extractor_minimum_bytes(const discmc_normal_kind* kind,
+                                               const discmc_limits* limits);
+uint64_t discmc_normal_extractor_bytes_for(const discmc_normal_kind* kind,
+                                           const discmc_limits* limits,
+                                           const discmc_capacities* capacities);
+discmc_capacities discmc_normal_extractor_default_capacities(const discmc_normal_kind* kind,
+                                                             const discmc_limits* limits,
+                                                             uint64_t bytes);
+
+/* Tells how far apart voxels are, for the scans of this kind to come, until told otherwise: without
+ * it they are cubes. The start of the scan tells it to the stream. spacing_nm: negative where an
+ * axis is mirrored. Limit: not during a scan, whose normals would differ from then on; that of
+ * another kind has ended. */
+void discmc_normal_extractor_set_spacing(discmc_normal_extractor* extractor,
+                                         const discmc_normal_kind* kind,
+                                         const int32_t spacing_nm[3]);
+
+/* As discmc_extractor_start(), with the bytes of this kind. The object becomes one of this kind: a
+ * scan of another has ended, whatever comes of the start. */
+DISCMC_NODISCARD discmc_status
+discmc_normal_extractor_start(discmc_normal_extractor* extractor, const discmc_normal_kind* kind,
+                              const discmc_limits* limits, const discmc_capacities* capacities,
+                              int32_t threshold, discmc_memory memory, const discmc_sink* sink);
+
+/* Takes samples as discmc_extractor_push_u8() and its neighbours. DISCMC_NOT_STARTED: also that the
+ * kind is of another type. */
+DISCMC_NODISCARD discmc_push_result discmc_normal_extractor_push_u8(
+    discmc_normal_extractor* extractor, const uint8_t* samples, uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_normal_extractor_push_u16(
+    discmc_normal_extractor* extractor, const uint16_t* samples, uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_normal_extractor_push_i16(
+    discmc_normal_extractor* extractor, const int16_t* samples, uint32_t count, uint32_t stride);
+
+/* Each as the function of discmc_extractor. */
+DISCMC_NODISCARD discmc_push_result
+discmc_normal_extractor_skip_row(discmc_normal_extractor* extractor, uint8_t substitute);
+DISCMC_NODISCARD discmc_status discmc_normal_extractor_reset(discmc_normal_extractor* extractor);
+DISCMC_NODISCARD discmc_status discmc_normal_extractor_resume(discmc_normal_extractor* extractor);
+DISCMC_NODISCARD discmc_status discmc_normal_extractor_finish(discmc_normal_extractor* extractor);
+DISCMC_NODISCARD discmc_status discmc_normal_extractor_abandon(discmc_normal_extractor* extractor);
+discmc_statistics discmc_normal_extractor_statistics(const discmc_normal_extractor* extractor);
+discmc_limits discmc_normal_extractor_limits(const discmc_normal_extractor* extractor);
+discmc_capacities discmc_normal_extractor_capacities(const discmc_normal_extractor* extractor);
+discmc_high_water discmc_normal_extractor_high_water(const discmc_normal_extractor* extractor);
+size_t discmc_normal_extractor_bytes_used(const discmc_normal_extractor* extractor);
+uint32_t discmc_normal_extractor_slices(const discmc_normal_extractor* extractor);
+uint32_t discmc_normal_extractor_rows(const discmc_normal_extractor* extractor);
+
+/* Where a scan is, as plain bytes. */
+typedef struct discmc_normal_extractor_checkpoint {
+  uint64_t head[3];
+  discmc_normal_extractor extractor;
+} discmc_normal_extractor_checkpoint;
+
+/* As discmc_extractor_save(). */
+DISCMC_NODISCARD discmc_status discmc_normal_extractor_save(
+    const discmc_normal_extractor* extractor, discmc_normal_extractor_checkpoint* checkpoint);
+/* As discmc_extractor_restore(); that of another kind is DISCMC_BAD_CHECKPOINT. The object becomes
+ * one of this kind, as by a start. */
+DISCMC_NODISCARD discmc_status
+discmc_normal_extractor_restore(discmc_normal_extractor* extractor, const discmc_normal_kind* kind,
+                                const discmc_normal_extractor_checkpoint* checkpoint,
+                                discmc_memory memory, const discmc_sink* sink);
+
+/* An encoder that tells the normals of runs too, which a discmc_encoder leaves out. A normal takes
+ * 2 to 3 bytes, and a stream with them about four times the bytes of one without. */
+typedef struct discmc_normal_encoder {
+  uint64_t opaque[(sizeof(void*) == 8 ? 1040 : 1000) / 8];
+} discmc_normal_encoder;
+
+/* Each as the function of discmc_encoder. */
+DISCMC_NODISCARD discmc_status discmc_normal_encoder_start(discmc_normal_encoder* encoder,
+                                                           const discmc_stream_label* label,
+                                                           discmc_byte_output output);
+discmc_answer discmc_normal_encoder_take(void* encoder, const discmc_event* event);
+DISCMC_NODISCARD discmc_status discmc_normal_encoder_tell(discmc_normal_encoder* encoder,
+                                                          const discmc_application_record* record);
+DISCMC_NODISCARD discmc_status discmc_normal_encoder_append(discmc_normal_encoder* encoder,
+                                                            const discmc_records_packet* packet);
+void discmc_normal_encoder_set_output(discmc_normal_encoder* encoder, discmc_byte_output output);
+DISCMC_NODISCARD uint8_t discmc_normal_encoder_flush(discmc_normal_encoder* encoder);
+uint64_t discmc_normal_encoder_bytes(const discmc_normal_encoder* encoder);
+
+/* Where a stream is, as plain bytes. */
+typedef struct discmc_normal_encoder_checkpoint {
+  uint64_t head[3];
+  discmc_normal_encoder encoder;
+} discmc_normal_encoder_checkpoint;
+
+/* Each as the function of discmc_encoder. */
+DISCMC_NODISCARD discmc_status discmc_normal_encoder_save(
+    const discmc_normal_encoder* encoder, discmc_normal_encoder_checkpoint* checkpoint);
+DISCMC_NODISCARD discmc_status discmc_normal_encoder_restore(
+    discmc_normal_encoder* encoder, const discmc_normal_encoder_checkpoint* checkpoint,
+    discmc_byte_output output);
+
+/* ---- an extractor for hosts (learning_extractor.hpp) ---- */
+
+/* An extractor with 32-bit indices and records of 16 bytes, which takes half of the instructions
+ * where it has a few megabytes. The object takes 137 KiB. Events are those of a discmc_extractor,
+ * as long as nothing goes out loose; what does may be other pieces of the same regions. */
+typedef struct discmc_learning_extractor {
+  uint64_t opaque[(sizeof(void*) == 8 ? 140800 : 140680) / 8];
+} discmc_learning_extractor;
+
+/* As discmc_minimum_bytes() and its neighbours; give it 600 KiB more than the minimum. sizes.h has
+ * the same as constants: DISCMC_LEARNING_EXTRACTOR_MINIMUM_BYTES(),
+ * DISCMC_LEARNING_EXTRACTOR_BYTES_FOR() and DISCMC_LEARNING_EXTRACTOR_DEFAULT_CAPACITIES(). */
+uint64_t discmc_learning_extractor_minimum_bytes(const discmc_limits* limits);
+uint64_t discmc_learning_extractor_bytes_for(const discmc_limits* limits,
+                                             const discmc_capacities* capacities);
+discmc_capacities discmc_learning_extractor_default_capacities(const discmc_limits* limits,
+                                                               uint64_t bytes);
+
+/* Remembers in this memory, besides that of the start, what it works out of neighbourhoods, from
+ * this scan to the next: 1 MiB is a good size, and without it the events are the same but cost
+ * more. Call it at any time; what was remembered elsewhere is forgotten. Nothing is remembered
+ * before, and after restore. Owner: the caller, for as long as scans last. Cost: a quarter of it is
+ * written. */
+void discmc_learning_extractor_learn_in(discmc_learning_extractor* extractor, discmc_memory memory);
+
+/* Each as the function of discmc_extractor. */
+DISCMC_NODISCARD discmc_status discmc_learning_extractor_start(discmc_learning_extractor* extractor,
+                                                               const discmc_limits* limits,
+                                                               const discmc_capacities* capacities,
+                                                               int32_t threshold,
+                                                               discmc_memory memory,
+                                                               const discmc_sink* sink);
+DISCMC_NODISCARD discmc_status
+discmc_learning_extractor_reset(discmc_learning_extractor* extractor);
+DISCMC_NODISCARD discmc_push_result discmc_learning_extractor_push_u8(
+    discmc_learning_extractor* extractor, const uint8_t* samples, uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_learning_extractor_push_u16(
+    discmc_learning_extractor* extractor, const uint16_t* samples, uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_learning_extractor_push_i16(
+    discmc_learning_extractor* extractor, const int16_t* samples, uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result
+discmc_learning_extractor_push_bits(discmc_learning_extractor* extractor, const uint8_t* bits);
+DISCMC_NODISCARD discmc_push_result
+discmc_learning_extractor_skip_row(discmc_learning_extractor* extractor, uint8_t substitute);
+DISCMC_NODISCARD discmc_status
+discmc_learning_extractor_resume(discmc_learning_extractor* extractor);
+DISCMC_NODISCARD discmc_status
+discmc_learning_extractor_finish(discmc_learning_extractor* extractor);
+DISCMC_NODISCARD discmc_status
+discmc_learning_extractor_abandon(discmc_learning_extractor* extractor);
+discmc_statistics discmc_learning_extractor_statistics(const discmc_learning_extractor* extractor);
+discmc_limits discmc_learning_extractor_limits(const discmc_learning_extractor* extractor);
+discmc_capacities discmc_learning_extractor_capacities(const discmc_learning_extractor* extractor);
+discmc_high_water discmc_learning_extractor_high_water(const discmc_learning_extractor* extractor);
+size_t discmc_learning_extractor_bytes_used(const discmc_learning_extractor* extractor);
+uint32_t discmc_learning_extractor_slices(const discmc_learning_extractor* extractor);
+uint32_t discmc_learning_extractor_rows(const discmc_learning_extractor* extractor);
+
+/* Where a scan is, as plain bytes. */
+typedef struct discmc_learning_extractor_checkpoint {
+  uint64_t head[3];
+  discmc_learning_extractor extractor;
+} discmc_learning_extractor_checkpoint;
+
+/* Each as the function of discmc_extractor. */
+DISCMC_NODISCARD discmc_status discmc_learning_extractor_save(
+    const discmc_learning_extractor* extractor, discmc_learning_extractor_checkpoint* checkpoint);
+DISCMC_NODISCARD discmc_status discmc_learning_extractor_restore(
+    discmc_learning_extractor* extractor, const discmc_learning_extractor_checkpoint* checkpoint,
+    discmc_memory memory, const discmc_sink* sink);
+
+/* ---- several surfaces of a scan (surface_group.hpp, shared_output.hpp) ---- */
+
+/* What is pushed to a group goes to all of its extractors, each of which has a threshold, a memory
+ * and a sink of its own. A stream of slices needs none: it has several surfaces itself. */
+typedef struct discmc_surface_group {
+  uint64_t opaque[(sizeof(void*) == 8 ? 32 : 24) / 8];
+} discmc_surface_group;
+
+/* Begins with extractors that were started for slices of one size, with nothing pushed yet; Owner:
+ * the caller, for as long as the scan lasts. width: voxels a row. */
+void discmc_surface_group_start(discmc_surface_group* group, discmc_extractor* extractors,
+                                uint32_t count, uint32_t width);
+
+/* Each as the function of discmc_extractor, for all. DISCMC_MORE: some sink said "not now"; what a
+ * push counts has gone to all. */
+DISCMC_NODISCARD discmc_push_result discmc_surface_group_push_u8(discmc_surface_group* group,
+                                                                 const uint8_t* samples,
+                                                                 uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_surface_group_push_u16(discmc_surface_group* group,
+                                                                  const uint16_t* samples,
+                                                                  uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_push_result discmc_surface_group_push_i16(discmc_surface_group* group,
+                                                                  const int16_t* samples,
+                                                                  uint32_t count, uint32_t stride);
+/* With a row of bits for each: one behind the other, each of which begins with a byte. */
+DISCMC_NODISCARD discmc_push_result discmc_surface_group_push_bits(discmc_surface_group* group,
+                                                                   const uint8_t* bits);
+DISCMC_NODISCARD discmc_push_result discmc_surface_group_skip_row(discmc_surface_group* group,
+                                                                  uint8_t substitute);
+DISCMC_NODISCARD discmc_status discmc_surface_group_resume(discmc_surface_group* group);
+DISCMC_NODISCARD discmc_status discmc_surface_group_finish(discmc_surface_group* group);
+DISCMC_NODISCARD discmc_status discmc_surface_group_abandon(discmc_surface_group* group);
+
+/* One link for several encoders: their frames go out in turns, each of them whole. It holds a
+ * frame. */
+typedef struct discmc_shared_output {
+  uint64_t opaque[(sizeof(void*) == 8 ? 288 : 272) / 8];
+} discmc_shared_output;
+
+/* Drops a frame that is held. */
+void discmc_shared_output_start(discmc_shared_output* shared, discmc_byte_output output);
+/* The output of every encoder, each with a channel of its own; before the start, or where that got
+ * none, one without a write, with which encoders do not start. */
+discmc_byte_output discmc_shared_output_output(discmc_shared_output* shared);
+/* Hands over what is held. 0 when the output does not take all of it now: call again, as long as
+ * there is hope, as on a dead link it stays so. */
+DISCMC_NODISCARD uint8_t discmc_shared_output_flush(discmc_shared_output* shared);
+
 /* ---- the decoder (decoder.hpp) ---- */
 
 /* How a stream arrived. Lost counts grow when the next whole packet reveals the gap. Of a stream of
@@ -537,6 +817,18 @@ typedef struct discmc_decoder {
  * Errors: DISCMC_BAD_SINK. */
 DISCMC_NODISCARD discmc_status discmc_decoder_start(discmc_decoder* decoder,
                                                     const discmc_sink* sink, uint8_t channel);
+
+/* Who takes packets of records; valid during the call. */
+typedef struct discmc_records_packet_sink {
+  void* context;
+  void (*take)(void* context, const discmc_records_packet* packet);
+} discmc_records_packet_sink;
+
+/* Until told otherwise packets of whole regions go there in place of the events of their regions.
+ * They come after the scan's start, and between two pieces. sink: null for none; Owner: the caller,
+ * as long as the decoder is used. */
+void discmc_decoder_pass_whole_regions_to(discmc_decoder* decoder,
+                                          const discmc_records_packet_sink* sink);
 
 /* Takes bytes, any number at a time. DISCMC_MORE: the sink said "not now", push the rest again, be
  * it none. DISCMC_WRONG_VERSION: nothing more of this stream is delivered. Errors: also
@@ -730,6 +1022,10 @@ DISCMC_NODISCARD discmc_status discmc_surface_decoder_start(discmc_surface_decod
                                                             const discmc_sink* sink,
                                                             uint8_t channel);
 
+/* As discmc_decoder_pass_whole_regions_to(). */
+void discmc_surface_decoder_pass_whole_regions_to(discmc_surface_decoder* decoder,
+                                                  const discmc_records_packet_sink* sink);
+
 /* Takes bytes as discmc_slice_decoder_push(). DISCMC_MORE: also that there are more lost rows to
  * skip. */
 DISCMC_NODISCARD discmc_decoded discmc_surface_decoder_push(discmc_surface_decoder* decoder,
@@ -803,6 +1099,9 @@ discmc_join_capacities discmc_joiner_capacities(const discmc_joiner* joiner);
 /* The most that was held at once. */
 discmc_join_capacities discmc_joiner_high_water(const discmc_joiner* joiner);
 
+/* Adds the totals of a scan to those of others, such as the slabs of one volume. */
+void discmc_add_statistics(discmc_statistics* sum, const discmc_statistics* other);
+
 /* ---- the lattice (lattice.hpp) ---- */
 
 /* An incidence is a signed normal as a number, 13 + x + 3 y + 9 z for components -1, 0 or 1; it
@@ -813,6 +1112,7 @@ enum {
   DISCMC_NO_INCIDENCE = 13,
   DISCMC_INCIDENCE_CODES = 27,
   DISCMC_LINK_CODES = 18,
+  DISCMC_MAX_DIRECTIONS = 8,
   DISCMC_NO_DIRECTION = 255
 };
 
@@ -821,14 +1121,6 @@ discmc_vertex discmc_normal(uint8_t incidence);
 uint8_t discmc_incidence_of(discmc_vertex normal);
 
 uint8_t discmc_opposite(uint8_t incidence);
-
-/* A unit vector in fixed point; 16384 is one. All zero where there is no normal. */
-typedef struct discmc_unit_normal {
-  int16_t x, y, z;
-} discmc_unit_normal;
-
-/* The unit vector that an octahedral one stands for. Any bytes are safe. */
-discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal normal);
 
 /* The vector of a link, and the link that leads back. Units: half-steps. */
 discmc_vertex discmc_link_vector(uint8_t link);
@@ -842,6 +1134,8 @@ uint8_t discmc_link_of(uint8_t incidence, uint8_t direction);
 uint8_t discmc_opposite_direction(uint8_t incidence, uint8_t direction);
 /* The direction of a link, or DISCMC_NO_DIRECTION when it lies in none of the planes. */
 uint8_t discmc_direction_of(uint8_t incidence, uint8_t link);
+/* The same for a link's vector. Cost: a search; for tables. */
+uint8_t discmc_direction_of_vector(uint8_t incidence, discmc_vertex vector);
 /* The turn from one direction to the next as a count of directions, from -n/2 (a half turn counts
  * as negative) to n/2 - 1, where n is their number. Counter-clockwise is positive. */
 int discmc_turn(uint8_t incidence, uint8_t from, uint8_t to);
@@ -871,6 +1165,33 @@ void discmc_reverse(uint8_t incidence, discmc_run* runs, uint32_t count);
 int64_t discmc_twice_area(uint8_t incidence, const discmc_run* runs, uint32_t count);
 /* The links of a chain, and so the vertices of a closed one. */
 uint64_t discmc_link_count(const discmc_run* runs, uint32_t count);
+
+/* ---- chains in their plane (plane.hpp). Coordinates wrap: any start and any runs are safe ---- */
+
+/* 1 when a number is an incidence, a direction in its planes, a run along these, else 0. */
+uint8_t discmc_is_incidence(uint8_t incidence);
+uint8_t discmc_is_direction_of(uint8_t incidence, uint8_t direction);
+uint8_t discmc_is_run_of(uint8_t incidence, discmc_run run);
+
+/* Where a run leads. */
+discmc_vertex discmc_after_run(uint8_t incidence, discmc_vertex from, discmc_run run);
+/* The offset n.p of the plane that a vertex lies in. */
+int32_t discmc_plane_offset(uint8_t incidence, discmc_vertex vertex);
+
+/* A point or a vector of a plane, projected along an axis that the plane does not contain. */
+typedef struct discmc_plane_point {
+  int64_t u, v;
+} discmc_plane_point;
+
+discmc_plane_point discmc_projected(uint8_t incidence, discmc_vertex vertex);
+/* A point of the region that a ring bounds, close to the middle of the ring's first link: to the
+ * left of it, for outer rings and holes alike. No ring of a surface passes through it. Units:
+ * eighths of a half-step. */
+discmc_plane_point discmc_point_beside(uint8_t incidence, discmc_vertex start, uint8_t first);
+/* Whether the ray from a point along u meets a run of a ring: where it meets an odd number of them
+ * the point lies inside. Units of the point: eighths of a half-step. */
+uint8_t discmc_meets_ray(uint8_t incidence, discmc_vertex from, discmc_run run,
+                         discmc_plane_point point);
 
 /* ---- polygons (polygon.hpp) ---- */
 
@@ -902,6 +1223,88 @@ uint32_t discmc_keep_corners(discmc_vertex* vertices, uint32_t count,
                              uint8_t (*keep)(void* context, const discmc_vertex* vertex),
                              void* context);
 
+/* ---- normals (normal.hpp) ---- */
+
+/* A vector of any length and unit. */
+typedef struct discmc_long_vector {
+  int64_t x, y, z;
+} discmc_long_vector;
+
+/* A unit vector in fixed point; 16384 is one. All zero where there is no normal. */
+typedef struct discmc_unit_normal {
+  int16_t x, y, z;
+} discmc_unit_normal;
+
+/* What the components of a normal are multiplied by where voxels are not cubes. */
+typedef struct discmc_axis_weights {
+  int32_t x, y, z;
+} discmc_axis_weights;
+
+/* The weights of a spacing. Units: any; negative where an axis is mirrored. Where one is zero, as
+ * in a header that does not know it, voxels are taken as cubes. */
+discmc_axis_weights discmc_axis_weights_of(const int32_t spacing[3]);
+/* A vector in units of voxels, such as a normal or a gradient, as it is in space. */
+discmc_long_vector discmc_weighted(discmc_long_vector vector, discmc_axis_weights weights);
+
+/* The unit vector of a direction, of any length; none for the zero vector. Error: at most 0.006
+ * degrees; of an octahedral one 0.96. */
+discmc_unit_normal discmc_unit_normal_along(discmc_long_vector direction);
+discmc_octahedral_normal discmc_octahedral_normal_along(discmc_long_vector direction);
+/* The unit vector that an octahedral one stands for. Any bytes are safe. */
+discmc_unit_normal discmc_unit_normal_of(discmc_octahedral_normal normal);
+
+/* A polygon's part in the normals of its vertices: its normal, with twelve times its area for a
+ * length. twice_area: the sum over its rings. Units: half-steps. */
+discmc_long_vector discmc_area_vector(uint8_t incidence, int64_t twice_area);
+
+/* ---- normals in a second pass (sample_window.hpp) ---- */
+
+/* The last four slices, which are shown again in order. */
+typedef struct discmc_sample_window {
+  uint64_t opaque[(sizeof(void*) == 8 ? 56 : 48) / 8];
+} discmc_sample_window;
+
+/* The bytes that a window takes. sample_bytes: 1 or 2. sizes.h has the same as a constant:
+ * DISCMC_SAMPLE_WINDOW_BYTES_FOR(). */
+uint64_t discmc_sample_window_bytes_for(const discmc_limits* limits, uint32_t sample_bytes);
+
+/* Begins a pass over samples of a type. memory: at least discmc_sample_window_bytes_for(); Owner:
+ * the caller, as long as the window is in use. Errors: DISCMC_BAD_LIMITS, DISCMC_TOO_LITTLE_MEMORY;
+ * then nothing has changed. */
+DISCMC_NODISCARD discmc_status discmc_sample_window_start_u8(discmc_sample_window* window,
+                                                             const discmc_limits* limits,
+                                                             discmc_memory memory);
+DISCMC_NODISCARD discmc_status discmc_sample_window_start_u16(discmc_sample_window* window,
+                                                              const discmc_limits* limits,
+                                                              discmc_memory memory);
+DISCMC_NODISCARD discmc_status discmc_sample_window_start_i16(discmc_sample_window* window,
+                                                              const discmc_limits* limits,
+                                                              discmc_memory memory);
+
+/* Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
+ * samples: Owner: the caller; free again when the call returns. stride: from one sample to the
+ * next, in samples. Errors: DISCMC_NOT_STARTED, for this type; DISCMC_FINISHED, after the end. */
+DISCMC_NODISCARD discmc_status discmc_sample_window_push_u8(discmc_sample_window* window,
+                                                            const uint8_t* samples, uint32_t count,
+                                                            uint32_t stride);
+DISCMC_NODISCARD discmc_status discmc_sample_window_push_u16(discmc_sample_window* window,
+                                                             const uint16_t* samples,
+                                                             uint32_t count, uint32_t stride);
+DISCMC_NODISCARD discmc_status discmc_sample_window_push_i16(discmc_sample_window* window,
+                                                             const int16_t* samples, uint32_t count,
+                                                             uint32_t stride);
+/* Says that no slice follows. */
+void discmc_sample_window_end(discmc_sample_window* window);
+
+/* 1 when discmc_sample_window_downhill() can tell: the slices around the vertex and one more on
+ * either side, all that the volume has, are held. Once they have passed it stays 0. */
+uint8_t discmc_sample_window_covers(const discmc_sample_window* window, discmc_vertex vertex);
+/* The direction in which the samples fall, from on to off; zero where they are level, and outside
+ * the volume. Units: samples a voxel, times 4 for a midpoint and 16 for a centroid. Limit: the
+ * window covers the vertex. */
+discmc_long_vector discmc_sample_window_downhill(const discmc_sample_window* window,
+                                                 discmc_vertex vertex);
+
 /* ---- facets (facet_table.hpp): the lookup table, for tools. No scan needs these ---- */
 
 /* A facet is one byte: its incidence in the upper 5 bits, its place in plane and cell in the lower
@@ -923,6 +1326,16 @@ discmc_cell_facts discmc_facts_of(uint8_t configuration);
 uint8_t discmc_facet_at(uint8_t configuration, uint32_t i);
 uint8_t discmc_incidence_of_facet(uint8_t facet);
 discmc_facet_ring discmc_ring_of_facet(uint8_t facet);
+
+/* What lies on the other side of a facet's edge when it belongs to the same plane. */
+typedef struct discmc_neighbour {
+  discmc_vertex cell; /* that it lies in, as an offset in cells; all zero for the same cell */
+  uint8_t facet;
+} discmc_neighbour;
+
+/* The facet of the same incidence that shares an edge, from that vertex of the facet's ring to the
+ * next. Limit: edge is below the count of the ring. Cost: a search. */
+discmc_neighbour discmc_across_edge(uint8_t facet, uint32_t edge);
 
 #ifdef __cplusplus
 }

@@ -54,12 +54,41 @@
    DISCMC_FIXED_BYTES_OF_INDEX_(width, height, UINT64_C(4)) + \
    DISCMC_MINIMUM_RECORDS_ * DISCMC_LARGE_RECORD_BYTES_)
 
+/* The same as of a discmc_extractor for one that makes normals, of samples of 1 or 2 bytes, and for
+ * one that learns. Kinds of normal extractors for hosts have functions alone. */
+#define DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(width, height, sample_bytes) \
+  DISCMC_NORMAL_EXTRACTOR_BYTES_FOR(width, height, sample_bytes, DISCMC_MINIMUM_RECORDS_)
+#define DISCMC_NORMAL_EXTRACTOR_BYTES_FOR(width, height, sample_bytes, records) \
+  (DISCMC_FIXED_BYTES_(width, height) +                                         \
+   DISCMC_SAMPLE_ROW_BYTES_(width, DISCMC_NORMAL_ROWS_(height), sample_bytes) + \
+   DISCMC_ALIGNED_(DISCMC_NORMAL_ROWS_(height) * 2) +                           \
+   DISCMC_ALIGNED_((records)*DISCMC_NORMAL_RECORD_BYTES_))
+#define DISCMC_NORMAL_EXTRACTOR_DEFAULT_CAPACITIES(width, height, sample_bytes, bytes) \
+  {                                                                                    \
+    DISCMC_NORMAL_DEFAULT_RECORDS_(width, height, sample_bytes, bytes),                \
+        DISCMC_NORMAL_DEFAULT_RECORDS_(width, height, sample_bytes, bytes) / 16        \
+  }
+#define DISCMC_LEARNING_EXTRACTOR_MINIMUM_BYTES(width, height) \
+  DISCMC_LEARNING_EXTRACTOR_BYTES_FOR(width, height, DISCMC_MINIMUM_RECORDS_)
+#define DISCMC_LEARNING_EXTRACTOR_BYTES_FOR(width, height, records) \
+  (DISCMC_FIXED_BYTES_OF_INDEX_(width, height, UINT64_C(4)) + (records)*DISCMC_LARGE_RECORD_BYTES_)
+#define DISCMC_LEARNING_EXTRACTOR_DEFAULT_CAPACITIES(width, height, bytes) \
+  {                                                                        \
+    DISCMC_LEARNING_DEFAULT_RECORDS_(width, height, bytes),                \
+        DISCMC_LEARNING_DEFAULT_RECORDS_(width, height, bytes) / 16        \
+  }
+
+/* The bytes that a sample window takes, for samples of 1 or 2 bytes. */
+#define DISCMC_SAMPLE_WINDOW_BYTES_FOR(width, height, sample_bytes) \
+  (DISCMC_SAMPLE_ROW_BYTES_(width, UINT64_C(4) * (height), sample_bytes) + 3)
+
 /* ---- how they come about ---- */
 
 #define DISCMC_RECORD_BYTES_ UINT64_C(8)
 #define DISCMC_LARGE_RECORD_BYTES_ UINT64_C(16) /* with 32-bit indices */
 #define DISCMC_MINIMUM_RECORDS_ 4
 #define DISCMC_MOST_RECORDS_ 32759
+#define DISCMC_NORMAL_RECORD_BYTES_ UINT64_C(14)
 
 /* So many rows of bits, and one that is off. */
 #define DISCMC_BIT_ROW_BYTES_(width, rows) (UINT64_C(4) * ((width) / 30 + 1) * ((rows) + 1))
@@ -69,6 +98,12 @@
 #define DISCMC_FIXED_BYTES_OF_INDEX_(width, height, index_bytes)                                  \
   (DISCMC_BIT_ROW_BYTES_(width, UINT64_C(2) * (height) + 3) + UINT64_C(8) * ((height) / 32 + 1) + \
    (index_bytes)*2 * 144 + (index_bytes)*16 + 3)
+
+/* Arrays begin at multiples of four bytes. */
+#define DISCMC_ALIGNED_(bytes) (((bytes) + 3) / 4 * 4)
+#define DISCMC_SAMPLE_ROW_BYTES_(width, rows, sample_bytes) \
+  DISCMC_ALIGNED_((rows) * (width) * (sample_bytes))
+#define DISCMC_NORMAL_ROWS_(height) (UINT64_C(4) * (height) + 6)
 
 /* The rows that those of a stream of slices are told by, and what is learnt of them. */
 #define DISCMC_ROWS_KEPT_(height, key_slice_interval) \
@@ -85,6 +120,26 @@
            DISCMC_MOST_RECORDS_ - DISCMC_MINIMUM_RECORDS_                           \
        ? DISCMC_MINIMUM_RECORDS_ + DISCMC_AFFORDABLE_RECORDS_(width, height, bytes) \
        : DISCMC_MOST_RECORDS_)
+
+/* The minimum, and what more bytes than its have room for: those that 32 bits count. */
+#define DISCMC_SPARE_BYTES_(minimum_bytes, bytes)                           \
+  ((bytes) < (minimum_bytes) + 4              ? UINT64_C(0)                 \
+   : (bytes) - (minimum_bytes)-4 < UINT32_MAX ? (bytes) - (minimum_bytes)-4 \
+                                              : UINT64_C(1) * UINT32_MAX)
+#define DISCMC_NORMAL_SPARE_RECORDS_(width, height, sample_bytes, bytes)                   \
+  (DISCMC_SPARE_BYTES_(DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(width, height, sample_bytes), \
+                       bytes) /                                                            \
+   DISCMC_NORMAL_RECORD_BYTES_)
+#define DISCMC_NORMAL_DEFAULT_RECORDS_(width, height, sample_bytes, bytes)    \
+  (DISCMC_NORMAL_SPARE_RECORDS_(width, height, sample_bytes, bytes) <         \
+           DISCMC_MOST_RECORDS_ - DISCMC_MINIMUM_RECORDS_                     \
+       ? DISCMC_MINIMUM_RECORDS_ +                                            \
+             DISCMC_NORMAL_SPARE_RECORDS_(width, height, sample_bytes, bytes) \
+       : DISCMC_MOST_RECORDS_)
+#define DISCMC_LEARNING_DEFAULT_RECORDS_(width, height, bytes)                          \
+  (DISCMC_MINIMUM_RECORDS_ +                                                            \
+   DISCMC_SPARE_BYTES_(DISCMC_LEARNING_EXTRACTOR_MINIMUM_BYTES(width, height), bytes) / \
+       DISCMC_LARGE_RECORD_BYTES_)
 
 /* A fragment with eight runs takes 192 bytes. */
 #define DISCMC_JOIN_MAX_FRAGMENTS_ (UINT64_C(1) << 28)
