@@ -88,7 +88,7 @@
 //     held_chains.hpp                        what chains are kept in
 //   region_holes.hpp                       which holes lie in a region
 //
-// The functions of discmc.h, for C, share c_sink.hpp and c_values.hpp.
+// The functions of discmc.h, for C, share c_sink.hpp, c_values.hpp and c_extractors.hpp.
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

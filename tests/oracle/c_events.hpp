@@ -60,6 +60,18 @@ inline RecordedEvent from_c(const discmc_event& event) {
   return RecordedEvent(same);
 }
 
+/// An event as C sees it: both sides have one layout.
+inline const discmc_event* to_c(const Event& event) {
+  return reinterpret_cast<const discmc_event*>(&event);
+}
+
+inline discmc_limits to_c(const Limits& limits) {
+  return {limits.width,
+          limits.height,
+          static_cast<uint8_t>(limits.border),
+          {limits.slab.first, limits.slab.continues_below, limits.slab.continues_above}};
+}
+
 /// An EventLog as a sink of the C API. Owner: the log must outlive the sink.
 inline discmc_sink c_sink_to(EventLog& log, bool takes_fragments = true) {
   const auto take = [](void* context, const discmc_event* event) {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/discmc.hpp>
+#include <discmc/plane.hpp>
 #include <string_view>
 #include <vector>
 
@@ -59,13 +60,6 @@ bool succeeds(Extractor16& extractor, Status status) {
   return status == Status::ok;
 }
 
-discmc_limits limits_in_c(const Limits& limits) {
-  return {limits.width,
-          limits.height,
-          static_cast<uint8_t>(limits.border),
-          {limits.slab.first, limits.slab.continues_below, limits.slab.continues_above}};
-}
-
 bool are_equal(const discmc_capacities& c, const Capacities& cpp) {
   return c.records == cpp.records && c.holes == cpp.holes;
 }
@@ -77,7 +71,7 @@ void scan_in_c(const std::vector<Sample>& samples, const Limits& limits, size_t 
   std::vector<uint8_t> memory(bytes), other_memory(bytes);
   discmc_extractor first = {}, second = {};
   discmc_extractor* extractor = &first;
-  const discmc_limits c_limits = limits_in_c(limits);
+  const discmc_limits c_limits = reference::to_c(limits);
   REQUIRE(succeeds(first, discmc_extractor_start(&first, &c_limits, nullptr, threshold,
                                                  {memory.data(), memory.size()}, &sink)));
   for (uint32_t row = 0; row < height * depth; ++row) {
@@ -180,7 +174,7 @@ TEST_CASE("a slab is scanned through C as in C++") {
     CAPTURE(slab.continues_below);
     CAPTURE(slab.continues_above);
     check_scans<uint8_t>(limits);
-    const discmc_limits c_limits = limits_in_c(limits);
+    const discmc_limits c_limits = reference::to_c(limits);
     std::vector<uint8_t> memory(6000);
     const discmc_memory all = {memory.data(), memory.size()};
     EventLog log;
@@ -364,7 +358,7 @@ TEST_CASE("an extractor tells of itself through C what it tells in C++") {
   std::vector<uint8_t> memory(6000), memory_of_cpp(6000);
   EventLog log;
   const discmc_sink sink = c_sink_to(log);
-  const discmc_limits limits = limits_in_c(open);
+  const discmc_limits limits = reference::to_c(open);
   discmc_extractor extractor = {};
   REQUIRE(discmc_extractor_start(&extractor, &limits, nullptr, threshold,
                                  {memory.data(), memory.size()}, &sink) == DISCMC_OK);
@@ -422,7 +416,7 @@ bool are_equal(const discmc_vertex& c, const Vertex& cpp) {
 
 void check_sizes(const Limits& limits) {
   const uint32_t w = limits.width, h = limits.height;
-  const discmc_limits c_limits = limits_in_c(limits);
+  const discmc_limits c_limits = reference::to_c(limits);
   const uint64_t least = minimum_bytes<uint16_t>(limits);
   REQUIRE(discmc_minimum_bytes(&c_limits) == least);
   REQUIRE(DISCMC_MINIMUM_BYTES(w, h) == least);
@@ -470,6 +464,18 @@ TEST_CASE("limits and capacities are valid in C when they are in C++") {
     const discmc_capacities capacities = {records, 0};
     CHECK((discmc_capacities_is_valid(&capacities) == 1) == is_valid<uint16_t>({records, 0}));
   }
+}
+
+TEST_CASE("a header is valid in C when it is in C++") {
+  const discmc_stream_header good = {9, 9, 0, {0, 0, 0}, 0, DISCMC_CLOSED, 60, 0, 3, {}};
+  CHECK(discmc_stream_header_is_valid(&good) == 1);
+  discmc_stream_header channels = good, surfaces = good, size = good;
+  ++channels.channel;
+  ++surfaces.further_surfaces;
+  surfaces.channel = 0;
+  size.width = DISCMC_MAX_EXTENT + 1;
+  for (const discmc_stream_header& bad : {channels, surfaces, size})
+    CHECK(discmc_stream_header_is_valid(&bad) == 0);
 }
 
 TEST_CASE("every status has the text that it has in C++") {
@@ -536,16 +542,6 @@ TEST_CASE("runs are taken in through C as well") {
   CHECK(discmc_run_length(side) == 7);
 }
 
-TEST_CASE("normals are the same through C") {
-  for (int u = 0; u < 256; u += 5)
-    for (int v = 0; v < 256; v += 3) {
-      const auto byte_u = static_cast<uint8_t>(u), byte_v = static_cast<uint8_t>(v);
-      const discmc_unit_normal normal = discmc_unit_normal_of({byte_u, byte_v});
-      CHECK(UnitNormal{normal.x, normal.y, normal.z} ==
-            unit_normal(OctahedralNormal{byte_u, byte_v}));
-    }
-}
-
 TEST_CASE("the lattice is the same through C") {
   for (uint8_t incidence = 0; incidence < DISCMC_INCIDENCE_CODES; ++incidence) {
     if (incidence == DISCMC_NO_INCIDENCE) continue;
@@ -553,8 +549,11 @@ TEST_CASE("the lattice is the same through C") {
     CHECK(discmc_incidence_of(discmc_normal(incidence)) == incidence);
     CHECK(discmc_opposite(incidence) == opposite(incidence));
     REQUIRE(discmc_direction_count(incidence) == direction_count(incidence));
-    for (Link link = 0; link < DISCMC_LINK_CODES; ++link)
+    for (Link link = 0; link < DISCMC_LINK_CODES; ++link) {
       CHECK(discmc_direction_of(incidence, link) == direction_of(incidence, link));
+      CHECK(discmc_direction_of_vector(incidence, discmc_link_vector(link)) ==
+            direction_of(incidence, link));
+    }
     for (Direction from = 0; from < direction_count(incidence); ++from) {
       CHECK(discmc_link_of(incidence, from) == link_of(incidence, from));
       CHECK(are_equal(discmc_direction_vector(incidence, from), direction_vector(incidence, from)));
@@ -566,6 +565,36 @@ TEST_CASE("the lattice is the same through C") {
   for (Link link = 0; link < DISCMC_LINK_CODES; ++link) {
     CHECK(are_equal(discmc_link_vector(link), link_vector(link)));
     CHECK(discmc_opposite_link(link) == opposite_link(link));
+  }
+}
+
+TEST_CASE("planes are the same through C") {
+  for (uint8_t incidence = 0; incidence < 30; ++incidence) {
+    REQUIRE((discmc_is_incidence(incidence) != 0) == is_incidence(incidence));
+    if (!is_incidence(incidence)) continue;
+    const Vertex vertex{3, -4, 1 << 30};
+    const discmc_vertex in_c = {3, -4, 1 << 30};
+    CHECK(discmc_plane_offset(incidence, in_c) == plane_offset(incidence, vertex));
+    CHECK(discmc_projected(incidence, in_c).u == projected(incidence, vertex).u);
+    CHECK(discmc_projected(incidence, in_c).v == projected(incidence, vertex).v);
+    for (Direction direction = 0; direction < 9; ++direction) {
+      CHECK((discmc_is_direction_of(incidence, direction) != 0) ==
+            is_direction_of(incidence, direction));
+      if (!is_direction_of(incidence, direction)) continue;
+      const Run run = Run::straight(direction, 5);
+      CHECK(are_equal(discmc_after_run(incidence, in_c, run.code()),
+                      after_run(incidence, vertex, run)));
+      const PlanePoint beside = point_beside(incidence, vertex, direction);
+      const discmc_plane_point told = discmc_point_beside(incidence, in_c, direction);
+      CHECK(told.u == beside.u);
+      CHECK(told.v == beside.v);
+      const PlaneSide side(incidence, vertex, run);
+      for (int64_t away = -100; away <= 100; away += 25)
+        CHECK((discmc_meets_ray(incidence, in_c, run.code(), {told.u + away, told.v}) != 0) ==
+              side.meets_ray({beside.u + away, beside.v}));
+    }
+    for (const uint32_t code : {0U, 8U, 15U, 0xFFFFFFFFU, 0x80000000U})
+      CHECK((discmc_is_run_of(incidence, code) != 0) == is_run_of(incidence, Run::from_code(code)));
   }
 }
 
@@ -589,5 +618,11 @@ TEST_CASE("the facets of all configurations are the same through C") {
     REQUIRE(ring.count == facet_rings.ring[facet].count);
     for (uint32_t i = 0; i < ring.count; ++i)
       CHECK(are_equal(ring.vertices[i], position(facet_rings.ring[facet].point[i])));
+    for (uint32_t edge = 0; edge < ring.count; ++edge) {
+      const discmc_neighbour told = discmc_across_edge(static_cast<Facet>(facet), edge);
+      const Neighbour expected = across_edge(static_cast<Facet>(facet), static_cast<int>(edge));
+      CHECK(told.facet == expected.facet);
+      CHECK(are_equal(told.cell, expected.cell));
+    }
   }
 }

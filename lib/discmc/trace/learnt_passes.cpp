@@ -81,7 +81,7 @@ void LearntPasses::learn_in(Memory memory) {
   const size_t entries = memory.bytes < lost ? 0 : (memory.bytes - lost) / sizeof(Learnt);
   uint32_t bits = 1;
   while (bits < most_entry_bits && size_t{2} << bits <= entries) ++bits;
-  shift_ = 32 - bits;
+  further_bits_ = bits - 1;
   learnt_ = Arena(memory).take<Learnt>(uint32_t{1} << bits);
   for (uint32_t i = 0; learnt_ != nullptr && i < uint32_t{1} << bits; ++i) learnt_[i].known = 0;
 }
@@ -145,7 +145,7 @@ void LearntPasses::mark_incomplete(const SweptRow& row, Edge* end) {
 void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
   static constexpr Learnt nothing[2] = {};
   const Learnt* const learnt = learnt_ != nullptr ? learnt_ : nothing;
-  const uint32_t shift = shift_;
+  const uint32_t shift = 31 - further_bits_;
   FoundPass* found = pass_;
   SweepCounts sum = counts;
   for (const Edge *edge = edge_, *const end = edge_ + edges_; edge != end; ++edge) {

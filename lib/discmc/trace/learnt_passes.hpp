@@ -69,8 +69,8 @@ class LearntPasses {
   void look_up(const SweptRow& row, SweepCounts& counts);
   Derived derive(const SweptRow& row, const Edge& edge, uint32_t place, FoundPass* found);
 
-  Learnt* learnt_ = nullptr;  // by place
-  uint32_t shift_ = 31;
+  Learnt* learnt_ = nullptr;   // by place
+  uint32_t further_bits_ = 0;  // of a place, which has one at least
 
   uint32_t word_ = 0;  // the next whose edges are to be collected
   uint32_t first_word_ = 0;
