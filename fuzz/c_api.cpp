@@ -125,6 +125,118 @@ void require_same_records(const InC& in_c, const InCpp& in_cpp) {
           "other numbers of records than in C++");
 }
 
+/// Who takes packets of records, on either side.
+struct Packets {
+  std::vector<std::vector<uint8_t>> payloads;
+  std::vector<uint32_t> pieces;
+
+  template <class Packet>
+  void add(const Packet& packet) {
+    payloads.emplace_back(packet.payload, packet.payload + packet.bytes);
+    pieces.push_back(packet.pieces << 1 | (packet.is_whole ? 1U : 0U));
+  }
+  static void take_in_c(void* context, const discmc_records_packet* packet) {
+    static_cast<Packets*>(context)->add(*packet);
+  }
+  static void take_in_cpp(void* context, const RecordsPacket& packet) {
+    static_cast<Packets*>(context)->add(packet);
+  }
+};
+
+// ---- extractors with normals ----
+
+discmc_push_result push(discmc_normal_extractor& extractor, const uint8_t* samples,
+                        uint32_t count) {
+  return discmc_normal_extractor_push_u8(&extractor, samples, count, 1);
+}
+discmc_push_result push(discmc_normal_extractor& extractor, const uint16_t* samples,
+                        uint32_t count) {
+  return discmc_normal_extractor_push_u16(&extractor, samples, count, 1);
+}
+discmc_push_result push(discmc_normal_extractor& extractor, const int16_t* samples,
+                        uint32_t count) {
+  return discmc_normal_extractor_push_i16(&extractor, samples, count, 1);
+}
+
+/// A scan with normals, on either side. The object of C has been of any kind before.
+template <class Index, class Sample>
+class BothNormals {
+ public:
+  BothNormals(Input& input, discmc_normal_extractor& in_c, const discmc_normal_kind& kind)
+      : input_(input), in_c_(in_c), kind_(kind) {}
+
+  void run() {
+    start();
+    const uint32_t rows = input_.below(40);
+    for (uint32_t row = 0; row < rows; ++row) take_row();
+    finish();
+    require(c_.events == cpp_.events, "other events with normals than in C++");
+    require(
+        counts(from_c(discmc_normal_extractor_statistics(&in_c_))) == counts(in_cpp_.statistics()),
+        "other totals with normals than in C++");
+    require_same_records(discmc_normal_extractor_high_water(&in_c_), in_cpp_.high_water());
+    require(discmc_normal_extractor_bytes_used(&in_c_) == in_cpp_.bytes_used() &&
+                discmc_normal_extractor_slices(&in_c_) == in_cpp_.slices() &&
+                discmc_normal_extractor_rows(&in_c_) == in_cpp_.rows(),
+            "other bytes or rows with normals than in C++");
+  }
+
+ private:
+  void start() {
+    width_ = 1 + input_.below(12);
+    const discmc_limits limits = {
+        width_, 1 + input_.below(6), static_cast<uint8_t>(input_.below(2)), {}};
+    discmc_capacities capacities = discmc_minimum_capacities();
+    capacities.records += input_.byte();
+    capacities.holes += input_.below(16);
+    const int32_t spacing_nm[3] = {static_cast<int32_t>(input_.byte()) - 100, 100,
+                                   static_cast<int32_t>(input_.byte()) - 20};
+    c_.refusals = cpp_.refusals = read_refusals(input_);
+    const bool takes_fragments = input_.below(4) != 0;
+    const int32_t threshold = static_cast<int32_t>(input_.byte()) - 2;
+    blocks_ = std::make_unique<BothBlocks>(
+        discmc_normal_extractor_bytes_for(&kind_, &limits, &capacities));
+    const discmc_sink sink = {&c_, SinkInC::take, static_cast<uint8_t>(takes_fragments)};
+    discmc_normal_extractor_set_spacing(&in_c_, &kind_, spacing_nm);
+    in_cpp_.set_spacing(spacing_nm);
+    require_same(discmc_normal_extractor_start(&in_c_, &kind_, &limits, &capacities, threshold,
+                                               blocks_->memory_c(), &sink),
+                 in_cpp_.start({width_, limits.height, static_cast<Border>(limits.border)},
+                               {capacities.records, capacities.holes}, threshold,
+                               blocks_->cpp.memory(), sink_to(cpp_, takes_fragments)));
+  }
+
+  void take_row() {
+    const uint32_t what = input_.below(16);
+    if (what == 0) {
+      require_same(discmc_normal_extractor_skip_row(&in_c_, DISCMC_PREVIOUS_ROW),
+                   in_cpp_.skip_row(Substitute::previous_row));
+      return;
+    }
+    const uint32_t count = what == 1 ? input_.below(width_) : width_;
+    const auto samples = read_samples<Sample>(input_, count);
+    require_same(push(in_c_, samples.data(), count), in_cpp_.push(samples.data(), count));
+  }
+
+  void finish() {
+    if (input_.below(2) == 0)
+      require_same(discmc_normal_extractor_finish(&in_c_), in_cpp_.finish());
+    else
+      require_same(discmc_normal_extractor_abandon(&in_c_), in_cpp_.abandon());
+    c_.refusals = cpp_.refusals = Refusals();
+    require_same(discmc_normal_extractor_resume(&in_c_), in_cpp_.resume());
+  }
+
+  Input& input_;
+  discmc_normal_extractor& in_c_;
+  const discmc_normal_kind& kind_;
+  uint32_t width_ = 0;
+  SinkInC c_;
+  SinkInCpp cpp_;
+  std::unique_ptr<BothBlocks> blocks_;
+  Extractor<Index, GradientNormals<Sample>> in_cpp_;
+};
+
 /// Makes every call twice, in C and in C++.
 class Both {
  public:
@@ -167,6 +279,9 @@ class Both {
     if (what < 232) return push_stream(what);
     if (what < 240) return push_any_bytes();
     if (what < 248) return finish_decoder();
+    if (what < 250) return pass_on();
+    if (what < 252) return append();
+    if (what < 254) return scan_with_normals();
     look();
   }
 
@@ -265,6 +380,20 @@ class Both {
                  in_cpp_.push(samples.data(), count, stride));
   }
 
+  void scan_with_normals() {
+    discmc_normal_extractor& in_c = *normals_;
+    switch (input_.below(4)) {
+      case 0:
+        return BothNormals<uint16_t, uint8_t>(input_, in_c, discmc_normals_u8).run();
+      case 1:
+        return BothNormals<uint16_t, uint16_t>(input_, in_c, discmc_normals_u16).run();
+      case 2:
+        return BothNormals<uint16_t, int16_t>(input_, in_c, discmc_normals_i16).run();
+      default:
+        return BothNormals<uint32_t, uint8_t>(input_, in_c, discmc_host_normals_u8).run();
+    }
+  }
+
   // ---- the stream ----
 
   void start_encoder() {
@@ -288,6 +417,22 @@ class Both {
   void flush() {
     const bool in_c = discmc_encoder_flush(encoder_.get()) != 0;
     require(in_c == encoder_cpp_.flush(), "flush() comes to something else than in C++");
+  }
+
+  void append() {
+    const auto payload = input_.bytes(input_.byte());
+    const uint32_t pieces = input_.number(UINT32_MAX);
+    const bool is_whole = input_.below(2) == 1;
+    const discmc_records_packet packet = {payload.data(), payload.size(), pieces, is_whole};
+    require_same(discmc_encoder_append(encoder_.get(), &packet),
+                 encoder_cpp_.append({payload.data(), payload.size(), pieces, is_whole}));
+  }
+
+  void pass_on() {
+    const bool is_wanted = input_.below(4) != 0;
+    discmc_decoder_pass_whole_regions_to(decoder_.get(), is_wanted ? &packet_sink_ : nullptr);
+    decoder_cpp_.pass_whole_regions_to(
+        is_wanted ? RecordsPacketSink{&packets_cpp_, Packets::take_in_cpp} : RecordsPacketSink{});
   }
 
   void start_decoder() {
@@ -326,6 +471,9 @@ class Both {
     require(scanned_c_.events == scanned_cpp_.events, "other events than in C++");
     require(decoded_c_.events == decoded_cpp_.events, "other events decoded than in C++");
     require(line_c_.bytes == line_cpp_.bytes, "other bytes than in C++");
+    require(
+        packets_c_.payloads == packets_cpp_.payloads && packets_c_.pieces == packets_cpp_.pieces,
+        "other packets passed on than in C++");
     require(discmc_encoder_bytes(encoder_.get()) == encoder_cpp_.bytes(),
             "another number of bytes sent than in C++");
     scanned_c_.events.clear();
@@ -364,10 +512,13 @@ class Both {
   SinkInCpp scanned_cpp_;
   SinkInC decoded_c_;  // of the decoder
   SinkInCpp decoded_cpp_;
+  Packets packets_c_, packets_cpp_;
+  const discmc_records_packet_sink packet_sink_{&packets_c_, Packets::take_in_c};
   std::unique_ptr<BothBlocks> blocks_;
   // On the heap, where the next byte is no one's.
   std::unique_ptr<discmc_extractor> extractor_ = std::make_unique<discmc_extractor>();
   std::unique_ptr<discmc_encoder> encoder_ = std::make_unique<discmc_encoder>();
+  std::unique_ptr<discmc_normal_extractor> normals_ = std::make_unique<discmc_normal_extractor>();
   std::unique_ptr<discmc_decoder> decoder_ = std::make_unique<discmc_decoder>();
   Extractor16 in_cpp_{};
   Encoder encoder_cpp_{};

@@ -55,12 +55,13 @@ constexpr Capacities minimum_capacities() {
 
 /// Capacities with which no volume of so many slices ever sends anything loose, or cuts anything
 /// off where the sink takes no fragments. Far more than real volumes need. A number beyond what can
-/// be counted comes out as the greatest.
+/// be counted comes out as the greatest. Limit: valid limits.
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
-  const uint64_t cells = uint64_t{limits.width + 1} * (limits.height + 1);
-  const uint64_t most = UINT32_MAX / sizing::records_a_cell;
-  const uint64_t all = slices < most / cells ? cells * (slices + 1) : most;
-  const uint32_t records = static_cast<uint32_t>(all) * sizing::records_a_cell;
+  // In 32 bits: no 64-bit division on small machines.
+  const uint32_t cells = (limits.width + 1) * (limits.height + 1);
+  const uint32_t most = UINT32_MAX / sizing::records_a_cell;
+  const uint32_t all = slices < most / cells ? cells * (slices + 1) : most;
+  const uint32_t records = all * sizing::records_a_cell;
   return {records, records};
 }
 

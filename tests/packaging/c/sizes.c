@@ -17,6 +17,17 @@ uint8_t slice_encoder[DISCMC_SLICE_ENCODER_BYTES_FOR(64, 48, 16, 2)];
 uint8_t slice_decoder[DISCMC_SLICE_DECODER_BYTES_FOR(64, 48, 2)];
 uint8_t surface_decoder[DISCMC_MINIMUM_SURFACE_BYTES(64, 48, 2)];
 
+uint8_t normals[DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(64, 48, sizeof(uint8_t))];
+uint8_t some_normals[DISCMC_NORMAL_EXTRACTOR_BYTES_FOR(64, 48, 2, 101)];
+static const discmc_capacities normal_split =
+    DISCMC_NORMAL_EXTRACTOR_DEFAULT_CAPACITIES(64, 48, 1, 40000);
+uint8_t window[DISCMC_SAMPLE_WINDOW_BYTES_FOR(64, 48, sizeof(int16_t))];
+
+uint8_t learning[DISCMC_LEARNING_EXTRACTOR_MINIMUM_BYTES(64, 48)];
+uint8_t some_learning[DISCMC_LEARNING_EXTRACTOR_BYTES_FOR(64, 48, 101)];
+static const discmc_capacities learning_split =
+    DISCMC_LEARNING_EXTRACTOR_DEFAULT_CAPACITIES(64, 48, 3000000);
+
 static int are_equal(discmc_capacities a, discmc_capacities b) {
   return a.records == b.records && a.holes == b.holes;
 }
@@ -34,5 +45,17 @@ int main(void) {
   if (sizeof slice_encoder != discmc_slice_encoder_bytes_for(&limits, 16, 2)) return 9;
   if (sizeof slice_decoder != discmc_slice_decoder_bytes_for(&limits, 2)) return 10;
   if (sizeof surface_decoder != discmc_minimum_surface_bytes(&limits, 2)) return 11;
+  if (sizeof normals != discmc_normal_extractor_minimum_bytes(&discmc_normals_u8, &limits))
+    return 12;
+  if (sizeof some_normals != discmc_normal_extractor_bytes_for(&discmc_normals_i16, &limits, &some))
+    return 13;
+  if (!are_equal(normal_split, discmc_normal_extractor_default_capacities(&discmc_normals_u8,
+                                                                          &limits, 40000)))
+    return 14;
+  if (sizeof window != discmc_sample_window_bytes_for(&limits, 2)) return 15;
+  if (sizeof learning != discmc_learning_extractor_minimum_bytes(&limits)) return 16;
+  if (sizeof some_learning != discmc_learning_extractor_bytes_for(&limits, &some)) return 17;
+  if (!are_equal(learning_split, discmc_learning_extractor_default_capacities(&limits, 3000000)))
+    return 18;
   return 0;
 }
