@@ -8,8 +8,8 @@ static const discmc_limits limits = {.width = SIZE, .height = SIZE, .border = DI
 static const discmc_stream_label label = {.depth = SIZE};
 static const int32_t spacing_nm[3] = {500000, 500000, 1000000};
 
-static uint8_t
-    memory[DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(SIZE, SIZE, sizeof(uint8_t)) + 8 * 1024];
+#define LEAST DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(SIZE, SIZE, sizeof(uint8_t))
+static uint8_t memory[LEAST + 8 * 1024];
 static const discmc_memory arena = {memory, sizeof memory};
 static discmc_normal_extractor extractor;
 static discmc_normal_encoder encoder;

@@ -166,7 +166,7 @@ class BothNormals {
       : input_(input), in_c_(in_c), kind_(kind) {}
 
   void run() {
-    start();
+    if (!is_started()) return;
     const uint32_t rows = input_.below(40);
     for (uint32_t row = 0; row < rows; ++row) take_row();
     finish();
@@ -182,7 +182,7 @@ class BothNormals {
   }
 
  private:
-  void start() {
+  bool is_started() {
     width_ = 1 + input_.below(12);
     const discmc_limits limits = {
         width_, 1 + input_.below(6), static_cast<uint8_t>(input_.below(2)), {}};
@@ -199,11 +199,12 @@ class BothNormals {
     const discmc_sink sink = {&c_, SinkInC::take, static_cast<uint8_t>(takes_fragments)};
     discmc_normal_extractor_set_spacing(&in_c_, &kind_, spacing_nm);
     in_cpp_.set_spacing(spacing_nm);
-    require_same(discmc_normal_extractor_start(&in_c_, &kind_, &limits, &capacities, threshold,
-                                               blocks_->memory_c(), &sink),
-                 in_cpp_.start({width_, limits.height, static_cast<Border>(limits.border)},
-                               {capacities.records, capacities.holes}, threshold,
-                               blocks_->cpp.memory(), sink_to(cpp_, takes_fragments)));
+    const discmc_status in_c = discmc_normal_extractor_start(&in_c_, &kind_, &limits, &capacities,
+                                                             threshold, blocks_->memory_c(), &sink);
+    require_same(in_c, in_cpp_.start({width_, limits.height, static_cast<Border>(limits.border)},
+                                     {capacities.records, capacities.holes}, threshold,
+                                     blocks_->cpp.memory(), sink_to(cpp_, takes_fragments)));
+    return in_c == DISCMC_OK;
   }
 
   void take_row() {
