@@ -58,7 +58,7 @@ static_assert(sizeof(Statistics) == sizeof(discmc_statistics) && DISCMC_SAME_PLA
               "so have totals");
 #undef DISCMC_SAME_PLACE
 
-static_assert(DISCMC_BAD_RECORD == static_cast<int>(Status::bad_record) &&
+static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
                   DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
                   DISCMC_FINISHED == static_cast<int>(Status::finished) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&

@@ -72,7 +72,9 @@ enum {
   DISCMC_WRONG_VERSION,     /* this decoder does not know the stream's version */
   DISCMC_BAD_CHECKPOINT,    /* it, or the memory that goes with it, is not what was saved */
   DISCMC_BAD_LABEL,         /* see discmc_stream_label; of a header also its surfaces */
-  DISCMC_BAD_RECORD         /* an application record is too long */
+  DISCMC_BAD_RECORD,        /* an application record is too long */
+  DISCMC_BAD_DEVICE,        /* a flash without functions, or without room for two checkpoints */
+  DISCMC_DEVICE_ERROR       /* a function of a flash failed */
 };
 
 /* A short English text for a status. Owner: static storage. */
@@ -476,6 +478,99 @@ DISCMC_NODISCARD discmc_status discmc_encoder_restore(discmc_encoder* encoder,
 /* The bytes of stream so far: what the output has taken, and what was dropped without one. How many
  * those are is what this has grown by between the two calls of ..._set_output(). */
 uint64_t discmc_encoder_bytes(const discmc_encoder* encoder);
+
+/* ---- checkpoints in flash (checkpoint_store.hpp, flash_device.hpp) ---- */
+
+/* The part of a memory that is for checkpoints. Units: bytes, but for the blocks. */
+typedef struct discmc_flash_geometry {
+  uint32_t program_bytes; /* programmed and read at once; may be several units of the device;
+                           * Limit: at least 16 */
+  uint32_t block_bytes;   /* erased at once; Limit: a multiple of program_bytes, at most 2^30 */
+  uint32_t blocks;        /* how many; numbered from 0; Limit: fewer than 2^32 program units */
+} discmc_flash_geometry;
+
+/* The functions of a driver; those of littlefs's lfs_config do the same. Each returns 0, or any
+ * other number for an error. They are called within calls of the store that has them, by the same
+ * thread, and at no other time. They may wait, or return while the device is still at work, where
+ * each call that follows waits until it is done. They must not call the store. Owner: the context
+ * is the caller's. */
+typedef struct discmc_flash_device {
+  void* context;
+  /* Reads a unit: bytes is program_bytes, and offset a multiple of it, within a block. */
+  int (*read)(void* context, uint32_t block, uint32_t offset, void* buffer, uint32_t bytes);
+  /* Programs a unit of a block that was erased, once, in their order. */
+  int (*program)(void* context, uint32_t block, uint32_t offset, const void* buffer,
+                 uint32_t bytes);
+  /* Erases a block. Null where the device needs none, as FRAM and MRAM. */
+  int (*erase)(void* context, uint32_t block);
+  /* Comes back when all is in the memory to stay. Null where it always is. */
+  int (*sync)(void* context);
+  discmc_flash_geometry geometry;
+} discmc_flash_device;
+
+/* How checkpoints of a number of bytes lie in a flash. A flash whose blocks bear so many erasures
+ * is worn out after slots * erasures checkpoints. One takes at most blocks * (time of an erasure) +
+ * units * (time of a unit); without the first part where all was erased ahead. */
+typedef struct discmc_store_plan {
+  uint32_t slots;           /* checkpoints that there is room for */
+  uint32_t slots_per_block; /* where several share a block, which is erased for the first; else 1 */
+  uint32_t blocks;          /* of a checkpoint */
+  uint32_t units;           /* that a checkpoint programs */
+} discmc_store_plan;
+
+/* All zero where there is no room for two of them in blocks of their own. */
+discmc_store_plan discmc_store_plan_for(const discmc_flash_geometry* geometry, uint32_t most_bytes);
+
+/* Keeps checkpoints in flash: the newest whole one is there after a power failure, whenever that
+ * came. A checkpoint is the bytes of some parts, one behind the other: those of ..._save(), and the
+ * memory in use. */
+typedef struct discmc_checkpoint_store {
+  uint64_t opaque[(sizeof(void*) == 8 ? 272 : 184) / 8];
+} discmc_checkpoint_store;
+enum { DISCMC_MAX_PARTS = 4 };
+
+/* Finds the newest whole checkpoint; what else is in the flash is of no matter. most_bytes: of all
+ * parts of a checkpoint. buffer: at least program_bytes; Owner: the caller, as for the device, as
+ * long as the store is used. Errors: DISCMC_BAD_DEVICE, DISCMC_TOO_LITTLE_MEMORY (the buffer).
+ * DISCMC_DEVICE_ERROR: a read failed, and no checkpoint was found; the store is started all the
+ * same, and may save over what could not be read. */
+DISCMC_NODISCARD discmc_status discmc_checkpoint_store_start(discmc_checkpoint_store* store,
+                                                             const discmc_flash_device* device,
+                                                             uint32_t most_bytes,
+                                                             discmc_memory buffer);
+
+/* 1 when there is a whole checkpoint; how many bytes it has, and its number: one more than of the
+ * one before. */
+uint8_t discmc_checkpoint_store_has_checkpoint(const discmc_checkpoint_store* store);
+uint32_t discmc_checkpoint_store_bytes(const discmc_checkpoint_store* store);
+uint32_t discmc_checkpoint_store_sequence(const discmc_checkpoint_store* store);
+
+/* Reads the newest checkpoint. parts: as they were saved, but the last may have more bytes than
+ * then. Breaks off a save that is under way. Errors: DISCMC_NOT_STARTED, DISCMC_BAD_CHECKPOINT
+ * (there is none, or of other bytes, then nothing is written; or it is damaged since the start),
+ * DISCMC_DEVICE_ERROR. */
+DISCMC_NODISCARD discmc_status discmc_checkpoint_store_restore(discmc_checkpoint_store* store,
+                                                               const discmc_memory* parts,
+                                                               uint32_t count);
+
+/* Erases a block for the next checkpoint, if one is left to erase for so many bytes; the scan may
+ * go on between calls. DISCMC_MORE: call again. Errors: DISCMC_NOT_STARTED, DISCMC_DEVICE_ERROR. */
+DISCMC_NODISCARD discmc_status discmc_checkpoint_store_erase_ahead(discmc_checkpoint_store* store,
+                                                                   uint32_t bytes);
+
+/* Begins to save a checkpoint, and does the first step of ..._resume(). parts: at most
+ * DISCMC_MAX_PARTS; Owner: what they lead to stays as it is up to another status than DISCMC_MORE;
+ * until then the checkpoint before is the newest. Breaks off a save that is under way. Errors:
+ * DISCMC_NOT_STARTED, DISCMC_TOO_LITTLE_MEMORY (more parts or bytes than there is room for),
+ * DISCMC_DEVICE_ERROR. */
+DISCMC_NODISCARD discmc_status discmc_checkpoint_store_save(discmc_checkpoint_store* store,
+                                                            const discmc_memory* parts,
+                                                            uint32_t count);
+
+/* Goes on with the save that is under way, if there is one: erases a block, or programs a unit and
+ * reads it again. Errors: DISCMC_NOT_STARTED. DISCMC_DEVICE_ERROR: the save is broken off; the next
+ * one takes other blocks if there are more than two slots. */
+DISCMC_NODISCARD discmc_status discmc_checkpoint_store_resume(discmc_checkpoint_store* store);
 
 /* What the axes of space are: the scanner's own; towards left, back and head, as in DICOM; towards
  * right, front and head, as in NIfTI. */

@@ -17,6 +17,8 @@
 //     application_record.hpp, placement.hpp  the user's own data in it, and where the volume lies
 //     slab_range.hpp                   which slices of a volume it is of
 //   checkpoint.hpp        extractor and encoder as bytes that survive a power failure
+//     checkpoint_store.hpp    in flash, the newest whole one of several
+//     flash_device.hpp        the driver's part of it
 //   decoder.hpp           bytes of a stream in, the same events out
 //     stream_report.hpp       what arrived, and what did not
 //   records_packet.hpp    packets that pass from an encoder or a decoder to another encoder
@@ -92,6 +94,7 @@
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 
+#include <discmc/checkpoint_store.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>

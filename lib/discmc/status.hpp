@@ -19,6 +19,7 @@ namespace discmc {
 ///   MajorityFilter::start()  whichever: the filter is not started
 ///   push() of decoders       wrong_version: nothing more of this stream comes
 ///   Joiner::finish()         too_little_memory: all has been done that can be
+///   CheckpointStore          device_error: see each of its functions
 enum class Status : uint8_t {
   ok,
   more,               ///< suspended; nothing is lost: resume(), of a decoder push() the rest
@@ -36,6 +37,8 @@ enum class Status : uint8_t {
   bad_checkpoint,  ///< the checkpoint, or the memory that goes with it, is not what was saved
   bad_label,       ///< see StreamLabel; of a StreamHeader also its surfaces
   bad_record,      ///< an application record is too long, or a packet of records
+  bad_device,      ///< a flash without read() or program(), or without room for two checkpoints
+  device_error,    ///< a function of a flash failed, or a unit reads otherwise than was programmed
 };
 
 /// A short English text for a status. Owner: static storage.
@@ -71,6 +74,10 @@ constexpr const char* text(Status status) {
       return "channels are 0 to 63, and a stream has at most 4 surfaces";
     case Status::bad_record:
       return "an application record holds at most 200 bytes, a packet of records 243";
+    case Status::bad_device:
+      return "the flash has no read() or program(), or no room for two checkpoints";
+    case Status::device_error:
+      return "the flash failed: see its driver";
   }
   return "unknown status";
 }

@@ -479,9 +479,9 @@ TEST_CASE("a header is valid in C when it is in C++") {
 }
 
 TEST_CASE("every status has the text that it has in C++") {
-  for (discmc_status status = 0; status <= DISCMC_BAD_RECORD; ++status)
+  for (discmc_status status = 0; status <= DISCMC_DEVICE_ERROR; ++status)
     CHECK(std::string_view(discmc_text(status)) == text(static_cast<Status>(status)));
-  CHECK(std::string_view(discmc_text(DISCMC_BAD_RECORD + 1)) == "unknown status");
+  CHECK(std::string_view(discmc_text(DISCMC_DEVICE_ERROR + 1)) == "unknown status");
 }
 
 TEST_CASE("chains and polygons are the same through C") {

@@ -5,6 +5,7 @@
 #include <discmc/checkpoint.hpp>
 #include <set>
 
+#include "oracle/checkpointed_device.hpp"
 #include "oracle/sanitized.hpp"
 #include "oracle/stream_samples.hpp"
 
@@ -13,141 +14,6 @@ using namespace discmc::test;
 using namespace discmc::reference;
 
 namespace {
-
-/// Where the bytes of a stream go: all of them, or at most some at a time with pauses in between.
-struct Store {
-  Bytes bytes;
-  size_t most = SIZE_MAX;
-  bool pauses = false;
-
-  static size_t write(void* context, const uint8_t* bytes, size_t count) {
-    auto& store = *static_cast<Store*>(context);
-    const bool takes_some = store.most == SIZE_MAX || (store.pauses = !store.pauses);
-    if (!takes_some) return 0;
-    count = std::min(count, store.most);
-    store.bytes.insert(store.bytes.end(), bytes, bytes + count);
-    return count;
-  }
-  ByteOutput output() { return {this, write}; }
-};
-
-/// What a device has written down, as one string of bytes, as a flash holds it.
-using Image = Bytes;
-
-template <class Object>
-Bytes bytes_of(const Object& object) {
-  Bytes bytes(sizeof object);
-  std::memcpy(bytes.data(), &object, sizeof object);
-  return bytes;
-}
-
-/// A device with an extractor and an encoder, in memory of its own.
-template <class Index>
-class Device {
- public:
-  Device(const BitVolume& volume, Border border, uint64_t bytes)
-      : volume_(volume), limits_(limits_of(volume, border)), block_(bytes) {}
-
-  void start() {
-    require_ok(encoder_.start({volume_.depth}, store.output()));
-    require_ok(extractor_.start(limits_, 1, block_.memory(), sink_to(encoder_)));
-  }
-
-  /// Pushes rows up to that of a number, counted through all slices.
-  void scan_to(uint32_t end) {
-    uint32_t row = extractor_.slices() * volume_.height + extractor_.rows();
-    for (; row < end; ++row) {
-      Status status =
-          extractor_.push(&volume_.on[size_t{row} * volume_.width], volume_.width).status;
-      while (status == Status::more) status = extractor_.resume();
-      require_ok(status);
-    }
-  }
-  void finish() {
-    scan_to(rows());
-    finish_all(extractor_);
-    if (!block_.is_intact()) throw std::runtime_error("a write outside the arena");
-  }
-  uint32_t rows() const { return volume_.height * volume_.depth; }
-
-  Image save() {
-    require_ok(extractor_.save(scan_));
-    require_ok(encoder_.save(stream_));
-    Image image = bytes_of(scan_);
-    const Bytes stream = bytes_of(stream_);
-    image.insert(image.end(), stream.begin(), stream.end());
-    const auto* memory = static_cast<const uint8_t*>(block_.memory().data);
-    image.insert(image.end(), memory, memory + extractor_.bytes_used());
-    return image;
-  }
-
-  Status restore(const Image& image) {
-    const uint8_t* next = image.data();
-    std::memcpy(static_cast<void*>(&scan_), next, sizeof scan_);
-    std::memcpy(static_cast<void*>(&stream_), next += sizeof scan_, sizeof stream_);
-    next += sizeof stream_;
-    std::copy(next, image.data() + image.size(), static_cast<uint8_t*>(block_.memory().data));
-    const Status status = encoder_.restore(stream_, store.output());
-    if (status != Status::ok) return status;
-    return extractor_.restore(scan_, block_.memory(), sink_to(encoder_));
-  }
-
-  /// Whether an address lies in the device or in its memory.
-  bool owns(uintptr_t address) {
-    const auto lies_in = [address](const void* first, size_t bytes) {
-      return address - reinterpret_cast<uintptr_t>(first) < bytes;
-    };
-    return lies_in(this, sizeof *this) || lies_in(block_.memory().data, block_.memory().bytes);
-  }
-
-  /// The bytes of stream before what comes next.
-  uint64_t position() const { return encoder_.bytes(); }
-
-  Store store;
-
- private:
-  BitVolume volume_;
-  Limits limits_;
-  Block block_;
-  // Zero to begin with, as static objects are.
-  Extractor<Index> extractor_{};
-  Encoder encoder_{};
-  Checkpoint<Extractor<Index>> scan_{};
-  Checkpoint<Encoder> stream_{};
-};
-
-BitVolume centred_ball(uint32_t size) {
-  const auto middle = static_cast<int32_t>(size - 1);
-  return ball({size, size, size}, {middle, middle, middle}, middle * middle / 4);
-}
-
-struct Scan {
-  const char* name;
-  BitVolume volume;
-  Border border;
-  uint64_t spare;  // bytes beyond the minimum
-};
-
-std::vector<Scan> scans() {
-  return {{"a ball", centred_ball(9), Border::closed, 1 << 16},
-          {"a ball in too little memory", centred_ball(9), Border::open, 200},
-          {"noise", random({7, 5, 6}, 128, 1), Border::open, 1 << 16},
-          {"noise in too little memory", random({7, 5, 6}, 128, 2), Border::closed, 300}};
-}
-
-template <class Index>
-Device<Index> device_for(const Scan& scan) {
-  const uint64_t least = minimum_bytes<Index>(limits_of(scan.volume, scan.border));
-  return Device<Index>(scan.volume, scan.border, least + scan.spare);
-}
-
-template <class Index>
-Bytes uninterrupted(const Scan& scan) {
-  auto device = device_for<Index>(scan);
-  device.start();
-  device.finish();
-  return device.store.bytes;
-}
 
 template <class Index>
 void check_every_row(size_t most) {

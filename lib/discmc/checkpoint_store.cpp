@@ -1,0 +1,276 @@
+#include <discmc/checkpoint_store.hpp>
+
+#include <discmc/stream/crc32.hpp>
+
+namespace discmc {
+
+namespace {
+
+// Whether a number was given before another: numbers go on with 0 behind the last.
+bool is_before(uint32_t sequence, uint32_t other) {
+  return static_cast<int32_t>(sequence - other) < 0;
+}
+
+uint32_t checksum_of(const StoredHead& head) {
+  return crc32(reinterpret_cast<const uint8_t*>(&head), offsetof(StoredHead, checksum));
+}
+
+}  // namespace
+
+Status CheckpointStore::start(const FlashDevice& device, uint32_t most_bytes, Memory buffer) {
+  const StorePlan plan = store_plan(device.geometry, most_bytes);
+  if (device.read == nullptr || device.program == nullptr || !plan.is_valid())
+    return Status::bad_device;
+  if (buffer.data == nullptr || buffer.bytes < device.geometry.program_bytes)
+    return Status::too_little_memory;
+  device_ = device;
+  plan_ = plan;
+  buffer_ = static_cast<uint8_t*>(buffer.data);
+  is_saving_ = false;
+  sequence_ = 0;
+  slot_ = 0;
+  erased_ = 0;
+  return find_newest();
+}
+
+// ---- finding and reading ----
+
+// Looks at checkpoints from the newest on. A number that was given to one that is not whole is not
+// given again.
+Status CheckpointStore::find_newest() {
+  has_newest_ = false;
+  read_failed_ = false;
+  StoredHead head{}, bound{};
+  for (uint32_t looked_at = 0; looked_at < plan_.slots; ++looked_at) {
+    if (!find_head_before(looked_at > 0 ? &bound : nullptr, head, newest_)) break;
+    if (looked_at == 0) sequence_ = head.sequence;
+    bound = head;
+    has_newest_ = is_whole(newest_, head);
+    if (!has_newest_) continue;
+    newest_bytes_ = head.bytes;
+    newest_sequence_ = head.sequence;
+    slot_ = newest_;
+    go_to_other_blocks();  // what is behind it in its block may have been begun
+    return Status::ok;
+  }
+  return read_failed_ ? Status::device_error : Status::ok;
+}
+
+// The newest head before another one, or of all, and its slot. False when there is none.
+bool CheckpointStore::find_head_before(const StoredHead* bound, StoredHead& head, uint32_t& slot) {
+  bool is_found = false;
+  for (uint32_t at = 0; at < plan_.slots; ++at) {
+    StoredHead other;
+    if (!read_head(at, other)) continue;
+    if (bound != nullptr && !is_before(other.sequence, bound->sequence)) continue;
+    if (is_found && !is_before(head.sequence, other.sequence)) continue;
+    is_found = true;
+    head = other;
+    slot = at;
+  }
+  return is_found;
+}
+
+bool CheckpointStore::read_head(uint32_t slot, StoredHead& head) {
+  if (!read(slot, 0)) return false;
+  auto* const bytes = reinterpret_cast<uint8_t*>(&head);
+  for (size_t i = 0; i < sizeof head; ++i) bytes[i] = buffer_[i];
+  return head.format == StoredHead::current_format && head.checksum == checksum_of(head) &&
+         head.bytes <= plan_.most_bytes;
+}
+
+bool CheckpointStore::is_whole(uint32_t slot, const StoredHead& head) {
+  const Memory unseen{nullptr, head.bytes};
+  return set_parts(&unseen, 1) && read_slot(slot) == Status::ok;
+}
+
+Status CheckpointStore::restore(const Memory* parts, uint32_t count) {
+  if (!is_started()) return Status::not_started;
+  break_off();
+  if (!has_newest_ || count == 0 || count > max_parts) return Status::bad_checkpoint;
+  Memory fitting[max_parts];
+  size_t left = newest_bytes_;
+  for (uint32_t i = 0; i < count; ++i) {
+    fitting[i] = parts[i];
+    if (i + 1 == count && left < parts[i].bytes) fitting[i].bytes = left;
+    if (fitting[i].bytes > left) return Status::bad_checkpoint;
+    left -= fitting[i].bytes;
+  }
+  if (left > 0 || !set_parts(fitting, count)) return Status::bad_checkpoint;
+  return read_slot(newest_);
+}
+
+// Reads into the parts. Limit: set_parts().
+Status CheckpointStore::read_slot(uint32_t slot) {
+  begin_pieces();
+  for (uint32_t unit = 0; pieces_.at < pieces_.count; ++unit) {
+    if (!read(slot, unit)) return Status::device_error;
+    move_pieces(false);
+  }
+  return tail_ == pieces_.checksum ? Status::ok : Status::bad_checkpoint;
+}
+
+// Reads a unit into the buffer.
+bool CheckpointStore::read(uint32_t slot, uint32_t unit) {
+  uint32_t block, offset;
+  place_of(slot, unit, block, offset);
+  if (device_.read(device_.context, block, offset, buffer_, device_.geometry.program_bytes) == 0)
+    return true;
+  read_failed_ = true;
+  return false;
+}
+
+// ---- the bytes of a slot ----
+
+bool CheckpointStore::set_parts(const Memory* parts, uint32_t count) {
+  if (count > max_parts) return false;
+  uint32_t bytes = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    if (parts[i].bytes > plan_.most_bytes - bytes) return false;
+    bytes += static_cast<uint32_t>(parts[i].bytes);
+    pieces_.of[i + 1] = parts[i];
+  }
+  pieces_.of[0] = {&head_, sizeof head_};
+  pieces_.of[count + 1] = {&tail_, sizeof tail_};
+  pieces_.count = count + 2;
+  head_.bytes = bytes;
+  return true;
+}
+
+void CheckpointStore::begin_pieces() {
+  pieces_.at = 0;
+  pieces_.offset = 0;
+  pieces_.checksum = 0;
+}
+
+// Moves what a unit holds of the pieces into the buffer or out of it. Null takes what it is given.
+void CheckpointStore::move_pieces(bool to_unit) {
+  uint32_t done = 0;
+  while (done < device_.geometry.program_bytes && pieces_.at < pieces_.count) {
+    const Memory& piece = pieces_.of[pieces_.at];
+    const bool is_tail = pieces_.at + 1 == pieces_.count;
+    if (is_tail && to_unit) tail_ = pieces_.checksum;
+    const size_t left = piece.bytes - pieces_.offset;
+    const uint32_t room = device_.geometry.program_bytes - done;
+    const uint32_t count = left < room ? static_cast<uint32_t>(left) : room;
+    uint8_t* const bytes = static_cast<uint8_t*>(piece.data);
+    for (uint32_t i = 0; bytes != nullptr && i < count; ++i) {
+      uint8_t& outside = bytes[pieces_.offset + i];
+      if (to_unit)
+        buffer_[done + i] = outside;
+      else
+        outside = buffer_[done + i];
+    }
+    if (!is_tail) pieces_.checksum = crc32(buffer_ + done, count, pieces_.checksum);
+    done += count;
+    pieces_.offset += count;
+    if (pieces_.offset < piece.bytes) continue;
+    ++pieces_.at;
+    pieces_.offset = 0;
+  }
+  for (; to_unit && done < device_.geometry.program_bytes; ++done) buffer_[done] = 0xFF;
+}
+
+// ---- writing ----
+
+Status CheckpointStore::erase_ahead(uint32_t bytes) {
+  if (!is_started()) return Status::not_started;
+  const uint32_t blocks = plan_.blocks(bytes < plan_.most_bytes ? bytes : plan_.most_bytes);
+  if (erased_ >= blocks) return Status::ok;
+  if (!erase_block()) return fail();
+  return erased_ < blocks ? Status::more : Status::ok;
+}
+
+Status CheckpointStore::save(const Memory* parts, uint32_t count) {
+  if (!is_started()) return Status::not_started;
+  break_off();
+  if (count == 0 || !set_parts(parts, count)) return Status::too_little_memory;
+  begin_pieces();
+  head_.format = StoredHead::current_format;
+  head_.sequence = ++sequence_;
+  head_.checksum = checksum_of(head_);
+  unit_ = 0;
+  is_saving_ = true;
+  return step();
+}
+
+Status CheckpointStore::resume() {
+  if (!is_started()) return Status::not_started;
+  return is_saving_ ? step() : Status::ok;
+}
+
+Status CheckpointStore::step() {
+  const bool is_in_erased = plan_.slots_per_block > 1
+                                ? erased_ > 0
+                                : unit_ / device_.geometry.units_per_block() < erased_;
+  if (!is_in_erased) return erase_block() ? Status::more : fail();
+  if (!program_unit()) return fail();
+  if (pieces_.at < pieces_.count) return Status::more;
+  if (device_.sync != nullptr && device_.sync(device_.context) != 0) return fail();
+  complete();
+  return Status::ok;
+}
+
+bool CheckpointStore::erase_block() {
+  uint32_t block, offset;
+  place_of(slot_, 0, block, offset);
+  if (device_.erase != nullptr && device_.erase(device_.context, block + erased_) != 0)
+    return false;
+  ++erased_;
+  return true;
+}
+
+bool CheckpointStore::program_unit() {
+  const uint32_t bytes = device_.geometry.program_bytes;
+  uint32_t block, offset;
+  place_of(slot_, unit_, block, offset);
+  move_pieces(true);
+  const uint32_t checksum = crc32(buffer_, bytes);
+  if (device_.program(device_.context, block, offset, buffer_, bytes) != 0) return false;
+  if (!read(slot_, unit_) || crc32(buffer_, bytes) != checksum) return false;
+  ++unit_;
+  return true;
+}
+
+// Where a unit of a slot is. Either blocks hold slots, or slots blocks.
+void CheckpointStore::place_of(uint32_t slot, uint32_t unit, uint32_t& block,
+                               uint32_t& offset) const {
+  const uint32_t per_block = device_.geometry.units_per_block();
+  const uint32_t in_group = slot % plan_.slots_per_block * plan_.slot_units + unit;
+  block = group_of(slot) * plan_.blocks_per_slot + in_group / per_block;
+  offset = in_group % per_block * device_.geometry.program_bytes;
+}
+
+// The next slot is the one behind, in the same erased block if that has room.
+void CheckpointStore::complete() {
+  is_saving_ = false;
+  has_newest_ = true;
+  newest_ = slot_;
+  newest_bytes_ = head_.bytes;
+  newest_sequence_ = head_.sequence;
+  slot_ = slot_ + 1 < plan_.slots ? slot_ + 1 : 0;
+  erased_ = slot_ % plan_.slots_per_block != 0 ? 1 : 0;
+}
+
+Status CheckpointStore::fail() {
+  is_saving_ = false;
+  go_to_other_blocks();
+  return Status::device_error;
+}
+
+void CheckpointStore::break_off() {
+  if (is_saving_ && unit_ > 0) go_to_other_blocks();
+  is_saving_ = false;
+}
+
+// To the next blocks that do not hold the newest checkpoint; nothing in them counts as erased.
+void CheckpointStore::go_to_other_blocks() {
+  const uint32_t groups = group_of(plan_.slots);
+  uint32_t next = group_of(slot_) + 1;
+  if (next == groups) next = 0;
+  if (has_newest_ && next == group_of(newest_) && ++next == groups) next = 0;
+  slot_ = next * plan_.slots_per_block;
+  erased_ = 0;
+}
+
+}  // namespace discmc

@@ -1,0 +1,163 @@
+// A scan that is saved and goes on elsewhere.
+#ifndef DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
+#define DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
+
+#include <algorithm>
+#include <discmc/checkpoint.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "scan.hpp"
+#include "stream.hpp"
+#include "volume.hpp"
+
+namespace discmc::test {
+
+using namespace discmc::reference;
+
+/// Where the bytes of a stream go: all of them, or at most some at a time with pauses in between.
+struct Store {
+  Bytes bytes;
+  size_t most = SIZE_MAX;
+  bool pauses = false;
+
+  static size_t write(void* context, const uint8_t* bytes, size_t count) {
+    auto& store = *static_cast<Store*>(context);
+    const bool takes_some = store.most == SIZE_MAX || (store.pauses = !store.pauses);
+    if (!takes_some) return 0;
+    count = std::min(count, store.most);
+    store.bytes.insert(store.bytes.end(), bytes, bytes + count);
+    return count;
+  }
+  ByteOutput output() { return {this, write}; }
+};
+
+/// What a device has written down, as one string of bytes, as a flash holds it.
+using Image = Bytes;
+
+/// A device with an extractor and an encoder, in memory of its own, and its checkpoints.
+template <class Index>
+class Device {
+ public:
+  Device(const BitVolume& volume, Border border, uint64_t bytes)
+      : volume_(volume), limits_(limits_of(volume, border)), block_(bytes) {}
+
+  void start() {
+    require_ok(encoder_.start({volume_.depth}, store.output()));
+    require_ok(extractor_.start(limits_, 1, block_.memory(), sink_to(encoder_)));
+  }
+
+  /// Pushes rows up to that of a number, counted through all slices.
+  void scan_to(uint32_t end) {
+    uint32_t row = extractor_.slices() * volume_.height + extractor_.rows();
+    for (; row < end; ++row) {
+      Status status =
+          extractor_.push(&volume_.on[size_t{row} * volume_.width], volume_.width).status;
+      while (status == Status::more) status = extractor_.resume();
+      require_ok(status);
+    }
+  }
+  void finish() {
+    scan_to(rows());
+    finish_all(extractor_);
+    if (!block_.is_intact()) throw std::runtime_error("a write outside the arena");
+  }
+  uint32_t rows() const { return volume_.height * volume_.depth; }
+
+  /// What a checkpoint is made of: the two objects, saved, and the memory in use.
+  std::vector<Memory> save_parts() {
+    require_ok(extractor_.save(scan_));
+    require_ok(encoder_.save(stream_));
+    return {{&scan_, sizeof scan_},
+            {&stream_, sizeof stream_},
+            {block_.memory().data, extractor_.bytes_used()}};
+  }
+  /// Where they go when they are read back.
+  std::vector<Memory> parts() {
+    return {{&scan_, sizeof scan_}, {&stream_, sizeof stream_}, block_.memory()};
+  }
+  Status restore_parts() {
+    const Status status = encoder_.restore(stream_, store.output());
+    if (status != Status::ok) return status;
+    return extractor_.restore(scan_, block_.memory(), sink_to(encoder_));
+  }
+
+  Image save() {
+    Image image;
+    for (const Memory& part : save_parts()) {
+      const auto* const bytes = static_cast<const uint8_t*>(part.data);
+      image.insert(image.end(), bytes, bytes + part.bytes);
+    }
+    return image;
+  }
+  Status restore(const Image& image) {
+    const uint8_t* next = image.data();
+    const uint8_t* const end = next + image.size();
+    for (const Memory& part : parts()) {
+      const size_t count = std::min(part.bytes, static_cast<size_t>(end - next));
+      std::copy_n(next, count, static_cast<uint8_t*>(part.data));
+      next += count;
+    }
+    return restore_parts();
+  }
+
+  /// Whether an address lies in the device or in its memory.
+  bool owns(uintptr_t address) {
+    const auto lies_in = [address](const void* first, size_t bytes) {
+      return address - reinterpret_cast<uintptr_t>(first) < bytes;
+    };
+    return lies_in(this, sizeof *this) || lies_in(block_.memory().data, block_.memory().bytes);
+  }
+
+  /// The bytes of stream before what comes next.
+  uint64_t position() const { return encoder_.bytes(); }
+
+  Store store;
+
+ private:
+  BitVolume volume_;
+  Limits limits_;
+  Block block_;
+  // Zero to begin with, as static objects are.
+  Extractor<Index> extractor_{};
+  Encoder encoder_{};
+  Checkpoint<Extractor<Index>> scan_{};
+  Checkpoint<Encoder> stream_{};
+};
+
+inline BitVolume centred_ball(uint32_t size) {
+  const auto middle = static_cast<int32_t>(size - 1);
+  return ball({size, size, size}, {middle, middle, middle}, middle * middle / 4);
+}
+
+struct Scan {
+  const char* name;
+  BitVolume volume;
+  Border border;
+  uint64_t spare;  // bytes beyond the minimum
+};
+
+inline std::vector<Scan> scans() {
+  return {{"a ball", centred_ball(9), Border::closed, 1 << 16},
+          {"a ball in too little memory", centred_ball(9), Border::open, 200},
+          {"noise", random({7, 5, 6}, 128, 1), Border::open, 1 << 16},
+          {"noise in too little memory", random({7, 5, 6}, 128, 2), Border::closed, 300}};
+}
+
+template <class Index>
+Device<Index> device_for(const Scan& scan) {
+  const uint64_t least = minimum_bytes<Index>(limits_of(scan.volume, scan.border));
+  return Device<Index>(scan.volume, scan.border, least + scan.spare);
+}
+
+template <class Index>
+Bytes uninterrupted(const Scan& scan) {
+  auto device = device_for<Index>(scan);
+  device.start();
+  device.finish();
+  return device.store.bytes;
+}
+
+}  // namespace discmc::test
+
+#endif

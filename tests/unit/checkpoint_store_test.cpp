@@ -1,0 +1,593 @@
+// Checkpoints in flash: whenever the power fails, the newest whole one is found.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <discmc/checkpoint_store.hpp>
+#include <discmc/stream/crc32.hpp>
+#include <memory>
+#include <numeric>
+#include <set>
+
+#include "oracle/checkpointed_device.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/simulated_flash.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::SimulatedFlash;
+using reference::step;
+
+namespace {
+
+using Kind = SimulatedFlash::Kind;
+
+struct Memories {
+  const char* name;
+  FlashGeometry geometry;
+  Kind kind = Kind::flash;
+};
+
+/// For checkpoints of 1,200 bytes.
+constexpr Memories memories[] = {
+    {"two slots of five blocks", {64, 256, 10}},
+    {"three slots of two blocks, and a block to spare", {32, 1024, 7}},
+    {"a slot a block", {256, 2048, 2}},
+    {"three slots a block", {16, 4096, 2}},
+    {"no erasing", {64, 1536, 3}, Kind::fram},
+};
+constexpr uint32_t most_bytes = 1200;
+
+/// A store and its buffer.
+struct Keeper {
+  CheckpointStore store{};
+  std::vector<uint8_t> buffer;
+
+  explicit Keeper(SimulatedFlash& flash, uint32_t most = most_bytes)
+      : buffer(flash.device().geometry.program_bytes) {
+    status = store.start(flash.device(), most, {buffer.data(), buffer.size()});
+  }
+
+  Status finish(Status last) {
+    while (last == Status::more) last = store.resume();
+    return last;
+  }
+  Status save(const std::vector<Memory>& parts) {
+    return finish(store.save(parts.data(), static_cast<uint32_t>(parts.size())));
+  }
+  Status restore(const std::vector<Memory>& parts) {
+    return store.restore(parts.data(), static_cast<uint32_t>(parts.size()));
+  }
+
+  Status status;
+};
+
+/// What is saved: three parts, the last of which grows.
+class Contents {
+ public:
+  explicit Contents(uint32_t number = 0) : bytes_(400 + 173 * number % 700, 0xFF) {
+    for (size_t i = 0; i < bytes_.size(); i += 1 + i % 3)
+      bytes_[i] = static_cast<uint8_t>(i * (number + 1) + number);
+  }
+  std::vector<Memory> parts() {
+    return {{bytes_.data(), 24}, {bytes_.data() + 24, 101}, {bytes_.data() + 125, left()}};
+  }
+  uint32_t bytes() const { return static_cast<uint32_t>(bytes_.size()); }
+  bool operator==(const Contents& other) const { return bytes_ == other.bytes_; }
+
+  static Contents of(Keeper& keeper) {
+    Contents read;
+    read.bytes_.assign(most_bytes, 0xA5);
+    REQUIRE(keeper.restore(read.parts()) == Status::ok);
+    CHECK(std::all_of(read.bytes_.begin() + keeper.store.bytes(), read.bytes_.end(),
+                      [](uint8_t byte) { return byte == 0xA5; }));
+    read.bytes_.resize(keeper.store.bytes());
+    return read;
+  }
+
+ private:
+  size_t left() const { return bytes_.size() - 125; }
+  std::vector<uint8_t> bytes_;
+};
+
+Status save(Keeper& keeper, uint32_t number) {
+  return keeper.save(Contents(number).parts());
+}
+
+/// The number whose contents are those that the store finds; UINT32_MAX where it finds none.
+uint32_t number_found(SimulatedFlash& flash, uint32_t limit) {
+  Keeper keeper(flash);
+  REQUIRE(keeper.status == Status::ok);
+  if (!keeper.store.has_checkpoint()) return UINT32_MAX;
+  const Contents found = Contents::of(keeper);
+  for (uint32_t number = 0; number < limit; ++number)
+    if (found == Contents(number)) return number;
+  FAIL("contents that were never saved");
+  return UINT32_MAX;
+}
+
+/// The slot of a checkpoint that is in a flash, as its bytes lie there.
+uint8_t* slot(SimulatedFlash& flash, const StorePlan& plan, uint32_t number) {
+  const uint32_t block = number / plan.slots_per_block * plan.blocks_per_slot;
+  return flash.bytes.data() + size_t{block} * plan.geometry.block_bytes +
+         size_t{number % plan.slots_per_block} * plan.slot_units * plan.geometry.program_bytes;
+}
+
+/// Writes a slot by hand, as the header describes it.
+void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents) {
+  StoredHead head{StoredHead::current_format, sequence, contents.bytes(), 0};
+  const auto* const in_memory = reinterpret_cast<const uint8_t*>(&head);
+  head.checksum = crc32(in_memory, 12);
+  std::copy_n(in_memory, sizeof head, bytes);
+  uint8_t* const data = bytes + sizeof head;
+  const uint8_t* const first = static_cast<uint8_t*>(contents.parts()[0].data);
+  std::copy_n(first, contents.bytes(), data);
+  const uint32_t checksum = crc32(bytes, sizeof head + contents.bytes());
+  std::memcpy(data + contents.bytes(), &checksum, sizeof checksum);
+}
+
+}  // namespace
+
+TEST_CASE("what was saved is read back, the newest of any number of checkpoints") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    SimulatedFlash flash(memory.geometry, 1, memory.kind);
+    Keeper keeper(flash);
+    REQUIRE(keeper.status == Status::ok);
+    CHECK_FALSE(keeper.store.has_checkpoint());
+    CHECK(keeper.store.bytes() == 0);
+    for (uint32_t number = 0; number < 20; ++number) {
+      REQUIRE(save(keeper, number) == Status::ok);
+      CHECK(keeper.store.sequence() == number + 1);
+      CHECK(keeper.store.bytes() == Contents(number).bytes());
+      CHECK(Contents::of(keeper) == Contents(number));
+      CHECK(number_found(flash, 20) == number);
+    }
+    CHECK_FALSE(flash.has_broken_rules);
+  }
+}
+
+TEST_CASE("a flash that is erased, full of zeros, or holds anything, holds no checkpoint") {
+  for (const Memories& memory : memories) {
+    SimulatedFlash flash(memory.geometry);
+    CHECK(number_found(flash, 1) == UINT32_MAX);
+    for (const uint8_t filling : {uint8_t{0x00}, uint8_t{0xFF}}) {
+      std::fill(flash.bytes.begin(), flash.bytes.end(), filling);
+      CHECK(number_found(flash, 1) == UINT32_MAX);
+    }
+  }
+}
+
+TEST_CASE(
+    "whenever the power fails, the checkpoint that is found is the newest or the one before") {
+  constexpr uint32_t saves = 4;
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    // The steps after which each save is complete.
+    std::vector<uint64_t> complete;
+    SimulatedFlash whole(memory.geometry, 1, memory.kind);
+    Keeper never_cut(whole);
+    for (uint32_t number = 0; number < saves; ++number) {
+      REQUIRE(save(never_cut, number) == Status::ok);
+      complete.push_back(whole.steps);
+    }
+    for (uint64_t cut = 1; cut <= whole.steps; cut += step(29)) {
+      CAPTURE(cut);
+      SimulatedFlash flash(memory.geometry, static_cast<uint32_t>(cut), memory.kind);
+      flash.cut_after(cut);
+      Keeper keeper(flash);
+      uint32_t saved = 0;
+      while (saved < saves && save(keeper, saved) == Status::ok) ++saved;
+      REQUIRE(saved < saves);
+      REQUIRE(saved == std::count_if(complete.begin(), complete.end(),
+                                     [cut](uint64_t steps) { return steps < cut; }));
+      flash.power_on();
+      // Where only 1 bits were left to come, what was under way is whole.
+      const uint32_t found = number_found(flash, saves);
+      REQUIRE((found == saved || found + 1 == saved));
+      REQUIRE_FALSE(flash.has_broken_rules);
+    }
+  }
+}
+
+TEST_CASE(
+    "the power fails again and again, while anything is written or erased, and at last stays") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    SimulatedFlash flash(memory.geometry, 5, memory.kind);
+    std::minstd_rand random(7);
+    uint32_t next = 0, newest = UINT32_MAX;
+    for (uint32_t failure = 0; failure < 200 / step(10); ++failure) {
+      CAPTURE(failure);
+      flash.power_on();
+      const uint32_t found = number_found(flash, next + 1);
+      REQUIRE((found == newest || found == next));
+      if (found == next && found != newest) newest = next++;
+      flash.cut_after(1 + random() % 6000);
+      Keeper keeper(flash);
+      for (;;) {
+        for (Status status = Status::more; status == Status::more && random() % 4 != 0;)
+          status = keeper.store.erase_ahead(Contents(next).bytes());
+        if (save(keeper, next) != Status::ok) break;
+        newest = next++;
+      }
+    }
+    CHECK(next > 50 / step(10));
+    CHECK_FALSE(flash.has_broken_rules);
+  }
+}
+
+TEST_CASE("a flipped bit in one checkpoint leaves the other") {
+  const Memories& memory = memories[2];
+  SimulatedFlash flash(memory.geometry);
+  Keeper keeper(flash);
+  REQUIRE(save(keeper, 0) == Status::ok);
+  REQUIRE(save(keeper, 1) == Status::ok);
+  for (const uint32_t flipped : {0U, 1U}) {
+    const size_t bytes = StorePlan::head_bytes + Contents(flipped).bytes() + StorePlan::tail_bytes;
+    for (size_t bit = 0; bit < 8 * bytes; bit += step(13)) {
+      CAPTURE(bit);
+      uint8_t& byte = slot(flash, keeper.store.plan(), flipped)[bit / 8];
+      byte = static_cast<uint8_t>(byte ^ 1 << bit % 8);
+      REQUIRE(number_found(flash, 2) == 1 - flipped);
+      byte = static_cast<uint8_t>(byte ^ 1 << bit % 8);
+    }
+  }
+  CHECK(number_found(flash, 2) == 1);
+}
+
+TEST_CASE("a scan goes on from flash with the same bytes, wherever the power failed") {
+  const Scan scan{"a ball in too little memory", centred_ball(7), Border::closed, 200};
+  const Bytes whole = uninterrupted<uint16_t>(scan);
+  const FlashGeometry geometry{128, 1024, 8};
+  constexpr uint32_t most = 4000, every = 9;
+  const auto scanned = [&](SimulatedFlash& flash) {
+    auto device = device_for<uint16_t>(scan);
+    Keeper keeper(flash, most);
+    device.start();
+    for (uint32_t row = every; row < device.rows(); row += every) {
+      device.scan_to(row);
+      if (keeper.save(device.save_parts()) != Status::ok) return;
+    }
+  };
+  SimulatedFlash never_cut(geometry);
+  scanned(never_cut);
+  std::set<uint32_t> restored;
+  for (uint64_t cut = 1; cut < never_cut.steps; cut += 7 * step(31)) {
+    CAPTURE(cut);
+    SimulatedFlash flash(geometry, static_cast<uint32_t>(cut));
+    flash.cut_after(cut);
+    scanned(flash);
+    flash.power_on();
+    Keeper keeper(flash, most);
+    REQUIRE(keeper.status == Status::ok);
+    if (!keeper.store.has_checkpoint()) continue;
+    auto device = device_for<uint16_t>(scan);
+    REQUIRE(keeper.restore(device.parts()) == Status::ok);
+    REQUIRE(device.restore_parts() == Status::ok);
+    restored.insert(keeper.store.sequence());
+    Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(device.position()));
+    device.finish();
+    stream.insert(stream.end(), device.store.bytes.begin(), device.store.bytes.end());
+    REQUIRE(stream == whole);
+  }
+  CHECK(restored.size() == 5);
+}
+
+TEST_CASE("a call does one thing: it erases a block, or programs a unit") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    SimulatedFlash flash(memory.geometry, 1, memory.kind);
+    Keeper keeper(flash);
+    for (uint32_t number = 0; number < 7; ++number) {
+      Contents contents(number);
+      const auto parts = contents.parts();
+      uint64_t before = 0, saved = flash.units;
+      const auto did = [&] {
+        return flash.units + std::accumulate(flash.erasures.begin(), flash.erasures.end(), 0U);
+      };
+      before = did();
+      Status status = keeper.store.save(parts.data(), 3);
+      for (; status == Status::more; status = keeper.store.resume()) {
+        CHECK(did() <= before + 1);
+        before = did();
+      }
+      REQUIRE(status == Status::ok);
+      CHECK(did() == before + 1);
+      CHECK(flash.units - saved == keeper.store.plan().units(contents.bytes()));
+      CHECK(keeper.store.resume() == Status::ok);
+      CHECK(did() == before + 1);
+    }
+  }
+}
+
+TEST_CASE("only what is in use is erased, and all blocks wear alike") {
+  const FlashGeometry geometry{64, 256, 10};
+  SimulatedFlash flash(geometry);
+  Keeper keeper(flash);
+  Contents small(0);  // 400 bytes: two of the five blocks
+  REQUIRE(keeper.save(small.parts()) == Status::ok);
+  CHECK(keeper.store.plan().blocks(small.bytes()) == 2);
+  CHECK(flash.erasures == std::vector<uint32_t>{1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+
+  for (const Memories& memory : memories) {
+    if (memory.kind == Kind::fram) continue;
+    CAPTURE(memory.name);
+    SimulatedFlash worn(memory.geometry);
+    Keeper wearing(worn);
+    std::vector<uint8_t> all(most_bytes);
+    const StorePlan& plan = wearing.store.plan();
+    for (uint64_t i = 0; i < plan.checkpoints_until_worn(3); ++i)
+      REQUIRE(wearing.save({{all.data(), all.size()}}) == Status::ok);
+    const uint32_t used = plan.slots / plan.slots_per_block * plan.blocks_per_slot;
+    for (uint32_t block = 0; block < memory.geometry.blocks; ++block)
+      CHECK(worn.erasures[block] == (block < used ? 3 : 0));
+  }
+}
+
+TEST_CASE("what was erased ahead is not erased again") {
+  for (const Memories& memory : memories) {
+    if (memory.kind == Kind::fram) continue;
+    CAPTURE(memory.name);
+    SimulatedFlash flash(memory.geometry);
+    Keeper keeper(flash);
+    const auto erasures = [&flash] {
+      return std::accumulate(flash.erasures.begin(), flash.erasures.end(), 0U);
+    };
+    for (uint32_t number = 0; number < 8; ++number) {
+      const uint32_t bytes = Contents(number).bytes();
+      const uint32_t before = erasures();
+      const bool is_first = number % keeper.store.plan().slots_per_block == 0;
+      const uint32_t blocks = is_first ? keeper.store.plan().blocks(bytes) : 0;
+      for (uint32_t block = 1; block < blocks; ++block)
+        REQUIRE(keeper.store.erase_ahead(bytes) == Status::more);
+      REQUIRE(keeper.store.erase_ahead(bytes) == Status::ok);
+      REQUIRE(keeper.store.erase_ahead(bytes) == Status::ok);
+      CHECK(erasures() == before + blocks);
+      if (number > 0) CHECK(number_found(flash, 8) == number - 1);
+      REQUIRE(save(keeper, number) == Status::ok);
+      CHECK(erasures() == before + blocks);
+    }
+    CHECK_FALSE(flash.has_broken_rules);
+  }
+}
+
+TEST_CASE("after a start the next checkpoint goes where nothing was begun") {
+  const Memories& memory = memories[3];
+  SimulatedFlash flash(memory.geometry);
+  for (uint32_t number = 0; number < 6; ++number) {
+    Keeper keeper(flash);
+    REQUIRE(save(keeper, number) == Status::ok);
+    CHECK(number_found(flash, 6) == number);
+  }
+  CHECK(flash.erasures == std::vector<uint32_t>{3, 3});
+  CHECK_FALSE(flash.has_broken_rules);
+}
+
+TEST_CASE("a call of the device that fails is told, and costs no older checkpoint") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    for (uint64_t call = 0;; ++call) {
+      CAPTURE(call);
+      SimulatedFlash flash(memory.geometry, 3, memory.kind);
+      Keeper keeper(flash);
+      for (uint32_t number = 0; number < 3; ++number) REQUIRE(save(keeper, number) == Status::ok);
+      flash.fail_call(call);
+      const Status status = save(keeper, 3);
+      if (status == Status::ok) break;
+      REQUIRE(status == Status::device_error);
+      CHECK(keeper.store.sequence() == 3);
+      const uint32_t found = number_found(flash, 4);
+      CHECK((found == 2 || found == 3));  // all is written when a sync fails
+      CHECK(keeper.store.resume() == Status::ok);
+      REQUIRE(save(keeper, 4) == Status::ok);
+      CHECK(number_found(flash, 5) == 4);
+      CHECK_FALSE(flash.has_broken_rules);
+    }
+    SimulatedFlash flash(memory.geometry, 3, memory.kind);
+    if (memory.kind == Kind::fram) continue;
+    Keeper keeper(flash);
+    REQUIRE(save(keeper, 0) == Status::ok);
+    REQUIRE(save(keeper, 1) == Status::ok);
+    REQUIRE(save(keeper, 2) == Status::ok);
+    flash.fail_call(0);
+    CHECK(keeper.store.erase_ahead(most_bytes) == Status::device_error);
+    CHECK(number_found(flash, 3) == 2);
+    REQUIRE(save(keeper, 3) == Status::ok);
+    CHECK(number_found(flash, 4) == 3);
+  }
+}
+
+TEST_CASE("a unit that does not take what is programmed is found out, and other blocks are used") {
+  const FlashGeometry geometry{64, 512, 9};  // three slots
+  SimulatedFlash flash(geometry);
+  Keeper keeper(flash);
+  REQUIRE(save(keeper, 0) == Status::ok);
+  flash.wear_out(3 * 512 / 64 + 2);  // in the second slot
+  CHECK(save(keeper, 1) == Status::device_error);
+  CHECK(number_found(flash, 2) == 0);
+  CHECK(save(keeper, 2) == Status::ok);
+  CHECK(number_found(flash, 3) == 2);
+  CHECK(save(keeper, 3) == Status::ok);
+  CHECK(save(keeper, 4) == Status::device_error);
+  CHECK(number_found(flash, 5) == 3);
+  CHECK_FALSE(flash.has_broken_rules);
+}
+
+TEST_CASE("a save that is broken off, by another or by reading, leaves the checkpoint before") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    SimulatedFlash flash(memory.geometry, 1, memory.kind);
+    Keeper keeper(flash);
+    REQUIRE(save(keeper, 0) == Status::ok);
+    for (uint32_t steps = 0; steps < 5; ++steps) {
+      CAPTURE(steps);
+      Contents contents(1);
+      const auto parts = contents.parts();
+      Status status = keeper.store.save(parts.data(), 3);
+      for (uint32_t i = 0; i < steps; ++i) status = keeper.store.resume();
+      REQUIRE(status == Status::more);
+      CHECK(number_found(flash, 2) == 0);
+      if (steps % 2 == 0) {
+        CHECK(Contents::of(keeper) == Contents(0));
+        CHECK(keeper.store.resume() == Status::ok);
+      }
+    }
+    REQUIRE(save(keeper, 2) == Status::ok);
+    CHECK(number_found(flash, 3) == 2);
+    CHECK_FALSE(flash.has_broken_rules);
+  }
+}
+
+TEST_CASE("numbers go on with 0 behind the last, and the newest stays the newest") {
+  const Memories& memory = memories[1];
+  SimulatedFlash flash(memory.geometry);
+  const StorePlan plan = store_plan(memory.geometry, most_bytes);
+  put_slot(slot(flash, plan, 1), UINT32_MAX - 1, Contents(1));
+  put_slot(slot(flash, plan, 0), UINT32_MAX - 2, Contents(0));
+  for (uint32_t number = 2; number < 8; ++number) {
+    CHECK(number_found(flash, 8) == number - 1);
+    Keeper keeper(flash);
+    REQUIRE(save(keeper, number) == Status::ok);
+    CHECK(keeper.store.sequence() == UINT32_MAX - 2 + number);
+  }
+  CHECK(number_found(flash, 8) == 7);
+}
+
+TEST_CASE("a number that a damaged checkpoint has is not given again") {
+  const Memories& memory = memories[1];
+  SimulatedFlash flash(memory.geometry);
+  {
+    Keeper keeper(flash);
+    for (uint32_t number = 0; number < 3; ++number) REQUIRE(save(keeper, number) == Status::ok);
+    slot(flash, keeper.store.plan(), 2)[100] ^= 1;
+  }
+  Keeper keeper(flash);
+  CHECK(keeper.store.sequence() == 2);
+  REQUIRE(save(keeper, 3) == Status::ok);
+  CHECK(keeper.store.sequence() == 4);
+}
+
+TEST_CASE("whatever numbers heads have, a start comes to an end") {
+  const FlashGeometry geometry{64, 2048, 4};
+  SimulatedFlash flash(geometry);
+  const StorePlan plan = store_plan(geometry, most_bytes);
+  for (uint32_t i = 0; i < 3; ++i) {
+    put_slot(slot(flash, plan, i), i * 0x55555555, Contents(i));
+    slot(flash, plan, i)[20] ^= 1;
+  }
+  CHECK(number_found(flash, 3) == UINT32_MAX);
+  put_slot(slot(flash, plan, 3), 7, Contents(3));
+  (void)number_found(flash, 4);
+}
+
+TEST_CASE("what a read cannot reach is passed over, and told where nothing else is found") {
+  const Memories& memory = memories[2];
+  SimulatedFlash flash(memory.geometry);
+  {
+    Keeper keeper(flash);
+    REQUIRE(save(keeper, 0) == Status::ok);
+    flash.fail_call(0);
+    CHECK(Keeper(flash).status == Status::device_error);
+    REQUIRE(save(keeper, 1) == Status::ok);
+  }
+  flash.fail_call(1);  // the head of the newer
+  Keeper keeper(flash);
+  CHECK(keeper.status == Status::ok);
+  CHECK(keeper.store.sequence() == 1);
+  flash.fail_call(0);
+  CHECK(keeper.restore(Contents(0).parts()) == Status::device_error);
+  CHECK(Contents::of(keeper) == Contents(0));
+}
+
+TEST_CASE("parts are read back as they were saved, or not at all") {
+  const Memories& memory = memories[2];
+  SimulatedFlash flash(memory.geometry);
+  Keeper keeper(flash);
+  uint8_t bytes[300] = {}, read[301] = {};
+  CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
+  std::iota(bytes, bytes + 300, uint8_t{0});
+  REQUIRE(keeper.save({{bytes, 100}, {bytes + 100, 0}, {bytes + 100, 200}}) == Status::ok);
+  CHECK(keeper.restore({{read, 299}}) == Status::bad_checkpoint);
+  CHECK(keeper.restore({{read, 301}, {read, 0}}) == Status::bad_checkpoint);
+  CHECK(keeper.restore({}) == Status::bad_checkpoint);
+  CHECK(std::all_of(read, read + 301, [](uint8_t byte) { return byte == 0; }));
+  CHECK(keeper.restore({{read, 7}, {read + 7, 294}}) == Status::ok);
+  CHECK(std::equal(bytes, bytes + 300, read));
+  CHECK(keeper.restore({{read, 300}, {nullptr, 0}}) == Status::ok);
+  slot(flash, keeper.store.plan(), 0)[200] ^= 4;
+  CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
+}
+
+TEST_CASE("what cannot be started, saved or restored is refused") {
+  const Memories& memory = memories[2];
+  SimulatedFlash flash(memory.geometry);
+  CheckpointStore store{};
+  uint8_t buffer[256], bytes[most_bytes + 1] = {};
+  const Memory parts[5] = {{bytes, most_bytes}, {bytes, 1}, {bytes, 1}, {bytes, 1}, {bytes, 1}};
+  CHECK(store.save(parts, 1) == Status::not_started);
+  CHECK(store.resume() == Status::not_started);
+  CHECK(store.erase_ahead(1) == Status::not_started);
+  CHECK(store.restore(parts, 1) == Status::not_started);
+
+  const FlashDevice device = flash.device();
+  FlashDevice other = device;
+  other.read = nullptr;
+  CHECK(store.start(other, most_bytes, memory_of(buffer)) == Status::bad_device);
+  other = device;
+  other.program = nullptr;
+  CHECK(store.start(other, most_bytes, memory_of(buffer)) == Status::bad_device);
+  other = device;
+  other.geometry.blocks = 1;
+  CHECK(store.start(other, most_bytes, memory_of(buffer)) == Status::bad_device);
+  CHECK(store.start(device, most_bytes, {}) == Status::too_little_memory);
+  CHECK(store.start(device, most_bytes, {buffer, 255}) == Status::too_little_memory);
+  CHECK(store.save(parts, 1) == Status::not_started);
+  other = device;
+  other.sync = nullptr;
+  REQUIRE(store.start(other, most_bytes, memory_of(buffer)) == Status::ok);
+
+  CHECK(store.save(parts, 0) == Status::too_little_memory);
+  CHECK(store.save(parts, 2) == Status::too_little_memory);
+  CHECK(store.save(parts + 1, 5) == Status::too_little_memory);
+  CHECK(flash.units == 0);
+  Status status = store.save(parts, 1);
+  while (status == Status::more) status = store.resume();
+  CHECK(status == Status::ok);
+  CHECK(store.bytes() == most_bytes);
+}
+
+TEST_CASE("a plan counts blocks, units, erasures and time") {
+  // 32 KiB of an SPI NOR flash for 33 checkpoints of 30,000 bytes, and four sectors of an STM32F4.
+  constexpr FlashGeometry nor{256, 4096, 272}, internal{256, 131072, 4};
+  constexpr StorePlan in_nor = store_plan(nor, 30000);
+  static_assert(in_nor.is_valid() && in_nor.slots == 34 && in_nor.slots_per_block == 1 &&
+                in_nor.blocks_per_slot == 8 && in_nor.units(30000) == 118 &&
+                in_nor.blocks(30000) == 8 && in_nor.blocks(4076) == 1 && in_nor.blocks(4077) == 2);
+  static_assert(in_nor.checkpoints_until_worn(100000) == 3400000);
+  static_assert(in_nor.microseconds(30000, 45000, 700) == 8 * 45000 + 118 * 700);
+  constexpr StorePlan in_internal = store_plan(internal, 30000);
+  static_assert(in_internal.is_valid() && in_internal.slots == 16 &&
+                in_internal.slots_per_block == 4 && in_internal.blocks_per_slot == 1 &&
+                in_internal.blocks(30000) == 1);
+  static_assert(in_internal.checkpoints_until_worn(10000) == 160000);
+
+  const auto is_valid = [](const FlashGeometry& geometry, uint32_t bytes) {
+    return store_plan(geometry, bytes).is_valid();
+  };
+  CHECK(is_valid({16, 16, 4}, 12));  // two units a slot
+  CHECK_FALSE(is_valid({16, 16, 3}, 12));
+  CHECK(is_valid({16, 32, 2}, 12));
+  CHECK_FALSE(is_valid({16, 32, 1}, 12));
+  CHECK_FALSE(is_valid({16, 64, 1}, 12));  // two slots, but of one block
+  CHECK_FALSE(is_valid({15, 30, 100}, 12));
+  CHECK_FALSE(is_valid({16, 40, 100}, 12));
+  CHECK_FALSE(is_valid({32, 16, 100}, 12));
+  CHECK_FALSE(is_valid({0, 0, 100}, 12));
+  CHECK_FALSE(is_valid({16, 16, 0}, 12));
+  CHECK_FALSE(is_valid({16, 4096, 2}, 0));
+  CHECK_FALSE(is_valid({16, 1U << 30, 2}, (1U << 30) + 1));
+  CHECK(is_valid({16, 1U << 30, 4}, 1U << 30));
+  CHECK_FALSE(is_valid({16, (1U << 30) + 16, 2}, 12));
+  CHECK_FALSE(is_valid({16, 1U << 30, 64}, 12));
+  CHECK(is_valid({16, 1U << 30, 63}, 12));
+}
