@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <discmc/discmc.hpp>
 #include <discmc/majority_filter.hpp>
 #include <filesystem>
@@ -12,6 +11,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "oracle/simulated_flash.hpp"
 
 using namespace discmc;
 
@@ -102,25 +103,31 @@ bool finish_filtered(Extractor16& extractor) {
 }
 
 // Of docs/power-failure.md.
+constexpr FlashGeometry flash_geometry{256, 4096, 32};  // pages, sectors, and how many of them
+
 struct Saved {
   Checkpoint<Extractor16> scan;
   Checkpoint<Encoder> stream;
-  uint8_t memory[sizeof Device::memory];  // only the first bytes_used() count
 };
+constexpr uint32_t most_bytes = sizeof(Saved) + sizeof(Device::memory);
+static_assert(store_plan(flash_geometry, most_bytes).is_valid(), "the flash is too small");
 
-bool save(const Device& device, Saved& saved) {
-  const auto& [extractor, encoder, memory] = device;
-  if (extractor.save(saved.scan) != Status::ok) return false;
-  if (encoder.save(saved.stream) != Status::ok) return false;
-  memcpy(saved.memory, memory, extractor.bytes_used());
-  return true;
+bool restore(Device& device, Saved& saved, CheckpointStore& store, const ByteOutput& output) {
+  auto& [extractor, encoder, memory] = device;
+  const Memory parts[] = {{&saved, sizeof saved}, memory_of(memory)};
+  return store.restore(parts, 2) == Status::ok &&
+         encoder.restore(saved.stream, output) == Status::ok &&
+         extractor.restore(saved.scan, memory_of(memory), sink_to(encoder)) == Status::ok;
 }
 
-bool restore(Device& device, const Saved& saved, const ByteOutput& output) {
+bool save(Device& device, Saved& saved, CheckpointStore& store) {
   auto& [extractor, encoder, memory] = device;
-  memcpy(memory, saved.memory, sizeof memory);
-  return encoder.restore(saved.stream, output) == Status::ok &&
-         extractor.restore(saved.scan, memory_of(memory), sink_to(encoder)) == Status::ok;
+  if (extractor.save(saved.scan) != Status::ok) return false;
+  if (encoder.save(saved.stream) != Status::ok) return false;
+  const Memory parts[] = {{&saved, sizeof saved}, {memory, extractor.bytes_used()}};
+  Status status = store.save(parts, 2);
+  while (status == Status::more) status = store.resume();  // what must not wait goes here
+  return status == Status::ok;
 }
 
 }  // namespace
@@ -181,19 +188,34 @@ TEST_CASE("after the guide's restore the stream goes on as if the power had neve
   const Bytes whole = stream_of(ball);
 
   Bytes bytes;
-  static Device device;
+  reference::SimulatedFlash flash(flash_geometry);
+  static uint8_t page[flash_geometry.program_bytes];
   static Saved saved;
+  static Device device;
+  CheckpointStore store;
+  REQUIRE(store.start(flash.device(), most_bytes, memory_of(page)) == Status::ok);
+  REQUIRE_FALSE(store.has_checkpoint());
   REQUIRE(begin(device, {&bytes, append}));
   const auto scan_to = [&ball](Device& scanner, uint32_t end) {
     uint32_t i = scanner.extractor.slices() * size + scanner.extractor.rows();
     for (; i < end; ++i) REQUIRE(scanner.extractor.push(ball.scan(i), size).status == Status::ok);
   };
+  scan_to(device, 100);
+  REQUIRE(save(device, saved, store));
   scan_to(device, 300);
-  REQUIRE(save(device, saved));
+  while (store.erase_ahead(most_bytes) == Status::more) scan_to(device, 301);
+  REQUIRE(save(device, saved, store));
   scan_to(device, 700);
+  flash.cut_after(3000);
+  REQUIRE_FALSE(save(device, saved, store));
 
+  flash.power_on();
   static Device rebooted;
-  REQUIRE(restore(rebooted, saved, {&bytes, append}));
+  CheckpointStore found;
+  REQUIRE(found.start(flash.device(), most_bytes, memory_of(page)) == Status::ok);
+  REQUIRE(found.has_checkpoint());
+  REQUIRE(restore(rebooted, saved, found, {&bytes, append}));
+  CHECK(rebooted.extractor.slices() * size + rebooted.extractor.rows() == 301);
   bytes.resize(rebooted.encoder.bytes());
   scan_to(rebooted, size * size);
   REQUIRE(rebooted.extractor.finish() == Status::ok);
