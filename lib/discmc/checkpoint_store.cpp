@@ -75,8 +75,7 @@ bool CheckpointStore::read_head(uint32_t slot, StoredHead& head) {
   if (!read(slot, 0)) return false;
   auto* const bytes = reinterpret_cast<uint8_t*>(&head);
   for (size_t i = 0; i < sizeof head; ++i) bytes[i] = buffer_[i];
-  return head.format == StoredHead::current_format && head.checksum == checksum_of(head) &&
-         head.bytes <= plan_.most_bytes;
+  return head.format == StoredHead::current_format && head.checksum == checksum_of(head);
 }
 
 bool CheckpointStore::is_whole(uint32_t slot, const StoredHead& head) {
