@@ -33,6 +33,7 @@ TEST_CASE("what works in the caller's memory or points into itself stays where i
   static_assert(stays_where_it_is<Joiner> && stays_where_it_is<MajorityFilter> &&
                     stays_where_it_is<SampleWindow<uint8_t>>,
                 "two would write to one memory");
+  static_assert(stays_where_it_is<CheckpointStore>, "its parts would be those of the original");
   static_assert(stays_where_it_is<SharedOutput>, "encoders would go on with the original");
   static_assert(stays_where_it_is<SurfaceGroup<Extractor16>>, "each would miss rows");
 }
