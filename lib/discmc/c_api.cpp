@@ -9,6 +9,7 @@
 
 #include <discmc/c_extractors.hpp>
 #include <discmc/encoder.hpp>
+#include <discmc/version.hpp>
 
 namespace discmc {
 

@@ -6,7 +6,7 @@
 #include <discmc/c_values.hpp>
 #include <discmc/checkpoint_store.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -36,6 +36,8 @@ bool copy(const discmc_memory* from, uint32_t count, Memory* to) {
 }
 
 }  // namespace
+
+extern "C" {
 
 discmc_store_plan discmc_store_plan_for(const discmc_flash_geometry* geometry,
                                         uint32_t most_bytes) {
@@ -75,3 +77,7 @@ discmc_status discmc_checkpoint_store_save(discmc_checkpoint_store* store,
 discmc_status discmc_checkpoint_store_resume(discmc_checkpoint_store* store) {
   return c(cpp(store).resume());
 }
+
+}  // extern "C"
+
+}  // namespace discmc

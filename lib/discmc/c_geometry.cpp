@@ -4,6 +4,7 @@
 // Runs and vertices have the same layout on both sides; arrays of them are looked at in place.
 #include <discmc/discmc.h>
 
+#include <discmc/c_values.hpp>
 #include <discmc/facet_table.hpp>
 #include <discmc/plane.hpp>
 #include <discmc/polygon.hpp>
@@ -24,9 +25,6 @@ static_assert(no_incidence == DISCMC_NO_INCIDENCE && incidence_codes == DISCMC_I
                   no_direction == DISCMC_NO_DIRECTION,
               "constants are the same");
 
-Vertex cpp(const discmc_vertex& from) {
-  return {from.x, from.y, from.z};
-}
 discmc_vertex c(const Vertex& from) {
   return {from.x, from.y, from.z};
 }
@@ -188,6 +186,7 @@ discmc_facet_ring discmc_ring_of_facet(uint8_t facet) {
     result.vertices[result.count] = c(position(ring.point[result.count]));
   return result;
 }
+
 discmc_neighbour discmc_across_edge(uint8_t facet, uint32_t edge) {
   const Neighbour neighbour = across_edge(facet, static_cast<int>(edge));
   return {c(neighbour.cell), neighbour.facet};

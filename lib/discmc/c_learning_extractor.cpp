@@ -5,33 +5,33 @@
 #include <discmc/c_extractors.hpp>
 #include <discmc/learning_extractor.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
-using Adapter = SinkAdapter<LearningExtractor>;
-static_assert(fits<Adapter, discmc_learning_extractor> &&
+using LearningAdapter = SinkAdapter<LearningExtractor>;
+static_assert(fits<LearningAdapter, discmc_learning_extractor> &&
                   fits<Checkpoint<LearningExtractor>, discmc_learning_extractor_checkpoint>,
               "the sizes in discmc.h are enough and not much more");
 
-constexpr Limits some_limits{31, 7};
-static_assert(DISCMC_LEARNING_EXTRACTOR_MINIMUM_BYTES(31, 7) ==
-                      minimum_bytes<uint32_t>(some_limits) &&
+static_assert(DISCMC_LEARNING_EXTRACTOR_MINIMUM_BYTES(31, 7) == minimum_bytes<uint32_t>({31, 7}) &&
                   DISCMC_LEARNING_DEFAULT_RECORDS_(31, 7, 5000) ==
-                      default_capacities<uint32_t>(some_limits, 5000).records,
+                      default_capacities<uint32_t>({31, 7}, 5000).records,
               "the constants of sizes.h are what the functions give; the tests have many more");
 
-Adapter& adapter(discmc_learning_extractor* extractor) {
-  return *reinterpret_cast<Adapter*>(extractor);
+LearningAdapter& adapter(discmc_learning_extractor* extractor) {
+  return *reinterpret_cast<LearningAdapter*>(extractor);
 }
 LearningExtractor& cpp(discmc_learning_extractor* extractor) {
   return adapter(extractor).object;
 }
 const LearningExtractor& cpp(const discmc_learning_extractor* extractor) {
-  return reinterpret_cast<const Adapter*>(extractor)->object;
+  return reinterpret_cast<const LearningAdapter*>(extractor)->object;
 }
 
 }  // namespace
+
+extern "C" {
 
 uint64_t discmc_learning_extractor_minimum_bytes(const discmc_limits* limits) {
   return minimum_bytes<uint32_t>(cpp(*limits));
@@ -121,3 +121,7 @@ uint32_t discmc_learning_extractor_slices(const discmc_learning_extractor* extra
 uint32_t discmc_learning_extractor_rows(const discmc_learning_extractor* extractor) {
   return cpp(extractor).rows();
 }
+
+}  // extern "C"
+
+}  // namespace discmc

@@ -6,7 +6,7 @@
 #include <discmc/c_values.hpp>
 #include <discmc/encoder.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -22,6 +22,8 @@ const NormalEncoder& cpp(const discmc_normal_encoder* encoder) {
 }
 
 }  // namespace
+
+extern "C" {
 
 discmc_status discmc_normal_encoder_start(discmc_normal_encoder* encoder,
                                           const discmc_stream_label* label,
@@ -59,3 +61,7 @@ discmc_status discmc_normal_encoder_restore(discmc_normal_encoder* encoder,
   return c(cpp(encoder).restore(*reinterpret_cast<const Checkpoint<NormalEncoder>*>(checkpoint),
                                 cpp(output)));
 }
+
+}  // extern "C"
+
+}  // namespace discmc

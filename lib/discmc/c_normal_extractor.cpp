@@ -8,9 +8,9 @@
 
 #include <discmc/c_extractors.hpp>
 
-using namespace discmc;
-
 struct discmc_normal_kind {
+  using Limits = discmc::Limits;
+  using Capacities = discmc::Capacities;
   using Object = discmc_normal_extractor;
 
   uint32_t sample_type;
@@ -38,46 +38,48 @@ struct discmc_normal_kind {
   uint32_t (*rows)(const Object& object);
 };
 
+namespace discmc {
+
 namespace {
 
 // An extractor in storage of C's, and before it of which kind it is; null before any start.
-struct Head {
+struct NormalHead {
   const discmc_normal_kind* kind;
 };
 template <class AnyExtractor>
-struct Stored : Head {
+struct StoredNormals : NormalHead {
   SinkAdapter<AnyExtractor> adapter;
 };
 
 const discmc_normal_kind* kind_of(const discmc_normal_extractor* extractor) {
-  return reinterpret_cast<const Head*>(extractor)->kind;
+  return reinterpret_cast<const NormalHead*>(extractor)->kind;
 }
 
 // Makes it one of this kind; another is forgotten.
 void become(discmc_normal_extractor* extractor, const discmc_normal_kind* kind) {
   if (kind_of(extractor) == kind) return;
   *extractor = {};
-  reinterpret_cast<Head*>(extractor)->kind = kind;
+  reinterpret_cast<NormalHead*>(extractor)->kind = kind;
   kind->set_spacing(*extractor, {0, 0, 0});
 }
 
 // The functions of a kind.
 template <class Index, class Sample>
-struct Kind {
+struct NormalKind {
   using Normals = GradientNormals<Sample>;
   using Scanner = Extractor<Index, Normals>;
   using Object = discmc_normal_extractor;
 
-  static_assert(fits<Stored<Scanner>, discmc_normal_extractor> &&
+  static_assert(fits<StoredNormals<Scanner>, discmc_normal_extractor> &&
                     fits<Checkpoint<Scanner>, discmc_normal_extractor_checkpoint>,
                 "the sizes in discmc.h are enough and not much more");
 
   static SinkAdapter<Scanner>& adapter(Object& object) {
-    return reinterpret_cast<Stored<Scanner>&>(object).adapter;
+    return reinterpret_cast<StoredNormals<Scanner>&>(object).adapter;
   }
   static Scanner& in(Object& object) { return adapter(object).object; }
   static const Scanner& in(const Object& object) {
-    return reinterpret_cast<const Stored<Scanner>&>(object).adapter.object;
+    return reinterpret_cast<const StoredNormals<Scanner>&>(object).adapter.object;
   }
 
   static void set_spacing(Object& object, const int32_t (&spacing_nm)[3]) {
@@ -138,22 +140,19 @@ struct Kind {
   };
 };
 
-constexpr Limits some_limits{31, 7};
-using OfBytes = GradientNormals<uint8_t>;
-using OfWords = GradientNormals<int16_t>;
 static_assert(DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(31, 7, 1) ==
-                      minimum_bytes<uint16_t, OfBytes>(some_limits) &&
+                      minimum_bytes<uint16_t, GradientNormals<uint8_t>>({31, 7}) &&
                   DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(31, 7, 2) ==
-                      minimum_bytes<uint16_t, OfWords>(some_limits) &&
+                      minimum_bytes<uint16_t, GradientNormals<int16_t>>({31, 7}) &&
                   DISCMC_NORMAL_DEFAULT_RECORDS_(31, 7, 1, 5000) ==
-                      default_capacities<uint16_t, OfBytes>(some_limits, 5000).records,
+                      default_capacities<uint16_t, GradientNormals<uint8_t>>({31, 7}, 5000).records,
               "the constants of sizes.h are what the functions give; the tests have many more");
 
 constexpr discmc_status not_started = DISCMC_NOT_STARTED;
 
 template <class Sample>
-discmc_push_result push(discmc_normal_extractor* extractor, const Sample* samples, uint32_t count,
-                        uint32_t stride) {
+discmc_push_result push_to(discmc_normal_extractor* extractor, const Sample* samples,
+                           uint32_t count, uint32_t stride) {
   const discmc_normal_kind* const kind = kind_of(extractor);
   if (kind == nullptr || kind->sample_type != sample_type<Sample>) return {not_started, 0};
   return kind->push(*extractor, samples, count, stride);
@@ -161,20 +160,15 @@ discmc_push_result push(discmc_normal_extractor* extractor, const Sample* sample
 
 // The result of a function of the extractor's kind, or one for an extractor that was not started.
 template <class Result, class Object, class... Arguments>
-Result call(Result (*discmc_normal_kind::*function)(Object&, Arguments...), Object* extractor,
-            Result otherwise, Arguments... arguments) {
+Result call_kind(Result (*discmc_normal_kind::*function)(Object&, Arguments...), Object* extractor,
+                 Result otherwise, Arguments... arguments) {
   const discmc_normal_kind* const kind = kind_of(extractor);
   return kind == nullptr ? otherwise : (kind->*function)(*extractor, arguments...);
 }
 
 }  // namespace
 
-const discmc_normal_kind discmc_normals_u8 = Kind<uint16_t, uint8_t>::functions;
-const discmc_normal_kind discmc_normals_u16 = Kind<uint16_t, uint16_t>::functions;
-const discmc_normal_kind discmc_normals_i16 = Kind<uint16_t, int16_t>::functions;
-const discmc_normal_kind discmc_host_normals_u8 = Kind<uint32_t, uint8_t>::functions;
-const discmc_normal_kind discmc_host_normals_u16 = Kind<uint32_t, uint16_t>::functions;
-const discmc_normal_kind discmc_host_normals_i16 = Kind<uint32_t, int16_t>::functions;
+extern "C" {
 
 uint64_t discmc_normal_extractor_minimum_bytes(const discmc_normal_kind* kind,
                                                const discmc_limits* limits) {
@@ -208,37 +202,37 @@ discmc_status discmc_normal_extractor_start(discmc_normal_extractor* extractor,
 discmc_push_result discmc_normal_extractor_push_u8(discmc_normal_extractor* extractor,
                                                    const uint8_t* samples, uint32_t count,
                                                    uint32_t stride) {
-  return push(extractor, samples, count, stride);
+  return push_to(extractor, samples, count, stride);
 }
 discmc_push_result discmc_normal_extractor_push_u16(discmc_normal_extractor* extractor,
                                                     const uint16_t* samples, uint32_t count,
                                                     uint32_t stride) {
-  return push(extractor, samples, count, stride);
+  return push_to(extractor, samples, count, stride);
 }
 discmc_push_result discmc_normal_extractor_push_i16(discmc_normal_extractor* extractor,
                                                     const int16_t* samples, uint32_t count,
                                                     uint32_t stride) {
-  return push(extractor, samples, count, stride);
+  return push_to(extractor, samples, count, stride);
 }
 discmc_push_result discmc_normal_extractor_skip_row(discmc_normal_extractor* extractor,
                                                     uint8_t substitute) {
-  return call(&discmc_normal_kind::skip_row, extractor, {not_started, 0}, substitute);
+  return call_kind(&discmc_normal_kind::skip_row, extractor, {not_started, 0}, substitute);
 }
 discmc_status discmc_normal_extractor_reset(discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::reset, extractor, not_started);
+  return call_kind(&discmc_normal_kind::reset, extractor, not_started);
 }
 discmc_status discmc_normal_extractor_resume(discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::resume, extractor, not_started);
+  return call_kind(&discmc_normal_kind::resume, extractor, not_started);
 }
 discmc_status discmc_normal_extractor_finish(discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::finish, extractor, not_started);
+  return call_kind(&discmc_normal_kind::finish, extractor, not_started);
 }
 discmc_status discmc_normal_extractor_abandon(discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::abandon, extractor, not_started);
+  return call_kind(&discmc_normal_kind::abandon, extractor, not_started);
 }
 discmc_status discmc_normal_extractor_save(const discmc_normal_extractor* extractor,
                                            discmc_normal_extractor_checkpoint* checkpoint) {
-  return call(&discmc_normal_kind::save, extractor, not_started, checkpoint);
+  return call_kind(&discmc_normal_kind::save, extractor, not_started, checkpoint);
 }
 discmc_status discmc_normal_extractor_restore(discmc_normal_extractor* extractor,
                                               const discmc_normal_kind* kind,
@@ -248,23 +242,36 @@ discmc_status discmc_normal_extractor_restore(discmc_normal_extractor* extractor
   return kind->restore(*extractor, checkpoint, memory, sink);
 }
 discmc_statistics discmc_normal_extractor_statistics(const discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::statistics, extractor, {});
+  return call_kind(&discmc_normal_kind::statistics, extractor, {});
 }
 discmc_limits discmc_normal_extractor_limits(const discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::limits, extractor, {});
+  return call_kind(&discmc_normal_kind::limits, extractor, {});
 }
 discmc_capacities discmc_normal_extractor_capacities(const discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::capacities, extractor, {});
+  return call_kind(&discmc_normal_kind::capacities, extractor, {});
 }
 discmc_high_water discmc_normal_extractor_high_water(const discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::high_water, extractor, {});
+  return call_kind(&discmc_normal_kind::high_water, extractor, {});
 }
 size_t discmc_normal_extractor_bytes_used(const discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::bytes_used, extractor, {});
+  return call_kind(&discmc_normal_kind::bytes_used, extractor, {});
 }
 uint32_t discmc_normal_extractor_slices(const discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::slices, extractor, {});
+  return call_kind(&discmc_normal_kind::slices, extractor, {});
 }
 uint32_t discmc_normal_extractor_rows(const discmc_normal_extractor* extractor) {
-  return call(&discmc_normal_kind::rows, extractor, {});
+  return call_kind(&discmc_normal_kind::rows, extractor, {});
 }
+
+}  // extern "C"
+
+}  // namespace discmc
+
+// Outside the namespace, where they are those that discmc.h declares.
+const discmc_normal_kind discmc_normals_u8 = discmc::NormalKind<uint16_t, uint8_t>::functions;
+const discmc_normal_kind discmc_normals_u16 = discmc::NormalKind<uint16_t, uint16_t>::functions;
+const discmc_normal_kind discmc_normals_i16 = discmc::NormalKind<uint16_t, int16_t>::functions;
+const discmc_normal_kind discmc_host_normals_u8 = discmc::NormalKind<uint32_t, uint8_t>::functions;
+const discmc_normal_kind discmc_host_normals_u16 =
+    discmc::NormalKind<uint32_t, uint16_t>::functions;
+const discmc_normal_kind discmc_host_normals_i16 = discmc::NormalKind<uint32_t, int16_t>::functions;

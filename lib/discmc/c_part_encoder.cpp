@@ -6,7 +6,7 @@
 #include <discmc/c_values.hpp>
 #include <discmc/encoder.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -17,6 +17,8 @@ PartEncoder& cpp(discmc_part_encoder* encoder) {
 }
 
 }  // namespace
+
+extern "C" {
 
 discmc_status discmc_part_encoder_start(discmc_part_encoder* encoder,
                                         const discmc_stream_label* label,
@@ -30,3 +32,7 @@ discmc_answer discmc_part_encoder_take(void* encoder, const discmc_event* event)
 uint8_t discmc_part_encoder_flush(discmc_part_encoder* encoder) {
   return cpp(encoder).flush() ? 1 : 0;
 }
+
+}  // extern "C"
+
+}  // namespace discmc

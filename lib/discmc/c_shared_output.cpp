@@ -6,7 +6,7 @@
 #include <discmc/c_values.hpp>
 #include <discmc/shared_output.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -18,6 +18,8 @@ SharedOutput& cpp(discmc_shared_output* shared) {
 
 }  // namespace
 
+extern "C" {
+
 void discmc_shared_output_start(discmc_shared_output* shared, discmc_byte_output output) {
   cpp(shared).start(cpp(output));
 }
@@ -27,3 +29,7 @@ discmc_byte_output discmc_shared_output_output(discmc_shared_output* shared) {
 uint8_t discmc_shared_output_flush(discmc_shared_output* shared) {
   return cpp(shared).flush() ? 1 : 0;
 }
+
+}  // extern "C"
+
+}  // namespace discmc

@@ -5,12 +5,12 @@
 #include <discmc/c_extractors.hpp>
 #include <discmc/surface_group.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
 // An extractor in an array of C's.
-struct Scanner {
+struct GroupScanner {
   discmc_extractor storage;
 
   Extractor16& extractor() { return reinterpret_cast<SinkAdapter<Extractor16>*>(&storage)->object; }
@@ -25,68 +25,75 @@ struct Scanner {
   Status abandon() { return extractor().abandon(); }
 };
 
-struct Group : SurfaceGroup<Scanner> {
+struct Group : SurfaceGroup<GroupScanner> {
   using SurfaceGroup::SurfaceGroup;
   static void* operator new(size_t, void* place) { return place; }
 };
 
 // In storage of C's. Zeros are none that was started.
-struct Stored {
+struct StoredGroup {
   uint32_t is_started;
   Group group;
 };
-static_assert(sizeof(Stored) <= sizeof(discmc_surface_group) &&
-                  sizeof(discmc_surface_group) < sizeof(Stored) + sizeof(uint64_t) &&
-                  alignof(Stored) <= alignof(discmc_surface_group),
+static_assert(sizeof(StoredGroup) <= sizeof(discmc_surface_group) &&
+                  sizeof(discmc_surface_group) < sizeof(StoredGroup) + sizeof(uint64_t) &&
+                  alignof(StoredGroup) <= alignof(discmc_surface_group),
               "the size in discmc.h is enough");
 
 template <class Call>
-discmc_push_result push(discmc_surface_group* group, Call call) {
-  Stored& stored = *reinterpret_cast<Stored*>(group);
+discmc_push_result push_to(discmc_surface_group* group, Call call) {
+  StoredGroup& stored = *reinterpret_cast<StoredGroup*>(group);
   if (stored.is_started == 0) return {DISCMC_NOT_STARTED, 0};
   return c(call(stored.group));
 }
-template <Status (SurfaceGroup<Scanner>::*method)()>
-discmc_status call(discmc_surface_group* group) {
-  Stored& stored = *reinterpret_cast<Stored*>(group);
+template <Status (SurfaceGroup<GroupScanner>::*method)()>
+discmc_status call_all(discmc_surface_group* group) {
+  StoredGroup& stored = *reinterpret_cast<StoredGroup*>(group);
   return stored.is_started == 0 ? discmc_status{DISCMC_NOT_STARTED} : c((stored.group.*method)());
 }
 
 }  // namespace
 
+extern "C" {
+
 void discmc_surface_group_start(discmc_surface_group* group, discmc_extractor* extractors,
                                 uint32_t count, uint32_t width) {
-  Stored& stored = *reinterpret_cast<Stored*>(group);
+  StoredGroup& stored = *reinterpret_cast<StoredGroup*>(group);
   stored.is_started = 1;
-  new (&stored.group) Group(reinterpret_cast<Scanner*>(extractors), count, width);
+  new (&stored.group) Group(reinterpret_cast<GroupScanner*>(extractors), count, width);
 }
 discmc_push_result discmc_surface_group_push_u8(discmc_surface_group* group, const uint8_t* samples,
                                                 uint32_t count, uint32_t stride) {
-  return push(group, [=](Group& all) { return all.push(samples, count, stride); });
+  return push_to(group, [=](Group& all) { return all.push(samples, count, stride); });
 }
 discmc_push_result discmc_surface_group_push_u16(discmc_surface_group* group,
                                                  const uint16_t* samples, uint32_t count,
                                                  uint32_t stride) {
-  return push(group, [=](Group& all) { return all.push(samples, count, stride); });
+  return push_to(group, [=](Group& all) { return all.push(samples, count, stride); });
 }
 discmc_push_result discmc_surface_group_push_i16(discmc_surface_group* group,
                                                  const int16_t* samples, uint32_t count,
                                                  uint32_t stride) {
-  return push(group, [=](Group& all) { return all.push(samples, count, stride); });
+  return push_to(group, [=](Group& all) { return all.push(samples, count, stride); });
 }
 discmc_push_result discmc_surface_group_push_bits(discmc_surface_group* group,
                                                   const uint8_t* bits) {
-  return push(group, [=](Group& all) { return all.push_bits(bits); });
+  return push_to(group, [=](Group& all) { return all.push_bits(bits); });
 }
 discmc_push_result discmc_surface_group_skip_row(discmc_surface_group* group, uint8_t substitute) {
-  return push(group, [=](Group& all) { return all.skip_row(static_cast<Substitute>(substitute)); });
+  return push_to(group,
+                 [=](Group& all) { return all.skip_row(static_cast<Substitute>(substitute)); });
 }
 discmc_status discmc_surface_group_resume(discmc_surface_group* group) {
-  return call<&SurfaceGroup<Scanner>::resume>(group);
+  return call_all<&SurfaceGroup<GroupScanner>::resume>(group);
 }
 discmc_status discmc_surface_group_finish(discmc_surface_group* group) {
-  return call<&SurfaceGroup<Scanner>::finish>(group);
+  return call_all<&SurfaceGroup<GroupScanner>::finish>(group);
 }
 discmc_status discmc_surface_group_abandon(discmc_surface_group* group) {
-  return call<&SurfaceGroup<Scanner>::abandon>(group);
+  return call_all<&SurfaceGroup<GroupScanner>::abandon>(group);
 }
+
+}  // extern "C"
+
+}  // namespace discmc

@@ -19,6 +19,9 @@ inline Limits cpp(const discmc_limits& from) {
           static_cast<Border>(from.border),
           {from.slab.first, from.slab.continues_below != 0, from.slab.continues_above != 0}};
 }
+inline Vertex cpp(const discmc_vertex& from) {
+  return {from.x, from.y, from.z};
+}
 inline Memory cpp(const discmc_memory& from) {
   return {from.data, from.bytes};
 }

@@ -49,8 +49,8 @@ int main(void) {
     return 12;
   if (sizeof some_normals != discmc_normal_extractor_bytes_for(&discmc_normals_i16, &limits, &some))
     return 13;
-  if (!are_equal(normal_split, discmc_normal_extractor_default_capacities(&discmc_normals_u8,
-                                                                          &limits, 40000)))
+  if (!are_equal(normal_split,
+                 discmc_normal_extractor_default_capacities(&discmc_normals_u8, &limits, 40000)))
     return 14;
   if (sizeof window != discmc_sample_window_bytes_for(&limits, 2)) return 15;
   if (sizeof learning != discmc_learning_extractor_minimum_bytes(&limits)) return 16;
