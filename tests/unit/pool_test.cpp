@@ -11,15 +11,15 @@ using namespace discmc;
 namespace {
 
 template <class Index>
-struct Record {
+struct PooledRecord {
   Index next;
   uint32_t payload;
 };
 
 template <class Index>
 void check_random_operations(uint32_t capacity, uint32_t seed) {
-  std::vector<Record<Index>> records(capacity);
-  Pool<Record<Index>, Index> pool;
+  std::vector<PooledRecord<Index>> records(capacity);
+  Pool<PooledRecord<Index>, Index> pool;
   pool.start(records.data(), capacity);
   pool.clear();
   std::vector<Index> taken;
@@ -53,8 +53,8 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
 }  // namespace
 
 TEST_CASE("a pool gives each record once, and then none") {
-  std::vector<Record<uint16_t>> records(5);
-  Pool<Record<uint16_t>, uint16_t> pool;
+  std::vector<PooledRecord<uint16_t>> records(5);
+  Pool<PooledRecord<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 5);
   pool.clear();
   std::set<uint16_t> taken;
@@ -70,8 +70,8 @@ TEST_CASE("a pool gives each record once, and then none") {
 }
 
 TEST_CASE("the record given back last is taken first") {
-  std::vector<Record<uint32_t>> records(8);
-  Pool<Record<uint32_t>, uint32_t> pool;
+  std::vector<PooledRecord<uint32_t>> records(8);
+  Pool<PooledRecord<uint32_t>, uint32_t> pool;
   pool.start(records.data(), 8);
   pool.clear();
   for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.take() == i);
@@ -83,8 +83,8 @@ TEST_CASE("the record given back last is taken first") {
 }
 
 TEST_CASE("clearing gives all records back and forgets the high-water mark") {
-  std::vector<Record<uint16_t>> records(4);
-  Pool<Record<uint16_t>, uint16_t> pool;
+  std::vector<PooledRecord<uint16_t>> records(4);
+  Pool<PooledRecord<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 4);
   pool.clear();
   for (int i = 0; i < 4; ++i) pool.take();
@@ -98,7 +98,7 @@ TEST_CASE("clearing gives all records back and forgets the high-water mark") {
 }
 
 TEST_CASE("a pool without records has none") {
-  Pool<Record<uint16_t>, uint16_t> pool;
+  Pool<PooledRecord<uint16_t>, uint16_t> pool;
   CHECK(pool.take() == no_record);
   pool.start(nullptr, 0);
   pool.clear();
@@ -109,8 +109,8 @@ TEST_CASE("a pool without records has none") {
 
 TEST_CASE("index 0, which means none, is never given, and every other one is") {
   // As many records as a 16-bit index can name.
-  std::vector<Record<uint16_t>> records(65535);
-  Pool<Record<uint16_t>, uint16_t> pool;
+  std::vector<PooledRecord<uint16_t>> records(65535);
+  Pool<PooledRecord<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 65535);
   pool.clear();
   for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.take() == i);
@@ -125,8 +125,8 @@ TEST_CASE("whatever is taken and given, no record is out twice and none is lost"
 }
 
 TEST_CASE("a pool gives fresh records side by side as long as there are so many") {
-  std::vector<Record<uint16_t>> records(10);
-  Pool<Record<uint16_t>, uint16_t> pool;
+  std::vector<PooledRecord<uint16_t>> records(10);
+  Pool<PooledRecord<uint16_t>, uint16_t> pool;
   pool.start(records.data(), 10);
   pool.clear();
   pool.give(pool.take());
