@@ -1,4 +1,5 @@
-// The four functions that a compiler may call on its own, for programs without a C library.
+// The four functions that a compiler may call on its own, for programs without a C library. They
+// are used even where nobody is seen to call them, or they would be gone when linking optimises.
 #include <stddef.h>
 #include <stdint.h>
 
@@ -13,14 +14,14 @@ inline void loop_stays() {
 
 extern "C" {
 
-void* memcpy(void* to, const void* from, size_t count) {
+[[gnu::used]] void* memcpy(void* to, const void* from, size_t count) {
   uint8_t* t = static_cast<uint8_t*>(to);
   const uint8_t* f = static_cast<const uint8_t*>(from);
   for (; count > 0; --count, loop_stays()) *t++ = *f++;
   return to;
 }
 
-void* memmove(void* to, const void* from, size_t count) {
+[[gnu::used]] void* memmove(void* to, const void* from, size_t count) {
   uint8_t* t = static_cast<uint8_t*>(to);
   const uint8_t* f = static_cast<const uint8_t*>(from);
   if (t < f) return memcpy(to, from, count);
@@ -28,13 +29,13 @@ void* memmove(void* to, const void* from, size_t count) {
   return to;
 }
 
-void* memset(void* to, int value, size_t count) {
+[[gnu::used]] void* memset(void* to, int value, size_t count) {
   uint8_t* t = static_cast<uint8_t*>(to);
   for (; count > 0; --count, loop_stays()) *t++ = static_cast<uint8_t>(value);
   return to;
 }
 
-int memcmp(const void* left, const void* right, size_t count) {
+[[gnu::used]] int memcmp(const void* left, const void* right, size_t count) {
   const uint8_t* l = static_cast<const uint8_t*>(left);
   const uint8_t* r = static_cast<const uint8_t*>(right);
   for (; count > 0; --count, ++l, ++r)

@@ -71,7 +71,7 @@ void start() {
       ".ltorg");
 }
 
-void fault() {
+[[gnu::used]] void fault() {
   board::fault();
 }
 

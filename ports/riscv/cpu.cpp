@@ -57,7 +57,7 @@ void guard_stack() {
   __asm__ volatile("la sp, stack_end; j start");
 }
 
-void start() {
+[[gnu::used]] void start() {
   // Below the stack pointer: what is still painted at the end was never reached.
   uintptr_t* stack_pointer;
   __asm__ volatile("mv %0, sp" : "=r"(stack_pointer));
@@ -88,11 +88,11 @@ void start() {
       "j fault");
 }
 
-void fault() {
+[[gnu::used]] void fault() {
   board::fault();
 }
 
-[[gnu::interrupt]] void on_interrupt() {
+[[gnu::interrupt, gnu::used]] void on_interrupt() {
   was_interrupted = true;
   uintptr_t cause;
   __asm__ volatile("csrr %0, mcause" : "=r"(cause));
