@@ -37,7 +37,7 @@
 extern "C" {
 #endif
 
-#ifdef __GNUC__
+#if defined(__GNUC__) && !defined(DISCMC_FORCE_PORTABLE)
 #define DISCMC_NODISCARD __attribute__((warn_unused_result))
 #else
 #define DISCMC_NODISCARD

@@ -11,7 +11,12 @@
 #ifndef DISCMC_SIZES_H
 #define DISCMC_SIZES_H
 
+#include <limits.h>
 #include <stdint.h>
+
+#if INT_MAX < 0x7FFFFFFF
+#error "discmc needs an int of at least 32 bits: its integers are promoted to int"
+#endif
 
 /* The least memory with which a scan works. Limit: width and height as in discmc_limits. */
 #define DISCMC_MINIMUM_BYTES(width, height) DISCMC_BYTES_FOR(width, height, DISCMC_MINIMUM_RECORDS_)

@@ -10,11 +10,11 @@ namespace discmc::slices {
 
 /// The rows that a row is told by. Owner: whoever has the rows.
 struct RowsBefore {
-  const uint32_t* near;   ///< its voxels 0, 1 and 2 are neighbours: see slice_model.hpp
-  const uint32_t* next;   ///< 3, 4 and 5
-  const uint32_t* third;  ///< 6
-  const uint32_t* last;   ///< 7
-  const uint32_t* first;  ///< 8: this row of the first surface, or null where that is told
+  const uint32_t* nearest;  ///< its voxels 0, 1 and 2 are neighbours: see slice_model.hpp
+  const uint32_t* next;     ///< 3, 4 and 5
+  const uint32_t* third;    ///< 6
+  const uint32_t* last;     ///< 7
+  const uint32_t* first;    ///< 8: this row of the first surface, or null where that is told
 };
 
 /// Those of the row that arrives. first: as in RowsBefore.
@@ -100,11 +100,11 @@ class RowCode {
 
   // A bit each for those that are not as the voxel before.
   uint32_t differing_neighbours() const {
-    const uint32_t near = before_.near[word_] >> (bit_ - 1) & 7;
+    const uint32_t nearest = before_.nearest[word_] >> (bit_ - 1) & 7;
     const uint32_t next = before_.next[word_] >> (bit_ - 1) & 7;
     const uint32_t third = before_.third[word_] >> bit_ & 1;
     const uint32_t last = before_.last[word_] >> bit_ & 1;
-    const uint32_t differing = (near | next << 3 | third << 6 | last << 7) ^ (as_before_ & 0xFF);
+    const uint32_t differing = (nearest | next << 3 | third << 6 | last << 7) ^ (as_before_ & 0xFF);
     if (before_.first == nullptr) return differing;
     return differing | ((before_.first[word_] ^ as_before_) >> bit_ & 1) << 8;
   }
@@ -118,7 +118,8 @@ class RowCode {
   }
   uint32_t level_voxels_ahead() const {
     return voxels_before(left_, [this](uint32_t word) {
-      const uint32_t beside = (before_.near[word] ^ as_before_) | (before_.next[word] ^ as_before_);
+      const uint32_t beside =
+          (before_.nearest[word] ^ as_before_) | (before_.next[word] ^ as_before_);
       const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
       // Of those beside it a voxel shares all but the last with the one before.
       return beside >> 1 | below;
