@@ -22,4 +22,5 @@ class DiscmcTest(ConanFile):
 
     def test(self):
         if can_run(self):
-            self.run(os.path.join(self.cpp.build.bindir, "one_voxel"), env="conanrun")
+            firmware = os.path.join(self.cpp.build.bindir, "firmware")
+            self.run(f'"{firmware}" > ball.dmc', env="conanrun")
