@@ -62,7 +62,7 @@ class Decoder {
  private:
   struct Coder {
     RangeDecoder range;
-    bool bit(uint32_t context, bool) { return range.decode(region_model[context]); }
+    bool code_bit(uint32_t context, bool) { return range.decode(region_model[context]); }
   };
   using Model = RegionModel<Coder>;
 

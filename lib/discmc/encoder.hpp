@@ -14,11 +14,11 @@ namespace discmc {
 class SymbolCoder {
  public:
   explicit SymbolCoder(RangeEncoder& range) : range_(range) {}
-  bool bit(uint32_t context, bool bit) noexcept {
+  bool code_bit(uint32_t context, bool bit) noexcept {
     range_.encode(bit, region_model[context]);
     return bit;
   }
-  bool bit(context::Even, bool bit) noexcept {
+  bool code_bit(context::Even, bool bit) noexcept {
     range_.encode_even(bit);
     return bit;
   }
@@ -102,7 +102,7 @@ class BasicEncoder : private Normals {
 
   struct Coder {
     RangeEncoder range;
-    bool bit(uint32_t context, bool bit) {
+    bool code_bit(uint32_t context, bool bit) {
       tell(context, bit);
       return bit;
     }

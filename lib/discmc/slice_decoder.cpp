@@ -204,7 +204,7 @@ bool SliceDecoder::begin_row() {
 
 bool SliceDecoder::read_note() {
   note_ = RowNote::none;
-  if (!coder_.bit(surfaces_.note(), false)) return true;
+  if (!coder_.code_bit(surfaces_.note(), false)) return true;
   const uint32_t told = coder_.number(slices::note_bits, 0);
   if (told >= static_cast<uint32_t>(RowNote::none)) return false;
   note_ = static_cast<RowNote>(told);

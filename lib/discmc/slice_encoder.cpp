@@ -209,7 +209,7 @@ bool SliceEncoder::is_at_key_slice() const {
 }
 
 void SliceEncoder::tell_note(RowNote note) {
-  coder_.bit(surfaces_.note(), note != RowNote::none);
+  coder_.code_bit(surfaces_.note(), note != RowNote::none);
   if (note != RowNote::none) coder_.number(slices::note_bits, static_cast<uint32_t>(note));
 }
 

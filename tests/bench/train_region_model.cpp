@@ -20,7 +20,7 @@ using Counts = std::array<std::array<double, 2>, discmc::context::count>;
 
 struct CountingCoder {
   Counts* counts;
-  bool bit(uint32_t context, bool bit) {
+  bool code_bit(uint32_t context, bool bit) {
     if (context != discmc::context::even) ++(*counts)[context][bit ? 1 : 0];
     return bit;
   }

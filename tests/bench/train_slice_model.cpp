@@ -23,7 +23,7 @@ using Counts = std::array<std::array<double, 2>, slices::context::count>;
 struct CountingCoder {
   discmc::LearntProbability* first;
   Counts* counts;
-  bool bit(discmc::LearntProbability& probability, bool bit) {
+  bool code_bit(discmc::LearntProbability& probability, bool bit) {
     ++(*counts)[static_cast<size_t>(&probability - first)][bit ? 1 : 0];
     return bit;
   }

@@ -321,7 +321,7 @@ inline Bytes with_version(uint8_t version, const Bytes& stream) {
 
 struct WritingCoder {
   RangeEncoder range;
-  bool bit(uint32_t context, bool bit) {
+  bool code_bit(uint32_t context, bool bit) {
     range.encode(bit, region_model[context]);
     return bit;
   }
@@ -329,7 +329,7 @@ struct WritingCoder {
 
 struct ReadingCoder {
   RangeDecoder range;
-  bool bit(uint32_t context, bool) { return range.decode(region_model[context]); }
+  bool code_bit(uint32_t context, bool) { return range.decode(region_model[context]); }
 };
 
 /// The payload of a packet of records, told to the model by hand.

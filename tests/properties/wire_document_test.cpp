@@ -44,7 +44,7 @@ Bytes single_voxel() {
 struct TracingCoder {
   RangeDecoder range;
   std::vector<std::string>* trace;
-  bool bit(uint32_t context, bool) {
+  bool code_bit(uint32_t context, bool) {
     const bool is_even = context == context::even;
     const Probability one = region_model[context];
     const bool bit = range.decode(one);
@@ -76,9 +76,9 @@ struct TracingRowReader {
   const LearntProbability* first;
   std::vector<std::string>* trace;
 
-  bool bit(LearntProbability& probability, bool) {
+  bool code_bit(LearntProbability& probability, bool) {
     const uint32_t one = probability.of_one();
-    const bool bit = reader.bit(probability, false);
+    const bool bit = reader.code_bit(probability, false);
     note(std::to_string(&probability - first), one, bit);
     return bit;
   }
@@ -155,12 +155,12 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume, and give 
   surfaces.clear();
   surfaces.begin_key_slice();
   std::vector<std::string> trace;
-  const RangeDecoder code(packet.payload.data() + wire::key_slice_head,
-                          packet.payload.size() - wire::key_slice_head);
+  const RangeDecoder code_bit(packet.payload.data() + wire::key_slice_head,
+                              packet.payload.size() - wire::key_slice_head);
   TracingRowReader reader{{code}, &surfaces.note(), &trace};
   Bytes on;
   for (uint32_t row = 0; row < 6; ++row) {
-    CHECK_FALSE(reader.bit(surfaces.note(), false));
+    CHECK_FALSE(reader.code_bit(surfaces.note(), false));
     if (row == 3) surfaces.begin_following_slice();
     slices::RowCode voxels;
     surfaces.begin_row(voxels, 0, 4);
@@ -170,7 +170,7 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume, and give 
     for (uint32_t x = 0; x < 4; ++x) on.push_back(bits >> x & 1);
     surfaces.next_row();
   }
-  CHECK(reader.bit(surfaces.note(), false));
+  CHECK(reader.code_bit(surfaces.note(), false));
   CHECK(reader.number(slices::note_bits, 0) == 0);
   CHECK(on == volume.on);
   CHECK(trace == words_of_block("slice-decisions"));

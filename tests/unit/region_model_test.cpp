@@ -143,7 +143,7 @@ TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
 TEST_CASE("a number reads no more than 63 bits, whatever they are") {
   struct Ones {
     uint32_t* bits;
-    bool bit(uint32_t, bool) { return ++*bits > 0; }
+    bool code_bit(uint32_t, bool) { return ++*bits > 0; }
   };
   uint32_t bits = 0;
   RegionModel<Ones> model(Ones{&bits});
@@ -315,7 +315,7 @@ TEST_CASE("orders, items and parts come back") {
 TEST_CASE("a chain told backwards costs about what it costs forwards") {
   struct Meter {
     double* bits;
-    bool bit(uint32_t context, bool bit) {
+    bool code_bit(uint32_t context, bool bit) {
       const double one = region_model[context] / 256.0;
       *bits -= std::log2(bit ? one : 1 - one);
       return bit;

@@ -42,7 +42,7 @@ class Code {
   Code& operator=(const Code&) = delete;
 
   Code& note(uint32_t told) {
-    writer_.bit(surfaces_.note(), true);
+    writer_.code_bit(surfaces_.note(), true);
     writer_.number(slices::note_bits, told);
     return *this;
   }
@@ -57,7 +57,7 @@ class Code {
   // follows.
   Code& begin_row(const Bytes& bits) {
     if (surface_ == 0) {
-      writer_.bit(surfaces_.note(), false);
+      writer_.code_bit(surfaces_.note(), false);
       if (surfaces_.rows().rows() == 0 && rows_told_ > 0) surfaces_.begin_following_slice();
       ++rows_told_;
     }
@@ -82,8 +82,8 @@ class Code {
   }
   // A run that ends early is told to be as long as one that does not.
   Code& row_with_a_run_too_long() {
-    writer_.bit(surfaces_.note(), false);
-    writer_.bit(surfaces_[0].model[run_of_a_row], false);
+    writer_.code_bit(surfaces_.note(), false);
+    writer_.code_bit(surfaces_[0].model[run_of_a_row], false);
     writer_.number(6, size.width);
     return *this;
   }

@@ -65,7 +65,7 @@ void tell_key_slice(Coder& coder, BitVolume& volume) {
     for (uint32_t x = 0; x < volume.width; ++x)
       bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | first[x] << x % 8);
     rows.append_bits(bits.data());
-    coder.bit(model[slices::context::note], false);
+    coder.code_bit(model[slices::context::note], false);
     slices::RowCode row;
     const auto before = slices::rows_before(rows, volume.height, slices::SliceKind::key);
     row.begin(rows.arriving(), before, volume.width);
@@ -377,9 +377,9 @@ TEST_CASE("a run that would be longer than its row is none") {
       model.begin(slices::SliceKind::key);
       packet.payload.resize(wire::max_payload);
       slices::RowWriter code{RangeEncoder(&packet.payload[4], 200)};
-      code.bit(model[slices::context::note], false);
+      code.code_bit(model[slices::context::note], false);
       const uint32_t bits_of_width = width == 3 ? 2 : 3;
-      code.bit(model[slices::context::run + 2 * (bits_of_width - 1) + 1], false);
+      code.code_bit(model[slices::context::run + 2 * (bits_of_width - 1) + 1], false);
       code.number(bits_of_width, length);
       code.number(32, 0x5A5A5A5A);
       packet.payload.resize(4 + code.range.finish());
@@ -636,7 +636,7 @@ void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& row
   surfaces.clear();
   surfaces.begin_key_slice();
   for (Bytes& bits : rows) {
-    coder.bit(surfaces.note(), false);
+    coder.code_bit(surfaces.note(), false);
     uint8_t* place = bits.data();
     for (uint32_t surface = 0; surface < surfaces.count(); ++surface) {
       surfaces[surface].rows.append_bits(place);

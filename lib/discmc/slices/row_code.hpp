@@ -45,8 +45,8 @@ enum class RowNote : uint8_t {
 /// The bits of a note, which is told where there is one.
 constexpr uint32_t note_bits = 3;
 
-/// Where a row is told or read. A coder's bit(probability, bit) tells a bit or gives the one that
-/// is read, and so does its number(bits, value).
+/// Where a row is told or read. A coder's code_bit(probability, bit) tells a bit or gives the one
+/// that is read, and so does its number(bits, value).
 class RowCode {
  public:
   /// row: as BitRows has it, of so many voxels; what is read is written there. Limit: a row that is
@@ -71,11 +71,11 @@ class RowCode {
     const uint32_t neighbours = differing_neighbours();
     const uint32_t level = neighbours % context::voxels == 0 ? level_voxels() : 0;
     if (level < 2) {
-      go_on(coder.bit(model[context::voxel + neighbours], differs()));
+      go_on(coder.code_bit(model[context::voxel + neighbours], differs()));
       return true;
     }
     uint32_t same = same_voxels(level);
-    if (coder.bit(model[run_context(level)], same == level)) {
+    if (coder.code_bit(model[run_context(level)], same == level)) {
       pass(level);
       return true;
     }

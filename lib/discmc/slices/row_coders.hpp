@@ -9,7 +9,7 @@ namespace discmc::slices {
 struct RowWriter {
   RangeEncoder range;
 
-  bool bit(LearntProbability& probability, bool bit) {
+  bool code_bit(LearntProbability& probability, bool bit) {
     range.encode(bit, probability);
     probability.learn(bit);
     return bit;
@@ -24,7 +24,7 @@ struct RowWriter {
 struct RowReader {
   RangeDecoder range;
 
-  bool bit(LearntProbability& probability, bool) {
+  bool code_bit(LearntProbability& probability, bool) {
     const bool bit = range.decode(probability);
     probability.learn(bit);
     return bit;

@@ -1,9 +1,9 @@
 // What the stream's bits mean: how regions, loose fragments and marks are told in binary decisions.
 //
-// The same functions encode and decode: a Coder's bit(context, bit) writes the bit it is given and
-// returns it, or ignores it and returns the bit it reads. So each function returns what was coded.
-// Every context has a fixed probability (region_model.cpp), found by training; nothing is learnt on
-// the way, so that every packet decodes alone.
+// The same functions encode and decode: a Coder's code_bit(context, bit) writes the bit it is given
+// and returns it, or ignores it and returns the bit it reads. So each function returns what was
+// coded. Every context has a fixed probability (region_model.cpp), found by training; nothing is
+// learnt on the way, so that every packet decodes alone.
 #ifndef DISCMC_STREAM_REGION_MODEL_HPP
 #define DISCMC_STREAM_REGION_MODEL_HPP
 
@@ -105,7 +105,7 @@ Coder& symbol_coder(Coder& coder) {
 }
 
 /// The state that goes from one record of a packet to the next, and the grammar of records.
-/// A copy is a snapshot. Coder has: bool bit(uint32_t context, bool bit).
+/// A copy is a snapshot. Coder has: bool code_bit(uint32_t context, bool bit).
 template <class Coder>
 class RegionModel {
  public:
@@ -125,10 +125,10 @@ class RegionModel {
   }
   /// A number, a bit or some bits without a context.
   uint32_t plain_number(uint32_t value) { return number(context::even, 1, value + 1) - 1; }
-  bool plain_bit(bool value) { return bit(context::even, value); }
+  bool plain_bit(bool value) { return code_bit(context::even, value); }
   uint32_t plain_bits(uint32_t count, uint32_t value) {
     uint32_t coded = 0;
-    while (count-- > 0) coded = 2 * coded + bit(context::even, value >> count & 1);
+    while (count-- > 0) coded = 2 * coded + code_bit(context::even, value >> count & 1);
     return coded;
   }
 
@@ -137,7 +137,7 @@ class RegionModel {
   uint32_t ring_count(uint32_t count);
   /// Whether a fragment is told from its end: in the order of its links from the last to the first.
   Chain order(Chain fragment) {
-    const bool is_backwards = bit(context::is_backwards, fragment == Chain::backwards);
+    const bool is_backwards = code_bit(context::is_backwards, fragment == Chain::backwards);
     begin_chain(is_backwards ? Chain::backwards : Chain::fragment);
     return chain_;
   }
@@ -150,7 +150,7 @@ class RegionModel {
   /// The vertex told last.
   const Vertex& last_start() const { return start_; }
   bool parallelogram(bool is_parallelogram) {
-    return bit(context::parallelogram + link_class_, is_parallelogram);
+    return code_bit(context::parallelogram + link_class_, is_parallelogram);
   }
   /// How many runs a ring has. Limit: at least 2.
   uint32_t run_count(uint32_t count) {
@@ -160,8 +160,8 @@ class RegionModel {
   }
   /// Whether the link whose direction was told last is the last of a fragment.
   bool is_last_link(bool is_last) {
-    return bit(context::is_last_link + (is_short() ? by_slope_and_level() : 2 * context::slopes),
-               is_last);
+    return code_bit(
+        context::is_last_link + (is_short() ? by_slope_and_level() : 2 * context::slopes), is_last);
   }
   /// A run's direction, or that by which a fragment's chain comes to its start. Decoding, any of 8
   /// may come back: see is_direction_of().
@@ -176,14 +176,16 @@ class RegionModel {
   /// last.
   void part(Record& record);
   Item item_kind(Item kind) {
-    if (bit(context::item_kind, kind == Item::run)) return Item::run;
-    return bit(context::item_kind + 1, kind == Item::ring) ? Item::ring : Item::end;
+    if (code_bit(context::item_kind, kind == Item::run)) return Item::run;
+    return code_bit(context::item_kind + 1, kind == Item::ring) ? Item::ring : Item::end;
   }
-  bool end_part(bool is_last) { return bit(context::part_kind + 2, is_last); }
+  bool end_part(bool is_last) { return code_bit(context::part_kind + 2, is_last); }
 
  private:
-  bool bit(uint32_t context, bool value) { return coder_.bit(context, value); }
-  uint32_t bit(uint32_t context, uint32_t value) { return bit(context, value != 0) ? 1 : 0; }
+  bool code_bit(uint32_t context, bool value) { return coder_.code_bit(context, value); }
+  uint32_t code_bit(uint32_t context, uint32_t value) {
+    return code_bit(context, value != 0) ? 1 : 0;
+  }
   uint32_t direction_count() const { return 4U + 2U * link_class_; }
   // Most fragments were cut after a few links. From then on one is told as a ring is.
   bool is_short() const { return is_fragment(chain_) && links_ <= most_of_short; }
@@ -252,7 +254,7 @@ uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
   uint32_t node = 1;
   for (uint32_t bits = 3; bits-- > 0;) {
     const uint32_t context = first == context::even ? first : first + node - 1;
-    node = 2 * node + (coder.bit(context, (value >> bits & 1) != 0) ? 1 : 0);
+    node = 2 * node + (coder.code_bit(context, (value >> bits & 1) != 0) ? 1 : 0);
   }
   return node - 8;
 }
@@ -264,19 +266,20 @@ uint32_t RegionModel<Coder>::number(uint32_t first, uint32_t contexts, uint32_t 
   auto&& coder = symbol_coder(coder_);
   const uint32_t last = first + contexts - 1;
   uint32_t bits = 0;
-  for (uint32_t rest = value >> 1; coder.bit(first, rest != 0) && bits < 31; ++bits, rest >>= 1)
+  for (uint32_t rest = value >> 1; coder.code_bit(first, rest != 0) && bits < 31;
+       ++bits, rest >>= 1)
     if (first < last) ++first;
   uint32_t coded = 1;
   while (bits-- > 0)
-    coded = 2 * coded + (coder.bit(context::even, (value >> bits & 1) != 0) ? 1 : 0);
+    coded = 2 * coded + (coder.code_bit(context::even, (value >> bits & 1) != 0) ? 1 : 0);
   return coded;
 }
 
 template <class Coder>
 int32_t RegionModel<Coder>::delta(uint32_t first, int32_t value) {
-  if (bit(first, value == 0)) return 0;
+  if (code_bit(first, value == 0)) return 0;
   // All ones for a negative number: x ^ sign - sign is its size, and of a size the number.
-  const uint32_t sign = bit(first + 1, value < 0) ? ~uint32_t{0} : 0;
+  const uint32_t sign = code_bit(first + 1, value < 0) ? ~uint32_t{0} : 0;
   const uint32_t size = (static_cast<uint32_t>(value) ^ sign) - sign;
   const uint32_t coded = number(first + 2, context::size_of_delta - 2, size);
   return static_cast<int32_t>((coded ^ sign) - sign);
@@ -321,10 +324,10 @@ Incidence RegionModel<Coder>::incidence(Incidence incidence) {
     const uint32_t by = 3 * row + take_digit(before);
     row += rows;
     uint32_t component = 1;
-    if (by < 15 && bit(context::component_zero + by, digit == 1))
+    if (by < 15 && code_bit(context::component_zero + by, digit == 1))
       ++row;
     else
-      component = bit(context::component_sign + by, digit == 0) ? 0 : 2;
+      component = code_bit(context::component_sign + by, digit == 0) ? 0 : 2;
     coded = 3 * coded + component;
   }
   incidence_ = static_cast<Incidence>(coded);
@@ -338,8 +341,8 @@ Incidence RegionModel<Coder>::incidence(Incidence incidence) {
 template <class Coder>
 RecordKind RegionModel<Coder>::record_kind(RecordKind kind) {
   const uint32_t by = static_cast<uint32_t>(before_) + (fragments_came_ ? 2U : 0U);
-  if (bit(context::region_follows + by, kind == RecordKind::region)) return RecordKind::region;
-  if (bit(context::fragment_follows + by, kind == RecordKind::fragment))
+  if (code_bit(context::region_follows + by, kind == RecordKind::region)) return RecordKind::region;
+  if (code_bit(context::fragment_follows + by, kind == RecordKind::fragment))
     return RecordKind::fragment;
   constexpr uint32_t first = static_cast<uint32_t>(RecordKind::layer);
   return static_cast<RecordKind>(first +
@@ -348,7 +351,7 @@ RecordKind RegionModel<Coder>::record_kind(RecordKind kind) {
 
 template <class Coder>
 uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
-  if (bit(context::one_ring + link_class_, count == 1)) return 1;
+  if (code_bit(context::one_ring + link_class_, count == 1)) return 1;
   return 2 + plain_number(count - 2);
 }
 
@@ -376,9 +379,9 @@ template <class Coder>
 Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
   using namespace context;
   const uint32_t order = chain_ == Chain::backwards ? 1 : 0;
-  const uint32_t z =
-      bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order, parity_of(vertex.z));
-  const uint32_t y = bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y));
+  const uint32_t z = code_bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order,
+                              parity_of(vertex.z));
+  const uint32_t y = code_bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y));
   // Of z, y and x two rows each, which follow those of start().
   const int32_t dz = step_voxels(25 + (before_ == Before::mark ? 1U : 0U), vertex.z, start_.z, z);
   const int32_t dy = step_voxels(27 + (dz != 0 ? 1U : 0U), vertex.y, start_.y, y);
@@ -440,8 +443,8 @@ uint32_t RegionModel<Coder>::length(uint32_t length) {
 
 template <class Coder>
 void RegionModel<Coder>::part(Record& record) {
-  record.is_fragment = bit(context::part_kind, record.is_fragment);
-  record.continues = bit(context::part_kind + 1, record.continues);
+  record.is_fragment = code_bit(context::part_kind, record.is_fragment);
+  record.continues = code_bit(context::part_kind + 1, record.continues);
   record.incidence = incidence(record.incidence);
   if (record.is_fragment && !record.continues)
     record.came = static_cast<Direction>(tree(context::even, record.came));

@@ -14,7 +14,7 @@ namespace {
 
 struct Coder {
   RangeDecoder range;
-  bool bit(std::uint32_t context, bool) { return range.decode(region_model[context]); }
+  bool code_bit(std::uint32_t context, bool) { return range.decode(region_model[context]); }
 };
 
 // Whether a region that a packet before has begun goes on in this one.

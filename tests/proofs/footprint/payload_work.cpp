@@ -103,7 +103,7 @@ static bool tell_both(const char* name, const Volume& volume) {
 // ---- steps ----
 
 struct NoCoder {
-  bool bit(LearntProbability&, bool bit) { return bit; }
+  bool code_bit(LearntProbability&, bool bit) { return bit; }
   uint32_t number(uint32_t, uint32_t value) { return value; }
 };
 
