@@ -43,4 +43,10 @@ TEST_CASE("all files that name the version name this one") {
   CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);
   CHECK(version_after("\n## \\[", "CHANGELOG.md") == version);
   CHECK(version_after("discmc-", "docs/quick-start.md") == version);
+  CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);
+  CHECK(version_after("version: '", "meson.build") == version);
+  CHECK(version_after("name = \"discmc\",\\s+version = \"", "MODULE.bazel") == version);
+  CHECK(version_after("\"version\": \"", "library.json") == version);
+  CHECK(version_after("version: \"", "idf_component.yml") == version);
+  CHECK(version_after("\"version\": \"", "packaging/vcpkg/discmc/vcpkg.json") == version);
 }

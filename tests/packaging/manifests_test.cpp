@@ -1,0 +1,46 @@
+// What builds the library by a list of its sources has them all. The others take what is there.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace {
+
+const std::filesystem::path project = DISCMC_SOURCE_DIR;
+
+using Names = std::set<std::string>;
+
+Names sources_in_lib() {
+  Names names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "lib"))
+    if (entry.path().extension() == ".cpp")
+      names.insert(entry.path().lexically_relative(project / "lib").generic_string());
+  return names;
+}
+
+// The sources that a file names, after `prefix`.
+Names sources_named_in(const std::string& file, const std::string& prefix) {
+  std::ifstream stream(project / file);
+  REQUIRE_MESSAGE(stream.is_open(), file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  const std::string all = text.str();
+  const std::regex source(prefix + R"((discmc/[a-z0-9_/]+\.cpp))");
+  Names names;
+  for (std::sregex_iterator found(all.begin(), all.end(), source), end; found != end; ++found)
+    names.insert((*found)[1].str());
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("CMake and Meson compile all sources of the library, and nothing else") {
+  const Names sources = sources_in_lib();
+  CHECK(sources.size() > 40);
+  CHECK(sources_named_in("lib/CMakeLists.txt", "\\n  ") == sources);
+  CHECK(sources_named_in("meson.build", "'lib/") == sources);
+}
