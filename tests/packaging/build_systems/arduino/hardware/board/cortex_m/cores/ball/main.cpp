@@ -14,7 +14,9 @@ size_t SerialPort::write(const uint8_t* bytes, size_t count) {
 }
 
 void pinMode(int, int) {}
-void digitalWrite(int, int value) { led_is_on = value != LOW; }
+void digitalWrite(int, int value) {
+  led_is_on = value != LOW;
+}
 
 int main() {
   setup();
