@@ -95,6 +95,39 @@ inline uint32_t aligned_word(const void* memory) {
 #endif
 }
 
+// ---- memory that is shared ----
+
+/// Reads and writes a word that an interrupt or another thread shares. Whoever reads what was
+/// released also sees all that was written before. Elsewhere than with GCC and Clang: on one
+/// processor.
+#if defined(DISCMC_HAS_GNU) && !(defined(__clang__) && defined(__ARM_ARCH_6M__))
+inline uint32_t load_acquire(const uint32_t& word) {
+  return __atomic_load_n(&word, __ATOMIC_ACQUIRE);
+}
+inline void store_release(uint32_t& word, uint32_t value) {
+  __atomic_store_n(&word, value, __ATOMIC_RELEASE);
+}
+#else
+// Clang would call a function for these on a Cortex-M0, which other compilers do not have.
+inline void keep_order() {
+#if defined(DISCMC_HAS_GNU)
+  __asm__ volatile("dmb" ::: "memory");
+#else
+  void (*volatile unknown)() = [] {};  // may read and write all memory, for all that is known
+  unknown();
+#endif
+}
+inline uint32_t load_acquire(const uint32_t& word) {
+  const uint32_t value = static_cast<const volatile uint32_t&>(word);
+  keep_order();
+  return value;
+}
+inline void store_release(uint32_t& word, uint32_t value) {
+  keep_order();
+  static_cast<volatile uint32_t&>(word) = value;
+}
+#endif
+
 // ---- bits ----
 
 namespace derive {

@@ -1,5 +1,5 @@
 /* discmc for C99: all that the C++ headers have, linked by the C linker. Left to C++ are
- * MajorityFilter; Extractor32, as discmc_learning_extractor has indices of 32 bits, too; groups of
+ * Extractor32, as discmc_learning_extractor has indices of 32 bits, too; groups of
  * other extractors than discmc_extractor, which are given the same rows one after another; and
  * arithmetic on members that a line of C does.
  *
@@ -1431,6 +1431,183 @@ typedef struct discmc_neighbour {
 /* The facet of the same incidence that shares an edge, from that vertex of the facet's ring to the
  * next. Limit: edge is below the count of the ring. Cost: a search. */
 discmc_neighbour discmc_across_edge(uint8_t facet, uint32_t edge);
+
+/* ---- the front end: from the sensor to the extractor ---- */
+
+/* Rows between an interrupt and a task (row_ring.hpp): the sensor's DMA controller writes each row
+ * where it stays until the extractor has read it. One producer and one consumer, which need not
+ * mask interrupts. */
+typedef struct discmc_row_ring {
+  uint64_t opaque[(sizeof(void*) == 8 ? 56 : 48) / 8];
+} discmc_row_ring;
+
+/* What comes next on the consumer's side. */
+enum {
+  DISCMC_NEXT_NOTHING, /* it has not come yet */
+  DISCMC_NEXT_ROW,     /* discmc_row_ring_row() holds it */
+  DISCMC_NEXT_LOST,    /* a row that was lost: skip it */
+  DISCMC_NEXT_END      /* no row follows */
+};
+
+/* The memory of a ring. sizes.h has the same as a constant: DISCMC_ROW_RING_BYTES_FOR(). Units:
+ * bytes. */
+uint64_t discmc_row_ring_bytes_for(uint32_t row_bytes, uint32_t rows);
+
+/* Begins a scan, with room for so many rows, which lie one after the other from the beginning of
+ * the memory, each aligned to four bytes. memory: at least discmc_row_ring_bytes_for(); Owner: the
+ * caller, for as long as the ring is in use. Limit: neither side is at work. Errors:
+ * DISCMC_BAD_CAPACITIES (no rows, empty ones, or 4 GiB of them), DISCMC_TOO_LITTLE_MEMORY; then
+ * nothing has changed. */
+DISCMC_NODISCARD discmc_status discmc_row_ring_start(discmc_row_ring* ring, uint32_t row_bytes,
+                                                     uint32_t rows, discmc_memory memory);
+
+/* The producer's: the row to fill next, or one that comes `ahead` rows later; null while there is
+ * no room for it. It has been filled. So many rows were lost before the one that is filled next;
+ * Limit: fewer than 2^31 in succession. No row follows. The number of the row that comes next,
+ * modulo 2^32. */
+void* discmc_row_ring_free_row(const discmc_row_ring* ring, uint32_t ahead);
+void discmc_row_ring_fill(discmc_row_ring* ring);
+void discmc_row_ring_lose(discmc_row_ring* ring, uint32_t rows);
+void discmc_row_ring_end(discmc_row_ring* ring);
+uint32_t discmc_row_ring_came(const discmc_row_ring* ring);
+
+/* The consumer's: what comes next. The bytes of that row, which may be changed in place. Goes on
+ * behind a row, or a lost one. The number of what comes next, and how many were lost before it. */
+uint8_t discmc_row_ring_next(const discmc_row_ring* ring);
+void* discmc_row_ring_row(const discmc_row_ring* ring);
+void discmc_row_ring_pass(discmc_row_ring* ring);
+uint32_t discmc_row_ring_passed(const discmc_row_ring* ring);
+uint32_t discmc_row_ring_lost(const discmc_row_ring* ring);
+
+/* How samples are packed: MIPI CSI-2's RAW10 and RAW12, and Mono10p to Mono12Packed of GenICam,
+ * byte for byte in packed_samples.hpp. */
+enum {
+  DISCMC_RAW10,
+  DISCMC_RAW12,
+  DISCMC_MONO10P,
+  DISCMC_MONO12P,
+  DISCMC_MONO10PMSB,
+  DISCMC_MONO12PMSB,
+  DISCMC_MONO12_PACKED
+};
+
+/* The bytes that discmc_unpack() reads for so many samples: whole groups. Limit: count <= 2^31. */
+uint32_t discmc_packed_bytes(uint8_t packing, uint32_t count);
+
+/* Unpacks a row, or a part of one that begins with a group. samples: room for count; it may begin
+ * where `packed` begins, and must not overlap it otherwise; Owner: the caller. Limit: packing is
+ * one of the above; of another nothing is written. */
+void discmc_unpack(uint8_t packing, const uint8_t* packed, uint32_t count, uint16_t* samples);
+
+/* Writes a bit a sample, on where sample >= threshold, eight a byte, the first in bit 0, as
+ * ..._push_bits() takes them (threshold_row.hpp): for thresholds that change from row to row. bits:
+ * room for count / 8 bytes, rounded up; Owner: the caller. stride: from one sample to the next. */
+void discmc_threshold_row_u8(const uint8_t* samples, uint32_t count, int32_t threshold,
+                             uint8_t* bits, uint32_t stride);
+void discmc_threshold_row_u16(const uint16_t* samples, uint32_t count, int32_t threshold,
+                              uint8_t* bits, uint32_t stride);
+void discmc_threshold_row_i16(const int16_t* samples, uint32_t count, int32_t threshold,
+                              uint8_t* bits, uint32_t stride);
+
+/* The same less an offset for each column: on where sample - offsets[x] >= threshold. */
+void discmc_threshold_row_less_u8(const uint8_t* samples, const int16_t* offsets, uint32_t count,
+                                  int32_t threshold, uint8_t* bits);
+void discmc_threshold_row_less_u16(const uint16_t* samples, const int16_t* offsets, uint32_t count,
+                                   int32_t threshold, uint8_t* bits);
+void discmc_threshold_row_less_i16(const int16_t* samples, const int16_t* offsets, uint32_t count,
+                                   int32_t threshold, uint8_t* bits);
+
+/* A part of what a sensor delivers (row_picker.hpp): of an axis `count` voxels, each `step` behind
+ * the one before; DISCMC_REST is as many as there are. */
+typedef struct discmc_picked_range {
+  uint32_t first, count, step;
+} discmc_picked_range;
+#define DISCMC_REST UINT32_MAX
+
+typedef struct discmc_row_picker {
+  uint64_t opaque[56 / 8];
+} discmc_row_picker;
+
+/* Begins a volume. axes: of x, y and z. Errors: DISCMC_BAD_LIMITS (of the slices that come; nothing
+ * is picked of an axis, or more than there is, or by a step of 0); then nothing has changed. */
+DISCMC_NODISCARD discmc_status discmc_row_picker_start(discmc_row_picker* picker,
+                                                       const discmc_limits* incoming,
+                                                       const discmc_picked_range* axes);
+
+/* The size of what is picked. Whether the next row that comes is picked, to be called once for
+ * each, lost ones too. Whether none that still comes is. */
+discmc_limits discmc_row_picker_limits(const discmc_row_picker* picker);
+uint8_t discmc_row_picker_next(discmc_row_picker* picker);
+uint8_t discmc_row_picker_is_done(const discmc_row_picker* picker);
+
+/* Of a row that is picked: its first sample, how many, and from one to the next. */
+uint32_t discmc_row_picker_first(const discmc_row_picker* picker);
+uint32_t discmc_row_picker_count(const discmc_row_picker* picker);
+uint32_t discmc_row_picker_step(const discmc_row_picker* picker);
+
+/* The same of a row of bits. picked: room for discmc_row_picker_count() / 8 bytes, rounded up; it
+ * may be `bits`. */
+void discmc_row_picker_pick_bits(const discmc_row_picker* picker, const uint8_t* bits,
+                                 uint8_t* picked);
+
+/* Blocks of samples become their mean (block_means.hpp). Use the functions of one type of sample
+ * with an object. */
+typedef struct discmc_block_means {
+  uint64_t opaque[(sizeof(void*) == 8 ? 80 : 72) / 8];
+} discmc_block_means;
+enum { DISCMC_MAX_BLOCK_EXTENT = 16 };
+
+/* The memory for blocks of `extent` samples each way, of so many bytes a sample. sizes.h has the
+ * same as a constant: DISCMC_BLOCK_MEANS_BYTES_FOR(). */
+uint64_t discmc_block_means_bytes_for(const discmc_limits* incoming, uint32_t extent,
+                                      uint32_t sample_bytes);
+
+/* Begins a volume. memory: at least discmc_block_means_bytes_for(); Owner: the caller, as long as
+ * this is in use. Limit: extent 1 to DISCMC_MAX_BLOCK_EXTENT. Errors: DISCMC_BAD_LIMITS,
+ * DISCMC_TOO_LITTLE_MEMORY; then it is not started. */
+DISCMC_NODISCARD discmc_status discmc_block_means_start_u8(discmc_block_means* means,
+                                                           const discmc_limits* incoming,
+                                                           uint32_t extent, discmc_memory memory);
+DISCMC_NODISCARD discmc_status discmc_block_means_start_u16(discmc_block_means* means,
+                                                            const discmc_limits* incoming,
+                                                            uint32_t extent, discmc_memory memory);
+DISCMC_NODISCARD discmc_status discmc_block_means_start_i16(discmc_block_means* means,
+                                                            const discmc_limits* incoming,
+                                                            uint32_t extent, discmc_memory memory);
+
+/* The size of what comes out. */
+discmc_limits discmc_block_means_limits(const discmc_block_means* means);
+
+/* Takes the next row, and returns the row of means that is complete with it, or null; Owner: this,
+ * until the next call. Then, after the last whole slice, the rows that are left, or null. */
+const uint8_t* discmc_block_means_push_u8(discmc_block_means* means, const uint8_t* samples);
+const uint16_t* discmc_block_means_push_u16(discmc_block_means* means, const uint16_t* samples);
+const int16_t* discmc_block_means_push_i16(discmc_block_means* means, const int16_t* samples);
+const uint8_t* discmc_block_means_drain_u8(discmc_block_means* means);
+const uint16_t* discmc_block_means_drain_u16(discmc_block_means* means);
+const int16_t* discmc_block_means_drain_i16(discmc_block_means* means);
+
+/* A voxel is on where most of the 3 x 3 x 3 around it are (majority_filter.hpp). */
+typedef struct discmc_majority_filter {
+  uint64_t opaque[(sizeof(void*) == 8 ? 64 : 48) / 8];
+} discmc_majority_filter;
+
+/* The memory of a filter. sizes.h has the same as a constant: DISCMC_MAJORITY_FILTER_BYTES_FOR().
+ */
+uint64_t discmc_majority_filter_bytes_for(const discmc_limits* limits);
+
+/* Begins a volume. memory: at least discmc_majority_filter_bytes_for(); Owner: the caller, as long
+ * as the filter is in use. Errors: DISCMC_BAD_LIMITS, DISCMC_TOO_LITTLE_MEMORY; then it is not
+ * started. */
+DISCMC_NODISCARD discmc_status discmc_majority_filter_start(discmc_majority_filter* filter,
+                                                            const discmc_limits* limits,
+                                                            discmc_memory memory);
+
+/* Takes the next row, eight voxels a byte, the first in bit 0. Returns the row that is due, a slice
+ * and a row later, or null; Owner: the filter, until the next call. Then, after the last whole
+ * slice, the rows that are left, or null. */
+const uint8_t* discmc_majority_filter_push(discmc_majority_filter* filter, const uint8_t* bits);
+const uint8_t* discmc_majority_filter_drain(discmc_majority_filter* filter);
 
 #ifdef __cplusplus
 }

@@ -4,7 +4,12 @@
 //
 //   limits.hpp            how large a scan may be
 //   capacities.hpp        what memory it takes
-//   majority_filter.hpp   bits without noise, before the extractor
+//   row_ring.hpp          rows from an interrupt to a task
+//   packed_samples.hpp    samples of 10 and 12 bits, unpacked
+//   row_picker.hpp        a part of what the sensor sees, or every Nth voxel of it
+//   block_means.hpp       fewer and larger voxels
+//   threshold_row.hpp     rows of bits, with a threshold for each row or column
+//   majority_filter.hpp   bits without noise
 //   row_input.hpp         what push() and skip_row() of all scanners have in common
 //   extractor.hpp         samples in, regions out: what firmware meets
 //     learning_extractor.hpp  the same for hosts, with memory to learn in; not included here
@@ -94,6 +99,7 @@
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 
+#include <discmc/block_means.hpp>
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
@@ -101,14 +107,18 @@
 #include <discmc/facet_table.hpp>
 #include <discmc/joiner.hpp>
 #include <discmc/majority_filter.hpp>
+#include <discmc/packed_samples.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
+#include <discmc/row_picker.hpp>
+#include <discmc/row_ring.hpp>
 #include <discmc/sample_window.hpp>
 #include <discmc/shared_output.hpp>
 #include <discmc/slab_range.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
+#include <discmc/threshold_row.hpp>
 #include <discmc/version.hpp>
 
 #endif

@@ -16,7 +16,7 @@ namespace discmc {
 ///
 ///   Extractor::start()       too_little_memory, or bad_sink of a sink that did not take the start:
 ///                            the scan before has ended, too
-///   MajorityFilter::start()  whichever: the filter is not started
+///   MajorityFilter::start(), BlockMeans::start()  whichever: it is not started
 ///   push() of decoders       wrong_version: nothing more of this stream comes
 ///   Joiner::finish()         too_little_memory: all has been done that can be
 ///   CheckpointStore          device_error: see each of its functions

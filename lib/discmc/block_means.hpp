@@ -1,0 +1,86 @@
+// Fewer and larger voxels: blocks of N x N x N samples become their mean, as `discmc extract
+// --shrink N` makes it, voxel for voxel. Noise falls by the square root of the samples of a block.
+//
+//   means.start(incoming, 2, memory);
+//   extractor.start(means.limits(), ...);
+//   for each row: if (const Sample* row = means.push(samples)) extractor.push(row,
+//   means.limits().width); while (const Sample* row = means.drain()) extractor.push(row, ...);
+//
+// The last blocks along an axis are made of the voxels that are left. Samples of 0 and 1 give a
+// majority: 1 where at least half of a block is.
+#ifndef DISCMC_BLOCK_MEANS_HPP
+#define DISCMC_BLOCK_MEANS_HPP
+
+#include <discmc/arena.hpp>
+#include <discmc/limits.hpp>
+#include <discmc/row_input.hpp>
+
+namespace discmc {
+
+/// Rows of samples in, rows of means out. Sample is uint8_t, uint16_t or int16_t. It is neither
+/// copied nor moved: two would write to the same memory.
+template <class Sample>
+class BlockMeans {
+  static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
+
+ public:
+  static constexpr uint32_t max_extent = 16;  ///< of a block
+
+  BlockMeans() = default;
+  BlockMeans(const BlockMeans&) = delete;
+  BlockMeans& operator=(const BlockMeans&) = delete;
+
+  /// The memory that start() takes: the sums of one slice, and a row of means. Units: bytes.
+  static constexpr uint64_t bytes_for(const Limits& incoming, uint32_t extent) {
+    const uint32_t width = blocks(incoming.width, extent);
+    return Arena::bytes_of(width * blocks(incoming.height, extent), sizeof(uint32_t)) +
+           Arena::bytes_of(width, sizeof(Sample)) + Arena::alignment - 1;
+  }
+
+  /// Begins a volume. incoming: the size of the slices that come; its border is that of limits(),
+  /// and the slab is left out. extent: of a block, in voxels each way; Limit: 1 to max_extent.
+  /// memory: at least bytes_for(incoming, extent); Owner: the caller, as long as this is in use.
+  /// Errors: bad_limits, too_little_memory; then it is not started. Cost: a write a block of a
+  /// slice.
+  [[nodiscard]] Status start(const Limits& incoming, uint32_t extent, Memory memory);
+
+  /// The size of what comes out: for the extractor.
+  Limits limits() const { return limits_; }
+
+  /// Takes the next row, incoming.width samples. Returns the row of means that is complete with
+  /// it, or null; Owner: this, until the next call. Limit: started, before drain(). Cost: an
+  /// addition a sample, and a division of 32 bits a block.
+  const Sample* push(const Sample* samples);
+
+  /// Returns the next of the rows that are left when the last slice was pushed, or null when there
+  /// are no more; Owner: as of push(). Limit: started, and whole slices.
+  const Sample* drain();
+
+ private:
+  static constexpr uint32_t blocks(uint32_t voxels, uint32_t extent) {
+    return (voxels + extent - 1) / extent;
+  }
+  // Samples are added as they are above the least, which is never negative.
+  static constexpr int32_t least = Sample(-1) < 0 ? -32768 : 0;
+
+  uint32_t size_of(uint32_t block, uint32_t extent) const;
+  const Sample* next_row(uint32_t slices);
+
+  Limits limits_{};
+  Limits incoming_{};
+  uint32_t extent_ = 1;
+  uint32_t* sums_ = nullptr;  // of a slice of blocks
+  Sample* means_ = nullptr;   // of a row of blocks
+  uint32_t row_ = 0;          // that comes next, in its slice
+  uint32_t slice_ = 0;        // in its layer of blocks
+  uint32_t row_in_block_ = 0;
+  uint32_t block_ = 0;  // the row of blocks that comes next, of sums or of means
+};
+
+extern template class BlockMeans<uint8_t>;
+extern template class BlockMeans<uint16_t>;
+extern template class BlockMeans<int16_t>;
+
+}  // namespace discmc
+
+#endif
