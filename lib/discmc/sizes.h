@@ -59,7 +59,6 @@
    DISCMC_FIXED_BYTES_OF_INDEX_(width, height, UINT64_C(4)) + \
    DISCMC_MINIMUM_RECORDS_ * DISCMC_LARGE_RECORD_BYTES_)
 
-<<<<<<< HEAD
 /* The same as of a discmc_extractor for one that makes normals, of samples of 1 or 2 bytes, and for
  * one that learns. Kinds of normal extractors for hosts have functions alone. */
 #define DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(width, height, sample_bytes) \
@@ -87,7 +86,7 @@
 /* The bytes that a sample window takes, for samples of 1 or 2 bytes. */
 #define DISCMC_SAMPLE_WINDOW_BYTES_FOR(width, height, sample_bytes) \
   (DISCMC_SAMPLE_ROW_BYTES_(width, UINT64_C(4) * (height), sample_bytes) + 3)
-=======
+
 /* The front end: a ring of rows, a majority filter, and means of blocks of `extent` samples each
  * way. */
 #define DISCMC_ROW_RING_BYTES_FOR(row_bytes, rows) \
@@ -97,7 +96,6 @@
 #define DISCMC_BLOCK_MEANS_BYTES_FOR(width, height, extent, sample_bytes)         \
   (UINT64_C(4) * DISCMC_BLOCKS_(width, extent) * DISCMC_BLOCKS_(height, extent) + \
    (DISCMC_BLOCKS_(width, extent) * UINT64_C(1) * (sample_bytes) + 3) / 4 * 4 + 3)
->>>>>>> 7e50f12 (Stages between the sensor and the extractor: a ring of rows, unpacking, picking, means of blocks, thresholds by row)
 
 /* ---- how they come about ---- */
 

@@ -28,6 +28,10 @@ uint8_t some_learning[DISCMC_LEARNING_EXTRACTOR_BYTES_FOR(64, 48, 101)];
 static const discmc_capacities learning_split =
     DISCMC_LEARNING_EXTRACTOR_DEFAULT_CAPACITIES(64, 48, 3000000);
 
+uint8_t row_ring[DISCMC_ROW_RING_BYTES_FOR(37, 5)];
+uint8_t majority_filter[DISCMC_MAJORITY_FILTER_BYTES_FOR(64, 48)];
+uint8_t block_means[DISCMC_BLOCK_MEANS_BYTES_FOR(64, 48, 3, 2)];
+
 static int are_equal(discmc_capacities a, discmc_capacities b) {
   return a.records == b.records && a.holes == b.holes;
 }
@@ -57,5 +61,8 @@ int main(void) {
   if (sizeof some_learning != discmc_learning_extractor_bytes_for(&limits, &some)) return 17;
   if (!are_equal(learning_split, discmc_learning_extractor_default_capacities(&limits, 3000000)))
     return 18;
+  if (sizeof row_ring != discmc_row_ring_bytes_for(37, 5)) return 19;
+  if (sizeof majority_filter != discmc_majority_filter_bytes_for(&limits)) return 20;
+  if (sizeof block_means != discmc_block_means_bytes_for(&limits, 3, 2)) return 21;
   return 0;
 }
