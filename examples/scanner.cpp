@@ -5,54 +5,35 @@
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
+#include <discmc/row_ring.hpp>
 #include <scan.hpp>
 
 using namespace discmc;
 
 namespace {
 
-struct Row {
-  uint32_t number;
-  scan::Sample samples[scan::limits.width];
-};
-
-// Two halves of a buffer: the interrupt fills them in turn, the main loop empties them in the same
-// order. Each side writes a counter of its own and reads the other's, which is all that one
-// producer and one consumer need, and loads and stores are all that every processor can do.
-Row halves[2];
-uint32_t filled = 0;   // written by the interrupt
-uint32_t emptied = 0;  // written by the main loop
-
-// The end of the scan, written by the interrupt; the counts are valid once `ended` is set.
-bool ended = false;
-bool broken_off = false;
-uint32_t row_count = 0;
-
-// What was written before a release is seen by whoever acquires what it wrote.
-template <class T>
-T acquire(const T& variable) {
-  return __atomic_load_n(&variable, __ATOMIC_ACQUIRE);
-}
-template <class T>
-void release(T& variable, T value) {
-  __atomic_store_n(&variable, value, __ATOMIC_RELEASE);
-}
+// The interrupt fills rows, the main loop empties them. More of them help with bursts.
+constexpr uint32_t rows_held = 2;
+constexpr uint32_t row_bytes = scan::limits.width * sizeof(scan::Sample);
+uint8_t row_memory[RowRing::bytes_for(row_bytes, rows_held)];
+RowRing ring;
+bool broken_off = false;  // valid once the ring has ended
 
 }  // namespace
 
-void* rows::free_half() {
-  return filled - acquire(emptied) < 2 ? halves[filled % 2].samples : nullptr;
+void* rows::free_row() {
+  return ring.free_row();
 }
 
-void rows::half_is_full(uint32_t number) {
-  halves[filled % 2].number = number;
-  release(filled, filled + 1);
+void rows::row_is_full(uint32_t number) {
+  ring.lose(number - ring.came());
+  ring.fill();
 }
 
 void rows::end_of_scan(uint32_t count, bool was_broken_off) {
-  row_count = count;
+  ring.lose(count - ring.came());
   broken_off = was_broken_off;
-  release(ended, true);
+  ring.end();
 }
 
 namespace {
@@ -63,10 +44,9 @@ static_assert(sizeof arena >= minimum_bytes<uint16_t>(scan::limits), "see arena_
 constexpr Capacities capacities = default_capacities<uint16_t>(scan::limits, sizeof arena);
 Extractor16 extractor;
 Encoder encoder;
-uint32_t next_row = 0;
 
 // Sees a call to the library through. While the UART is busy there is nothing else to do: rows that
-// come meanwhile go to the halves, by interrupt.
+// come meanwhile go to the ring, by interrupt.
 bool succeeds(Status status) {
   while (status == Status::more) {
     board::wait();
@@ -90,35 +70,34 @@ bool start() {
                                   sink_to(encoder)));
 }
 
-// Stands in for rows that were lost, up to the one with this number.
-bool skip_to(uint32_t number) {
-  while (next_row < number) {
-    if (!succeeds(extractor.skip_row(Substitute::previous_row).status)) return false;
-    ++next_row;
-  }
-  return true;
-}
-
-bool take(const Row& row) {
-  if (!skip_to(row.number)) return false;
-  const Status status = extractor.push(row.samples, scan::limits.width).status;
-  ++next_row;
-  release(emptied, emptied + 1);  // before the UART is waited for: the next row needs the half
-  board::half_is_free();
+bool take_row() {
+  const auto* const samples = static_cast<const scan::Sample*>(ring.row());
+  const Status status = extractor.push(samples, scan::limits.width).status;
+  ring.pass();  // before the UART is waited for: the next row needs the room
+  board::row_is_free();
   return succeeds(status);
 }
 
+// Stands in for a row that was lost.
+bool skip_row() {
+  ring.pass();
+  return succeeds(extractor.skip_row(Substitute::previous_row).status);
+}
+
 bool take_all_rows() {
-  for (;;) {
-    const bool was_last = acquire(ended);  // before the halves: a row may come in between
-    if (acquire(filled) != emptied) {
-      if (!take(halves[emptied % 2])) return false;
-    } else if (was_last) {
-      return skip_to(row_count);
-    } else {
-      board::wait();
+  for (;;) switch (ring.next()) {
+      case RowRing::Next::row:
+        if (!take_row()) return false;
+        break;
+      case RowRing::Next::lost:
+        if (!skip_row()) return false;
+        break;
+      case RowRing::Next::nothing:
+        board::wait();
+        break;
+      case RowRing::Next::end:
+        return true;
     }
-  }
 }
 
 // A scan that ends within a slice, or was broken off, still leaves a closed surface behind.
@@ -141,8 +120,9 @@ void report() {
 }  // namespace
 
 int main() {
+  const bool has_room = ring.start(row_bytes, rows_held, memory_of(row_memory)) == Status::ok;
   board::start();
-  const bool succeeded = start() && take_all_rows() && end();
+  const bool succeeded = has_room && start() && take_all_rows() && end();
   report();
   board::stop(succeeded);
 }

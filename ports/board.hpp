@@ -1,6 +1,6 @@
 // What the scanner application (examples/scanner.cpp) and a board ask of each other.
 //
-// The board fills two halves of a buffer in turn, as a DMA controller would, and says so from its
+// The board fills rows of the application's ring, as a DMA controller would, and says so from its
 // interrupt; the application empties them in its main loop and gives the stream to the UART. The
 // application calls `board`, the board's interrupts call `rows`. README.md tells how a port is
 // made.
@@ -15,8 +15,8 @@ namespace board {
 /// Starts the UART and the source of rows. The first row may come at once.
 void start();
 
-/// Tells the source that a half of the buffer is free again.
-void half_is_free();
+/// Tells the source that a row of the ring is free again.
+void row_is_free();
 
 /// Sleeps until an interrupt has come since the last call; returning early is harmless.
 void wait();
@@ -36,13 +36,12 @@ void report(const char* name, uint32_t value);
 // To be called from interrupts that do not interrupt each other.
 namespace rows {
 
-/// The half to fill next, room for one row of samples; null while both are full: a row that comes
-/// now is lost.
-void* free_half();
+/// The row to fill next; null while all are full: a row that comes now is lost.
+void* free_row();
 
-/// The half given last holds row `number` of the scan, counted over all slices from 0. Numbers
+/// The row given last holds row `number` of the scan, counted over all slices from 0. Numbers
 /// rise; those left out are rows that were lost.
-void half_is_full(uint32_t number);
+void row_is_full(uint32_t number);
 
 /// No row follows: the scan had `count` rows, or was broken off after so many.
 void end_of_scan(uint32_t count, bool broken_off);

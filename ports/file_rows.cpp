@@ -23,19 +23,19 @@ void source::start() {
   cpu::request_rows();
 }
 
-void board::half_is_free() {
+void board::row_is_free() {
   cpu::request_rows();
 }
 
 void source::on_request() {
   constexpr uint32_t all_rows = scan::limits.height * scan::depth;
   while (!ended) {
-    void* half = rows::free_half();
-    if (half == nullptr) return;
+    void* row = rows::free_row();
+    if (row == nullptr) return;
     const bool is_wanted = file >= 0 && next_row < all_rows;
-    const size_t bytes = is_wanted ? semihosting::read(file, half, row_bytes) : 0;
+    const size_t bytes = is_wanted ? semihosting::read(file, row, row_bytes) : 0;
     if (bytes == row_bytes) {
-      rows::half_is_full(next_row++);
+      rows::row_is_full(next_row++);
     } else {
       ended = true;
       rows::end_of_scan(next_row, file < 0 || bytes > 0);  // a part of a row is no row

@@ -48,7 +48,7 @@ void on_interrupt();
 }  // namespace uart
 
 /// Where the rows come from: file_rows.cpp, or a driver of your own. It calls `rows` (board.hpp),
-/// and only from its two interrupts; it is also what defines board::half_is_free().
+/// and only from its two interrupts; it is also what defines board::row_is_free().
 namespace source {
 
 void start();

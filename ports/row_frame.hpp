@@ -19,9 +19,9 @@ enum class Kind : uint8_t {
 /// What a device answers.
 enum class Answer : uint8_t {
   restarted = 'R',  ///< it runs from its beginning, and waits for a start
-  ready = 'S',      ///< it has taken the start; both halves of its buffer are free
+  ready = 'S',      ///< it has taken the start; there is room for two rows
   refused = '?',    ///< it scans already, or rows of another size
-  taken = '+',      ///< a row has left its half of the buffer
+  taken = '+',      ///< a row has left its place in the buffer
   dropped = '-',    ///< a frame was of no use: damaged, out of order, or without room
 };
 

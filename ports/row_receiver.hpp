@@ -12,7 +12,7 @@ class RowReceiver {
     nothing,
     start,       ///< a scan begins
     refused,     ///< a start while a scan goes on, or for rows of another size
-    row,         ///< the half holds row number(), which is higher than the one before
+    row,         ///< the row has come that is number(), which is higher than the one before
     end,         ///< no row follows: there were number()
     broken_off,  ///< no row follows, against the plan: there were number()
     dropped,     ///< a frame was of no use
@@ -21,15 +21,15 @@ class RowReceiver {
   /// row_bytes: Limit: row_frame::max_samples.
   explicit constexpr RowReceiver(size_t row_bytes) : row_bytes_(row_bytes) {}
 
-  /// Takes a byte from the line. half: where the samples of a row go, room for row_bytes; null when
+  /// Takes a byte from the line. row: where the samples of a row go, room for row_bytes; null when
   /// there is none. It may come to be null or not at any byte, but while it is there it is the same
   /// one until a row is in it.
-  Event take(uint8_t byte, void* half) {
+  Event take(uint8_t byte, void* row) {
     switch (reader_.take(byte)) {
       case row_frame::Reader::Event::nothing:
         break;
       case row_frame::Reader::Event::byte:
-        store(reader_.plain(), static_cast<uint8_t*>(half));
+        store(reader_.plain(), static_cast<uint8_t*>(row));
         break;
       case row_frame::Reader::Event::whole:
         return end_frame(has_its_length());
@@ -44,7 +44,7 @@ class RowReceiver {
  private:
   using Kind = row_frame::Kind;
 
-  void store(uint8_t byte, uint8_t* half) {
+  void store(uint8_t byte, uint8_t* row) {
     const size_t place = count_++;
     if (place == 0) {
       kind_ = static_cast<Kind>(byte);
@@ -53,10 +53,10 @@ class RowReceiver {
     } else if (place < row_frame::head_bytes) {
       number_ |= uint32_t{byte} << 8 * (place - 1);
     } else if (kind_ == Kind::row && place - row_frame::head_bytes < row_bytes_) {
-      if (half == nullptr)
+      if (row == nullptr)
         had_room_ = false;
       else
-        half[place - row_frame::head_bytes] = byte;
+        row[place - row_frame::head_bytes] = byte;
     }
   }
 

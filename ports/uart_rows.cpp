@@ -54,7 +54,7 @@ void answer_host() {
 }
 
 void receive(uint8_t byte) {
-  switch (receiver.take(byte, rows::free_half())) {
+  switch (receiver.take(byte, rows::free_row())) {
     case RowReceiver::Event::nothing:
       break;
     case RowReceiver::Event::start:
@@ -64,7 +64,7 @@ void receive(uint8_t byte) {
       start_is_refused = true;
       break;
     case RowReceiver::Event::row:
-      rows::half_is_full(receiver.number());
+      rows::row_is_full(receiver.number());
       break;
     case RowReceiver::Event::end:
       rows::end_of_scan(receiver.number(), false);
@@ -88,7 +88,7 @@ void source::start() {
   cpu::enable_interrupt(hardware::rows_receive_interrupt);
 }
 
-void board::half_is_free() {
+void board::row_is_free() {
   __atomic_store_n(&rows_emptied, rows_emptied + 1, __ATOMIC_RELAXED);
   cpu::request_rows();
 }

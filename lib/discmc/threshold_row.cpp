@@ -2,6 +2,8 @@
 #include <discmc/trace/threshold.hpp>
 #include <discmc/trace/vector_threshold.hpp>
 
+#include <stddef.h>
+
 namespace discmc {
 namespace {
 

@@ -102,6 +102,62 @@ bool finish_filtered(Extractor16& extractor) {
   return extractor.finish() == Status::ok;
 }
 
+// Of docs/front-end.md.
+constexpr uint32_t pixels = 640, rows_held = 4;
+alignas(32) uint8_t row_memory[RowRing::bytes_for(pixels * sizeof(uint16_t), rows_held)];
+RowRing ring;
+
+// The interrupt of the DMA controller: a row has come. Returns where the next one goes.
+void* on_row() {
+  if (ring.free_row(1) != nullptr)
+    ring.fill();
+  else
+    ring.lose();  // there is no room behind it: the next one overwrites it
+  return ring.free_row();
+}
+
+// The task. False: nothing has come, so sleep until the interrupt has.
+bool take_row(Extractor16& extractor, Status& status) {
+  switch (ring.next()) {
+    case RowRing::Next::nothing:
+      return false;
+    case RowRing::Next::row: {
+      auto* const samples = static_cast<uint16_t*>(ring.row());
+      unpack(Packing::raw10, static_cast<const uint8_t*>(ring.row()), pixels, samples);
+      status = extractor.push(samples, pixels).status;
+      break;
+    }
+    case RowRing::Next::lost:
+      status = extractor.skip_row(Substitute::previous_row).status;
+      break;
+    case RowRing::Next::end:
+      status = extractor.finish();
+      return true;
+  }
+  ring.pass();
+  return true;
+}
+
+RowPicker picker;
+
+bool start_part(Extractor16& extractor, const Memory& memory, const Sink& sink) {
+  const PickedRange x{4, 24}, y{0, PickedRange::rest}, z{0, PickedRange::rest, 2};
+  return picker.start(limits, x, y, z) == Status::ok &&
+         extractor.start(picker.limits(), threshold, memory, sink) == Status::ok;
+}
+
+Status push_part(Extractor16& extractor, const uint8_t* row) {
+  if (!picker.next()) return Status::ok;  // not of the part
+  return extractor.push(row + picker.first(), picker.count(), picker.step()).status;
+}
+
+Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t threshold_of_row) {
+  static uint8_t bits[size / 8];
+  threshold_row(row, size, threshold_of_row,
+                bits);  // or threshold_row_less(), with offsets of columns
+  return extractor.push_bits(bits).status;
+}
+
 // Of docs/power-failure.md.
 constexpr FlashGeometry flash_geometry{256, 4096, 32};  // pages, sectors, and how many of them
 
@@ -181,6 +237,64 @@ TEST_CASE("the guide's filter takes away most of what noise adds to the stream")
   const size_t clean = stream_of({}).size();
   noisy.random.seed(1);
   CHECK(bytes.size() - clean < (stream_of(noisy).size() - clean) / 2);
+}
+
+TEST_CASE(
+    "the guide's task pushes the rows that the guide's interrupt brings, and skips the lost ones") {
+  REQUIRE(ring.start(pixels * sizeof(uint16_t), rows_held, memory_of(row_memory)) == Status::ok);
+  constexpr Limits row_limits{pixels, 1};
+  static uint8_t memory[minimum_bytes<uint16_t>(row_limits) + 16 * 1024];
+  Bytes bytes;
+  Encoder encoder;
+  Extractor16 extractor;
+  REQUIRE(encoder.start({}, {&bytes, append}) == Status::ok);
+  REQUIRE(extractor.start(row_limits, 512, memory_of(memory), sink_to(encoder)) == Status::ok);
+  Status status = Status::ok;
+  CHECK_FALSE(take_row(extractor, status));
+  void* place = ring.free_row();
+  for (int row = 0; row < 6; ++row) {
+    memset(place, row < 3 ? 0xFF : 0, packed_bytes(Packing::raw10, pixels));
+    place = on_row();
+  }
+  // One place is always that of the row that comes.
+  while (take_row(extractor, status)) REQUIRE(status == Status::ok);
+  CHECK(extractor.slices() == 6);
+  CHECK(ring.lost() == 3);
+  ring.end();
+  CHECK(take_row(extractor, status));
+  CHECK(status == Status::ok);
+  CHECK(extractor.statistics().skipped_rows == 3);
+}
+
+TEST_CASE("the guide's part of a volume, and its threshold for each row") {
+  static uint8_t memory[minimum_bytes<uint16_t>(limits) + 16 * 1024];
+  Bytes bytes;
+  Encoder encoder;
+  Extractor16 extractor;
+  REQUIRE(encoder.start({}, {&bytes, append}) == Status::ok);
+  REQUIRE(start_part(extractor, memory_of(memory), sink_to(encoder)));
+  CHECK(extractor.limits().width == 24);
+  Ball ball;
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(push_part(extractor, ball.scan(i)) == Status::ok);
+  CHECK(extractor.slices() == size / 2);
+  REQUIRE(extractor.finish() == Status::ok);
+
+  // A lamp that grows brighter, and a threshold that follows it.
+  bytes.clear();
+  Device device;
+  REQUIRE(begin(device, {&bytes, append}));
+  for (uint32_t i = 0; i < size * size; ++i) {
+    const uint8_t* const row = ball.scan(i);
+    uint8_t brighter[size];
+    const uint32_t drift = i / 64;
+    for (uint32_t x = 0; x < size; ++x)
+      brighter[x] = static_cast<uint8_t>(std::min<uint32_t>(row[x] + drift, 255));
+    REQUIRE(push_levelled(device.extractor, brighter, threshold + static_cast<int32_t>(drift)) ==
+            Status::ok);
+  }
+  REQUIRE(device.extractor.finish() == Status::ok);
+  CHECK(bytes == stream_of(ball));
 }
 
 TEST_CASE("after the guide's restore the stream goes on as if the power had never failed") {
