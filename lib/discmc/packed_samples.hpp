@@ -70,8 +70,8 @@ void mono12_packed(const uint8_t* packed, uint32_t count, uint16_t* samples);
 
 /// Unpacks a row, or a part of one that begins with a group. samples: room for count; it may begin
 /// where `packed` begins, so that a row is unpacked in place, and must not overlap it otherwise.
-/// Owner: the caller. Where the packing is a constant the code of the others is not linked. Cost:
-/// some six instructions a sample.
+/// Owner: the caller. Where the packing is a constant the code of the others is not linked. Cost: 7
+/// to 12 instructions a sample on a Cortex-M4, 11 to 14 on a Cortex-M0+.
 inline void unpack(Packing packing, const uint8_t* packed, uint32_t count, uint16_t* samples) {
   switch (packing) {
     case Packing::raw10:

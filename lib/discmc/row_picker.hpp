@@ -57,7 +57,7 @@ class RowPicker {
   uint32_t step() const { return step_; }
 
   /// The same of a row of bits, eight voxels a byte, the first in bit 0. picked: room for
-  /// count() / 8 bytes, rounded up; it may be `bits`. Owner: the caller. Cost: some ten
+  /// count() / 8 bytes, rounded up; it may be `bits`. Owner: the caller. Cost: some 14
   /// instructions a voxel that is picked.
   void pick_bits(const uint8_t* bits, uint8_t* picked) const;
 

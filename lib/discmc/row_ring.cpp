@@ -2,20 +2,6 @@
 
 namespace discmc {
 
-Status RowRing::start(uint32_t row_bytes, uint32_t rows, Memory memory) {
-  const uint64_t bytes = bytes_for(row_bytes, rows);
-  if (row_bytes == 0 || rows == 0 || bytes > UINT32_MAX) return Status::bad_capacities;
-  if (memory.data == nullptr || memory.bytes < bytes) return Status::too_little_memory;
-  Arena arena(memory);
-  row_bytes_ = static_cast<uint32_t>(Arena::bytes_of(1, row_bytes));
-  rows_ = arena.take<uint8_t>(row_bytes_ * rows);
-  numbers_ = arena.take<uint32_t>(rows);
-  room_ = rows;
-  filled_ = came_ = ended_ = fill_place_ = 0;
-  emptied_ = passed_ = empty_place_ = 0;
-  return Status::ok;
-}
-
 void* RowRing::free_row(uint32_t ahead) const {
   if (ahead >= room_ || filled_ - load_acquire(emptied_) >= room_ - ahead) return nullptr;
   const uint32_t left = room_ - fill_place_;

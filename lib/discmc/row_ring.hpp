@@ -50,7 +50,20 @@ class RowRing {
   /// is a multiple of one. memory: at least bytes_for(row_bytes, rows); Owner: the caller, for as
   /// long as the ring is in use. Limit: neither side is at work. Errors: bad_capacities (no rows,
   /// empty ones, or 4 GiB of them), too_little_memory; then nothing has changed.
-  [[nodiscard]] Status start(uint32_t row_bytes, uint32_t rows, Memory memory);
+  [[nodiscard]] Status start(uint32_t row_bytes, uint32_t rows, Memory memory) {
+    // Here, where sizes may be constants: then little is left of it.
+    const uint64_t bytes = bytes_for(row_bytes, rows);
+    if (row_bytes == 0 || rows == 0 || bytes > UINT32_MAX) return Status::bad_capacities;
+    if (memory.data == nullptr || memory.bytes < bytes) return Status::too_little_memory;
+    Arena arena(memory);
+    row_bytes_ = static_cast<uint32_t>(Arena::bytes_of(1, row_bytes));
+    rows_ = arena.take<uint8_t>(row_bytes_ * rows);
+    numbers_ = arena.take<uint32_t>(rows);
+    room_ = rows;
+    filled_ = came_ = ended_ = fill_place_ = 0;
+    emptied_ = passed_ = empty_place_ = 0;
+    return Status::ok;
+  }
 
   // ---- the producer: an interrupt, or several that do not interrupt each other ----
 

@@ -1,6 +1,9 @@
 // Parts of volumes, and volumes of fewer voxels: their samples, and where they lie.
 #include <doctest/doctest.h>
 
+#include <discmc/block_means.hpp>
+#include <discmc/row_picker.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -217,6 +220,36 @@ TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of 
       for (std::size_t i = 0; i < found.size(); ++i)
         CHECK(found[i] == doctest::Approx(expected[i]).epsilon(1e-7));
     }
+}
+
+// The voxels of the same volume that a device takes.
+TEST_CASE("a device that picks or takes means has the voxels of --crop and --shrink") {
+  using namespace discmc;
+  const Folder folder;
+  const auto file = folder.write("v.raw", stored(SampleType::i16));
+  const auto whole = read_all(*open_volume(file, options_of(SampleType::i16)));
+  const std::vector<std::int16_t> samples(whole.begin(), whole.end());
+  const Limits limits{dims[0], dims[1]};
+
+  RowPicker picker;
+  REQUIRE(picker.start(limits, {1, 3}, {1}, {0, 3}) == Status::ok);
+  std::vector<double> part;
+  for (auto row = samples.begin(); row != samples.end(); row += dims[0])
+    if (picker.next()) part.insert(part.end(), row + picker.first(), row + picker.first() + 3);
+  CHECK(part == read_all(*open_volume(file, with_crop(options_of(SampleType::i16), middle))));
+
+  for (const std::uint32_t extent : {2U, 3U}) {
+    std::vector<std::uint8_t> memory(BlockMeans<std::int16_t>::bytes_for(limits, extent));
+    BlockMeans<std::int16_t> means;
+    REQUIRE(means.start(limits, extent, {memory.data(), memory.size()}) == Status::ok);
+    const std::uint32_t width = means.limits().width;
+    std::vector<double> blocks;
+    for (std::size_t at = 0; at < samples.size(); at += dims[0])
+      if (const std::int16_t* row = means.push(&samples[at]))
+        blocks.insert(blocks.end(), row, row + width);
+    while (const std::int16_t* row = means.drain()) blocks.insert(blocks.end(), row, row + width);
+    CHECK(blocks == read_all(*open_volume(file, with_shrink(options_of(SampleType::i16), extent))));
+  }
 }
 
 TEST_CASE("means of whole numbers are exact, and a half goes to the greater one") {

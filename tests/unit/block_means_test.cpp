@@ -1,5 +1,5 @@
 // Means of blocks beside those added voxel by voxel; that they are those of `discmc extract
-// --shrink` is in command/part_command.
+// --shrink` is in command/volume_part.
 #include <discmc/block_means.hpp>
 
 #include <doctest/doctest.h>
