@@ -168,7 +168,6 @@ const Names internal_headers = {
     "compiler.hpp",
     "checkpoint.hpp",        // save and restore do it
     "gradient_normals.hpp",  // an extractor does it
-    "majority_filter.hpp",   // left to C++
     "c_extractors.hpp",
     "c_sink.hpp",
     "c_values.hpp",
@@ -178,6 +177,7 @@ const Names internal_headers = {
 /// they have, or why they have none.
 const std::map<std::string, std::string> others = {
     {"OctahedralNormal::is_none", "both bytes are zero"},
+    {"PickedRange::count_of", "start works it out"},
     {"PlaneSide::meets_ray", "discmc_meets_ray"},
     {"Run::code", "a run is its code"},
     {"Run::from_code", "a run is its code"},
@@ -204,6 +204,7 @@ const std::map<std::string, std::string> others = {
     {"dot", "arithmetic on members"},
     {"face_of", "comparisons of members"},
     {"facet_of", "a shift"},
+    {"group_of", "discmc_packed_bytes"},
     {"is_valid", "discmc_capacities_is_valid"},
     {"move", "discmc_after_run"},
     {"octahedral_normal", "discmc_octahedral_normal_along"},
