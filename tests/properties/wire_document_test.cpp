@@ -155,8 +155,8 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume, and give 
   surfaces.clear();
   surfaces.begin_key_slice();
   std::vector<std::string> trace;
-  const RangeDecoder code_bit(packet.payload.data() + wire::key_slice_head,
-                              packet.payload.size() - wire::key_slice_head);
+  const RangeDecoder code(packet.payload.data() + wire::key_slice_head,
+                          packet.payload.size() - wire::key_slice_head);
   TracingRowReader reader{{code}, &surfaces.note(), &trace};
   Bytes on;
   for (uint32_t row = 0; row < 6; ++row) {
