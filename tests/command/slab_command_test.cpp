@@ -184,6 +184,8 @@ TEST_CASE("streams that do not belong together are not joined, and nothing is wr
   refused("part1.dmc other.dmc", "at threshold 51, and part1.dmc of");
   refused("part1.dmc slices.dmc", "slices.dmc: the slices 0 to 2 are there already");
   refused("part1.dmc v.raw", "v.raw");
+  workshop.done(volume + "--iso 20 -o two.dmc");
+  refused("two.dmc", "channel 1 (threshold 20), and one surface is joined");
 }
 
 TEST_CASE("a slab that there is not is refused, with what to give") {
@@ -197,6 +199,7 @@ TEST_CASE("a slab that there is not is refused, with what to give") {
   };
   for (const std::string slab : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/0", "1/3x", "-1/3"})
     refused("--slab=" + slab + " -o s.dmc", 2, "as in 2/7");
+  refused("--slab 1/3 --iso 20 -o s.dmc", 2, "give one --iso");
   refused("--slab 1/10 -o s.dmc", 1, "the volume has 9 slices");
   refused("--slab 1/2 -o s.stl", 2, "give -o FILE.dmc");
   refused("--slab 1/2 --wire slices -o s.dmc", 2, "without --wire slices");

@@ -140,6 +140,10 @@ void check_slab(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--slab",
                                "what crosses its seams is joined by discmc join, from streams of "
                                "regions: give -o FILE.dmc, without --wire slices");
+  if (arguments.reading.selections.size() > 1)
+    throw CLI::ValidationError("--slab",
+                               "discmc join takes one surface of each stream: give one --iso, "
+                               "--range or --label, and the others in runs of their own");
   if (arguments.normals == Normals::gradient)
     throw CLI::ValidationError("--slab",
                                "the gradient at its seams would not be that of the whole volume: "

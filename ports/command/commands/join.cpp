@@ -50,6 +50,7 @@ class Join {
                                     require(static_cast<Join*>(self)->encoder_.append(packet));
                                   }});
     read_file(path, reader);
+    require_one_surface(path, reader);
     if (is_begun_ && !has_range_ && depth_ > 0) add_range({0, depth_, depth_});
     return completeness(path, reader.report());
   }

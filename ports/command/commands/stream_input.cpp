@@ -149,6 +149,13 @@ void note_others(const std::string& path, const StreamChoice& choice, const Stre
             << ": choose with --scan N and --channel N\n";
 }
 
+void require_one_surface(const std::string& path, const StreamReader& reader) {
+  const std::vector<std::string> surfaces = list_of_surfaces(reader);
+  if (surfaces.size() > 1)
+    throw std::runtime_error(path + ": it holds " + joined(surfaces) +
+                             ", and one surface is joined: give streams of one each");
+}
+
 DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
   return decoded_by([&](StreamReader& reader) { read_file(path, reader); }, path, choice);
 }

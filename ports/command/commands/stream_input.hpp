@@ -22,6 +22,9 @@ void read_file(const std::string& path, StreamReader& reader);
 /// Where there are several surfaces and none was asked for, the others are worth a word.
 void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader);
 
+/// Throws where there are several surfaces, in what takes one.
+void require_one_surface(const std::string& path, const StreamReader& reader);
+
 /// What a stream tells of its surface.
 struct DecodedStream {
   StreamHeader header;

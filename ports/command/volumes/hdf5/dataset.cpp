@@ -4,10 +4,16 @@
 #include <functional>
 #include <numeric>
 
+#include "sources.hpp"
 #include "volumes/volume_format.hpp"
 
 namespace discmc::host {
 namespace {
+
+// Errors are told here, not by the library, which has this setting for each thread.
+void be_silent() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Hdf5Handle type_of(const Hdf5Handle& dataset) {
   return {H5Dget_type(dataset.id()), H5Tclose};
@@ -48,6 +54,34 @@ std::optional<SampleType> sample_type_of(const Hdf5Handle& type) {
     default:
       return std::nullopt;
   }
+}
+
+// That of whole slots: the native type of the library is a smaller one where a file uses fewer
+// bits.
+hid_t memory_type_of(SampleType type) {
+  switch (type) {
+    case SampleType::u8:
+      return H5T_NATIVE_UINT8;
+    case SampleType::i8:
+      return H5T_NATIVE_INT8;
+    case SampleType::u16:
+      return H5T_NATIVE_UINT16;
+    case SampleType::i16:
+      return H5T_NATIVE_INT16;
+    case SampleType::u32:
+      return H5T_NATIVE_UINT32;
+    case SampleType::i32:
+      return H5T_NATIVE_INT32;
+    case SampleType::u64:
+      return H5T_NATIVE_UINT64;
+    case SampleType::i64:
+      return H5T_NATIVE_INT64;
+    case SampleType::f32:
+      return H5T_NATIVE_FLOAT;
+    case SampleType::f64:
+      return H5T_NATIVE_DOUBLE;
+  }
+  return H5I_INVALID_HID;
 }
 
 std::vector<hsize_t> sizes_of(const Hdf5Handle& dataset) {
@@ -96,7 +130,8 @@ std::uint64_t product(const std::vector<hsize_t>& factors) {
   return std::accumulate(factors.begin(), factors.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-// A cache for all chunks that a slice goes through.
+// A cache for all chunks that a slice goes through. Where these are as small as voxels, and more
+// than there is room to list, that of the library.
 Hdf5Handle cache_of_slice(const Hdf5Handle& dataset) {
   Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   const Hdf5Handle creation = creation_of(dataset);
@@ -108,6 +143,8 @@ Hdf5Handle cache_of_slice(const Hdf5Handle& dataset) {
   for (std::size_t axis = sizes.size() - 2; axis < sizes.size(); ++axis)
     counts[axis] = (sizes[axis] + chunk[axis] - 1) / chunk[axis];
   const std::uint64_t chunks = product(counts);
+  constexpr std::uint64_t most_chunks = std::uint64_t{1} << 20;
+  if (chunks > most_chunks) return access;
   const std::uint64_t bytes = chunks * product(chunk) * H5Tget_size(type_of(dataset).id());
   constexpr std::size_t slots_a_chunk = 10;  // so that few chunks want the same place
   H5Pset_chunk_cache(access.id(), slots_a_chunk * chunks + 1, bytes, 1.0);
@@ -128,7 +165,7 @@ Hdf5Handle open_dataset(const Hdf5Handle& file, const std::string& path) {
 }  // namespace
 
 Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are told here, not by the library
+  be_silent();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     fail(file, "there is no such file", "check the name");
@@ -154,17 +191,20 @@ std::vector<Hdf5Description> hdf5_datasets(const Hdf5Handle& file) {
 
 Hdf5Dataset::Hdf5Dataset(const std::filesystem::path& name, const Hdf5Handle& file,
                          const std::string& path)
-    : dataset_(open_dataset(file, path)), memory_type_(H5I_INVALID_HID, H5Tclose) {
+    : dataset_(open_dataset(file, path)) {
   if (!dataset_)
     fail(name, "there is no dataset " + shown(path) + " of two or more dimensions",
          "list them with h5ls -r");
   description_ = described(dataset_, path);
   if (!description_.type)
     fail(name, "the dataset holds other things than numbers", "give one of numbers");
-  memory_type_ = {H5Tget_native_type(type_of(dataset_).id(), H5T_DIR_ASCEND), H5Tclose};
   const Hdf5Handle creation = creation_of(dataset_);
   const H5D_layout_t layout = H5Pget_layout(creation.id());
   is_virtual_ = layout == H5D_VIRTUAL || H5Pget_external_count(creation.id()) > 0;
+  file_ = file_of(dataset_);
+  if (const auto missing = missing_source(dataset_))
+    fail(name, "it takes samples from the file " + shown(*missing) + ", which is not there",
+         "copy it to the folder of " + shown(file_.filename().string()));
   storage_ = filters_of(name, creation);
   if (storage_.empty())
     storage_ = is_virtual_ ? "virtual" : layout == H5D_CHUNKED ? "chunks" : "raw";
@@ -182,6 +222,7 @@ std::optional<std::array<double, 3>> Hdf5Dataset::element_size_um() const {
 }
 
 bool Hdf5Dataset::read_slice(std::uint64_t frame, std::uint32_t z, void* samples) const {
+  be_silent();  // slices are read by one thread or another
   const std::vector<hsize_t> sizes = sizes_of(dataset_);
   const std::size_t axes = sizes.size();
   std::vector<hsize_t> first(axes, 0);
@@ -196,8 +237,8 @@ bool Hdf5Dataset::read_slice(std::uint64_t frame, std::uint32_t z, void* samples
   const Hdf5Handle slice(H5Screate_simple(2, count.data() + axes - 2, nullptr), H5Sclose);
   return H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(),
                              nullptr) >= 0 &&
-         H5Dread(dataset_.id(), memory_type_.id(), slice.id(), space.id(), H5P_DEFAULT, samples) >=
-             0;
+         H5Dread(dataset_.id(), memory_type_of(*description_.type), slice.id(), space.id(),
+                 H5P_DEFAULT, samples) >= 0;
 }
 
 }  // namespace discmc::host

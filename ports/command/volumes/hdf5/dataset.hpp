@@ -39,6 +39,8 @@ class Hdf5Dataset {
   const std::string& storage() const { return storage_; }
   /// Whether its samples are in other files.
   bool is_virtual() const { return is_virtual_; }
+  /// That it is in, which is another one behind an external link.
+  const std::filesystem::path& file() const { return file_; }
   /// Its attribute `element_size_um`, along z, y and x, if there is one. Units: micrometres.
   std::optional<std::array<double, 3>> element_size_um() const;
 
@@ -49,9 +51,9 @@ class Hdf5Dataset {
  private:
   Hdf5Description description_;
   Hdf5Handle dataset_;
-  Hdf5Handle memory_type_;
   std::string storage_;
   bool is_virtual_ = false;
+  std::filesystem::path file_;
 };
 
 }  // namespace discmc::host

@@ -11,9 +11,16 @@ namespace discmc::host {
 
 Hdf5Name hdf5_name(const std::filesystem::path& name) {
   const std::string& text = name.native();
-  const std::size_t colon = text.find(":/");
+  const auto is_file = [&text](std::size_t end) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(text.substr(0, end), ignored);
+  };
   std::error_code ignored;
-  if (colon == std::string::npos || std::filesystem::exists(name, ignored)) return {name, {}};
+  const std::size_t first = text.find(":/");
+  if (first == std::string::npos || std::filesystem::exists(name, ignored)) return {name, {}};
+  std::size_t colon = first;  // folders may have it in their names, datasets too
+  while (colon != std::string::npos && !is_file(colon)) colon = text.find(":/", colon + 1);
+  if (colon == std::string::npos) colon = first;
   return {text.substr(0, colon), text.substr(colon + 1)};
 }
 

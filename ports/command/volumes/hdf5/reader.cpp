@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "control_character.hpp"
 #include "dataset.hpp"
 #include "name.hpp"
 #include "volumes/volume_format.hpp"
@@ -55,7 +56,7 @@ std::string listed(const Hdf5Description& dataset) {
   std::string text;
   for (auto size = dataset.sizes.rbegin(); size != dataset.sizes.rend(); ++size)
     text += (text.empty() ? "" : " x ") + std::to_string(*size);
-  return dataset.path + " (" + text + ")";
+  return without_control(dataset.path) + " (" + text + ")";
 }
 
 std::string list_of(const std::vector<Hdf5Description>& datasets) {
@@ -86,7 +87,7 @@ std::string chosen_path(const std::filesystem::path& file,
   if (volumes.size() > 1)
     fail(file, "the file holds " + std::to_string(volumes.size()) + " arrays: " + list_of(volumes),
          "choose one by its name behind that of the file, as in " + file.filename().string() + ":" +
-             volumes.front().path);
+             without_control(volumes.front().path));
   return volumes.front().path;
 }
 
@@ -125,11 +126,11 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                       parts.dataset.empty() ? chosen_path(name, datasets) : parts.dataset);
   VolumeInfo info;
   info.type = *dataset.description().type;
-  info.format = "HDF5, " + dataset.description().path + ", " + dataset.storage();
+  info.format = "HDF5, " + without_control(dataset.description().path) + ", " + dataset.storage();
   std::vector<std::int64_t> sizes = dataset.description().sizes;
   std::reverse(sizes.begin(), sizes.end());
   set_dims(info, name, sizes, options);
-  if (!dataset.is_virtual()) require_possible(parts.file, info);
+  if (!dataset.is_virtual()) require_possible(dataset.file(), info);
   take_spacing(info, dataset);
   return std::make_unique<Hdf5Volume>(name, std::move(info), std::move(dataset),
                                       options.frame.value_or(0));
