@@ -5,18 +5,11 @@
 #include <string>
 #include <system_error>
 
+#include "grouped_number.hpp"
 #include "streams/stream_file.hpp"
 
 namespace discmc::host {
 namespace {
-
-// 1234567 as 1,234,567.
-std::string grouped(std::uint64_t value) {
-  std::string digits = std::to_string(value);
-  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3)
-    digits.insert(static_cast<std::size_t>(i), ",");
-  return digits;
-}
 
 void row(std::ostream& out, const char* name, const std::string& value,
          const std::string& note = {}) {

@@ -26,6 +26,7 @@ Command add_info(CLI::App& app);
 Command add_render(CLI::App& app);
 Command add_view(CLI::App& app);
 Command add_compare(CLI::App& app);
+Command add_tune(CLI::App& app);
 Command add_completions(CLI::App& app);
 Command add_manual(CLI::App& app);
 

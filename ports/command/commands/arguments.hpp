@@ -17,6 +17,7 @@
 #include "statistics/threshold_rule.hpp"
 #include "streams/stream_file.hpp"
 #include "surface/components.hpp"
+#include "tuning/cycle_costs.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::host {
@@ -155,6 +156,16 @@ struct ViewArguments {
   bool opens = true;
   bool serves = false;
   std::uint16_t port = 0;  ///< 0: any that is free
+};
+
+/// Of `tune`.
+struct TuneArguments {
+  std::string volume;
+  VolumeArguments reading;
+  double baud = 921600;
+  double clock_hz = 48e6;
+  Core core = Core::cortex_m4;
+  std::vector<Payload> payloads;  ///< none stands for all
 };
 
 /// A surface of `compare`.

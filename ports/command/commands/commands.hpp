@@ -14,6 +14,7 @@ int run_info(const InfoArguments& arguments);
 int run_render(const RenderArguments& arguments);
 int run_compare(const CompareArguments& arguments);
 int run_view(const ViewArguments& arguments);
+int run_tune(const TuneArguments& arguments);
 
 }  // namespace discmc::host
 

@@ -1,0 +1,67 @@
+#include "arena_choice.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace discmc::host {
+namespace {
+
+constexpr std::uint64_t step = 256;
+constexpr std::uint32_t most_records = std::numeric_limits<std::uint16_t>::max() / 2 - 8;
+
+// With so many records more than are in use nothing is ever sent loose (docs/memory.md).
+constexpr std::uint32_t spare_records = 1168;
+
+std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) {
+  return (bytes + unit - 1) / unit * unit;
+}
+
+std::uint64_t bytes_of_records(const Limits& limits, std::uint32_t records) {
+  return bytes_for<std::uint16_t>(limits, {std::min(records, most_records), 0});
+}
+
+}  // namespace
+
+std::uint64_t most_arena_bytes(const Limits& limits) {
+  return bytes_of_records(limits, most_records);
+}
+
+std::optional<Trial> least_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
+                                                const std::function<void()>& done) {
+  const auto has_none = [&](std::uint64_t steps, Trial& trial) {
+    trial = try_regions(volume, steps * step);
+    done();
+    return trial.loose_pieces == 0;
+  };
+  const std::uint32_t used = plenty.high_water.records;
+  const Limits& limits = volume.limits();
+  std::uint64_t end = rounded_up(bytes_of_records(limits, used + spare_records), step) / step;
+  std::uint64_t begin = bytes_of_records(limits, std::max(used, 1U) - 1) / step;
+  Trial trial;
+  if (!has_none(end, trial)) return std::nullopt;
+  Trial least = trial;
+  begin = std::max(begin, rounded_up(minimum_bytes<std::uint16_t>(limits), step) / step - 1);
+  while (end - begin > 1) {
+    const std::uint64_t middle = begin + (end - begin) / 2;
+    const bool is_enough = has_none(middle, trial);
+    (is_enough ? end : begin) = middle;
+    if (is_enough) least = trial;
+  }
+  return least;
+}
+
+std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end) {
+  const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
+  const std::uint64_t unit = least < 4096 ? step : 1024;
+  std::vector<std::uint64_t> sizes;
+  std::uint64_t size = least;
+  // In quarters of the minimum: 4, 5, 6, 8, 12, 16, 24 and so on.
+  for (std::uint64_t quarters = 5; size < end;) {
+    sizes.push_back(size);
+    size = rounded_up(least * quarters / 4, unit);
+    quarters = quarters == 5 ? 6 : quarters % 3 == 0 ? quarters / 3 * 4 : quarters / 2 * 3;
+  }
+  return sizes;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,29 @@
+// What a device's work takes: an estimate, of processors that were not there to be measured.
+#ifndef DISCMC_COMMAND_TUNING_CYCLE_COSTS_HPP
+#define DISCMC_COMMAND_TUNING_CYCLE_COSTS_HPP
+
+#include <cstdint>
+
+#include "device_work.hpp"
+
+namespace discmc::host {
+
+/// Of the library compiled with -Os. scripts/cycles measures and writes them, and says how far off
+/// they are (docs/measure.md).
+enum class Core { cortex_m0plus, cortex_m4, cortex_m7 };
+
+enum class Payload { regions, slices };
+
+/// Units: processor cycles, for each unit of DeviceWork.
+struct CycleCosts {
+  double voxel_of_8_bits, voxel_of_16_bits, row, cell, link, byte;
+};
+
+const CycleCosts& cycle_costs(Core core, Payload payload);
+
+/// Units: processor cycles. sample_bytes: 1 or 2.
+double cycles_of(const DeviceWork& work, std::uint32_t sample_bytes, const CycleCosts& costs);
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,24 @@
+// What a device does for a scan, in the units that cycle_costs.hpp has prices of.
+#ifndef DISCMC_COMMAND_TUNING_DEVICE_WORK_HPP
+#define DISCMC_COMMAND_TUNING_DEVICE_WORK_HPP
+
+#include <cstdint>
+
+namespace discmc::host {
+
+struct DeviceWork {
+  std::uint64_t voxels = 0;  ///< compared with the threshold
+  std::uint64_t rows = 0;    ///< of them
+  std::uint64_t cells = 0;   ///< that the surface passes through
+  std::uint64_t links = 0;   ///< of the rings and loose pieces sent; of slices none
+  std::uint64_t bytes = 0;   ///< of the stream
+
+  DeviceWork operator-(const DeviceWork& before) const {
+    return {voxels - before.voxels, rows - before.rows, cells - before.cells, links - before.links,
+            bytes - before.bytes};
+  }
+};
+
+}  // namespace discmc::host
+
+#endif

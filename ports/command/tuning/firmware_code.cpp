@@ -1,0 +1,84 @@
+#include "firmware_code.hpp"
+
+#include <sstream>
+
+namespace discmc::host {
+namespace {
+
+bool is_of_slices(const FirmwareChoice& choice) {
+  return choice.arena_bytes == 0 && !choice.capacities;
+}
+
+bool is_open(const FirmwareChoice& choice) {
+  return choice.limits.border == Border::open;
+}
+
+// INT32_MIN itself is no literal.
+std::string threshold_text(std::int32_t threshold) {
+  return threshold == INT32_MIN ? "INT32_MIN" : std::to_string(threshold);
+}
+
+void write_cpp_memory(const FirmwareChoice& choice, std::ostream& out) {
+  if (is_of_slices(choice)) {
+    out << "constexpr discmc::KeySlices key_slices{" << choice.key_slices << "};\n"
+        << "static uint8_t memory[discmc::slice_encoder_bytes(limits, key_slices)];\n"
+        << "static discmc::SliceEncoder encoder;\n";
+    return;
+  }
+  if (choice.capacities)
+    out << "constexpr discmc::Capacities capacities{" << choice.capacities->records << ", "
+        << choice.capacities->holes << "};\n"
+        << "static uint8_t memory[discmc::bytes_for<uint16_t>(limits, capacities)];\n";
+  else
+    out << "static uint8_t memory[" << choice.arena_bytes << "];\n"
+        << "static_assert(sizeof memory >= discmc::minimum_bytes<uint16_t>(limits));\n";
+  out << "static discmc::Extractor16 extractor;\n"
+      << "static discmc::Encoder encoder;\n";
+}
+
+void write_c_memory(const FirmwareChoice& choice, std::ostream& out) {
+  if (is_of_slices(choice)) {
+    out << "enum { KEY_SLICES = " << choice.key_slices << " };\n"
+        << "static uint8_t memory[DISCMC_SLICE_ENCODER_BYTES_FOR(WIDTH, HEIGHT, KEY_SLICES, 1)];\n"
+        << "static discmc_slice_encoder encoder;\n";
+    return;
+  }
+  if (choice.capacities)
+    out << "static const discmc_capacities capacities = {" << choice.capacities->records << ", "
+        << choice.capacities->holes << "};\n"
+        << "static uint8_t memory[DISCMC_BYTES_FOR(WIDTH, HEIGHT, " << choice.capacities->records
+        << ")];\n";
+  else
+    out << "static uint8_t memory[" << choice.arena_bytes << "];\n";
+  out << "static discmc_extractor extractor;\n"
+      << "static discmc_encoder encoder;\n";
+}
+
+}  // namespace
+
+std::string cpp_code(const FirmwareChoice& choice) {
+  const Limits& limits = choice.limits;
+  std::ostringstream out;
+  out << "// " << choice.comment << '\n'
+      << "#include <discmc/discmc.hpp>\n\n"
+      << "constexpr discmc::Limits limits{" << limits.width << ", " << limits.height
+      << (is_open(choice) ? ", discmc::Border::open" : "") << "};\n"
+      << "constexpr int32_t threshold = " << threshold_text(choice.threshold) << ";\n";
+  write_cpp_memory(choice, out);
+  return out.str();
+}
+
+std::string c_code(const FirmwareChoice& choice) {
+  const Limits& limits = choice.limits;
+  std::ostringstream out;
+  out << "/* " << choice.comment << " */\n"
+      << "#include <discmc/discmc.h>\n\n"
+      << "enum { WIDTH = " << limits.width << ", HEIGHT = " << limits.height << " };\n"
+      << "static const discmc_limits limits = {WIDTH, HEIGHT, "
+      << (is_open(choice) ? "DISCMC_OPEN" : "DISCMC_CLOSED") << ", {0, 0, 0}};\n"
+      << "static const int32_t threshold = " << threshold_text(choice.threshold) << ";\n";
+  write_c_memory(choice, out);
+  return out.str();
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,29 @@
+// What to put into the firmware: constants and static memory, in C++ and in C.
+#ifndef DISCMC_COMMAND_TUNING_FIRMWARE_CODE_HPP
+#define DISCMC_COMMAND_TUNING_FIRMWARE_CODE_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <discmc/capacities.hpp>
+#include <discmc/limits.hpp>
+
+namespace discmc::host {
+
+struct FirmwareChoice {
+  Limits limits;
+  std::int32_t threshold = 0;
+  std::string comment;                     ///< what it gives, in a line
+  std::uint64_t arena_bytes = 0;           ///< of regions; 0: slices
+  std::optional<Capacities> capacities{};  ///< in place of arena_bytes
+  std::uint32_t key_slices = 0;            ///< the interval, of slices
+};
+
+/// Whole lines, which compile with the headers of the library and nothing else.
+std::string cpp_code(const FirmwareChoice& choice);
+std::string c_code(const FirmwareChoice& choice);
+
+}  // namespace discmc::host
+
+#endif

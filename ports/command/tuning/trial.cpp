@@ -1,0 +1,83 @@
+#include "trial.hpp"
+
+#include <discmc/encoder.hpp>
+#include <discmc/slice_encoder.hpp>
+
+#include "extraction/scan.hpp"
+#include "require.hpp"
+
+namespace discmc::host {
+namespace {
+
+constexpr ByteOutput nowhere{nullptr,
+                             [](void*, const std::uint8_t*, std::size_t count) { return count; }};
+
+DeviceWork work_of(const VolumeBits& volume, std::uint32_t slices, const Statistics& statistics,
+                   std::uint64_t bytes) {
+  const std::uint64_t rows = std::uint64_t{slices} * volume.limits().height;
+  return {rows * volume.limits().width, rows, statistics.cells, statistics.links, bytes};
+}
+
+// Pushes every row, and calls after every slice.
+template <class Scanner, class Call>
+void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
+  std::size_t row = 0;
+  for (std::uint32_t z = 0; z < volume.slices(); ++z) {
+    for (std::uint32_t y = 0; y < volume.limits().height; ++y)
+      require(scanner.push_bits(volume.row(row++)).status);
+    call(z + 1);
+  }
+  require(scanner.finish());
+}
+
+}  // namespace
+
+template <class Index>
+Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
+  const auto bytes = bytes_for<Index>(volume.limits(), capacities);
+  const auto memory = untouched(bytes);
+  Encoder encoder;
+  require(encoder.start(volume.header().label(), nowhere));
+  Extractor<Index> extractor;
+  require(extractor.start(volume.limits(), capacities, volume.header().threshold,
+                          {memory.get(), bytes}, sink_to(encoder)));
+  Trial trial;
+  trial.memory = bytes;
+  const auto work = [&] {
+    return work_of(volume, extractor.slices(), extractor.statistics(), encoder.bytes());
+  };
+  push_all(extractor, volume, [&](std::uint32_t) { trial.slices.push_back(work()); });
+  trial.high_water = extractor.high_water();
+  trial.loose_pieces = extractor.statistics().fragments;
+  trial.work = work();
+  return trial;
+}
+template Trial try_regions<std::uint16_t>(const VolumeBits&, const Capacities&);
+template Trial try_regions<std::uint32_t>(const VolumeBits&, const Capacities&);
+
+Trial try_regions(const VolumeBits& volume, std::uint64_t arena_bytes) {
+  Trial trial = try_regions<std::uint16_t>(
+      volume, default_capacities<std::uint16_t>(volume.limits(), arena_bytes));
+  trial.memory = arena_bytes;
+  return trial;
+}
+
+Trial try_slices(const VolumeBits& volume, KeySlices key_slices, const Trial& regions) {
+  Trial trial;
+  trial.memory = slice_encoder_bytes(volume.limits(), key_slices);
+  const auto memory = untouched(trial.memory);
+  SliceEncoder encoder;
+  require(encoder.start(volume.header(), key_slices, {memory.get(), trial.memory}, nowhere));
+  const auto work = [&](const DeviceWork& of_regions) {
+    DeviceWork own = of_regions;
+    own.links = 0;
+    own.bytes = encoder.bytes();
+    return own;
+  };
+  push_all(encoder, volume,
+           [&](std::uint32_t slices) { trial.slices.push_back(work(regions.slices[slices - 1])); });
+  trial.work = work(regions.work);
+  return trial;
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,89 @@
+#include "tuning_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "grouped_number.hpp"
+
+namespace discmc::host {
+namespace {
+
+constexpr double bits_a_byte = 10;  // 8N1
+
+double seconds(const DeviceWork& work, Payload payload, const Device& device) {
+  return cycles_of(work, device.sample_bytes, cycle_costs(device.core, payload)) / device.clock_hz;
+}
+
+std::string rows_text(double rows_a_second) {
+  // No more digits than the estimate has.
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(rows_a_second)) - 1));
+  return grouped(static_cast<std::uint64_t>(std::round(rows_a_second / unit) * unit));
+}
+
+}  // namespace
+
+double seconds_on_line(const Trial& trial, const Device& device) {
+  return static_cast<double>(trial.stream_bytes()) * bits_a_byte / device.baud;
+}
+
+double seconds_of_work(const Trial& trial, Payload payload, const Device& device) {
+  return seconds(trial.work, payload, device);
+}
+
+double rows_a_second_at_worst(const Trial& trial, Payload payload, const Device& device) {
+  double longest = 0;
+  DeviceWork before;
+  for (const DeviceWork& done : trial.slices) {
+    longest = std::max(longest, seconds(done - before, payload, device));
+    before = done;
+  }
+  return static_cast<double>(trial.slices.front().rows) / longest;
+}
+
+std::string seconds_text(double seconds) {
+  const int digits = seconds >= 100 ? 0 : seconds >= 10 ? 1 : seconds >= 1 ? 2 : 3;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << seconds;
+  return text.str();
+}
+
+void write_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
+                  std::ostream& out) {
+  const bool is_of_regions = payload == Payload::regions;
+  const int memory_width = is_of_regions ? 11 : 24;
+  const auto loose = [&](const std::string& text) {
+    if (is_of_regions) out << std::setw(13) << text;
+  };
+  out << "  " << std::right << std::setw(memory_width) << (is_of_regions ? "arena" : "memory");
+  loose("loose pieces");
+  out << std::setw(13) << "stream" << std::setw(10) << "line" << std::setw(10) << "work"
+      << std::setw(9) << "rows/s" << std::setw(10) << "at worst" << '\n';
+  for (const TriedRow& row : rows) {
+    const Trial& trial = *row.trial;
+    const double work = seconds_of_work(trial, payload, device);
+    const double scan = std::max(work, seconds_on_line(trial, device));
+    out << (row.is_chosen ? "> " : "  ") << std::setw(memory_width) << row.memory;
+    loose(grouped(trial.loose_pieces));
+    out << std::setw(13) << grouped(trial.stream_bytes()) << std::setw(8)
+        << seconds_text(seconds_on_line(trial, device)) << " s" << std::setw(8)
+        << seconds_text(work) << " s" << std::setw(9)
+        << rows_text(static_cast<double>(trial.work.rows) / scan) << std::setw(10)
+        << rows_text(rows_a_second_at_worst(trial, payload, device)) << '\n';
+  }
+}
+
+const char* name(Core core) {
+  switch (core) {
+    case Core::cortex_m0plus:
+      return "Cortex-M0+";
+    case Core::cortex_m4:
+      break;
+    case Core::cortex_m7:
+      return "Cortex-M7";
+  }
+  return "Cortex-M4";
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,47 @@
+// What `tune` says.
+#ifndef DISCMC_COMMAND_TUNING_TUNING_REPORT_HPP
+#define DISCMC_COMMAND_TUNING_TUNING_REPORT_HPP
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "cycle_costs.hpp"
+#include "trial.hpp"
+
+namespace discmc::host {
+
+/// The device and its line.
+struct Device {
+  double baud;
+  double clock_hz;
+  Core core;
+  std::uint32_t sample_bytes;
+};
+
+/// With a start and a stop bit to a byte.
+double seconds_on_line(const Trial& trial, const Device& device);
+/// An estimate.
+double seconds_of_work(const Trial& trial, Payload payload, const Device& device);
+/// The same of the slice that takes longest, for each of its rows: how many a second.
+double rows_a_second_at_worst(const Trial& trial, Payload payload, const Device& device);
+
+/// Seconds as people say them: three digits.
+std::string seconds_text(double seconds);
+
+/// A trial and what its row begins with.
+struct TriedRow {
+  std::string memory;  ///< of regions its bytes; of slices also which are key slices
+  const Trial* trial;
+  bool is_chosen;
+};
+
+void write_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
+                  std::ostream& out);
+
+const char* name(Core core);
+
+}  // namespace discmc::host
+
+#endif

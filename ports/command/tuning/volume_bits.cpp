@@ -1,0 +1,35 @@
+#include "volume_bits.hpp"
+
+#include <optional>
+
+#include "extraction/bit_source.hpp"
+#include "extraction/mask_bits.hpp"
+
+namespace discmc::host {
+
+VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
+    : limits_{volume.info().dims[0], volume.info().dims[1], options.border},
+      header_(stream_header(volume.info(), options)),
+      // A scanner's converter has 8 bits or up to 16; a file may have more of them.
+      sample_bytes_(host::sample_bytes(volume.info().type) == 1 ? 1 : 2),
+      row_bytes_(bit_row_bytes(limits_.width)) {
+  const SlabSpans all = slab_spans({}, slices(), options.takes_majority);
+  BitSource source(volume.info(), limits_, all, options.takes_majority, {{options.selection, {}}});
+  bits_.reserve(row_bytes_ * limits_.height * slices());
+  const auto keep = [this](const std::uint8_t* row) {
+    bits_.insert(bits_.end(), row, row + row_bytes_);
+  };
+  std::optional<MaskBits> mask;
+  if (options.mask != nullptr) mask.emplace(*options.mask);
+  std::vector<std::uint8_t> slice(volume.info().slice_bytes());
+  for (std::uint32_t z = 0; z < slices(); ++z) {
+    volume.read_slice(slice.data());
+    source.add_slice(slice.data(), mask ? mask->next_slice() : nullptr, keep);
+    if (options.progress) options.progress(z + 1);
+  }
+  source.finish(keep);
+  is_full_ = source.is_full(0);
+  not_numbers_ = source.not_numbers();
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,48 @@
+// A volume as it is after its threshold, in memory: it is read once, and scanned as often as
+// needed.
+#ifndef DISCMC_COMMAND_TUNING_VOLUME_BITS_HPP
+#define DISCMC_COMMAND_TUNING_VOLUME_BITS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <discmc/stream_header.hpp>
+
+#include "extraction/extraction.hpp"
+#include "volumes/volume_reader.hpp"
+
+namespace discmc::host {
+
+/// An eighth of a byte a voxel.
+class VolumeBits {
+ public:
+  /// Reads the volume to its end. options: the selection, the border, the filter, the mask and the
+  /// progress count. Throws as extract().
+  VolumeBits(VolumeReader& volume, const ExtractionOptions& options);
+
+  const Limits& limits() const { return limits_; }
+  std::uint32_t slices() const { return header_.depth; }
+  /// Of a stream of this volume.
+  const StreamHeader& header() const { return header_; }
+  /// Of a sample on the device: 1 or 2. Units: bytes.
+  std::uint32_t sample_bytes() const { return sample_bytes_; }
+  bool is_full() const { return is_full_; }
+  std::uint64_t not_numbers() const { return not_numbers_; }
+
+  /// A row as Extractor::push_bits() takes it, counted over all slices.
+  const std::uint8_t* row(std::size_t number) const { return bits_.data() + number * row_bytes_; }
+
+ private:
+  Limits limits_;
+  StreamHeader header_;
+  std::uint32_t sample_bytes_;
+  std::size_t row_bytes_;
+  std::vector<std::uint8_t> bits_;
+  bool is_full_ = false;
+  std::uint64_t not_numbers_ = 0;
+};
+
+}  // namespace discmc::host
+
+#endif
