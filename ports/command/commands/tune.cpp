@@ -107,7 +107,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
     try_all_regions(volume, arguments, given, progress, trials);
   if (shows(arguments, Payload::slices))
     for (const std::uint32_t interval : key_slice_intervals)
-      trials.slices.push_back(try_slices(volume, {interval}, trials.plenty));
+      trials.slices.push_back(try_slices(volume, {interval}));
   return trials;
 }
 

@@ -16,7 +16,9 @@ enum class Payload { regions, slices };
 
 /// Units: processor cycles, for each unit of DeviceWork.
 struct CycleCosts {
-  double voxel_of_8_bits, voxel_of_16_bits, row, cell, link, byte;
+  double voxel_of_8_bits, voxel_of_16_bits;
+  double on;  ///< more for a voxel that is on
+  double row, cell, step, byte;
 };
 
 const CycleCosts& cycle_costs(Core core, Payload payload);

@@ -8,14 +8,16 @@ namespace discmc::host {
 
 struct DeviceWork {
   std::uint64_t voxels = 0;  ///< compared with the threshold
-  std::uint64_t rows = 0;    ///< of them
-  std::uint64_t cells = 0;   ///< that the surface passes through
-  std::uint64_t links = 0;   ///< of the rings and loose pieces sent; of slices none
-  std::uint64_t bytes = 0;   ///< of the stream
+  std::uint64_t on = 0;      ///< of them
+  std::uint64_t rows = 0;
+  std::uint64_t cells = 0;  ///< that the surface passes through
+  std::uint64_t steps = 0;  ///< of regions the links of rings and loose pieces; of slices the
+                            ///< voxels and runs that are told
+  std::uint64_t bytes = 0;  ///< of the stream
 
   DeviceWork operator-(const DeviceWork& before) const {
-    return {voxels - before.voxels, rows - before.rows, cells - before.cells, links - before.links,
-            bytes - before.bytes};
+    return {voxels - before.voxels, on - before.on,       rows - before.rows,
+            cells - before.cells,   steps - before.steps, bytes - before.bytes};
   }
 };
 

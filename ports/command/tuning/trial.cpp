@@ -5,6 +5,7 @@
 
 #include "extraction/scan.hpp"
 #include "require.hpp"
+#include "slice_steps.hpp"
 
 namespace discmc::host {
 namespace {
@@ -15,7 +16,12 @@ constexpr ByteOutput nowhere{nullptr,
 DeviceWork work_of(const VolumeBits& volume, std::uint32_t slices, const Statistics& statistics,
                    std::uint64_t bytes) {
   const std::uint64_t rows = std::uint64_t{slices} * volume.limits().height;
-  return {rows * volume.limits().width, rows, statistics.cells, statistics.links, bytes};
+  return {rows * volume.limits().width,
+          volume.on(slices),
+          rows,
+          statistics.cells,
+          statistics.links,
+          bytes};
 }
 
 // Pushes every row, and calls after every slice.
@@ -28,6 +34,21 @@ void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
     call(z + 1);
   }
   require(scanner.finish());
+}
+
+// That are told by the end of each slice, in all.
+std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume, KeySlices key_slices) {
+  const auto bytes = slice_encoder_bytes(volume.limits(), key_slices);
+  const auto memory = untouched(bytes);
+  SliceSteps steps;
+  steps.start(volume.limits(), key_slices, {memory.get(), bytes});
+  std::vector<std::uint64_t> counts;
+  std::size_t row = 0;
+  for (std::uint32_t z = 0; z < volume.slices(); ++z) {
+    for (std::uint32_t y = 0; y < volume.limits().height; ++y) steps.push_bits(volume.row(row++));
+    counts.push_back(steps.count());
+  }
+  return counts;
 }
 
 }  // namespace
@@ -62,7 +83,7 @@ Trial try_regions(const VolumeBits& volume, std::uint64_t arena_bytes) {
   return trial;
 }
 
-Trial try_slices(const VolumeBits& volume, KeySlices key_slices, const Trial& regions) {
+Trial try_slices(const VolumeBits& volume, KeySlices key_slices) {
   Trial trial;
   trial.memory = slice_encoder_bytes(volume.limits(), key_slices);
   const auto memory = untouched(trial.memory);

@@ -31,8 +31,8 @@ Trial try_regions(const VolumeBits& volume, std::uint64_t arena_bytes);
 template <class Index>
 Trial try_regions(const VolumeBits& volume, const Capacities& capacities);
 
-/// Slices. cells: of each slice and the ones before, which the trial of regions tells.
-Trial try_slices(const VolumeBits& volume, KeySlices key_slices, const Trial& regions);
+/// Slices, in the memory that their encoder takes.
+Trial try_slices(const VolumeBits& volume, KeySlices key_slices);
 
 }  // namespace discmc::host
 

@@ -1,11 +1,23 @@
 #include "volume_bits.hpp"
 
+#include <bitset>
+#include <numeric>
 #include <optional>
 
 #include "extraction/bit_source.hpp"
 #include "extraction/mask_bits.hpp"
 
 namespace discmc::host {
+namespace {
+
+template <class Iterator>
+std::uint64_t count_on(Iterator begin, Iterator end) {
+  return std::accumulate(begin, end, std::uint64_t{0}, [](std::uint64_t sum, std::uint8_t byte) {
+    return sum + std::bitset<8>(byte).count();
+  });
+}
+
+}  // namespace
 
 VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
     : limits_{volume.info().dims[0], volume.info().dims[1], options.border},
@@ -16,8 +28,12 @@ VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
   const SlabSpans all = slab_spans({}, slices(), options.takes_majority);
   BitSource source(volume.info(), limits_, all, options.takes_majority, {{options.selection, {}}});
   bits_.reserve(row_bytes_ * limits_.height * slices());
-  const auto keep = [this](const std::uint8_t* row) {
+  const std::size_t slice_bytes = row_bytes_ * limits_.height;
+  const auto keep = [&](const std::uint8_t* row) {
     bits_.insert(bits_.end(), row, row + row_bytes_);
+    if (bits_.size() % slice_bytes == 0)
+      on_.push_back(on_.back() +
+                    count_on(bits_.end() - static_cast<std::ptrdiff_t>(slice_bytes), bits_.end()));
   };
   std::optional<MaskBits> mask;
   if (options.mask != nullptr) mask.emplace(*options.mask);

@@ -27,6 +27,8 @@ class VolumeBits {
   const StreamHeader& header() const { return header_; }
   /// Of a sample on the device: 1 or 2. Units: bytes.
   std::uint32_t sample_bytes() const { return sample_bytes_; }
+  /// Voxels that are on in the first so many slices.
+  std::uint64_t on(std::uint32_t slices) const { return on_[slices]; }
   bool is_full() const { return is_full_; }
   std::uint64_t not_numbers() const { return not_numbers_; }
 
@@ -39,6 +41,7 @@ class VolumeBits {
   std::uint32_t sample_bytes_;
   std::size_t row_bytes_;
   std::vector<std::uint8_t> bits_;
+  std::vector<std::uint64_t> on_{0};
   bool is_full_ = false;
   std::uint64_t not_numbers_ = 0;
 };

@@ -1,0 +1,62 @@
+// How many voxels and runs a stream of slices tells: what a slice encoder's time goes by.
+//
+// With the library alone, so that boards can count them, too.
+#ifndef DISCMC_COMMAND_TUNING_SLICE_STEPS_HPP
+#define DISCMC_COMMAND_TUNING_SLICE_STEPS_HPP
+
+#include <discmc/key_slices.hpp>
+
+namespace discmc::host {
+
+class SliceSteps {
+ public:
+  /// memory: slice_encoder_bytes() of the limits; Owner: the caller.
+  void start(const Limits& limits, KeySlices key_slices, Memory memory) {
+    Arena arena(memory);
+    model_.start(arena, false);
+    rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every()));
+    rows_.clear();
+    limits_ = limits;
+    key_slices_ = key_slices;
+  }
+
+  /// Takes a row as SliceEncoder does.
+  void push_bits(const uint8_t* bits) {
+    rows_.append_bits(bits);
+    count_row();
+  }
+  template <class Sample>
+  void push(const Sample* samples, int32_t threshold) {
+    rows_.append(samples, limits_.width, 1, threshold);
+    count_row();
+  }
+
+  uint64_t count() const { return count_; }
+
+ private:
+  struct NoCoder {
+    bool bit(LearntProbability&, bool bit) { return bit; }
+    uint32_t number(uint32_t, uint32_t value) { return value; }
+  };
+
+  void count_row() {
+    const auto kind =
+        key_slices_.is_key(rows_.slices()) ? slices::SliceKind::key : slices::SliceKind::follows;
+    slices::RowCode row;
+    row.begin(rows_.arriving(), slices::rows_before(rows_, limits_.height, kind), limits_.width);
+    NoCoder coder;
+    for (; !row.is_done(); ++count_) row.step(coder, model_);
+    rows_.next_row();
+    if (rows_.rows() == limits_.height) rows_.next_slice();
+  }
+
+  trace::BitRows rows_;
+  slices::SliceModel model_;
+  Limits limits_{};
+  KeySlices key_slices_;
+  uint64_t count_ = 0;
+};
+
+}  // namespace discmc::host
+
+#endif

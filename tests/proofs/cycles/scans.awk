@@ -1,0 +1,33 @@
+# scans.awk -v taken=CYCLES WORK COSTS COUNTS: what each scan did and took, a line each: its name, regions
+# or slices, voxels of 8 and of 16 bits, those that are on, rows, cells, steps, bytes, cycles, instructions. Of WORK the scans
+# in their order, of COSTS the cycles of a block, of COUNTS how often it ran. taken: that a branch which
+# is taken adds.
+
+FILENAME == ARGV[1] {
+  if ($1 ~ /^(fit|test|real)_/) name = $1
+  else if ($1 == "voxels_8") {
+    scan[++scans] = name (name == last ? " slices" : " regions")
+    last = name
+  }
+  if ($1 ~ /^(voxels_|on$|rows|cells|steps|bytes)/) scan[scans] = scan[scans] " " $2
+  next
+}
+FILENAME == ARGV[2] {
+  cost[$1, $2] = $3
+  next
+}
+$1 == "end" {
+  printf "%s %.0f %.0f\n", scan[++ended], cycles, instructions
+  cycles = instructions = 0
+  next
+}
+{
+  cycles += $3 * cost[$1, $2] + $4 * taken
+  instructions += $3 * $2
+}
+END {
+  if (!scans || ended != scans) {
+    print "the counted scans are not complete" > "/dev/stderr"
+    exit 1
+  }
+}
