@@ -12,7 +12,7 @@ class SliceSteps {
  public:
   /// memory: slice_encoder_bytes() of the limits; Owner: the caller.
   void start(const Limits& limits, KeySlices key_slices, Memory memory) {
-    Arena arena(memory);
+    discmc::Arena arena(memory);
     model_.start(arena, false);
     rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every()));
     rows_.clear();

@@ -13,15 +13,16 @@ namespace {
 constexpr ByteOutput nowhere{nullptr,
                              [](void*, const std::uint8_t*, std::size_t count) { return count; }};
 
-DeviceWork work_of(const VolumeBits& volume, std::uint32_t slices, const Statistics& statistics,
+DeviceWork work_of(const VolumeBits& volume, std::uint32_t slices, std::uint64_t steps,
                    std::uint64_t bytes) {
   const std::uint64_t rows = std::uint64_t{slices} * volume.limits().height;
-  return {rows * volume.limits().width,
-          volume.on(slices),
-          rows,
-          statistics.cells,
-          statistics.links,
-          bytes};
+  DeviceWork work;
+  work.voxels = rows * volume.limits().width;
+  work.on = volume.on(slices);
+  work.rows = rows;
+  work.steps = steps;
+  work.bytes = bytes;
+  return work;
 }
 
 // Pushes every row, and calls after every slice.
@@ -65,7 +66,10 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
   Trial trial;
   trial.memory = bytes;
   const auto work = [&] {
-    return work_of(volume, extractor.slices(), extractor.statistics(), encoder.bytes());
+    const Statistics statistics = extractor.statistics();
+    DeviceWork done = work_of(volume, extractor.slices(), statistics.links, encoder.bytes());
+    done.cells = statistics.cells;
+    return done;
   };
   push_all(extractor, volume, [&](std::uint32_t) { trial.slices.push_back(work()); });
   trial.high_water = extractor.high_water();
@@ -89,15 +93,11 @@ Trial try_slices(const VolumeBits& volume, KeySlices key_slices) {
   const auto memory = untouched(trial.memory);
   SliceEncoder encoder;
   require(encoder.start(volume.header(), key_slices, {memory.get(), trial.memory}, nowhere));
-  const auto work = [&](const DeviceWork& of_regions) {
-    DeviceWork own = of_regions;
-    own.links = 0;
-    own.bytes = encoder.bytes();
-    return own;
-  };
-  push_all(encoder, volume,
-           [&](std::uint32_t slices) { trial.slices.push_back(work(regions.slices[slices - 1])); });
-  trial.work = work(regions.work);
+  const std::vector<std::uint64_t> steps = steps_by_slice(volume, key_slices);
+  push_all(encoder, volume, [&](std::uint32_t slices) {
+    trial.slices.push_back(work_of(volume, slices, steps[slices - 1], encoder.bytes()));
+  });
+  trial.work = work_of(volume, volume.slices(), steps.back(), encoder.bytes());
   return trial;
 }
 
