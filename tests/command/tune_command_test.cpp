@@ -1,0 +1,138 @@
+// discmc tune: what a device makes of a volume, and the code for its firmware.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <discmc/capacities.hpp>
+#include <discmc/key_slices.hpp>
+#include <sstream>
+#include <string>
+
+#include "command.hpp"
+#include "oracle/volume.hpp"
+
+namespace {
+
+using namespace command;
+using discmc::Limits;
+
+constexpr Limits limits{40, 40};
+
+void write_ball(const Workshop& workshop) {
+  workshop.write("v.nrrd", discmc::reference::ball({40, 40, 40}, {39, 39, 39}, 1300));
+}
+
+std::string with_commas(std::uint64_t value) {
+  std::string text = std::to_string(value);
+  if (text.size() > 3) text.insert(text.size() - 3, ",");
+  return text;
+}
+
+// The words of the line that begins so, or none.
+std::vector<std::string> words_of(const std::string& text, const std::string& begin) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.compare(0, begin.size(), begin) != 0) continue;
+    std::istringstream words(line.substr(begin.size()));
+    return {std::istream_iterator<std::string>(words), {}};
+  }
+  return {};
+}
+
+// What stands below a heading, to the next one.
+std::string code_of(const std::string& report, const std::string& heading) {
+  const std::size_t at = report.find("---- " + heading + " ----\n");
+  REQUIRE(at != std::string::npos);
+  const std::size_t begin = report.find('\n', at) + 1;
+  return report.substr(begin, report.find("\n----", begin) - begin) + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("tune tells the stream that extract makes in the same memory") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const std::string report = workshop.done("tune v.nrrd --iso 100 --memory 2K --baud 9600");
+  INFO(report);
+  workshop.done("extract v.nrrd --iso 100 --memory 2K -o v.dmc");
+  const std::size_t bytes = workshop.read("v.dmc").size();
+  const auto chosen = words_of(report, ">");
+  REQUIRE(chosen.size() == 9);
+  CHECK(chosen[0] == "2,048");
+  CHECK(chosen[2] == with_commas(bytes));
+  CHECK(std::stod(chosen[3]) ==
+        doctest::Approx(static_cast<double>(bytes) * 10 / 9600).epsilon(0.01));
+}
+
+TEST_CASE("with the least that tune says nothing is loose, and with 256 bytes less something is") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const auto words = words_of(workshop.done("tune v.nrrd --iso 100"), "  nothing loose from  ");
+  REQUIRE(!words.empty());
+  std::string digits = words[0];
+  digits.erase(std::remove(digits.begin(), digits.end(), ','), digits.end());
+  const auto fragments = [&](std::uint64_t memory) {
+    workshop.done("extract v.nrrd --iso 100 -q -o v.dmc --memory " + std::to_string(memory));
+    return workshop.info("v.dmc").at("fragments");
+  };
+  const std::uint64_t least = std::stoull(digits);
+  CHECK(fragments(least) == "0");
+  CHECK(fragments(least - 256) != "0");
+}
+
+TEST_CASE("tune shows the payloads that are asked for") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const std::string regions = workshop.done("tune v.nrrd --iso 100 --payload regions");
+  CHECK(contains(regions, "Regions:"));
+  CHECK(!contains(regions, "Slices:"));
+  const std::string slices = workshop.done("tune v.nrrd --iso 100 --payload slices");
+  CHECK(!contains(slices, "Regions:"));
+  CHECK(contains(slices, with_commas(discmc::slice_encoder_bytes(limits, {16}))));
+}
+
+TEST_CASE("the code that tune prints compiles, in C++ and in C") {
+  const Workshop workshop;
+  write_ball(workshop);
+  for (const char* options : {"", "--memory 3K --border open", "--capacities 300,20"}) {
+    const std::string report = workshop.done(std::string("tune v.nrrd --iso 100 ") + options);
+    for (const char* payload : {"regions", "slices"}) {
+      INFO(report);
+      workshop.write("block.cpp", code_of(report, std::string(payload) + ", C++"));
+      workshop.write("block.c", code_of(report, std::string(payload) + ", C"));
+      const std::string include = " -fsyntax-only -Wall -Wextra -Werror -Wno-unused -I '" +
+                                  std::string(DISCMC_SOURCE_DIR) + "/lib' ";
+      CHECK(workshop.shell("c++ -std=c++17" + include + "block.cpp").error == "");
+      CHECK(workshop.shell("cc -std=c99" + include + "block.c").error == "");
+    }
+  }
+}
+
+TEST_CASE("a faster clock makes work shorter, and another core has other costs") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const auto work = [&](const std::string& options) {
+    return std::stod(words_of(workshop.done("tune v.nrrd --iso 100 " + options), ">")[5]);
+  };
+  const double at_1_mhz = work("--clock 1M");
+  CHECK(work("--clock 2MHz") == doctest::Approx(at_1_mhz / 2).epsilon(0.02));
+  CHECK(work("--clock 1M --core cortex-m0plus") > at_1_mhz);
+  CHECK(work("--clock 1M --core cortex-m7") < at_1_mhz);
+}
+
+TEST_CASE("tune refuses with the value and the remedy") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const auto refused = [&](const std::string& options, int code, const std::string& remedy) {
+    const Result result = workshop.run("tune v.nrrd " + options);
+    INFO(options, result.error);
+    CHECK(result.code == code);
+    CHECK(contains(result.error, remedy));
+  };
+  refused("", 2, "give --iso ISO");
+  refused("--iso 100 --clock fast", 2, "'fast' is no clock: give Hertz, as in 48M");
+  refused("--iso 100 --baud 0", 2, "'0' is no baud rate");
+  refused("--iso 100 --memory 100", 1,
+          "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
+  refused("--iso 100 --capacities 40000,1", 1, "give 4 to 32759 records");
+  refused("--iso 300", 1, "no voxel reaches 300");
+}
