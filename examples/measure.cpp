@@ -16,7 +16,7 @@ using namespace discmc;
 namespace {
 
 constexpr Limits limits{48, 48};
-constexpr uint32_t slices = 48;
+constexpr uint32_t depth = 48;
 constexpr int32_t threshold = 192;
 
 alignas(4) uint8_t memory[6 * 1024];
@@ -27,7 +27,7 @@ uint8_t row[limits.width];
 
 // Of a ball, densest in its middle; or of nothing.
 void make_row(bool is_ball, uint32_t number) {
-  const auto size = static_cast<int32_t>(slices);
+  const auto size = static_cast<int32_t>(depth);
   const auto y = static_cast<int32_t>(number % limits.height);
   const auto z = static_cast<int32_t>(number / limits.height);
   for (int32_t x = 0; x < size; ++x) {
@@ -70,8 +70,8 @@ struct Measured {
 // The rows are made outside of what is measured. finish() counts, too.
 template <class Scanner>
 bool scan(Scanner& scanner, bool is_ball, Measured& measured) {
-  for (uint32_t number = 0; number <= limits.height * slices; ++number) {
-    const bool is_last = number == limits.height * slices;
+  for (uint32_t number = 0; number <= limits.height * depth; ++number) {
+    const bool is_last = number == limits.height * depth;
     if (!is_last) make_row(is_ball, number);
     const uint32_t before = measure_clock::now();
     const Status status = is_last ? scanner.finish() : scanner.push(row, limits.width).status;
@@ -84,7 +84,7 @@ bool scan(Scanner& scanner, bool is_ball, Measured& measured) {
 }
 
 bool scan_regions(bool is_ball, Measured& measured) {
-  return encoder.start({slices}, {nullptr, take_all}) == Status::ok &&
+  return encoder.start({depth}, {nullptr, take_all}) == Status::ok &&
          extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)) == Status::ok &&
          scan(extractor, is_ball, measured);
 }
@@ -107,12 +107,11 @@ int main() {
   const bool succeeded =
       scan_regions(false, empty) && scan_regions(true, regions) && scan_slices(true, sliced);
   if (succeeded) {
-    constexpr uint32_t rows = limits.height * slices;
+    constexpr uint32_t rows = limits.height * depth;
     const auto cells = static_cast<uint32_t>(extractor.statistics().cells);
     send("counter_bits", measure_clock::bits);
     send("cycles_an_empty_row", empty.all / rows);
-    send("hundredths_a_voxel_empty",
-         static_cast<uint32_t>(empty.all / (rows * limits.width / 100)));
+    send("hundredths_a_voxel_empty", empty.all / (rows * limits.width / 100));
     send("cycles_an_active_cell", (regions.all - empty.all) / cells);
     send("cycles_a_row_regions", regions.all / rows);
     send("cycles_the_longest_row_regions", regions.most);

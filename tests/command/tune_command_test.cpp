@@ -18,7 +18,7 @@ using discmc::Limits;
 constexpr Limits limits{40, 40};
 
 void write_ball(const Workshop& workshop) {
-  workshop.write("v.nrrd", discmc::reference::ball({40, 40, 40}, {39, 39, 39}, 1300));
+  workshop.write("v.nrrd", discmc::reference::ball({40, 40, 40}, {39, 39, 39}, 330));
 }
 
 std::string with_commas(std::uint64_t value) {
