@@ -57,6 +57,10 @@ const foot = '</body>\n</html>\n';
 const itemOf = (href, text, attribute = '', more = '') =>
   `<li${attribute}><a href="${href}">${escaped(text)}</a>${more}</li>`;
 
+/** The calculator, where a page has a place for it. Inside the page, as it has to work from a file. */
+const withCalculator = (body) => body.replace('<!-- calculator -->', () =>
+  `${read('docs/site/calculator.html')}<script>\n${read('docs/site/calculator.js')}</script>`);
+
 function htmlOf(place, { title, headings, body }) {
   const up = '../'.repeat(place.split('/').length - 1);
   const items = menu.map((entry) => {
@@ -68,7 +72,7 @@ function htmlOf(place, { title, headings, body }) {
   // The menu stands below the text where there is no room beside it.
   return `${headOf(title === 'discmc' ? title : `${escaped(title)} · discmc`, up,
     '<a class="menu" href="#menu">Contents</a>')}<main>
-${body}</main>
+${withCalculator(body)}</main>
 <nav id="menu"><ul>
 ${items.join('\n')}
 </ul></nav>

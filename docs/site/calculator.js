@@ -1,0 +1,57 @@
+// The sizes of a scan, as capacities.hpp and key_slices.hpp work them out, and the form that shows
+// them. A script of its own page, without modules, so that it works from a file.
+
+/** What fits, and what is needed. Units: bytes; indexBytes: 2 or 4. */
+function sizesOf(width, height, memory, indexBytes) {
+  const leastRecords = 4;
+  const mostRecords = indexBytes === 2 ? 32759 : 2147483639;
+  const recordBytes = indexBytes === 2 ? 8 : 16;
+  const rowBytes = 4 * (Math.floor(width / 30) + 1);
+  const alignment = 3;
+  const fixed = rowBytes * (2 * height + 4) + 8 * (Math.floor(height / 32) + 1) +
+    288 * indexBytes + 16 * indexBytes + alignment;
+  const minimum = fixed + leastRecords * recordBytes;
+  const spare = Math.max(0, Math.min(memory - minimum - 4, 0xffffffff));
+  const records = leastRecords + Math.min(Math.floor(spare / recordBytes), mostRecords - leastRecords);
+  const slices = (rows) => rowBytes * (rows + 1) + 548 + alignment;
+  return {
+    minimum,
+    records,
+    holes: Math.floor(records / 16),
+    used: fixed + records * recordBytes,
+    slices: slices(Math.max(height + 2, 4)),
+    keySlices: slices(4),
+  };
+}
+
+/** Bytes of a stream, as a rule of thumb: bits a voxel of a CT head, and of its slices. */
+function streamBytes(voxels) {
+  return { regions: Math.round(0.029 * voxels), slices: Math.round(0.003 * voxels) };
+}
+
+function connectCalculator(form) {
+  const grouped = (value) => Math.round(value).toLocaleString('en-US');
+  const show = () => {
+    const of = (name) => Number(form.elements[name].value);
+    const { minimum, records, holes, used, slices, keySlices } =
+      sizesOf(of('width'), of('height'), of('memory'), of('index'));
+    const stream = streamBytes(of('width') * of('height') * of('depth'));
+    const line = (bytes) => `${grouped(bytes)} bytes, ${(bytes * 10 / of('baud')).toPrecision(3)} s`;
+    const fits = of('memory') >= minimum;
+    const lines = {
+      minimum: `${grouped(minimum)} bytes`,
+      records: fits ? `${grouped(records)}, of them ${grouped(holes)} for holes; ${grouped(used)} bytes`
+        : 'too little memory for regions',
+      slices: `${grouped(slices)} bytes`,
+      keySlices: `${grouped(keySlices)} bytes`,
+      regionsLine: line(stream.regions),
+      slicesLine: line(stream.slices),
+    };
+    for (const [name, text] of Object.entries(lines)) form.elements[name].value = text;
+  };
+  form.addEventListener('input', () => { if (form.checkValidity()) show(); });
+  form.addEventListener('submit', (event) => event.preventDefault());
+  show();
+}
+
+if (typeof document !== 'undefined') connectCalculator(document.getElementById('calculator-form'));

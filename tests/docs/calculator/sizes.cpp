@@ -1,0 +1,41 @@
+// The sizes of some hundred scans, by the library: width, height, memory and bytes of an index,
+// then what calculator.js works out.
+#include <cstdint>
+#include <cstdio>
+#include <discmc/capacities.hpp>
+#include <discmc/key_slices.hpp>
+#include <initializer_list>
+
+using namespace discmc;
+
+namespace {
+
+template <class Index>
+void print(const Limits& limits, std::uint64_t memory) {
+  const Capacities capacities = default_capacities<Index>(limits, memory);
+  const std::uint64_t sizes[] = {limits.width,
+                                 limits.height,
+                                 memory,
+                                 sizeof(Index),
+                                 minimum_bytes<Index>(limits),
+                                 capacities.records,
+                                 capacities.holes,
+                                 bytes_for<Index>(limits, capacities),
+                                 slice_encoder_bytes(limits, {16}),
+                                 slice_encoder_bytes(limits, {1})};
+  for (const std::uint64_t size : sizes)
+    std::printf("%llu ", static_cast<unsigned long long>(size));
+  std::printf("\n");
+}
+
+}  // namespace
+
+int main() {
+  for (const std::uint32_t width : {1U, 29U, 30U, 59U, 64U, 100U, 256U, 32766U})
+    for (const std::uint32_t height : {1U, 2U, 31U, 32U, 63U, 64U, 256U, 5000U})
+      for (const std::uint64_t more : {0U, 3U, 4U, 12U, 1000U, 24576U, 1U << 20}) {
+        const Limits limits{width, height};
+        print<std::uint16_t>(limits, minimum_bytes<std::uint16_t>(limits) + more);
+        print<std::uint32_t>(limits, minimum_bytes<std::uint32_t>(limits) + more);
+      }
+}
