@@ -186,8 +186,8 @@ void write_report(const VolumeBits& volume, const TuneArguments& arguments, cons
   const Device device{arguments.baud, arguments.clock_hz, arguments.core, volume.sample_bytes()};
   const NamedSelection& surface = arguments.reading.selections[0];
   out << arguments.volume << ", " << volume.limits().width << "x" << volume.limits().height << "x"
-      << volume.slices() << " voxels, at " << surface.name << "; a " << name(device.core) << " at "
-      << value_text(device.clock_hz / 1e6) << " MHz, a line of "
+      << volume.slices() << " voxels, at " << surface.name << "\n"
+      << name(device.core) << " at " << value_text(device.clock_hz / 1e6) << " MHz, UART at "
       << grouped(static_cast<std::uint64_t>(device.baud)) << " baud\n";
   if (!trials.regions.empty()) {
     write_needs(volume, trials, out);
@@ -195,9 +195,9 @@ void write_report(const VolumeBits& volume, const TuneArguments& arguments, cons
   }
   if (!trials.slices.empty()) write_slices(trials, device, out);
   out << "\n"
-         "line: on the wire, 10 bits a byte. work: estimated, of the library alone; see\n"
-         "docs/measure.md. rows/s: on average what both keep up with; at worst: of the\n"
-         "processor, in the slice that takes it longest.\n";
+         "line: on the wire, 10 bits a byte. work: of the library alone, estimated within a\n"
+         "fifth, without wait states of the flash: docs/measure.md. rows/s: what both keep\n"
+         "up with on average; at worst: the processor, in the slice that takes it longest.\n";
   write_all_code(volume, arguments, trials, device, out);
 }
 
