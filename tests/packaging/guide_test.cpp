@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <discmc/discmc.hpp>
 #include <discmc/majority_filter.hpp>
 #include <filesystem>
