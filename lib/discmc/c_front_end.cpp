@@ -11,7 +11,7 @@
 #include <discmc/row_ring.hpp>
 #include <discmc/threshold_row.hpp>
 
-using namespace discmc;
+namespace discmc {
 
 namespace {
 
@@ -62,6 +62,8 @@ discmc_limits size_of(const Limits& from) {
 }
 
 }  // namespace
+
+extern "C" {
 
 uint64_t discmc_row_ring_bytes_for(uint32_t row_bytes, uint32_t rows) {
   return RowRing::bytes_for(row_bytes, rows);
@@ -212,3 +214,7 @@ const uint8_t* discmc_majority_filter_push(discmc_majority_filter* filter, const
 const uint8_t* discmc_majority_filter_drain(discmc_majority_filter* filter) {
   return cpp(filter).drain();
 }
+
+}  // extern "C"
+
+}  // namespace discmc

@@ -1,6 +1,5 @@
 #include "sources.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
