@@ -191,7 +191,7 @@ const std::map<std::string, std::string> others = {
     {"StreamHeader::threshold_of", "members"},
     {"StreamReport::is_complete", "a member"},
     {"CheckpointStore::plan", "discmc_store_plan_for"},
-    {"FlashGeometry::is_valid", "discmc_store_plan_for tells of no slots"},
+    {"FlashGeometry::is_valid", "its plan has no slots"},
     {"FlashGeometry::units_per_block", "a quotient of two members"},
     {"StorePlan::blocks", "a member"},
     {"StorePlan::checkpoints_until_worn", "products of members"},
