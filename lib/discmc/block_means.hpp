@@ -3,8 +3,10 @@
 //
 //   means.start(incoming, 2, memory);
 //   extractor.start(means.limits(), ...);
-//   for each row: if (const Sample* row = means.push(samples)) extractor.push(row,
-//   means.limits().width); while (const Sample* row = means.drain()) extractor.push(row, ...);
+//   for each row that comes:
+//     if (const Sample* row = means.push(samples)) extractor.push(row, means.limits().width);
+//
+//   while (const Sample* row = means.drain()) extractor.push(row, means.limits().width);
 //
 // The last blocks along an axis are made of the voxels that are left. Samples of 0 and 1 give a
 // majority: 1 where at least half of a block is.

@@ -17,12 +17,6 @@ inline discmc_capacities c(const Capacities& from) {
 inline discmc_high_water c(const HighWater& from) {
   return {from.records, from.holes};
 }
-inline discmc_limits c(const Limits& from) {
-  return {from.width,
-          from.height,
-          static_cast<uint8_t>(from.border),
-          {from.slab.first, from.slab.continues_below, from.slab.continues_above}};
-}
 
 /// capacities: null for as many records as the memory has room for.
 template <class AnyExtractor>

@@ -57,9 +57,6 @@ BlockMeans<Sample>& means_of(discmc_block_means* means) {
 PickedRange cpp(const discmc_picked_range& from) {
   return {from.first, from.count, from.step};
 }
-discmc_limits size_of(const Limits& from) {
-  return {from.width, from.height, static_cast<uint8_t>(from.border), {}};
-}
 
 }  // namespace
 
@@ -140,7 +137,7 @@ discmc_status discmc_row_picker_start(discmc_row_picker* picker, const discmc_li
   return c(cpp(picker).start(cpp(*incoming), cpp(axes[0]), cpp(axes[1]), cpp(axes[2])));
 }
 discmc_limits discmc_row_picker_limits(const discmc_row_picker* picker) {
-  return size_of(cpp(picker).limits());
+  return c(cpp(picker).limits());
 }
 uint8_t discmc_row_picker_next(discmc_row_picker* picker) {
   return cpp(picker).next() ? 1 : 0;
@@ -180,7 +177,7 @@ discmc_status discmc_block_means_start_i16(discmc_block_means* means, const disc
   return c(means_of<int16_t>(means).start(cpp(*incoming), extent, cpp(memory)));
 }
 discmc_limits discmc_block_means_limits(const discmc_block_means* means) {
-  return size_of(reinterpret_cast<const BlockMeans<uint8_t>*>(means)->limits());
+  return c(reinterpret_cast<const BlockMeans<uint8_t>*>(means)->limits());
 }
 const uint8_t* discmc_block_means_push_u8(discmc_block_means* means, const uint8_t* samples) {
   return means_of<uint8_t>(means).push(samples);

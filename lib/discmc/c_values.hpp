@@ -54,6 +54,12 @@ inline RecordsPacketSink cpp(const discmc_records_packet_sink* sink) {
           }};
 }
 
+inline discmc_limits c(const Limits& from) {
+  return {from.width,
+          from.height,
+          static_cast<uint8_t>(from.border),
+          {from.slab.first, from.slab.continues_below, from.slab.continues_above}};
+}
 inline discmc_status c(Status status) {
   return static_cast<discmc_status>(status);
 }

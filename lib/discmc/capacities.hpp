@@ -39,6 +39,10 @@ constexpr uint32_t record_bytes = sizeof(Index) == 4       ? 16
                                   : Normals::holds_samples ? 14
                                                            : 8;
 
+/// The most records that an index can count.
+template <class Index>
+constexpr uint32_t most_records = static_cast<Index>(~Index{0}) / 2 - 8;
+
 /// Words of a bit for each row of cells, in two layers: those that were cut off.
 constexpr uint32_t sealed_words(const Limits& limits) {
   return 2 * (limits.height / 32 + 1);
@@ -82,8 +86,8 @@ constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities)
 /// Whether an index of this width can count the records.
 template <class Index>
 constexpr bool is_valid(const Capacities& capacities) {
-  constexpr uint32_t most = static_cast<Index>(~Index{0}) / 2 - 8;
-  return capacities.records >= minimum_capacities().records && capacities.records <= most;
+  return capacities.records >= minimum_capacities().records &&
+         capacities.records <= sizing::most_records<Index>;
 }
 
 /// The least memory with which a scan works: the surface comes out right, in loose fragments of a
@@ -107,11 +111,11 @@ constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();
   const uint64_t taken = minimum_bytes<Index, Normals>(limits) + Arena::alignment;
   const uint64_t spare = bytes > taken ? bytes - taken : 0;
-  constexpr uint32_t most = static_cast<Index>(~Index{0}) / 2 - 8;
   // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
   const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) /
                               sizing::record_bytes<Index, Normals>;
-  const uint32_t records = least.records + sizing::lesser(affordable, most - least.records);
+  const uint32_t records =
+      least.records + sizing::lesser(affordable, sizing::most_records<Index> - least.records);
   return {records, records / 16};
 }
 

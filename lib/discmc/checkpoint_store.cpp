@@ -1,5 +1,6 @@
 #include <discmc/checkpoint_store.hpp>
 
+#include <discmc/compiler.hpp>
 #include <discmc/stream/crc32.hpp>
 
 namespace discmc {
@@ -73,8 +74,7 @@ bool CheckpointStore::find_head_before(const StoredHead* bound, StoredHead& head
 
 bool CheckpointStore::read_head(uint32_t slot, StoredHead& head) {
   if (!read(slot, 0)) return false;
-  auto* const bytes = reinterpret_cast<uint8_t*>(&head);
-  for (size_t i = 0; i < sizeof head; ++i) bytes[i] = buffer_[i];
+  copy_bytes(&head, buffer_, sizeof head);
   return head.format == StoredHead::current_format && head.checksum == checksum_of(head);
 }
 

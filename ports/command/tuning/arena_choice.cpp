@@ -1,13 +1,12 @@
 #include "arena_choice.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace discmc::host {
 namespace {
 
 constexpr std::uint64_t step = 256;
-constexpr std::uint32_t most_records = std::numeric_limits<std::uint16_t>::max() / 2 - 8;
+constexpr std::uint32_t most_records = sizing::most_records<std::uint16_t>;
 
 // With so many records more than are in use nothing is ever sent loose (docs/memory.md).
 constexpr std::uint32_t spare_records = 1168;
