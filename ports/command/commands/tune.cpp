@@ -56,11 +56,9 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
   if (arguments.memory == 0) return std::nullopt;
   const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
   if (arguments.memory < least)
-    throw std::invalid_argument(
-        "--memory " + std::to_string(arguments.memory) + " is too little for slices of " +
-        std::to_string(limits.width) + "x" + std::to_string(limits.height) + ": give at least " +
-        std::to_string(least) + " bytes, or send slices: every one a key slice takes " +
-        std::to_string(slice_encoder_bytes(limits, {1})));
+    throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
+                                ", or send slices: every one a key slice takes " +
+                                std::to_string(slice_encoder_bytes(limits, {1})));
   return arguments.memory;
 }
 

@@ -33,11 +33,7 @@ Arena arena_with(const Limits& limits, const Capacities& capacities) {
 template <class Normals>
 Arena arena_of(const Limits& limits, std::uint64_t bytes) {
   const std::uint64_t least = minimum_bytes<std::uint16_t, Normals>(limits);
-  if (bytes < least)
-    throw std::invalid_argument("--memory " + std::to_string(bytes) +
-                                " is too little for slices of " + std::to_string(limits.width) +
-                                "x" + std::to_string(limits.height) + ": give at least " +
-                                std::to_string(least) + " bytes");
+  if (bytes < least) throw std::invalid_argument(too_little_memory(bytes, limits, least));
   if (takes_narrow_indices<Normals>(limits, bytes))
     return {true, bytes, default_capacities<std::uint16_t, Normals>(limits, bytes)};
   return {false, bytes, default_capacities<std::uint32_t, Normals>(limits, bytes)};
@@ -129,6 +125,12 @@ std::string list(const Numbers& numbers, const char* separator) {
 }
 
 }  // namespace
+
+std::string too_little_memory(std::uint64_t bytes, const Limits& limits, std::uint64_t least) {
+  return "--memory " + std::to_string(bytes) + " is too little for slices of " +
+         std::to_string(limits.width) + "x" + std::to_string(limits.height) + ": give at least " +
+         std::to_string(least) + " bytes";
+}
 
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options) {
   StreamHeader header;

@@ -95,6 +95,9 @@ bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
 /// The header of a volume's stream.
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
 
+/// What is said where an extractor would refuse the memory. Units: bytes.
+std::string too_little_memory(std::uint64_t bytes, const Limits& limits, std::uint64_t least);
+
 /// Throws std::invalid_argument when the stream cannot be of this volume, because their extents or
 /// spacings differ; the text tells both. What the header does not say is not compared.
 void require_same_volume(const VolumeInfo& info, const StreamHeader& header);

@@ -16,6 +16,17 @@ double seconds(const DeviceWork& work, Payload payload, const Device& device) {
   return cycles_of(work, device.sample_bytes, cycle_costs(device.core, payload)) / device.clock_hz;
 }
 
+// In the slice that takes longest.
+double rows_a_second_at_worst(const Trial& trial, Payload payload, const Device& device) {
+  double longest = 0;
+  DeviceWork before;
+  for (const DeviceWork& done : trial.slices) {
+    longest = std::max(longest, seconds(done - before, payload, device));
+    before = done;
+  }
+  return static_cast<double>(trial.slices.front().rows) / longest;
+}
+
 std::string rows_text(double rows_a_second) {
   // No more digits than the estimate has.
   const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(rows_a_second)) - 1));
@@ -26,20 +37,6 @@ std::string rows_text(double rows_a_second) {
 
 double seconds_on_line(const Trial& trial, const Device& device) {
   return static_cast<double>(trial.stream_bytes()) * bits_a_byte / device.baud;
-}
-
-double seconds_of_work(const Trial& trial, Payload payload, const Device& device) {
-  return seconds(trial.work, payload, device);
-}
-
-double rows_a_second_at_worst(const Trial& trial, Payload payload, const Device& device) {
-  double longest = 0;
-  DeviceWork before;
-  for (const DeviceWork& done : trial.slices) {
-    longest = std::max(longest, seconds(done - before, payload, device));
-    before = done;
-  }
-  return static_cast<double>(trial.slices.front().rows) / longest;
 }
 
 std::string seconds_text(double seconds) {
@@ -62,7 +59,7 @@ void write_trials(const std::vector<TriedRow>& rows, Payload payload, const Devi
       << std::setw(9) << "rows/s" << std::setw(10) << "at worst" << '\n';
   for (const TriedRow& row : rows) {
     const Trial& trial = *row.trial;
-    const double work = seconds_of_work(trial, payload, device);
+    const double work = seconds(trial.work, payload, device);
     const double scan = std::max(work, seconds_on_line(trial, device));
     out << (row.is_chosen ? "> " : "  ") << std::setw(memory_width) << row.memory;
     loose(grouped(trial.loose_pieces));

@@ -22,10 +22,6 @@ struct Device {
 
 /// With a start and a stop bit to a byte.
 double seconds_on_line(const Trial& trial, const Device& device);
-/// An estimate.
-double seconds_of_work(const Trial& trial, Payload payload, const Device& device);
-/// The same of the slice that takes longest, for each of its rows: how many a second.
-double rows_a_second_at_worst(const Trial& trial, Payload payload, const Device& device);
 
 /// Seconds as people say them: three digits.
 std::string seconds_text(double seconds);

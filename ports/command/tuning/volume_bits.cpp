@@ -45,7 +45,6 @@ VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
   }
   source.finish(keep);
   is_full_ = source.is_full(0);
-  not_numbers_ = source.not_numbers();
 }
 
 }  // namespace discmc::host

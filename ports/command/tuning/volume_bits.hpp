@@ -30,7 +30,6 @@ class VolumeBits {
   /// Voxels that are on in the first so many slices.
   std::uint64_t on(std::uint32_t slices) const { return on_[slices]; }
   bool is_full() const { return is_full_; }
-  std::uint64_t not_numbers() const { return not_numbers_; }
 
   /// A row as Extractor::push_bits() takes it, counted over all slices.
   const std::uint8_t* row(std::size_t number) const { return bits_.data() + number * row_bytes_; }
@@ -43,7 +42,6 @@ class VolumeBits {
   std::vector<std::uint8_t> bits_;
   std::vector<std::uint64_t> on_{0};
   bool is_full_ = false;
-  std::uint64_t not_numbers_ = 0;
 };
 
 }  // namespace discmc::host

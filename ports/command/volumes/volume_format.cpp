@@ -50,6 +50,11 @@ void fail(const std::filesystem::path& file, const std::string& what, const std:
   throw VolumeError(file.string() + ": " + what + "; " + remedy);
 }
 
+void require_slice_left(const std::filesystem::path& file, std::size_t read, std::size_t slices) {
+  if (read == slices)
+    fail(file, "all " + std::to_string(read) + " slices have been read", "open the volume again");
+}
+
 ByteStream open_content(const std::filesystem::path& file) {
   ByteStream stream(file);
   if (stream.peek(2) == "\x1f\x8b") stream.decode(inflated);

@@ -68,6 +68,9 @@ std::optional<std::string_view> format_of_magic(ByteStream& stream);
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what,
                        const std::string& remedy);
 
+/// Throws when all slices have been read.
+void require_slice_left(const std::filesystem::path& file, std::size_t read, std::size_t slices);
+
 /// Throws the refusal of a sample type, by the name the file gives it.
 [[noreturn]] void fail_type(const std::filesystem::path& file, std::string_view type);
 

@@ -169,7 +169,7 @@ SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian, Be
 }
 
 void SliceStream::read_slice(void* samples) {
-  require_more();
+  require_slice_left(stream_.file(), slice_, info_.dims[2]);
   const std::uint64_t bytes = info_.slice_bytes();
   end_slice(stream_.read(samples, static_cast<std::size_t>(bytes)));
   const std::size_t size = sample_bytes(info_.type);
@@ -177,14 +177,8 @@ void SliceStream::read_slice(void* samples) {
 }
 
 void SliceStream::skip_slice() {
-  require_more();
+  require_slice_left(stream_.file(), slice_, info_.dims[2]);
   end_slice(stream_.drop(info_.slice_bytes()));
-}
-
-void SliceStream::require_more() const {
-  if (slice_ == info_.dims[2])
-    fail(stream_.file(), "all " + std::to_string(slice_) + " slices have been read",
-         "open the volume again");
 }
 
 // bytes: that were there.

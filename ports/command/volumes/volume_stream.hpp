@@ -98,7 +98,6 @@ class SliceStream final : public VolumeReader {
   void skip_slice() override;
 
  private:
-  void require_more() const;
   void end_slice(std::uint64_t bytes);
   void end();
   [[noreturn]] void fail_in_slice(std::uint64_t missing) const;

@@ -23,7 +23,7 @@ class DicomVolume final : public VolumeReader {
   const VolumeInfo& info() const override { return info_; }
 
   void read_slice(void* samples) override {
-    require_more();
+    require_slice_left(source_, slice_, stack_.size());
     const DicomFrame& frame = stack_[slice_];
     if (is_stored_)
       pixels_.read(frame, samples);
@@ -33,17 +33,11 @@ class DicomVolume final : public VolumeReader {
   }
 
   void skip_slice() override {
-    require_more();
+    require_slice_left(source_, slice_, stack_.size());
     ++slice_;
   }
 
  private:
-  void require_more() const {
-    if (slice_ == stack_.size())
-      fail(source_, "all " + std::to_string(slice_) + " slices have been read",
-           "open the volume again");
-  }
-
   // Where every slice has a scale of its own.
   void read_values(const DicomFrame& frame, void* values) {
     const SampleType type = frame.image->type;

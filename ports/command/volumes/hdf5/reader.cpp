@@ -23,7 +23,7 @@ class Hdf5Volume final : public VolumeReader {
   const VolumeInfo& info() const override { return info_; }
 
   void read_slice(void* samples) override {
-    require_more();
+    require_slice_left(name_, slice_, info_.dims[2]);
     if (!dataset_.read_slice(frame_, slice_, samples))
       fail(name_,
            "slice " + std::to_string(slice_) + " (the first is 0) of " +
@@ -33,17 +33,11 @@ class Hdf5Volume final : public VolumeReader {
   }
 
   void skip_slice() override {
-    require_more();
+    require_slice_left(name_, slice_, info_.dims[2]);
     ++slice_;
   }
 
  private:
-  void require_more() const {
-    if (slice_ == info_.dims[2])
-      fail(name_, "all " + std::to_string(slice_) + " slices have been read",
-           "open the volume again");
-  }
-
   std::filesystem::path name_;
   VolumeInfo info_;
   Hdf5Dataset dataset_;

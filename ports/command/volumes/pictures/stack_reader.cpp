@@ -37,7 +37,7 @@ class PictureStack final : public VolumeReader {
   const VolumeInfo& info() const override { return info_; }
 
   void read_slice(void* samples) override {
-    require_more();
+    require_slice_left(source_, next_, slices_.size());
     const Slice& slice = slices_[next_];
     if (!opened_ || slice.page == 0) opened_ = open_picture(slice.file);
     const PictureHeader header = opened_->header(slice.page);
@@ -50,18 +50,12 @@ class PictureStack final : public VolumeReader {
   }
 
   void skip_slice() override {
-    require_more();
+    require_slice_left(source_, next_, slices_.size());
     if (slices_[next_].page == 0) opened_.reset();
     ++next_;
   }
 
  private:
-  void require_more() const {
-    if (next_ == slices_.size())
-      fail(source_, "all " + std::to_string(next_) + " slices have been read",
-           "open the volume again");
-  }
-
   std::filesystem::path source_;
   VolumeInfo info_;
   std::vector<Slice> slices_;
