@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
+
+#include "project_text.hpp"
 
 namespace {
 
@@ -24,11 +24,7 @@ Names sources_in_lib() {
 
 // The sources that a file names, after `prefix`.
 Names sources_named_in(const std::string& file, const std::string& prefix) {
-  std::ifstream stream(project / file);
-  REQUIRE_MESSAGE(stream.is_open(), file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  const std::string all = text.str();
+  const std::string all = discmc::test::text_of(file);
   const std::regex source(prefix + R"((discmc/[a-z0-9_/]+\.cpp))");
   Names names;
   for (std::sregex_iterator found(all.begin(), all.end(), source), end; found != end; ++found)

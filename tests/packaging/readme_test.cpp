@@ -2,19 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <string>
+
+#include "project_text.hpp"
 
 namespace {
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(DISCMC_SOURCE_DIR) + "/" + path);
-  REQUIRE_MESSAGE(file.is_open(), path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using discmc::test::text_of;
 
 std::string first_block(const std::string& markdown, const std::string& language) {
   const std::string fence = "```" + language + "\n";

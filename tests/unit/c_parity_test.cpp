@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "project_text.hpp"
 
 namespace fs = std::filesystem;
 
@@ -22,12 +22,7 @@ using Names = std::set<std::string>;
 
 const fs::path library = fs::path(DISCMC_SOURCE_DIR) / "lib/discmc";
 
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  REQUIRE_FALSE(text.str().empty());
-  return text.str();
-}
+using discmc::test::text_of;
 
 // ---- what the headers have ----
 

@@ -2,11 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "project_text.hpp"
 
 namespace fs = std::filesystem;
 
@@ -14,11 +15,7 @@ namespace {
 
 const fs::path library = fs::path(DISCMC_SOURCE_DIR) / "lib";
 
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
+using discmc::test::text_of;
 
 // The headers of this library that one of them includes, by whatever way, and itself.
 std::set<std::string> included_by(const std::string& header) {

@@ -3,20 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <discmc/version.hpp>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
+
+#include "project_text.hpp"
 
 namespace {
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(DISCMC_SOURCE_DIR) + "/" + path);
-  REQUIRE_MESSAGE(file.is_open(), path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using discmc::test::text_of;
 
 // The first version that follows some text in a file, which tells what versions stand behind.
 std::string version_after(const std::string& text, const std::string& path) {

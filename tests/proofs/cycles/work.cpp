@@ -101,16 +101,6 @@ static void tell_work(const Volume& volume, uint64_t on, uint64_t cells, uint64_
   board::report("bytes", static_cast<uint32_t>(bytes));
 }
 
-template <class Sample, class Scanner, class Rows>
-static bool push_and_finish(Scanner& scanner, const Volume& volume, Rows rows) {
-  if (!push_rows<Sample>(scanner, volume.limits, volume.slices, rows)) return false;
-  count_on();
-  const Status status = scanner.finish();
-  count_off();
-  count_tell();
-  return status == Status::ok;
-}
-
 constexpr KeySlices key_slices{16};
 
 template <class Sample, class Source>
@@ -137,13 +127,13 @@ template <class Sample, class MakeRows>
   bool good = encoder.start(volume.header().label(), {nullptr, take_bytes}) == Status::ok &&
               extractor.start(volume.limits, volume.threshold, {memory, arena}, sink_to(encoder)) ==
                   Status::ok &&
-              push_and_finish<Sample>(extractor, volume, rows());
+              push_and_finish<Sample>(extractor, volume.limits, volume.slices, rows());
   const Statistics statistics = extractor.statistics();
   tell_work<Sample>(volume, counted.on, statistics.cells, statistics.links, encoder.bytes());
   good = good &&
          slice_encoder.start(volume.header(), key_slices, memory_of(memory),
                              {nullptr, take_bytes}) == Status::ok &&
-         push_and_finish<Sample>(slice_encoder, volume, rows());
+         push_and_finish<Sample>(slice_encoder, volume.limits, volume.slices, rows());
   tell_work<Sample>(volume, counted.on, 0, counted.steps, slice_encoder.bytes());
   return good;
 }

@@ -2,30 +2,9 @@
  *   -plugin count_instructions.so,on=ADDRESS,off=ADDRESS,tell=ADDRESS,out=FILE
  * Whenever `tell` is reached, the sum of all stretches from `on` to `off` is written to the file, a
  * line each, and the sum begins anew. */
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* Version 1 of QEMU's plugin interface, as far as it is used; its header is not always packaged. */
-#define EXPORT __attribute__((visibility("default")))
-struct qemu_plugin_tb;
-struct qemu_plugin_insn;
-typedef void (*translated_cb)(uint64_t id, struct qemu_plugin_tb *block);
-typedef void (*executed_cb)(unsigned int cpu, void *data);
-enum { add_to_counter = 0, uses_no_registers = 0 };
-void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id, translated_cb callback);
-size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *block);
-struct qemu_plugin_insn *qemu_plugin_tb_get_insn(const struct qemu_plugin_tb *block, size_t index);
-uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *instruction);
-void qemu_plugin_register_vcpu_insn_exec_inline(struct qemu_plugin_insn *instruction, int operation,
-                                                void *counter, uint64_t value);
-void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn *instruction,
-                                            executed_cb callback, int flags, void *data);
-EXPORT int qemu_plugin_version = 1;
+#include "../counting_plugin.h"
 
 static uint64_t executed, executed_at_on, sum;
-static FILE *out;
 
 static void on(unsigned int cpu, void *data) { executed_at_on = executed; }
 static void off(unsigned int cpu, void *data) { sum += executed - executed_at_on; }
@@ -35,31 +14,10 @@ static void tell(unsigned int cpu, void *data) {
   sum = 0;
 }
 
-static struct {
-  const char *name;
-  executed_cb reached;
-  uint64_t address;
-} marks[] = {{"on=", on, 0}, {"off=", off, 0}, {"tell=", tell, 0}};
-enum { mark_count = sizeof marks / sizeof marks[0] };
-
 static void translated(uint64_t id, struct qemu_plugin_tb *block) {
   for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); ++i) {
     struct qemu_plugin_insn *instruction = qemu_plugin_tb_get_insn(block, i);
     qemu_plugin_register_vcpu_insn_exec_inline(instruction, add_to_counter, &executed, 1);
-    for (int m = 0; m < mark_count; ++m)
-      if (qemu_plugin_insn_vaddr(instruction) == marks[m].address)
-        qemu_plugin_register_vcpu_insn_exec_cb(instruction, marks[m].reached, uses_no_registers, 0);
+    watch_marks(instruction);
   }
-}
-
-EXPORT int qemu_plugin_install(uint64_t id, const void *info, int count, char **arguments) {
-  for (int i = 0; i < count; ++i) {
-    if (strncmp(arguments[i], "out=", 4) == 0) out = fopen(arguments[i] + 4, "w");
-    for (int m = 0; m < mark_count; ++m)
-      if (strncmp(arguments[i], marks[m].name, strlen(marks[m].name)) == 0)
-        marks[m].address = strtoull(strchr(arguments[i], '=') + 1, 0, 0);
-  }
-  if (!out) return 1;
-  qemu_plugin_register_vcpu_tb_trans_cb(id, translated);
-  return 0;
 }

@@ -8,6 +8,7 @@
 #include <discmc/slice_encoder.hpp>
 #include <semihosting.hpp>
 
+#include "command/tuning/slice_steps.hpp"
 #include "scans.hpp"
 
 using namespace discmc;
@@ -62,22 +63,12 @@ constexpr Volume small_ball{ball, ball.width, threshold};
 constexpr Volume noise{{64, 64}, 16, threshold};
 constexpr Volume head{{256, 256}, 113, 500};
 
-template <class Sample, class Scanner, class Rows>
-static bool push_and_finish(Scanner& scanner, const Volume& volume, Rows rows) {
-  if (!push_rows<Sample>(scanner, volume.limits, volume.slices, rows)) return false;
-  count_on();
-  const Status status = scanner.finish();
-  count_off();
-  count_tell();
-  return status == Status::ok;
-}
-
 template <class Sample, class Rows>
 static bool tell_regions(const char* name, const Volume& volume, Rows rows) {
   const bool good = encoder.start(volume.header().label(), {nullptr, take_bytes}) == Status::ok &&
                     extractor.start(volume.limits, volume.threshold, memory_of(memory),
                                     sink_to(encoder)) == Status::ok &&
-                    push_and_finish<Sample>(extractor, volume, rows);
+                    push_and_finish<Sample>(extractor, volume.limits, volume.slices, rows);
   board::report(name, static_cast<uint32_t>(encoder.bytes()));
   return good;
 }
@@ -86,7 +77,7 @@ template <class Sample, class Rows>
 static bool tell_slices(const char* name, const Volume& volume, KeySlices key_slices, Rows rows) {
   const bool good = slice_encoder.start(volume.header(), key_slices, memory_of(memory),
                                         {nullptr, take_bytes}) == Status::ok &&
-                    push_and_finish<Sample>(slice_encoder, volume, rows);
+                    push_and_finish<Sample>(slice_encoder, volume.limits, volume.slices, rows);
   board::report(name, static_cast<uint32_t>(slice_encoder.bytes()));
   return good;
 }
@@ -102,35 +93,17 @@ static bool tell_both(const char* name, const Volume& volume) {
 
 // ---- steps ----
 
-struct NoCoder {
-  bool code_bit(LearntProbability&, bool bit) { return bit; }
-  uint32_t number(uint32_t, uint32_t value) { return value; }
-};
-
 // The voxels and runs that are told of a volume.
 template <class Rows>
 static uint32_t steps(const Volume& volume, Rows samples) {
-  slices::SliceModel model;
-  Arena arena(memory_of(memory));
-  model.start(arena, false);
-  trace::BitRows rows;
-  rows.start(arena, volume.limits, slices::rows_kept(volume.limits.height, false));
-  rows.clear();
-  uint32_t count = 0;
-  while (rows.slices() < volume.slices) {
+  host::SliceSteps steps;
+  steps.start(volume.limits, {0}, memory_of(memory));
+  for (uint32_t row = 0; row < volume.limits.height * volume.slices; ++row) {
     uint8_t samples_of_row[64];
     samples.read(samples_of_row);
-    rows.append(samples_of_row, volume.limits.width, 1, volume.threshold);
-    const auto kind = rows.slices() == 0 ? slices::SliceKind::key : slices::SliceKind::follows;
-    slices::RowCode row;
-    row.begin(rows.arriving(), slices::rows_before(rows, volume.limits.height, kind),
-              volume.limits.width);
-    NoCoder coder;
-    for (; !row.is_done(); ++count) row.step(coder, model);
-    rows.next_row();
-    if (rows.rows() == volume.limits.height) rows.next_slice();
+    steps.push(samples_of_row, volume.threshold);
   }
-  return count;
+  return static_cast<uint32_t>(steps.count());
 }
 
 int main() {

@@ -57,6 +57,17 @@ bool push_rows(Scanner& scanner, const Limits& limits, uint32_t slices, Rows row
   return true;
 }
 
+/// The same, and of finish(); then their sum is told.
+template <class Sample, class Scanner, class Rows>
+bool push_and_finish(Scanner& scanner, const Limits& limits, uint32_t slices, Rows rows) {
+  if (!push_rows<Sample>(scanner, limits, slices, rows)) return false;
+  count_on();
+  const Status status = scanner.finish();
+  count_off();
+  count_tell();
+  return status == Status::ok;
+}
+
 }  // namespace discmc::test
 
 #endif
