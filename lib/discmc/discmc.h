@@ -1,7 +1,7 @@
 /* discmc for C99: all that the C++ headers have, linked by the C linker. Left to C++ are
- * Extractor32, as discmc_learning_extractor has indices of 32 bits, too; groups of
- * other extractors than discmc_extractor, which are given the same rows one after another; and
- * arithmetic on members that a line of C does.
+ * Extractor32, as discmc_learning_extractor has indices of 32 bits, too; groups of other extractors
+ * than discmc_extractor, which are given the same rows one after another; and arithmetic on members
+ * that a line of C does.
  *
  *   discmc_encoder_start      once
  *   discmc_extractor_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
