@@ -28,6 +28,7 @@ using SliceDecoderAdapter = SinkAdapter<SliceDecoder, discmc_row_event>;
 using SurfaceDecoderAdapter = SinkAdapter<SurfaceDecoder>;
 
 static_assert(fits<SliceEncoder, discmc_slice_encoder> &&
+                  fits<Checkpoint<SliceEncoder>, discmc_slice_encoder_checkpoint> &&
                   fits<SliceDecoderAdapter, discmc_slice_decoder> &&
                   fits<SurfaceDecoderAdapter, discmc_surface_decoder>,
               "the sizes in discmc.h are enough and not much more");
@@ -120,8 +121,21 @@ discmc_status discmc_slice_encoder_finish(discmc_slice_encoder* encoder) {
 discmc_status discmc_slice_encoder_abandon(discmc_slice_encoder* encoder) {
   return c(cpp(encoder).abandon());
 }
+discmc_status discmc_slice_encoder_save(const discmc_slice_encoder* encoder,
+                                        discmc_slice_encoder_checkpoint* checkpoint) {
+  return c(cpp(encoder).save(*reinterpret_cast<Checkpoint<SliceEncoder>*>(checkpoint)));
+}
+discmc_status discmc_slice_encoder_restore(discmc_slice_encoder* encoder,
+                                           const discmc_slice_encoder_checkpoint* checkpoint,
+                                           discmc_memory memory, discmc_byte_output output) {
+  return c(cpp(encoder).restore(*reinterpret_cast<const Checkpoint<SliceEncoder>*>(checkpoint),
+                                cpp(memory), cpp(output)));
+}
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder* encoder) {
   return cpp(encoder).bytes();
+}
+size_t discmc_slice_encoder_bytes_used(const discmc_slice_encoder* encoder) {
+  return cpp(encoder).bytes_used();
 }
 uint32_t discmc_slice_encoder_slices(const discmc_slice_encoder* encoder) {
   return cpp(encoder).slices();

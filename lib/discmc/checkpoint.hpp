@@ -2,7 +2,7 @@
 //
 // An extractor's goes with the memory that it works in, an encoder's stands alone. Both at once are
 // a scan: written between two rows they let it go on later with the same bytes of stream as if
-// nothing had happened.
+// nothing had happened. A SliceEncoder's goes with its memory and is a scan of its own.
 //
 //   static Checkpoint<Extractor16> scan;
 //   static Checkpoint<Encoder> stream;

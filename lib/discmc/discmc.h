@@ -943,7 +943,7 @@ discmc_stream_report discmc_decoder_report(const discmc_decoder* decoder);
 
 /* Takes the samples of a scan, and writes the stream of their bits. */
 typedef struct discmc_slice_encoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 728 : 640) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 736 : 648) / 8];
 } discmc_slice_encoder;
 
 /* The bytes that a slice encoder takes. key_slice_interval: the slices from one key slice, which is
@@ -1012,8 +1012,29 @@ DISCMC_NODISCARD discmc_status discmc_slice_encoder_finish(discmc_slice_encoder*
  * off. DISCMC_MORE as finish. Errors: DISCMC_NOT_STARTED. */
 DISCMC_NODISCARD discmc_status discmc_slice_encoder_abandon(discmc_slice_encoder* encoder);
 
+/* Where a scan and its stream are, as plain bytes: see checkpoint.hpp. */
+typedef struct discmc_slice_encoder_checkpoint {
+  uint64_t head[3];
+  discmc_slice_encoder encoder;
+} discmc_slice_encoder_checkpoint;
+
+/* Writes down where scan and stream are, the stream at the beginning of a frame; with the first
+ * discmc_slice_encoder_bytes_used() bytes of the memory that is all of both. DISCMC_MORE: resume
+ * first. Errors: DISCMC_NOT_STARTED. */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_save(
+    const discmc_slice_encoder* encoder, discmc_slice_encoder_checkpoint* checkpoint);
+
+/* Goes on where a checkpoint was saved; discmc_slice_encoder_bytes() says how many bytes of stream
+ * were before. memory: as discmc_extractor_restore(). Errors: DISCMC_TOO_LITTLE_MEMORY,
+ * DISCMC_BAD_CHECKPOINT, DISCMC_BAD_SINK (no write). */
+DISCMC_NODISCARD discmc_status discmc_slice_encoder_restore(
+    discmc_slice_encoder* encoder, const discmc_slice_encoder_checkpoint* checkpoint,
+    discmc_memory memory, discmc_byte_output output);
+
 /* The bytes of stream so far, as discmc_encoder_bytes(). */
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder* encoder);
+/* So many bytes at the beginning of the caller's memory the scan uses. */
+size_t discmc_slice_encoder_bytes_used(const discmc_slice_encoder* encoder);
 /* Complete slices so far, and complete rows of the current one. */
 uint32_t discmc_slice_encoder_slices(const discmc_slice_encoder* encoder);
 uint32_t discmc_slice_encoder_rows(const discmc_slice_encoder* encoder);

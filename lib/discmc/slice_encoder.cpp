@@ -13,12 +13,11 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   if (memory.data == nullptr ||
       memory.bytes < slice_encoder_bytes(limits, key_slices, header.surfaces()))
     return Status::too_little_memory;
-  Arena arena(memory);
-  surfaces_.start(arena, header, slices::rows_kept(limits.height, key_slices.is_every()));
-  surfaces_.clear();
   packets_.open(output);
   packets_.start(header, wire::HeaderFlags::slices);
   key_slices_ = key_slices;
+  lay_out(memory);
+  surfaces_.clear();
   state_ = State::scanning;
   row_is_due_ = false;
   row_is_begun_ = false;
@@ -29,6 +28,13 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   told_rows_ = 0;
   skipped_rows_ = 0;
   return Status::ok;
+}
+
+void SliceEncoder::lay_out(Memory memory) {
+  const StreamHeader& header = packets_.header();
+  Arena arena(memory);
+  surfaces_.start(arena, header, slices::rows_kept(header.height, key_slices_.is_every()));
+  memory_ = memory.data;
 }
 
 // ---- what the caller gives ----
@@ -147,6 +153,42 @@ Status SliceEncoder::abandon() {
   return resume();
 }
 
+// ---- checkpoints ----
+
+size_t SliceEncoder::bytes_used() const {
+  if (state_ == State::idle) return 0;
+  const StreamHeader& header = packets_.header();
+  const uint64_t bytes =
+      slice_encoder_bytes({header.width, header.height}, key_slices_, header.surfaces());
+  return static_cast<size_t>(bytes);
+}
+
+Status SliceEncoder::save(Checkpoint<SliceEncoder>& checkpoint) const {
+  if (state_ == State::idle) return Status::not_started;
+  if (row_is_due_ || state_ == State::finishing) return Status::more;
+  SliceEncoder& image = checkpoint.object;
+  image = *this;
+  // Addresses are of no use to whoever restores it.
+  image.row_ = {};
+  image.coder_.range.move_to(nullptr);
+  image.packets_.rewind();
+  image.lay_out({});
+  checkpoint.seal({memory_, bytes_used()});
+  return Status::ok;
+}
+
+Status SliceEncoder::restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
+                             const ByteOutput& output) {
+  if (memory.data == nullptr) return Status::too_little_memory;
+  if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
+  if (output.write == nullptr) return Status::bad_sink;
+  *this = checkpoint.object;
+  lay_out(memory);
+  packets_.set_output(output);
+  coder_.range.move_to(code());
+  return Status::ok;
+}
+
 // ---- rows ----
 
 // Does all that is due. False when the output said "not now".
@@ -226,7 +268,7 @@ bool SliceEncoder::make_room() {
     if (coder_.range.final_bytes() < code_reserve) {
       if (!cut_code()) return false;
     } else {
-      seal(code_end(coder_.range.final_bytes()));
+      seal(code() + coder_.range.final_bytes());
       coder_.range.continue_in(packets_.payload(), wire::max_payload);
       if (!packets_.drain()) return false;
     }
@@ -238,13 +280,12 @@ bool SliceEncoder::make_room() {
 void SliceEncoder::begin_code() {
   const bool is_key = !row_is_begun_ && is_at_key_slice();
   packet_bits_ = wire::SliceBits::first;
-  uint8_t* code = packets_.payload();
   if (is_key) {
     packet_bits_ |= wire::SliceBits::key;
-    code = wire::put(code, slices(), wire::key_slice_head);
+    (void)wire::put(packets_.payload(), slices(), wire::key_slice_head);
   }
-  const auto head = static_cast<size_t>(code - packets_.payload());
-  coder_.range = RangeEncoder(code, wire::max_payload - head);
+  const auto head = static_cast<size_t>(code() - packets_.payload());
+  coder_.range = RangeEncoder(code(), wire::max_payload - head);
   code_is_open_ = true;
 }
 
@@ -261,7 +302,7 @@ bool SliceEncoder::cut_code() {
 
 bool SliceEncoder::close_code(uint8_t bits) {
   packet_bits_ = static_cast<uint8_t>(packet_bits_ | wire::SliceBits::last | bits);
-  uint8_t* end = code_end(coder_.range.finish());
+  uint8_t* end = code() + coder_.range.finish();
   if (bits == wire::SliceBits::cut) {
     const uint64_t rows_of_all = told_rows_ * surfaces_.count() + surface_;
     end = wire::put(end, static_cast<uint32_t>(rows_of_all), 4);
@@ -272,9 +313,10 @@ bool SliceEncoder::close_code(uint8_t bits) {
   return packets_.drain();
 }
 
-uint8_t* SliceEncoder::code_end(size_t code_bytes) {
+// Where the code begins in the packet.
+uint8_t* SliceEncoder::code() {
   const size_t head = (packet_bits_ & wire::SliceBits::key) != 0 ? wire::key_slice_head : 0;
-  return packets_.payload() + head + code_bytes;
+  return packets_.payload() + head;
 }
 
 void SliceEncoder::seal(uint8_t* end) {

@@ -13,6 +13,7 @@
 #ifndef DISCMC_SLICE_ENCODER_HPP
 #define DISCMC_SLICE_ENCODER_HPP
 
+#include <discmc/checkpoint.hpp>
 #include <discmc/key_slices.hpp>
 #include <discmc/row_input.hpp>
 #include <discmc/slices/row_coders.hpp>
@@ -22,12 +23,10 @@
 namespace discmc {
 
 /// Takes the samples of a scan, and writes one stream of the bits of its surfaces. It points into
-/// itself, so it is neither copied nor moved.
+/// itself, so it is neither copied nor moved, but by save() and restore().
 class SliceEncoder {
  public:
   SliceEncoder() = default;
-  SliceEncoder(const SliceEncoder&) = delete;
-  SliceEncoder& operator=(const SliceEncoder&) = delete;
 
   /// Begins a scan and its stream; the header is the first packet, and its thresholds those of the
   /// samples. Where it has several surfaces each gets all samples; bits of the further ones are
@@ -83,16 +82,38 @@ class SliceEncoder {
   /// as finish().
   [[nodiscard]] Status abandon();
 
+  /// Writes down where scan and stream are, the stream at the beginning of a frame; with the first
+  /// bytes_used() bytes of the memory that is all of both. Errors: not_started. Status::more:
+  /// resume() first. Cost: a checksum of those bytes.
+  [[nodiscard]] Status save(Checkpoint<SliceEncoder>& checkpoint) const;
+
+  /// Goes on where a checkpoint was saved: with row rows() of slice slices(), bytes() bytes of
+  /// stream before it. memory: as many bytes as start() was given, the first ones as they were
+  /// then; it may lie elsewhere, with the same alignment modulo 4; Owner: as of start(). Errors:
+  /// too_little_memory, bad_checkpoint, bad_sink (no write). Cost: as save().
+  [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
+                               const ByteOutput& output);
+
   /// The bytes of stream so far: what the output has taken, and what was dropped without one. How
   /// many those are is what this has grown by between the two calls of set_output().
   uint64_t bytes() const { return packets_.bytes(); }
+  /// So many bytes at the beginning of the caller's memory the scan uses: slice_encoder_bytes().
+  size_t bytes_used() const;
   /// Complete slices so far, and complete rows of the current one.
   uint32_t slices() const { return surfaces_.rows().slices(); }
   uint32_t rows() const { return surfaces_.rows().rows(); }
 
+  /// Of what a checkpoint holds: see CheckpointHead.
+  static constexpr uint32_t layout = sizeof(void*) << 4;
+
  private:
+  friend struct Checkpoint<SliceEncoder>;
+  SliceEncoder(const SliceEncoder&) = default;
+  SliceEncoder& operator=(const SliceEncoder&) = default;
+
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
+  void lay_out(Memory memory);
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   Status ready_for_row();
@@ -109,7 +130,7 @@ class SliceEncoder {
   bool end_code();
   bool cut_code();
   bool close_code(uint8_t bits);
-  uint8_t* code_end(size_t code_bytes);
+  uint8_t* code();
   void seal(uint8_t* end);
 
   State state_ = State::idle;
@@ -124,6 +145,7 @@ class SliceEncoder {
   KeySlices key_slices_;
   uint64_t told_rows_ = 0;
   uint64_t skipped_rows_ = 0;
+  void* memory_ = nullptr;
   slices::RowWriter coder_;
   slices::RowCode row_;
   slices::Surfaces surfaces_;

@@ -3,6 +3,7 @@
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
+#include <cstring>
 #include <discmc/surface_decoder.hpp>
 
 #include "oracle/c_row_events.hpp"
@@ -67,12 +68,14 @@ bool succeeds(SliceEncoder& encoder, Status status) {
 constexpr uint8_t bits_of_row[4 * 5] = {1, 2, 3, 4, 5, 0xFF, 0x7F, 0, 0, 1, 9, 8, 7, 6, 5};
 constexpr uint8_t told[3] = {7, 0, 9};
 
-// A scan with a row of bits, one that never comes, a flush, a record and another line.
+// A scan with a row of bits, one that never comes, a flush, a power failure, a record and another
+// line.
 template <class Sample>
 Bytes encode_in_c(const std::vector<Sample>& samples, uint32_t interval, uint8_t surfaces,
                   size_t bytes_a_time) {
   Line line(bytes_a_time), other(bytes_a_time);
   Block block(discmc_slice_encoder_bytes_for(&limits_in_c, interval, surfaces));
+  Block later(block.memory().bytes);
   discmc_slice_encoder encoder = {};
   const discmc_stream_header header = header_in_c(surfaces);
   REQUIRE(discmc_slice_encoder_start(&encoder, &header, interval, in_c(block.memory()),
@@ -92,6 +95,16 @@ Bytes encode_in_c(const std::vector<Sample>& samples, uint32_t interval, uint8_t
       while (status == DISCMC_MORE) status = discmc_slice_encoder_flush(&encoder);
       REQUIRE(status == DISCMC_OK);
     }
+    if (row == 45) {
+      discmc_slice_encoder_checkpoint checkpoint = {};
+      REQUIRE(discmc_slice_encoder_save(&encoder, &checkpoint) == DISCMC_OK);
+      std::memcpy(later.memory().data, block.memory().data,
+                  discmc_slice_encoder_bytes_used(&encoder));
+      encoder = {};
+      REQUIRE(discmc_slice_encoder_restore(&encoder, &checkpoint, in_c(later.memory()),
+                                           in_c(line.output())) == DISCMC_OK);
+      line.bytes.resize(discmc_slice_encoder_bytes(&encoder));
+    }
     if (row == 50) {
       const discmc_application_record record = {11, 0, 0, told, sizeof told};
       discmc_status status = DISCMC_MORE;
@@ -106,6 +119,7 @@ Bytes encode_in_c(const std::vector<Sample>& samples, uint32_t interval, uint8_t
   line.bytes.insert(line.bytes.end(), other.bytes.begin(), other.bytes.end());
   CHECK(discmc_slice_encoder_bytes(&encoder) == line.bytes.size());
   CHECK(block.is_intact());
+  CHECK(later.is_intact());
   return line.bytes;
 }
 

@@ -24,6 +24,7 @@ class PacketWriter {
   bool has_output() const { return output_.write != nullptr; }
   /// Of the stream that goes on, or went before.
   StreamHeader& header() { return header_; }
+  const StreamHeader& header() const { return header_; }
 
   /// Whether the packet is open.
   bool is_open() const { return frame_bytes_ == 0; }

@@ -1,0 +1,271 @@
+// Checkpoints of a slice encoder: a scan that goes on after a power failure makes the stream of one
+// that never failed.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "oracle/checkpointed_device.hpp"
+#include "oracle/sanitized.hpp"
+#include "oracle/slice_stream.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using reference::Block;
+using reference::require_ok;
+
+namespace {
+
+struct DevicePlan {
+  const char* name;
+  KeySlices key_slices;
+  uint8_t further_surfaces;
+  size_t most;  // bytes that the output takes at a time
+};
+
+constexpr DevicePlan plans[] = {{"one key slice", {}, 0, SIZE_MAX},
+                                {"every third is one", {3}, 0, SIZE_MAX},
+                                {"all are", {1}, 0, SIZE_MAX},
+                                {"several surfaces", {2}, 2, SIZE_MAX},
+                                {"an output that lags behind", {3}, 1, 5}};
+
+// A slice of it fills more than a packet.
+BitVolume noise() {
+  return reference::random({67, 40, 5}, 128, 1);
+}
+BitVolume smooth() {
+  return centred_ball(21);
+}
+
+// A device that sends slices, in memory of its own, and its checkpoints.
+class SliceDevice {
+ public:
+  SliceDevice(const BitVolume& volume, const DevicePlan& plan)
+      : volume_(volume), key_slices_(plan.key_slices), header_(header_of(volume)) {
+    header_.further_surfaces = plan.further_surfaces;
+    for (int32_t& threshold : header_.further_thresholds) threshold = header_.threshold;
+    store.most = plan.most;
+    const Limits limits{volume.width, volume.height};
+    block_ = Block(slice_encoder_bytes(limits, key_slices_, header_.surfaces()));
+  }
+
+  void start() { require_ok(encoder.start(header_, key_slices_, block_.memory(), store.output())); }
+  // Pushes rows up to that of a number, counted through all slices.
+  void scan_to(uint32_t end) {
+    uint32_t row = encoder.slices() * volume_.height + encoder.rows();
+    for (; row < end; ++row) {
+      Status status = encoder.push(&volume_.on[size_t{row} * volume_.width], volume_.width).status;
+      while (status == Status::more) status = encoder.resume();
+      require_ok(status);
+    }
+  }
+  void finish() {
+    scan_to(rows());
+    until_done([this] { return encoder.finish(); });
+    CHECK(block_.is_intact());
+  }
+  uint32_t rows() const { return volume_.height * volume_.depth; }
+
+  Image save() {
+    require_ok(encoder.save(checkpoint_));
+    const auto* const object = reinterpret_cast<const uint8_t*>(&checkpoint_);
+    const auto* const memory = static_cast<const uint8_t*>(block_.memory().data);
+    Image image(object, object + sizeof checkpoint_);
+    image.insert(image.end(), memory, memory + encoder.bytes_used());
+    return image;
+  }
+  Status restore(const Image& image) {
+    std::memcpy(&checkpoint_, image.data(), sizeof checkpoint_);
+    std::copy(image.begin() + sizeof checkpoint_, image.end(),
+              static_cast<uint8_t*>(block_.memory().data));
+    return encoder.restore(checkpoint_, block_.memory(), store.output());
+  }
+  bool owns(uintptr_t address) {
+    const Memory memory = block_.memory();
+    return address - reinterpret_cast<uintptr_t>(this) < sizeof *this ||
+           address - reinterpret_cast<uintptr_t>(memory.data) < memory.bytes;
+  }
+
+  Store store;
+  SliceEncoder encoder{};
+
+ private:
+  BitVolume volume_;
+  KeySlices key_slices_;
+  StreamHeader header_;
+  Block block_{0};
+  Checkpoint<SliceEncoder> checkpoint_{};
+};
+
+Bytes uninterrupted(const BitVolume& volume, const DevicePlan& plan) {
+  SliceDevice device(volume, plan);
+  device.start();
+  device.finish();
+  return device.store.bytes;
+}
+
+void append(Bytes& stream, const Bytes& more) {
+  stream.insert(stream.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+TEST_CASE("slices go on from a checkpoint at any row as if nothing had happened") {
+  for (const BitVolume& volume : {noise(), smooth()})
+    for (const DevicePlan& plan : plans) {
+      CAPTURE(plan.name);
+      const Bytes whole = uninterrupted(volume, plan);
+      SliceDevice first(volume, plan);
+      first.start();
+      for (uint32_t row = 0; row <= first.rows(); row += step(5)) {
+        CAPTURE(row);
+        first.scan_to(row);
+        const Image image = first.save();
+        SliceDevice second(volume, plan);
+        REQUIRE(second.restore(image) == Status::ok);
+        REQUIRE(second.encoder.slices() == row / volume.height);
+        REQUIRE(second.encoder.rows() == row % volume.height);
+        Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(second.encoder.bytes()));
+        second.finish();
+        append(stream, second.store.bytes);
+        REQUIRE(stream == whole);
+      }
+    }
+}
+
+TEST_CASE("a receiver that cannot go back hears packets of slices again and loses none") {
+  const BitVolume volume = smooth();
+  const DevicePlan plan{"an output that lags behind", {3}, 0, 5};
+  SliceDevice device(volume, plan), again(volume, plan);
+  device.start();
+  device.scan_to(200);
+  REQUIRE(device.encoder.flush() == Status::more);
+  REQUIRE(device.encoder.resume() == Status::more);
+  REQUIRE(again.restore(device.save()) == Status::ok);
+  const uint64_t position = again.encoder.bytes();
+  REQUIRE(position < device.store.bytes.size());  // a part of a frame had gone out
+  again.finish();
+  device.finish();
+  const Bytes& whole = device.store.bytes;
+  const reference::Size size{volume.width, volume.height, volume.depth};
+  const ReceivedRows heard = decode_slices(whole, size);
+  REQUIRE(heard.report.is_complete());
+  for (size_t cut = position; cut <= whole.size(); cut += step(5)) {
+    CAPTURE(cut);
+    Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(cut));
+    stream.push_back(0);
+    append(stream, again.store.bytes);
+    const ReceivedRows arrival = decode_slices(stream, size);
+    REQUIRE(arrival.report.has_trailer);
+    REQUIRE(arrival.report.lost_packets == 0);
+    REQUIRE(arrival.rows.size() == heard.rows.size());
+    for (size_t i = 0; i < heard.rows.size(); ++i)
+      REQUIRE(arrival.rows[i].bits == heard.rows[i].bits);
+  }
+}
+
+TEST_CASE("what was flushed, told and skipped before a checkpoint is not told again") {
+  SliceDevice first(smooth(), plans[1]), second(smooth(), plans[1]);
+  first.start();
+  first.scan_to(50);
+  CHECK(first.encoder.skip_row(Substitute::previous_row).samples == 21);
+  require_ok(first.encoder.flush());
+  require_ok(first.encoder.tell({7, 0, 0, nullptr, 0}));
+  const Bytes before = first.store.bytes;
+  REQUIRE(second.restore(first.save()) == Status::ok);
+  REQUIRE(second.encoder.bytes() == before.size());
+  first.finish();
+  second.finish();
+  Bytes stream = before;
+  append(stream, second.store.bytes);
+  CHECK(stream == first.store.bytes);
+}
+
+TEST_CASE("a flipped bit in a checkpoint of slices is found out, wherever it is") {
+  SliceDevice device(centred_ball(5), plans[3]), other(centred_ball(5), plans[3]);
+  device.start();
+  device.scan_to(12);
+  const Image image = device.save();
+  for (size_t bit = 0; bit < 8 * image.size(); bit += step(7)) {
+    CAPTURE(bit);
+    Image flipped = image;
+    flipped[bit / 8] = static_cast<uint8_t>(flipped[bit / 8] ^ 1 << bit % 8);
+    REQUIRE(other.restore(flipped) == Status::bad_checkpoint);
+  }
+  CHECK(other.restore(image) == Status::ok);
+}
+
+TEST_CASE("a checkpoint of slices holds no address of what it was made of") {
+  for (const DevicePlan& plan : plans) {
+    SliceDevice device(noise(), plan);
+    device.start();
+    device.scan_to(57);
+    const Image image = device.save();
+    for (size_t at = 0; at + sizeof(uintptr_t) <= image.size(); ++at) {
+      uintptr_t word;
+      std::memcpy(&word, image.data() + at, sizeof word);
+      CHECK_FALSE(device.owns(word));
+    }
+  }
+}
+
+TEST_CASE("a finished scan of slices is restored as finished, and what had not gone out goes") {
+  for (const bool goes_out : {true, false}) {
+    CAPTURE(goes_out);
+    SliceDevice device(smooth(), plans[0]), other(smooth(), plans[0]);
+    device.start();
+    device.scan_to(device.rows());
+    require_ok(device.encoder.flush());
+    const size_t before = device.store.bytes.size();
+    if (!goes_out) device.store.most = 0;
+    CHECK(device.encoder.finish() == (goes_out ? Status::ok : Status::more));
+    REQUIRE(other.restore(device.save()) == Status::ok);
+    device.store.most = SIZE_MAX;
+    require_ok(device.encoder.finish());
+    other.finish();
+    const size_t missing = goes_out ? 0 : device.store.bytes.size() - before;
+    CHECK(other.store.bytes.size() == missing);
+  }
+}
+
+TEST_CASE("what cannot be saved or restored of slices is refused") {
+  Store store;
+  Checkpoint<SliceEncoder> checkpoint{};
+  SliceEncoder encoder{};
+  CHECK(encoder.save(checkpoint) == Status::not_started);
+
+  StreamHeader header;
+  header.width = 999;
+  header.height = 9;
+  header.threshold = 1;
+  constexpr Limits limits{999, 9};
+  alignas(4) static uint8_t memory[slice_encoder_bytes(limits, {}) + 1] = {};
+  const Memory whole{memory, sizeof memory - 1};
+  require_ok(encoder.start(header, {}, whole, store.output()));
+  CHECK(encoder.bytes_used() == whole.bytes);
+
+  // The output takes the header, and nothing of a row that fills a packet.
+  require_ok(encoder.flush());
+  store.most = 0;
+  uint8_t samples[999];
+  Chance chance(1);
+  for (uint8_t& sample : samples) sample = chance.below(2) > 0 ? 1 : 0;
+  Status status = Status::ok;
+  while (status == Status::ok) status = encoder.push(samples, 999).status;
+  REQUIRE(status == Status::more);
+  CHECK(encoder.save(checkpoint) == Status::more);
+  store.most = SIZE_MAX;
+  require_ok(encoder.resume());
+  require_ok(encoder.save(checkpoint));
+
+  CHECK(encoder.restore(checkpoint, {nullptr, whole.bytes}, store.output()) ==
+        Status::too_little_memory);
+  CHECK(encoder.restore(checkpoint, {memory, whole.bytes - 1}, store.output()) ==
+        Status::bad_checkpoint);
+  CHECK(encoder.restore(checkpoint, whole, {}) == Status::bad_sink);
+  CHECK(encoder.restore(checkpoint, whole, store.output()) == Status::ok);
+  std::memmove(memory + 1, memory, whole.bytes);
+  CHECK(encoder.restore(checkpoint, {memory + 1, whole.bytes}, store.output()) ==
+        Status::bad_checkpoint);
+}
