@@ -346,8 +346,7 @@ bool Joiner::send_finish() {
   Statistics totals = totals_;
   totals.regions += report_.regions;
   totals.rings += report_.rings;
-  totals.fragments -= report_.fragments;
-  if (wants_loose()) totals.fragments += report_.unmatched + report_.passed;
+  totals.fragments = wants_loose() ? report_.unmatched + report_.passed : 0;
   Event event{};
   event.kind = Event::Kind::finish;
   event.slice = slices_;

@@ -185,7 +185,7 @@ Status SliceEncoder::restore(const Checkpoint<SliceEncoder>& checkpoint, Memory 
   *this = checkpoint.object;
   lay_out(memory);
   packets_.set_output(output);
-  coder_.range.move_to(code());
+  coder_.range.move_to(code_end(0));
   return Status::ok;
 }
 
@@ -268,7 +268,7 @@ bool SliceEncoder::make_room() {
     if (coder_.range.final_bytes() < code_reserve) {
       if (!cut_code()) return false;
     } else {
-      seal(code() + coder_.range.final_bytes());
+      seal(code_end(coder_.range.final_bytes()));
       coder_.range.continue_in(packets_.payload(), wire::max_payload);
       if (!packets_.drain()) return false;
     }
@@ -280,12 +280,13 @@ bool SliceEncoder::make_room() {
 void SliceEncoder::begin_code() {
   const bool is_key = !row_is_begun_ && is_at_key_slice();
   packet_bits_ = wire::SliceBits::first;
+  uint8_t* code = packets_.payload();
   if (is_key) {
     packet_bits_ |= wire::SliceBits::key;
-    (void)wire::put(packets_.payload(), slices(), wire::key_slice_head);
+    code = wire::put(code, slices(), wire::key_slice_head);
   }
-  const auto head = static_cast<size_t>(code() - packets_.payload());
-  coder_.range = RangeEncoder(code(), wire::max_payload - head);
+  const auto head = static_cast<size_t>(code - packets_.payload());
+  coder_.range = RangeEncoder(code, wire::max_payload - head);
   code_is_open_ = true;
 }
 
@@ -302,7 +303,7 @@ bool SliceEncoder::cut_code() {
 
 bool SliceEncoder::close_code(uint8_t bits) {
   packet_bits_ = static_cast<uint8_t>(packet_bits_ | wire::SliceBits::last | bits);
-  uint8_t* end = code() + coder_.range.finish();
+  uint8_t* end = code_end(coder_.range.finish());
   if (bits == wire::SliceBits::cut) {
     const uint64_t rows_of_all = told_rows_ * surfaces_.count() + surface_;
     end = wire::put(end, static_cast<uint32_t>(rows_of_all), 4);
@@ -313,10 +314,10 @@ bool SliceEncoder::close_code(uint8_t bits) {
   return packets_.drain();
 }
 
-// Where the code begins in the packet.
-uint8_t* SliceEncoder::code() {
+// Where so many bytes of the code end in the packet.
+uint8_t* SliceEncoder::code_end(size_t code_bytes) {
   const size_t head = (packet_bits_ & wire::SliceBits::key) != 0 ? wire::key_slice_head : 0;
-  return packets_.payload() + head;
+  return packets_.payload() + head + code_bytes;
 }
 
 void SliceEncoder::seal(uint8_t* end) {

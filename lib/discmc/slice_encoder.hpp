@@ -130,7 +130,7 @@ class SliceEncoder {
   bool end_code();
   bool cut_code();
   bool close_code(uint8_t bits);
-  uint8_t* code();
+  uint8_t* code_end(size_t code_bytes);
   void seal(uint8_t* end);
 
   State state_ = State::idle;
