@@ -13,7 +13,7 @@ namespace {
 struct GroupScanner {
   discmc_extractor storage;
 
-  Extractor16& extractor() { return reinterpret_cast<SinkAdapter<Extractor16>*>(&storage)->object; }
+  Extractor16& extractor() { return reinterpret_cast<SinkAdapter<Extractor16>*>(this)->object; }
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride) {
     return extractor().push(samples, count, stride);
