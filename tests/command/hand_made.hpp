@@ -19,8 +19,43 @@ using discmc::Vertex;
 using discmc::host::Mesh;
 using discmc::host::Point;
 using discmc::host::Polygon;
+using discmc::host::Polygons;
 using discmc::host::Ring;
 using discmc::host::Surface;
+using Corners = std::vector<Vertex>;  // of a ring that a test may change
+
+inline std::vector<Corners> rings_of(const Polygon& polygon) {
+  std::vector<Corners> rings;
+  for (const Ring& ring : polygon.rings) rings.emplace_back(ring.begin(), ring.end());
+  return rings;
+}
+
+// One polygon.
+inline Polygons polygon_of(discmc::Incidence incidence, const std::vector<Corners>& rings) {
+  Polygons polygons;
+  polygons.add_polygon(incidence);
+  for (const Corners& ring : rings) polygons.add_ring({ring.data(), ring.data() + ring.size()});
+  return polygons;
+}
+
+// Those at these places.
+inline Polygons only(const Polygons& polygons, const std::vector<std::size_t>& places) {
+  Polygons some;
+  for (const std::size_t place : places) some.push_back(polygons[place]);
+  return some;
+}
+
+// The same polygons, with the rings of each as change(place, rings) leaves them.
+template <class Change>
+Polygons changed(const Polygons& polygons, Change change) {
+  Polygons all;
+  for (std::size_t place = 0; place < polygons.size(); ++place) {
+    std::vector<Corners> rings = rings_of(polygons[place]);
+    change(place, rings);
+    all.append(polygon_of(polygons[place].incidence, rings));
+  }
+  return all;
+}
 
 // The ring through these corners in unit steps. Axis links are two half-steps long.
 inline std::vector<Vertex> every_vertex(const Ring& corners) {
@@ -61,17 +96,14 @@ inline std::vector<discmc::reference::Region> regions_of(const Surface& surface)
 }
 
 // A polygon of these rings by their corners, turned as the normal wants it.
-inline Polygon polygon(const Vertex& normal, const std::vector<std::vector<Vertex>>& rings) {
-  Polygon result{discmc::incidence_of(normal), {}};
-  for (const auto& corners : rings) {
-    Ring next = corners;
+inline Polygons polygon(const Vertex& normal, std::vector<Corners> rings) {
+  for (Corners& ring : rings) {
     std::int64_t area = 0;
-    for (std::size_t i = 2; i < next.size(); ++i)
-      area += dot(normal, cross(next[i - 1] - next[0], next[i] - next[0]));
-    if ((area > 0) != result.rings.empty()) std::reverse(next.begin(), next.end());
-    result.rings.push_back(next);
+    for (std::size_t i = 2; i < ring.size(); ++i)
+      area += dot(normal, cross(ring[i - 1] - ring[0], ring[i] - ring[0]));
+    if ((area > 0) != (&ring == &rings[0])) std::reverse(ring.begin(), ring.end());
   }
-  return result;
+  return polygon_of(discmc::incidence_of(normal), rings);
 }
 
 // The surface of one voxel at the origin.
@@ -80,7 +112,7 @@ inline Surface octahedron(const Point& spacing_mm = {2, 2, 2}) {
   for (const int x : {-1, 1})
     for (const int y : {-1, 1})
       for (const int z : {-1, 1})
-        surface.polygons.push_back(polygon({x, y, z}, {{{x, 0, 0}, {0, y, 0}, {0, 0, z}}}));
+        surface.polygons.append(polygon({x, y, z}, {{{x, 0, 0}, {0, y, 0}, {0, 0, z}}}));
   return surface;
 }
 
@@ -90,10 +122,10 @@ inline void add_sides(Surface& surface, const Vertex& low, const Vertex& high, i
     const int out = is_high ? sign : -sign;
     const int x = is_high ? high.x : low.x;
     const int y = is_high ? high.y : low.y;
-    surface.polygons.push_back(polygon(
+    surface.polygons.append(polygon(
         {out, 0, 0},
         {{{x, low.y, low.z}, {x, high.y, low.z}, {x, high.y, high.z}, {x, low.y, high.z}}}));
-    surface.polygons.push_back(polygon(
+    surface.polygons.append(polygon(
         {0, out, 0},
         {{{low.x, y, low.z}, {high.x, y, low.z}, {high.x, y, high.z}, {low.x, y, high.z}}}));
   }
@@ -110,7 +142,7 @@ inline Surface box_with_hole(const Point& spacing_mm = {2, 2, 2}) {
   add_sides(surface, low, high, 1);
   add_sides(surface, hole_low, hole_high, -1);
   for (const int z : {0, 8})
-    surface.polygons.push_back(
+    surface.polygons.append(
         polygon({0, 0, z == 0 ? -1 : 1},
                 {level_square(low, high, z), level_square(hole_low, hole_high, z)}));
   return surface;
@@ -126,17 +158,17 @@ inline Surface pitted_block(const std::vector<Pit>& pits) {
   const Vertex low = {1, 0, 0}, high = {17, 16, 8};
   Surface surface{{2, 2, 2}, {}};
   add_sides(surface, low, high, 1);
-  surface.polygons.push_back(polygon({0, 0, -1}, {level_square(low, high, 0)}));
+  surface.polygons.append(polygon({0, 0, -1}, {level_square(low, high, 0)}));
   std::vector<std::vector<Vertex>> top = {level_square(low, high, 8)};
   for (const Pit& pit : pits) {
     const int x = 3 + 4 * pit.column, y = 2 + 4 * pit.row;
     top.push_back({{x + 2, y, 8}, {x, y + 2, 8}, {x - 2, y, 8}, {x, y - 2, 8}});
     for (const int u : {-1, 1})
       for (const int v : {-1, 1})
-        surface.polygons.push_back(
+        surface.polygons.append(
             polygon({-u, -v, 1}, {{{x + 2 * u, y, 8}, {x, y + 2 * v, 8}, {x, y, 6}}}));
   }
-  surface.polygons.push_back(polygon({0, 0, 1}, top));
+  surface.polygons.append(polygon({0, 0, 1}, top));
   return surface;
 }
 
@@ -145,7 +177,7 @@ inline Surface pitted_block(const std::vector<Pit>& pits) {
 inline Surface leaning_wall() {
   Surface surface{{2, 2, 2}, {}};
   auto add = [&surface](const Vertex& normal, const std::vector<Vertex>& corners) {
-    surface.polygons.push_back(polygon(normal, {corners}));
+    surface.polygons.append(polygon(normal, {corners}));
   };
   add({0, 0, -1}, {{1, 0, 0}, {9, 0, 0}, {9, 8, 0}, {1, 8, 0}});
   add({0, -1, 0}, {{1, 0, 0}, {5, 0, 0}, {5, 0, 4}, {1, 0, 4}});
@@ -165,7 +197,7 @@ inline Surface saw(int count) {
   for (int i = 0; i <= last; ++i) corners.push_back({1 + i, i % 2, 0});
   corners.push_back({1 + last, 4, 0});
   corners.push_back({1, 4, 0});
-  return Surface{{2, 2, 2}, {polygon({0, 0, 1}, {corners})}};
+  return Surface{{2, 2, 2}, polygon({0, 0, 1}, {corners})};
 }
 
 }  // namespace hand_made

@@ -243,7 +243,8 @@ TEST_CASE("base64 is that of RFC 4648, however the bytes come") {
 
 TEST_CASE("lines of JSON hold the corners in half-steps") {
   Surface surface = box_with_hole({-1, 5, 5});
-  surface.polygons = {surface.polygons[9], octahedron().polygons[0]};
+  surface.polygons = only(surface.polygons, {9});
+  surface.polygons.push_back(octahedron().polygons[0]);
   std::ostringstream out;
   write_jsonl(surface, out);
   CHECK(out.str() ==
@@ -292,11 +293,8 @@ TEST_CASE("names of any bytes are valid text in JSON and XML") {
 
 TEST_CASE("a file larger than the writer's buffer arrives whole") {
   Surface surface{{2, 2, 2}, {}};
-  for (int i = 0; i < 3000; ++i) {
-    Polygon copy = octahedron().polygons[0];
-    for (Vertex& vertex : copy.rings[0]) vertex.z += 2 * i;
-    surface.polygons.push_back(copy);
-  }
+  for (int z = 0; z < 6000; z += 2)
+    surface.polygons.append(polygon({1, 1, 1}, {{{1, 0, z}, {0, 1, z}, {0, 0, z + 1}}}));
   std::ostringstream out;
   write_stl(build_mesh(surface, {true, Faces::triangles}), out);
   CHECK(out.str().size() == 84 + 50 * 3000);

@@ -181,8 +181,9 @@ TEST_CASE("a conforming mesh keeps the vertices where other polygons' sides end"
 
 TEST_CASE("a conforming mesh is closed also where a polygon was cut in two") {
   Surface surface = leaning_wall();
-  surface.polygons[5] = polygon({0, 1, 0}, {{{1, 8, 0}, {5, 8, 0}, {5, 8, 4}, {1, 8, 4}}});
-  surface.polygons.push_back(polygon({0, 1, 0}, {{{5, 8, 0}, {9, 8, 0}, {9, 8, 4}, {5, 8, 4}}}));
+  surface.polygons = only(surface.polygons, {0, 1, 2, 3, 4, 6, 7});
+  surface.polygons.append(polygon({0, 1, 0}, {{{1, 8, 0}, {5, 8, 0}, {5, 8, 4}, {1, 8, 4}}}));
+  surface.polygons.append(polygon({0, 1, 0}, {{{5, 8, 0}, {9, 8, 0}, {9, 8, 4}, {5, 8, 4}}}));
   check_closed_and_exact(surface);
 }
 
@@ -194,28 +195,30 @@ TEST_CASE("without conforming a hole may touch the inside of a straight side") {
 }
 
 TEST_CASE("polygons that are none are left out, and the others are not") {
-  const auto check = [](const Surface& surface, std::uint32_t polygon) {
+  const Surface whole = box_with_hole();
+  CHECK(build_mesh(whole, {true, Faces::triangles}).left_out.empty());
+  // change(rings): of this polygon.
+  const auto check = [&whole](std::uint32_t polygon, auto change) {
+    const Surface surface{whole.spacing_mm,
+                          changed(whole.polygons, [&](std::size_t place, auto& rings) {
+                            if (place == polygon) change(rings);
+                          })};
     const Mesh mesh = build_mesh(surface, {true, Faces::triangles});
     CHECK(mesh.left_out == std::vector<std::uint32_t>{polygon});
     std::set<std::uint32_t> rest(mesh.polygons.begin(), mesh.polygons.end());
     CHECK(rest.size() == surface.polygons.size() - 1);
     CHECK(rest.count(polygon) == 0);
+    return surface;
   };
-  const Surface surface = box_with_hole();
-  CHECK(build_mesh(surface, {true, Faces::triangles}).left_out.empty());
-  Surface crossing = surface;
-  for (Vertex& vertex : crossing.polygons[8].rings[1]) vertex = vertex + Vertex{3, 1, 0};
-  check(crossing, 8);
-  Surface empty = surface;
-  empty.polygons[3].rings.clear();
-  check(empty, 3);
-  Surface slit = surface;
-  slit.polygons[2].rings[0] = {{1, 0, 0}, {3, 0, 0}};
-  check(slit, 2);
+  check(8, [](auto& crossing) {
+    for (Vertex& vertex : crossing[1]) vertex = vertex + Vertex{3, 1, 0};
+  });
+  check(3, [](auto& none) { none.clear(); });
+  const Surface slit = check(2, [](auto& rings) { rings = {{{1, 0, 0}, {3, 0, 0}}}; });
   CHECK(build_mesh(slit, {true, Faces::polygons}).left_out == std::vector<std::uint32_t>{2});
-  Surface huge = surface;
-  for (Vertex& vertex : huge.polygons[9].rings[1]) vertex.x += 1 << 30;
-  check(huge, 9);
+  check(9, [](auto& huge) {
+    for (Vertex& vertex : huge[1]) vertex.x += 1 << 30;
+  });
 }
 
 TEST_CASE("a spacing must be a length") {
@@ -232,9 +235,10 @@ TEST_CASE("a surface without polygons is an empty closed mesh") {
 TEST_CASE("far coordinates neither wrap nor lose a half-step") {
   Surface surface = box_with_hole();
   const std::int32_t far = 2000000000;
-  for (Polygon& polygon : surface.polygons)
-    for (Ring& ring : polygon.rings)
+  surface.polygons = changed(surface.polygons, [](std::size_t, auto& rings) {
+    for (Corners& ring : rings)
       for (Vertex& vertex : ring) vertex.z += far;
+  });
   const Mesh mesh = build_mesh(surface, {true, Faces::triangles});
   CHECK(check_mesh(mesh).closed());
   CHECK(is_vertex(mesh, {1, 0, 2000000008.0}));
@@ -245,7 +249,7 @@ TEST_CASE("the report counts each kind of damage") {
   REQUIRE(check_mesh(whole).closed());
 
   Surface surface = octahedron();
-  surface.polygons.pop_back();
+  surface.polygons = only(surface.polygons, {0, 1, 2, 3, 4, 5, 6});
   MeshReport report = check_mesh(build_mesh(surface));
   CHECK(report.open_edges == 3);
   CHECK(report.edges == 12);
@@ -258,7 +262,7 @@ TEST_CASE("the report counts each kind of damage") {
   CHECK(report.open_edges == 0);
 
   surface = octahedron();
-  surface.polygons.push_back(surface.polygons[0]);
+  surface.polygons.append(only(surface.polygons, {0}));
   CHECK(check_mesh(build_mesh(surface)).non_manifold_edges == 3);
 
   Mesh repeated = build_mesh(leaning_wall());
@@ -266,7 +270,7 @@ TEST_CASE("the report counts each kind of damage") {
   CHECK(check_mesh(repeated).degenerate_faces == 1);
 
   // Rounding leaves these three corners a trace of an area.
-  Mesh flat = build_mesh({{1, 1, 1}, {polygon({0, 0, 1}, {{{1, 0, 0}, {3, 0, 0}, {2, 1, 0}}})}});
+  Mesh flat = build_mesh({{1, 1, 1}, polygon({0, 0, 1}, {{{1, 0, 0}, {3, 0, 0}, {2, 1, 0}}})});
   CHECK(check_mesh(flat).degenerate_faces == 0);
   flat.vertices_mm = {{0.1, 0.3, 0}, {0.2, 0.6, 0}, {0.3, 0.9, 0}};
   CHECK(check_mesh(flat).degenerate_faces == 1);

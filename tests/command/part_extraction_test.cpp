@@ -29,6 +29,7 @@ using discmc::reference::BitVolume;
 using discmc::reference::describe_difference;
 using discmc::reference::random;
 using hand_made::regions_of;
+using hand_made::rings_of;
 using sample_reader::bit_threshold;
 using sample_reader::SampleReader;
 
@@ -89,7 +90,7 @@ bool are_same(const Surface& a, const Surface& b) {
   if (a.polygons.size() != b.polygons.size()) return false;
   for (std::size_t i = 0; i < a.polygons.size(); ++i)
     if (a.polygons[i].incidence != b.polygons[i].incidence ||
-        a.polygons[i].rings != b.polygons[i].rings)
+        rings_of(a.polygons[i]) != rings_of(b.polygons[i]))
       return false;
   return true;
 }

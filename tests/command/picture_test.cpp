@@ -138,7 +138,7 @@ TEST_CASE("an octahedron from above is a square on its tip that fills the pictur
 TEST_CASE("a plane polygon of any shape is filled, and nothing else") {
   // The roof of the leaning wall is an L: its notch is at the lower right.
   Surface surface = leaning_wall();
-  surface.polygons = {surface.polygons[4]};
+  surface.polygons = only(surface.polygons, {4});
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     PictureOptions options = from_above(64);
     options.projection = projection;
@@ -160,12 +160,12 @@ TEST_CASE("what is nearer hides what is farther, whatever the order of the faces
     options.projection = projection;
     Surface surface = box_with_hole();
     const Picture picture = draw(build_mesh(surface), options);
-    std::reverse(surface.polygons.begin(), surface.polygons.end());
+    surface.polygons = only(surface.polygons, {9, 8, 7, 6, 5, 4, 3, 2, 1, 0});
     CHECK(draw(build_mesh(surface), options).pixels == picture.pixels);
     // Of a closed surface the inside is never seen: without the walls that look away, the
     // picture stays the same.
     Surface seen = surface;
-    seen.polygons.clear();
+    seen.polygons = {};
     for (const Polygon& polygon : surface.polygons) {
       const Vertex n = discmc::normal(polygon.incidence);
       if (-n.x - n.y + n.z > 0) seen.polygons.push_back(polygon);
@@ -177,7 +177,7 @@ TEST_CASE("what is nearer hides what is farther, whatever the order of the faces
 
 TEST_CASE("the inside of an open mesh has a tone of its own") {
   Surface surface = box_with_hole();
-  surface.polygons = {surface.polygons[8]};  // the bottom, seen from above
+  surface.polygons = only(surface.polygons, {8});  // the bottom, seen from above
   const Pixel inside = pixel(draw(build_mesh(surface), from_above(64)), 8, 32);
   CHECK(inside[2] > inside[0]);
   surface = box_with_hole();

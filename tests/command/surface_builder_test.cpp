@@ -23,6 +23,8 @@ using discmc::host::Polygon;
 using discmc::host::Ring;
 using discmc::host::SurfaceBuilder;
 using discmc::test::events_of;
+using hand_made::Corners;
+using hand_made::rings_of;
 using Kind = Event::Kind;
 using Events = std::vector<Event>;
 
@@ -104,7 +106,7 @@ void check_same(const SurfaceBuilder& a, const SurfaceBuilder& b) {
   REQUIRE(a.surface().polygons.size() == b.surface().polygons.size());
   for (std::size_t i = 0; i < a.surface().polygons.size(); ++i) {
     CHECK(a.surface().polygons[i].incidence == b.surface().polygons[i].incidence);
-    CHECK(a.surface().polygons[i].rings == b.surface().polygons[i].rings);
+    CHECK(rings_of(a.surface().polygons[i]) == rings_of(b.surface().polygons[i]));
   }
 }
 
@@ -115,10 +117,10 @@ TEST_CASE("a region becomes a polygon with the corners of its rings") {
   add_region(events, {rectangle()});
   const SurfaceBuilder builder = build(events);
   REQUIRE(builder.surface().polygons.size() == 1);
-  const Polygon& polygon = builder.surface().polygons[0];
+  const Polygon polygon = builder.surface().polygons[0];
   REQUIRE(polygon.rings.size() == 1);
   CHECK(polygon.incidence == up);
-  CHECK(polygon.rings[0] == Ring{{1, 0, 0}, {7, 0, 0}, {7, 4, 0}, {1, 4, 0}});
+  CHECK(rings_of(polygon)[0] == Corners{{1, 0, 0}, {7, 0, 0}, {7, 4, 0}, {1, 4, 0}});
   CHECK(area(polygon) == 2 * 6 * 4);
 }
 
@@ -153,8 +155,8 @@ TEST_CASE(
              {{run(east), run(east), run(north, 2), run(west, 3), run(south, 2), run(east)}});
   const SurfaceBuilder builder = build(events);
   REQUIRE(builder.surface().polygons.size() == 1);
-  CHECK(builder.surface().polygons[0].rings[0] ==
-        Ring{{5, 0, 0}, {5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}});
+  CHECK(rings_of(builder.surface().polygons[0])[0] ==
+        Corners{{5, 0, 0}, {5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}});
 }
 
 TEST_CASE("a ring that turns to the left alone but goes round twice is no polygon of its own") {
@@ -176,7 +178,7 @@ TEST_CASE("a ring that touches itself is split into simple rings, the outer one 
                run(east, 2), run(north, 4), run(west, 4), run(south, 4)}});
   const SurfaceBuilder builder = build(events);
   REQUIRE(builder.surface().polygons.size() == 1);
-  const Polygon& polygon = builder.surface().polygons[0];
+  const Polygon polygon = builder.surface().polygons[0];
   REQUIRE(polygon.rings.size() == 2);
   CHECK(polygon.rings[0].size() == 4);
   CHECK(polygon.rings[1].size() == 4);
@@ -195,7 +197,7 @@ TEST_CASE("all rings of all regions are simple, one of them outer") {
     for (const Polygon& polygon : builder.surface().polygons)
       for (const Ring& ring : polygon.rings) {
         CHECK(is_simple(ring));
-        CHECK((area(polygon, ring) > 0) == (&ring == &polygon.rings[0]));
+        CHECK((area(polygon, ring) > 0) == (ring.data() == polygon.rings[0].data()));
       }
   }
 }

@@ -50,7 +50,7 @@ class InterpolatedMesh {
   // Follows the outline of each before the call.
   template <class Call>
   void for_each_polygon(Call call) {
-    for (std::size_t block = 0; block < corners_.of_block.size(); ++block)
+    for (std::size_t block = 0; block < block_count(surface_.polygons); ++block)
       host::for_each_polygon(surface_, corners_, block, outline_, call);
   }
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "surface/surface.hpp"
+#include "surface/polygons.hpp"
 #include "vertex_numbers.hpp"
 
 namespace discmc::host {
@@ -17,15 +17,16 @@ struct PolygonSpan {
 };
 
 /// Polygons are worked on in blocks, as many of them at once as there are jobs.
-PolygonSpan block_of(const Surface& surface, std::size_t block);
+std::size_t block_count(const Polygons& polygons);
+PolygonSpan block_of(const Polygons& polygons, std::size_t block);
 
 struct NumberedCorners {
   VertexNumbers vertices;
-  std::vector<std::vector<std::uint32_t>> of_block;  ///< of every corner of every ring
+  std::vector<std::uint32_t> numbers;  ///< one a corner: see Polygons::corners()
 };
 
 /// Numbers vertices in the order of their first corners. The jobs do not change it.
-NumberedCorners number_corners(const Surface& surface, unsigned jobs);
+NumberedCorners number_corners(const Polygons& polygons, unsigned jobs);
 
 }  // namespace discmc::host
 

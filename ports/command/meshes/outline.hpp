@@ -21,8 +21,8 @@ class Outline {
   Outline(const VertexNumbers& vertices, bool has_junctions)
       : vertices_(vertices), has_junctions_(has_junctions) {}
 
-  // number: of the polygon's corners, goes past them.
-  void follow(const Polygon& polygon, const std::uint32_t*& number) {
+  // number: of the polygon's first corner, before those of the others.
+  void follow(const Polygon& polygon, const std::uint32_t* number) {
     numbers.clear();
     ring_ends.clear();
     for (const Ring& ring : polygon.rings) {
@@ -63,10 +63,10 @@ class Outline {
 template <class Call>
 void for_each_polygon(const Surface& surface, const NumberedCorners& corners, std::size_t block,
                       Outline& outline, Call call) {
-  const std::uint32_t* number = corners.of_block[block].data();
-  const PolygonSpan span = block_of(surface, block);
+  const Polygons& polygons = surface.polygons;
+  const PolygonSpan span = block_of(polygons, block);
   for (std::size_t i = span.first; i < span.end; ++i) {
-    outline.follow(surface.polygons[i], number);
+    outline.follow(polygons[i], corners.numbers.data() + polygons.first_corner(i));
     call(static_cast<std::uint32_t>(i));
   }
 }

@@ -98,7 +98,7 @@ Mesh plane_mesh(const Surface& surface, const NumberedCorners& corners,
     Mesh part;
   };
   run_in_order<Block>(
-      options.jobs, corners.of_block.size(),
+      options.jobs, block_count(surface.polygons),
       [&](std::size_t, Block& block) {
         if (!block.faces) block.faces = std::make_unique<PlaneFaces>(surface, corners, options);
         block.part = {};

@@ -139,9 +139,8 @@ ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice)
   for (const Component& component : kept)
     stay.insert(stay.end(), component.polygons.begin(), component.polygons.end());
   std::sort(stay.begin(), stay.end());
-  std::vector<Polygon> polygons;
-  polygons.reserve(stay.size());
-  for (const std::uint32_t polygon : stay) polygons.push_back(std::move(surface.polygons[polygon]));
+  Polygons polygons;
+  for (const std::uint32_t polygon : stay) polygons.push_back(surface.polygons[polygon]);
   surface.polygons = std::move(polygons);
   return {found, kept.size()};
 }

@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <unordered_map>
-#include <vector>
 
 #include <discmc/normal.hpp>
+
+#include "polygons.hpp"
 
 namespace discmc::host {
 
@@ -22,10 +23,6 @@ struct VertexHash {
     return hash;
   }
 };
-
-/// A simple ring by its corners: from each a straight side of links leads to the next, and from the
-/// last to the first. No vertex of a link is there twice. Units: half-steps.
-using Ring = std::vector<discmc::Vertex>;
 
 /// A straight side as the link that it repeats.
 struct Side {
@@ -45,20 +42,12 @@ inline Side side_between(const discmc::Vertex& from, const discmc::Vertex& to) {
   return {{way.x / links, way.y / links, way.z / links}, links};
 }
 
-/// A region as rings in the plane of its incidence: the outer ring first, counter-clockwise seen
-/// from the tip of the normal, then the holes, clockwise. Rings may touch in a vertex; they never
-/// cross and never share a link.
-struct Polygon {
-  discmc::Incidence incidence;
-  std::vector<Ring> rings;
-};
-
 /// All polygons of a volume.
 struct Surface {
   /// Distance between neighbouring voxels along x, y and z. Units: millimetres. A negative value
   /// says that the axis runs backwards.
   std::array<double, 3> spacing_mm;
-  std::vector<Polygon> polygons;
+  Polygons polygons;
   /// Of corners, where the scan or the stream told them: in space, pointing from on to off.
   std::unordered_map<discmc::Vertex, discmc::OctahedralNormal, VertexHash> normals{};
 };

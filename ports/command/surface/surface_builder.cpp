@@ -1,10 +1,8 @@
 #include "surface_builder.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include <discmc/polygon.hpp>
 
@@ -46,9 +44,7 @@ Answer SurfaceBuilder::take(const Event& event) {
 void SurfaceBuilder::append(SurfaceBuilder&& other) {
   add_links(other.links_);
   incomplete_regions_ += other.incomplete_regions_;
-  std::vector<Polygon>& added = other.surface_.polygons;
-  surface_.polygons.insert(surface_.polygons.end(), std::make_move_iterator(added.begin()),
-                           std::make_move_iterator(added.end()));
+  surface_.polygons.append(other.surface_.polygons);
   surface_.normals.merge(other.surface_.normals);
 }
 
@@ -110,18 +106,21 @@ bool SurfaceBuilder::is_convex(const Chain& chain) const {
   return left + right == round && (left == 0 || right == 0);
 }
 
-Ring SurfaceBuilder::corners(const Chain& chain) const {
-  Ring ring;
-  if (chain.begin == chain.end) return ring;
-  ring.reserve(static_cast<std::size_t>(chain.end - chain.begin));
+void SurfaceBuilder::add_corners(const Chain& chain) {
+  if (chain.begin == chain.end) return;
   Vertex vertex = chain.start;
   Direction before = chain.end[-1].run.direction();
   for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
-    if (told->run.direction() != before) ring.push_back(vertex);
+    if (told->run.direction() != before) corners_.push_back(vertex);
     before = told->run.direction();
     move(vertex, incidence_, before, told->run.length());
   }
-  return ring;
+}
+
+// The corners since the last one are a simple ring.
+void SurfaceBuilder::end_ring() {
+  const std::size_t begin = simple_rings_.empty() ? 0 : simple_rings_.back().end;
+  simple_rings_.push_back({begin, corners_.size()});
 }
 
 // Whether the vertices of the ring under way have one twice. By a hash table with open addressing,
@@ -140,30 +139,28 @@ bool SurfaceBuilder::has_recurrence() {
   return false;
 }
 
-void SurfaceBuilder::add_simple_rings(const Chain& chain, Polygon& polygon) {
-  if (is_convex(chain)) {
-    polygon.rings.push_back(corners(chain));
-    return;
-  }
+void SurfaceBuilder::add_simple_rings(const Chain& chain) {
+  const auto add_whole = [&] {
+    add_corners(chain);
+    end_ring();
+  };
+  if (is_convex(chain)) return add_whole();
   ring_runs_.clear();
   for (const ToldRun* told = chain.begin; told != chain.end; ++told)
     ring_runs_.push_back(told->run);
   const auto run_count = static_cast<std::uint32_t>(ring_runs_.size());
   vertices_.resize(link_count(ring_runs_.data(), run_count));
   unfold(incidence_, chain.start, ring_runs_.data(), run_count, vertices_.data());
-  if (!has_recurrence()) {
-    polygon.rings.push_back(corners(chain));
-    return;
-  }
+  if (!has_recurrence()) return add_whole();
   scratch_.resize(2 * vertices_.size());
-  const auto add = [](void* rings, const Vertex* vertices, std::uint32_t count) {
-    Ring ring;
+  const auto add = [](void* context, const Vertex* vertices, std::uint32_t count) {
+    auto& builder = *static_cast<SurfaceBuilder*>(context);
     for (std::uint32_t i = 0; i < count; ++i)
-      if (is_corner(vertices, count, i)) ring.push_back(vertices[i]);
-    static_cast<std::vector<Ring>*>(rings)->push_back(std::move(ring));
+      if (is_corner(vertices, count, i)) builder.corners_.push_back(vertices[i]);
+    builder.end_ring();
   };
   split_ring(vertices_.data(), static_cast<std::uint32_t>(vertices_.size()), scratch_.data(),
-             {&polygon.rings, add});
+             {this, add});
 }
 
 void SurfaceBuilder::add_normals(const Chain& chain) {
@@ -174,27 +171,39 @@ void SurfaceBuilder::add_normals(const Chain& chain) {
   }
 }
 
+Ring SurfaceBuilder::simple_ring(const Span& span) const {
+  return {corners_.data() + span.begin, corners_.data() + span.end};
+}
+
+// Whether there is one.
+bool SurfaceBuilder::put_outer_first() {
+  const auto is_outer = [this](const Span& span) {
+    const Ring ring = simple_ring(span);
+    return twice_area(incidence_, ring.data(), static_cast<std::uint32_t>(ring.size())) > 0;
+  };
+  const auto outer = std::find_if(simple_rings_.begin(), simple_rings_.end(), is_outer);
+  if (outer == simple_rings_.end()) return false;
+  std::iter_swap(simple_rings_.begin(), outer);
+  return true;
+}
+
 void SurfaceBuilder::end_region() {
-  Polygon polygon{incidence_, {}};
-  polygon.rings.reserve(rings_.size());
+  simple_rings_.clear();
+  corners_.clear();
   bool is_whole = true;
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     const Chain ring = chain(i);
     is_whole = is_whole && is_sound(ring);
     if (!is_whole) continue;
-    add_simple_rings(ring, polygon);
+    add_simple_rings(ring);
     add_normals(ring);
   }
-  const auto is_outer = [&](const Ring& ring) {
-    return twice_area(incidence_, ring.data(), static_cast<std::uint32_t>(ring.size())) > 0;
-  };
-  const auto outer = std::find_if(polygon.rings.begin(), polygon.rings.end(), is_outer);
-  if (!is_whole || outer == polygon.rings.end()) {
+  if (!is_whole || !put_outer_first()) {
     ++incomplete_regions_;
     return;
   }
-  std::iter_swap(polygon.rings.begin(), outer);
-  surface_.polygons.push_back(std::move(polygon));
+  surface_.polygons.add_polygon(incidence_);
+  for (const Span& span : simple_rings_) surface_.polygons.add_ring(simple_ring(span));
 }
 
 }  // namespace discmc::host

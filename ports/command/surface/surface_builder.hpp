@@ -49,14 +49,22 @@ class SurfaceBuilder {
     const ToldRun* end;
   };
 
+  // A simple ring of the region under way, by its corners.
+  struct Span {
+    std::size_t begin, end;
+  };
+
   void end_region();
   void add_links(std::uint64_t links);
   Chain chain(std::size_t ring) const;
   bool is_sound(const Chain& chain);
   bool is_convex(const Chain& chain) const;
-  Ring corners(const Chain& chain) const;
   bool has_recurrence();
-  void add_simple_rings(const Chain& chain, Polygon& polygon);
+  void add_corners(const Chain& chain);
+  void end_ring();
+  void add_simple_rings(const Chain& chain);
+  Ring simple_ring(const Span& span) const;
+  bool put_outer_first();
   void add_normals(const Chain& chain);
 
   Surface surface_;
@@ -66,6 +74,8 @@ class SurfaceBuilder {
   // Of the region under way.
   std::vector<OpenRing> rings_;
   std::vector<ToldRun> runs_;
+  std::vector<Span> simple_rings_;
+  std::vector<Vertex> corners_;
   // Of one ring; here to keep the memory.
   std::vector<Run> ring_runs_;
   std::vector<Vertex> vertices_;

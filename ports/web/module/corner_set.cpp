@@ -7,7 +7,7 @@ namespace discmc::web {
 namespace {
 
 template <class Call>
-void for_each_corner(const std::vector<host::Polygon>& polygons, Call call) {
+void for_each_corner(const host::Polygons& polygons, Call call) {
   for (const host::Polygon& polygon : polygons)
     for (const host::Ring& ring : polygon.rings)
       for (const Vertex& corner : ring) call(corner);
@@ -15,7 +15,7 @@ void for_each_corner(const std::vector<host::Polygon>& polygons, Call call) {
 
 }  // namespace
 
-void CornerSet::fill(const std::vector<host::Polygon>& polygons) {
+void CornerSet::fill(const host::Polygons& polygons) {
   blocks_.clear();
   lay_out(polygons);
   for_each_corner(polygons, [this](const Vertex& corner) {
@@ -29,7 +29,7 @@ void CornerSet::fill(const std::vector<host::Polygon>& polygons) {
   });
 }
 
-void CornerSet::lay_out(const std::vector<host::Polygon>& polygons) {
+void CornerSet::lay_out(const host::Polygons& polygons) {
   numbers_.clear();
   if (polygons.empty()) return;
   least_ = polygons[0].rings[0][0];

@@ -5,7 +5,7 @@
 
 namespace discmc::web {
 
-void DrawnSurface::make(const std::vector<host::Polygon>& polygons, bool is_hostile) {
+void DrawnSurface::make(const host::Polygons& polygons, bool is_hostile) {
   vertices_.clear();
   for (std::vector<std::uint32_t>& triangles : triangles_of_) triangles.clear();
   edges_.clear();

@@ -32,7 +32,7 @@ class DrawnSurface {
  public:
   /// is_hostile: polygons may be none that a sweep makes; those that cannot be triangulated are
   /// left out and counted. Throws std::runtime_error as CornerSet::fill() does.
-  void make(const std::vector<host::Polygon>& polygons, bool is_hostile);
+  void make(const host::Polygons& polygons, bool is_hostile);
 
   const std::vector<DrawnVertex>& vertices() const { return vertices_; }
   /// Numbers of vertices, three a triangle, counter-clockwise from outside as the lattice has it.

@@ -68,7 +68,7 @@ void add_ring(const host::Ring& ring, Balance& balance) {
 
 }  // namespace
 
-bool Missing::add_open_links(const std::vector<host::Polygon>& polygons) {
+bool Missing::add_open_links(const host::Polygons& polygons) {
   Balance balance;
   for (const host::Polygon& polygon : polygons) {
     for (const host::Ring& ring : polygon.rings) {

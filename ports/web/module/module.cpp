@@ -82,7 +82,7 @@ StreamHeader header() {
   return header;
 }
 
-const std::vector<host::Polygon>& polygons() {
+const host::Polygons& polygons() {
   return state().stream ? state().stream->polygons() : state().swept.polygons;
 }
 

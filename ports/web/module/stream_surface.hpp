@@ -34,7 +34,7 @@ class StreamSurface {
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
-  const std::vector<host::Polygon>& polygons() const { return builder_.surface().polygons; }
+  const host::Polygons& polygons() const { return builder_.surface().polygons; }
   /// Where rows never came, and at the end, after finish(), where polygons are missing.
   Missing missing(bool is_end) const;
 

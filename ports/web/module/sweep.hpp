@@ -17,7 +17,7 @@ namespace discmc::web {
 class Sweep {
  public:
   struct Result {
-    std::vector<host::Polygon> polygons;
+    host::Polygons polygons;
     Statistics statistics{};
   };
   /// Border::closed. Throws std::runtime_error beyond SurfaceBuilder::max_links.

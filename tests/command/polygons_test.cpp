@@ -1,0 +1,103 @@
+// The container of polygons: views of arrays that are appended to.
+#include "surface/polygons.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "hand_made.hpp"
+
+namespace {
+
+using discmc::Incidence;
+using discmc::Vertex;
+using discmc::host::Polygon;
+using discmc::host::Polygons;
+using discmc::host::Ring;
+using hand_made::Corners;
+using hand_made::polygon_of;
+using hand_made::rings_of;
+
+const Incidence up = discmc::incidence_of({0, 0, 1});
+const Incidence down = discmc::incidence_of({0, 0, -1});
+const Corners square = {{1, 0, 0}, {9, 0, 0}, {9, 8, 0}, {1, 8, 0}};
+const Corners hole = {{3, 2, 0}, {3, 4, 0}, {5, 4, 0}};
+
+Polygons square_with_hole() {
+  return polygon_of(up, {square, hole});
+}
+
+// What the loops over all of it meet.
+struct Met {
+  std::vector<Incidence> incidences;
+  std::vector<std::vector<Corners>> rings;
+  Corners corners;
+};
+
+Met met(const Polygons& polygons) {
+  Met all;
+  for (const Polygon& polygon : polygons) {
+    all.incidences.push_back(polygon.incidence);
+    all.rings.push_back(rings_of(polygon));
+    for (const Ring& ring : polygon.rings)
+      for (const Vertex& corner : ring) all.corners.push_back(corner);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("of no polygons there is nothing") {
+  const Polygons none;
+  CHECK(none.empty());
+  CHECK(none.size() == 0);
+  CHECK(met(none).incidences.empty());
+  CHECK(none.corners().empty());
+  CHECK(none.first_corner(0) == 0);
+}
+
+TEST_CASE("a polygon has the rings that were added to it, in their order") {
+  const Polygons polygons = square_with_hole();
+  REQUIRE(polygons.size() == 1);
+  const Polygon polygon = polygons[0];
+  CHECK(polygon.incidence == up);
+  REQUIRE(polygon.rings.size() == 2);
+  const Ring ring = polygon.rings[1];
+  CHECK(ring.size() == 3);
+  CHECK(ring[2] == Vertex{5, 4, 0});
+  CHECK(rings_of(polygon) == std::vector<Corners>{square, hole});
+}
+
+TEST_CASE("what is appended comes behind, and polygons without rings keep their places") {
+  Polygons polygons = polygon_of(down, {hole});
+  polygons.append(polygon_of(up, {}));
+  Polygons more = square_with_hole();
+  more.append(polygon_of(down, {square}));
+  polygons.append(more);
+  polygons.append({});
+  const Met all = met(polygons);
+  CHECK(all.incidences == std::vector<Incidence>{down, up, up, down});
+  CHECK(all.rings == std::vector<std::vector<Corners>>{{hole}, {}, {square, hole}, {square}});
+  CHECK(all.corners == polygons.corners());
+}
+
+TEST_CASE("a polygon of others is added with all its rings") {
+  Polygons others = square_with_hole();
+  others.append(polygon_of(down, {square}));
+  Polygons polygons;
+  polygons.push_back(others[1]);
+  polygons.push_back(others[0]);
+  const Met all = met(polygons);
+  CHECK(all.incidences == std::vector<Incidence>{down, up});
+  CHECK(all.rings == std::vector<std::vector<Corners>>{{square}, {square, hole}});
+}
+
+TEST_CASE("the corners of a polygon begin at its first, among those of all") {
+  Polygons polygons = square_with_hole();
+  polygons.append(polygon_of(up, {}));
+  polygons.append(polygon_of(down, {hole}));
+  const std::size_t firsts[] = {0, 7, 7, 10};
+  for (std::size_t place = 0; place < 4; ++place)
+    CHECK(polygons.first_corner(place) == firsts[place]);
+  CHECK(polygons[2].rings[0].data() == polygons.corners().data() + 7);
+}
