@@ -30,7 +30,7 @@ class InterpolatedMesh {
     mesh_.lattice.reserve(corners_.vertices.positions().size());
     mesh_.vertices_mm.reserve(corners_.vertices.positions().size());
     place_vertices();
-    reserve_faces(mesh_);
+    reserve_faces(mesh_, mesh_.lattice.size());
     for_each_polygon([this](std::uint32_t polygon) { add_polygon(polygon); });
     separate_faces();
     return std::move(mesh_);
@@ -91,7 +91,7 @@ class InterpolatedMesh {
     std::swap(earlier.face_begin, mesh_.face_begin);
     std::swap(earlier.polygons, mesh_.polygons);
     mesh_.left_out.clear();
-    reserve_faces(mesh_);
+    reserve_faces(mesh_, mesh_.lattice.size());
     FaceList renewed;
     std::size_t end = 0;
     for_each_polygon([&](std::uint32_t polygon) {

@@ -18,7 +18,7 @@ Mesh build_mesh(const Surface& surface, const MeshOptions& options) {
   if (options.crossings != nullptr && !are_conforming_triangles)
     throw std::invalid_argument("an interpolated mesh is one of conforming triangles");
   NumberedCorners corners = number_corners(surface.polygons, options.jobs);
-  return options.crossings == nullptr ? plane_mesh(surface, corners, options)
+  return options.crossings == nullptr ? plane_mesh(surface, std::move(corners), options)
                                       : interpolated_mesh(surface, std::move(corners), options);
 }
 

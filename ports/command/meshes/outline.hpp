@@ -115,8 +115,7 @@ inline Point point_of(const Vertex& vertex) {
 
 /// A closed surface has two triangles a vertex (Euler), and more only with many handles. What is
 /// reserved and not used costs nothing; vectors that grow are there twice while they do.
-inline void reserve_faces(Mesh& mesh) {
-  const std::size_t vertices = mesh.lattice.size();
+inline void reserve_faces(Mesh& mesh, std::size_t vertices) {
   const std::size_t faces = 2 * vertices + vertices / 4;
   mesh.corners.reserve(3 * faces);
   mesh.face_begin.reserve(faces + 1);

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "ordered_pipeline.hpp"
 #include "outline.hpp"
@@ -82,29 +83,36 @@ class PlaneFaces {
   OutlineTriangulator triangulator_;
 };
 
+void place_vertices(const NumberedCorners& corners, Mesh& mesh) {
+  const std::vector<Vertex>& positions = corners.vertices.positions();
+  mesh.vertices_mm.reserve(positions.size());
+  for (const Vertex& vertex : positions)
+    mesh.vertices_mm.push_back(in_mm(point_of(vertex), mesh.spacing_mm));
+}
+
 }  // namespace
 
-Mesh plane_mesh(const Surface& surface, const NumberedCorners& corners,
-                const MeshOptions& options) {
+Mesh plane_mesh(const Surface& surface, NumberedCorners corners, const MeshOptions& options) {
   Mesh mesh;
   mesh.spacing_mm = surface.spacing_mm;
-  mesh.lattice = corners.vertices.positions();
-  mesh.vertices_mm.reserve(mesh.lattice.size());
-  for (const Vertex& vertex : mesh.lattice)
-    mesh.vertices_mm.push_back(in_mm(point_of(vertex), surface.spacing_mm));
-  reserve_faces(mesh);
+  reserve_faces(mesh, corners.vertices.positions().size());
   struct Block {
     std::unique_ptr<PlaneFaces> faces;
     Mesh part;
   };
+  // Vertices are placed beside the first blocks.
   run_in_order<Block>(
-      options.jobs, block_count(surface.polygons),
+      options.jobs, 1 + block_count(surface.polygons),
       [&](std::size_t, Block& block) {
         if (!block.faces) block.faces = std::make_unique<PlaneFaces>(surface, corners, options);
         block.part = {};
       },
-      [](std::size_t number, Block& block) { block.faces->add_block(number, block.part); },
+      [&](std::size_t number, Block& block) {
+        if (number == 0) return place_vertices(corners, mesh);
+        block.faces->add_block(number - 1, block.part);
+      },
       [&mesh](std::size_t, Block& block) { append_faces(mesh, block.part); });
+  mesh.lattice = std::move(corners.vertices).positions();
   return mesh;
 }
 

@@ -8,7 +8,7 @@
 namespace discmc::host {
 
 /// As build_mesh(). corners: of the surface. Limit: nothing is interpolated.
-Mesh plane_mesh(const Surface& surface, const NumberedCorners& corners, const MeshOptions& options);
+Mesh plane_mesh(const Surface& surface, NumberedCorners corners, const MeshOptions& options);
 
 }  // namespace discmc::host
 

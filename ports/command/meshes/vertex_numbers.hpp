@@ -23,31 +23,66 @@ class VertexNumbers {
 
   /// The number of a position, a new one where it has none.
   std::uint32_t add(const Vertex& position) {
-    Table& table = tables_[table_of(position)];
-    if (2 * table.used >= table.slots.size()) grow(table);
-    std::uint32_t& slot = table.slots[slot_of(table, position)];
-    if (slot != none) return slot;
-    slot = static_cast<std::uint32_t>(positions_.size());
-    positions_.push_back(position);
-    ++table.used;
-    return slot;
+    const auto next = static_cast<std::uint32_t>(positions_.size());
+    const std::uint32_t number = tables_[table_of(position)].add(position, next, positions_);
+    if (number == next) positions_.push_back(position);
+    return number;
   }
+
+  /// The numbers of many positions, as add() of one after the other gives them, by so many jobs at
+  /// once. Limit: nothing has a number yet.
+  std::vector<std::uint32_t> add_all(const std::vector<Vertex>& positions, unsigned jobs);
 
   /// The number of a position, or none.
   std::uint32_t find(const Vertex& position) const {
-    const Table& table = tables_[table_of(position)];
-    return table.slots.empty() ? none : table.slots[slot_of(table, position)];
+    return tables_[table_of(position)].find(position, positions_);
   }
 
   /// By their numbers.
-  const std::vector<Vertex>& positions() const { return positions_; }
+  const std::vector<Vertex>& positions() const& { return positions_; }
+  std::vector<Vertex> positions() && { return std::move(positions_); }
 
  private:
   static constexpr std::size_t table_count = 1024;
 
-  struct Table {
-    std::vector<std::uint32_t> slots;  // numbers; a power of two
-    std::size_t used = 0;
+  // Numbers are places in an array of positions.
+  class Table {
+   public:
+    // next: the number of a new one.
+    std::uint32_t add(const Vertex& position, std::uint32_t next,
+                      const std::vector<Vertex>& positions) {
+      if (2 * used_ >= slots_.size()) grow(positions);
+      std::uint32_t& slot = slots_[slot_of(position, positions)];
+      if (slot != none) return slot;
+      ++used_;
+      return slot = next;
+    }
+    std::uint32_t find(const Vertex& position, const std::vector<Vertex>& positions) const {
+      return slots_.empty() ? none : slots_[slot_of(position, positions)];
+    }
+    void renumber(const std::vector<std::uint32_t>& numbers) {
+      for (std::uint32_t& slot : slots_)
+        if (slot != none) slot = numbers[slot];
+    }
+
+   private:
+    // Where the position is, or would be.
+    std::size_t slot_of(const Vertex& position, const std::vector<Vertex>& positions) const {
+      const std::size_t mask = slots_.size() - 1;
+      std::size_t slot = hash(position) & mask;
+      while (slots_[slot] != none && positions[slots_[slot]] != position) slot = (slot + 1) & mask;
+      return slot;
+    }
+    void grow(const std::vector<Vertex>& positions) {
+      constexpr std::size_t least = 64;
+      const std::vector<std::uint32_t> before = std::move(slots_);
+      slots_.assign(std::max(least, 2 * before.size()), none);
+      for (const std::uint32_t number : before)
+        if (number != none) slots_[slot_of(positions[number], positions)] = number;
+    }
+
+    std::vector<std::uint32_t> slots_;  // a power of two
+    std::size_t used_ = 0;
   };
 
   // Slices far apart may share a table.
@@ -56,28 +91,11 @@ class VertexNumbers {
     return static_cast<std::uint32_t>(position.z >> half_steps) % table_count;
   }
 
-  // Where the position is, or would be.
-  std::size_t slot_of(const Table& table, const Vertex& position) const {
-    const std::size_t mask = table.slots.size() - 1;
-    std::size_t slot = hash(position) & mask;
-    while (table.slots[slot] != none && positions_[table.slots[slot]] != position)
-      slot = (slot + 1) & mask;
-    return slot;
-  }
-
   static std::uint64_t hash(const Vertex& position) {
     std::uint64_t mixed = 0;
     for (const std::int32_t coordinate : {position.x, position.y, position.z})
       mixed = (mixed ^ static_cast<std::uint32_t>(coordinate)) * 0x9E3779B97F4A7C15u;
     return mixed >> 32;
-  }
-
-  void grow(Table& table) const {
-    constexpr std::size_t least = 64;
-    const std::vector<std::uint32_t> before = std::move(table.slots);
-    table.slots.assign(std::max(least, 2 * before.size()), none);
-    for (const std::uint32_t number : before)
-      if (number != none) table.slots[slot_of(table, positions_[number])] = number;
   }
 
   std::vector<Table> tables_;
