@@ -45,10 +45,10 @@ class VertexNumbers {
  private:
   static constexpr std::size_t table_count = 1024;
 
-  // Numbers are places in an array of positions.
   class Table {
    public:
-    // next: the number of a new one.
+    bool empty() const { return slots_.empty(); }
+    // next: the number of a new one. positions: by their numbers.
     std::uint32_t add(const Vertex& position, std::uint32_t next,
                       const std::vector<Vertex>& positions) {
       if (2 * used_ >= slots_.size()) grow(positions);
@@ -58,8 +58,9 @@ class VertexNumbers {
       return slot = next;
     }
     std::uint32_t find(const Vertex& position, const std::vector<Vertex>& positions) const {
-      return slots_.empty() ? none : slots_[slot_of(position, positions)];
+      return empty() ? none : slots_[slot_of(position, positions)];
     }
+    // numbers: by those that there are.
     void renumber(const std::vector<std::uint32_t>& numbers) {
       for (std::uint32_t& slot : slots_)
         if (slot != none) slot = numbers[slot];
@@ -81,9 +82,12 @@ class VertexNumbers {
         if (number != none) slots_[slot_of(positions[number], positions)] = number;
     }
 
-    std::vector<std::uint32_t> slots_;  // a power of two
+    std::vector<std::uint32_t> slots_;  // numbers; a power of two
     std::size_t used_ = 0;
   };
+
+  // Adds those of another. Returns their numbers, by those that they have there.
+  std::vector<std::uint32_t> join(VertexNumbers&& other);
 
   // Slices far apart may share a table.
   static std::size_t table_of(const Vertex& position) {
