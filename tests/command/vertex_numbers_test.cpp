@@ -12,7 +12,8 @@ namespace {
 using discmc::Vertex;
 using discmc::host::VertexNumbers;
 
-// Most of them several times; slices so far apart, too, that they share a table.
+// By slices, more or less, and many of them several times; slices so far apart, too, that they
+// share a table.
 std::vector<Vertex> some_positions() {
   std::minstd_rand random(1);
   std::vector<Vertex> positions;
@@ -20,7 +21,7 @@ std::vector<Vertex> some_positions() {
     const auto below = [&random](std::uint32_t end) {
       return static_cast<std::int32_t>(random() % end);
     };
-    positions.push_back({below(12), below(12), below(40) - 1 + 8192 * below(2)});
+    positions.push_back({below(6), below(6), i / 100 + below(40) - 1 + 8192 * below(2)});
   }
   return positions;
 }
