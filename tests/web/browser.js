@@ -26,7 +26,7 @@ export const startBrowser = () => chromium.launch({
  */
 export async function openPage(browser,
   { path = process.env.DISCMC_PAGE, address, script, ...options } = {}) {
-  const context = await browser.newContext({ offline: !address, viewport: { width: 1280, height: 800 },
+  const context = await browser.newContext({ offline: !address, viewport: { width: 1000, height: 700 },
     acceptDownloads: true, ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(60000);
@@ -106,7 +106,7 @@ export async function pixelsOf(page) {
     const { data } = context.getImageData(0, 0, image.width, image.height);
     const pixels = Array.from({ length: data.length / 32768 + 1 }, (_, i) =>
       String.fromCharCode(...data.subarray(32768 * i, 32768 * (i + 1)))).join('');
-    return { pixels, width: image.width };
+    return { pixels: btoa(pixels), width: image.width };
   }, picture);
-  return Object.assign(Buffer.from(pixels, 'latin1'), { width });
+  return Object.assign(Buffer.from(pixels, 'base64'), { width });
 }

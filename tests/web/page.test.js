@@ -16,7 +16,7 @@ const volume = join(folder, 'ball.nrrd');
 writeFileSync(volume, nrrdOf(roughBall()));
 const byCommand = (iso) => polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', `${iso}`);
 
-const small = { width: 900, height: 500 }; // for many pictures
+const small = { width: 800, height: 400 }; // for many pictures
 
 let browser;
 before(async () => (browser = await startBrowser()));
@@ -417,7 +417,7 @@ async function extentOf(page) {
 }
 
 test('a head stands upright, however its slices lie', async () => {
-  const { page } = await openPage(browser);
+  const { page } = await openPage(browser, { viewport: small });
   const samples = new Int16Array(12 * 12 * 12).fill(0);
   // A rod along the voxels' x, y or z, which the header says is towards the head.
   for (const axis of [0, 1, 2]) {
