@@ -1,4 +1,5 @@
 // The scanner simulator: gives a device rows, takes its stream, and tells whether it is right.
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
 #include <iostream>

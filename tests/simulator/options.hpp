@@ -2,7 +2,6 @@
 #ifndef DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
 #define DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +10,10 @@
 #include "listener.hpp"
 #include "scanner.hpp"
 #include "volumes/volume.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace discmc::simulator {
 

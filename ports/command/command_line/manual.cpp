@@ -37,19 +37,20 @@ std::string value_of(const OptionOutline& option) {
   return value;
 }
 
-std::string entry(const std::string& term, const std::string& text) {
+std::string described(const std::string& term, const std::string& text) {
   return ".TP\n" + term + "\n" + escaped(text) + "\n";
 }
 
-std::string entry(const OptionOutline& option) {
+std::string described(const OptionOutline& option) {
   std::string names;
   for (const std::string& name : option.names) names += (names.empty() ? "" : ", ") + bold(name);
-  return entry(option.value.empty() ? names : names + " " + value_of(option), option.description);
+  return described(option.value.empty() ? names : names + " " + value_of(option),
+                   option.description);
 }
 
 std::string entries(const std::vector<OptionOutline>& options) {
   std::string text;
-  for (const OptionOutline& option : options) text += entry(option);
+  for (const OptionOutline& option : options) text += described(option);
   return text;
 }
 
@@ -64,7 +65,7 @@ std::string as_they_are(const std::string& text) {
 std::string section_of(const CommandOutline& command) {
   std::string text = ".SS " + escaped(command.usage) + "\n" + escaped(command.description) + ".\n";
   for (const OptionOutline& argument : command.arguments)
-    text += entry("\\fI" + escaped(argument.names.front()) + "\\fR", argument.description);
+    text += described("\\fI" + escaped(argument.names.front()) + "\\fR", argument.description);
   for (const GroupOutline& group : command.groups)
     text += ".PP\n\\fI" + escaped(group.title) + "\\fR\n" + entries(group.options);
   return command.footer.empty() ? text : text + ".PP\n" + as_they_are(command.footer);
