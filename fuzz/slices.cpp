@@ -1,7 +1,7 @@
 // Fuzz target. The promises of streams of bits: any small volume comes through, whatever portions,
-// key slices, flushes and refusals there are; of packets that are lost, damaged or made up under a
-// correct checksum rows come out in their order, each once, and those that are there but for
-// made-up ones are right; nothing faults or goes on for ever.
+// key slices, flushes, refusals and power failures there are; of packets that are lost, damaged or
+// made up under a correct checksum rows come out in their order, each once, and those that are
+// there but for made-up ones are right; nothing faults or goes on for ever.
 //
 //   fuzz_slices -max_len=600 corpus/slices      with libFuzzer
 //   fuzz_slices corpus/slices                   with replay_main.cpp
@@ -22,9 +22,10 @@ SlicePlan read_plan(Input& input) {
   plan.key_slices.interval = input.below(5);
   plan.portion = 1 + input.byte();
   plan.bytes_a_time = input.below(20);
-  const uint32_t flushing = input.below(36);
+  const uint32_t flushing = input.below(72);
   plan.flush_every = flushing % 9;
-  plan.further_surfaces = static_cast<uint8_t>(flushing / 9);
+  plan.further_surfaces = static_cast<uint8_t>(flushing / 9 % 4);
+  plan.fails = flushing >= 36;
   return plan;
 }
 

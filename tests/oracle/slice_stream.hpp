@@ -2,8 +2,10 @@
 #ifndef DISCMC_TESTS_SLICE_STREAM_HPP
 #define DISCMC_TESTS_SLICE_STREAM_HPP
 
+#include <cstring>
 #include <discmc/slice_decoder.hpp>
 #include <discmc/slice_encoder.hpp>
+#include <utility>
 
 #include "stream.hpp"
 
@@ -15,6 +17,7 @@ struct SlicePlan {
   uint32_t portion = 1000000;    ///< samples a push
   size_t bytes_a_time = 0;       ///< that the line takes: see Line
   uint32_t flush_every = 0;      ///< so many rows; 0 never
+  bool fails = false;            ///< the power, after each flush and before the end
   uint8_t further_surfaces = 0;  ///< the same as the first
 };
 
@@ -35,6 +38,21 @@ void until_done(Call call) {
   reference::require_ok(status);
 }
 
+/// The encoder goes on from a checkpoint, in other memory of the same size.
+inline void lose_power(SliceEncoder& encoder, reference::Block& memory, Line& line) {
+  Checkpoint<SliceEncoder> checkpoint{};
+  until_done([&] {
+    (void)encoder.resume();
+    return encoder.save(checkpoint);
+  });
+  const Memory before = memory.memory();
+  reference::Block later(before.bytes);
+  std::memcpy(later.memory().data, before.data, encoder.bytes_used());
+  reference::require_ok(encoder.restore(checkpoint, later.memory(), line.output()));
+  line.bytes.resize(encoder.bytes());
+  memory = std::move(later);
+}
+
 inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& plan = {}) {
   StreamHeader header = header_of(volume);
   header.further_surfaces = plan.further_surfaces;
@@ -50,6 +68,7 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
     const uint32_t count = std::min(together, rows - row);
     push_rows(encoder, &volume.on[size_t{row} * volume.width], count * volume.width, plan.portion);
     if (plan.flush_every > 0) until_done([&] { return encoder.flush(); });
+    if (plan.fails) lose_power(encoder, block, line);
   }
   until_done([&] { return encoder.finish(); });
   if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
