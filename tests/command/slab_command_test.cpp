@@ -146,6 +146,24 @@ TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
   CHECK_FALSE(contains(workshop.done("info all.dmc"), "slab"));
 }
 
+TEST_CASE("what a join says that it wrote is so, also where a slab broke off") {
+  const Workshop workshop;
+  workshop.write("v.raw", rough_samples(13, 11, 9));
+  write_slabs(workshop, 3);
+  const std::string cut = workshop.read("part2.dmc");
+  workshop.write("cut.dmc", cut.substr(0, cut.size() * 3 / 4));
+  for (const std::string slabs :
+       {"part1.dmc cut.dmc part3.dmc", "cut.dmc", "part1.dmc part3.dmc"}) {
+    CAPTURE(slabs);
+    const Result joined = workshop.run("join " + slabs + " -o joined.dmc");
+    CHECK(joined.code == 3);
+    auto written = workshop.info("joined.dmc");
+    CHECK(contains(joined.out, "\n" + written["regions"] + " polygons\n"));
+    if (contains(joined.error, "pieces are open"))
+      CHECK(contains(joined.error, " " + written["lost_pieces"] + " pieces are open"));
+  }
+}
+
 TEST_CASE("the depth of a volume may stand in the records of its slabs alone") {
   const Workshop workshop;
   workshop.write("v.raw", rough_samples(13, 11, 9));

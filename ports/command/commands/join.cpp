@@ -46,8 +46,8 @@ class Join {
     path_ = path;
     is_begun_ = has_range_ = false;
     StreamReader reader(sink_to(*this));
-    reader.pass_whole_regions_to({this, [](void* self, const RecordsPacket& packet) {
-                                    require(static_cast<Join*>(self)->encoder_.append(packet));
+    reader.pass_whole_regions_to({&encoded_, [](void* encoded, const RecordsPacket& packet) {
+                                    static_cast<Encoded*>(encoded)->append(packet);
                                   }});
     read_file(path, reader);
     require_one_surface(path, reader);
@@ -76,16 +76,27 @@ class Join {
   }
 
   const SlabRanges& slabs() const { return slabs_; }
-  const Statistics& totals() const { return encoded_.totals; }
+  // What was written of them.
+  std::uint64_t regions() const { return encoded_.regions; }
+  std::uint64_t fragments() const { return encoded_.fragments; }
 
  private:
-  // What comes out of the joiner.
+  // What comes out of the joiner, and what need not be joined. It is counted here: a stream that
+  // broke off tells no totals.
   struct Encoded {
     NormalEncoder& encoder;
-    Statistics totals{};
+    std::uint64_t regions = 0;
+    std::uint64_t fragments = 0;
     Answer take(const Event& event) {
-      if (event.kind == Event::Kind::finish) totals = *event.statistics;
-      return encoder.take(event);
+      const Answer answer = encoder.take(event);
+      if (answer != Answer::taken) return answer;
+      if (event.kind == Event::Kind::region_end) ++regions;
+      if (event.kind == Event::Kind::fragment_end) ++fragments;
+      return answer;
+    }
+    void append(const RecordsPacket& packet) {
+      require(encoder.append(packet));
+      regions += packet.pieces;
     }
   };
 
@@ -144,14 +155,13 @@ int run_join(const JoinArguments& arguments) {
   const std::vector<SlabRange> missing = join.slabs().missing();
   if (!missing.empty()) {
     std::cerr << "discmc: " << arguments.output << ": the " << text(missing) << " are missing, and "
-              << join.totals().fragments
-              << " pieces are open: join it with the slabs of these slices\n";
+              << join.fragments() << " pieces are open: join it with the slabs of these slices\n";
     code = exit_incomplete;
   }
   if (arguments.quiet) return code;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
   if (arguments.output != "-") write_file(arguments.output, out);
-  out << join.totals().regions << " polygons\n";
+  out << join.regions() << " polygons\n";
   require_written(out);
   return code;
 }
