@@ -153,7 +153,7 @@ Status push_part(Extractor16& extractor, const uint8_t* row) {
 }
 
 Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t threshold_of_row) {
-  static uint8_t bits[size / 8];
+  static uint8_t bits[(size + 7) / 8];
   threshold_row(row, size, threshold_of_row, bits);  // or threshold_row_less()
   return extractor.push_bits(bits).status;
 }
