@@ -55,8 +55,9 @@ head && /^\/\// {
 
 head { end_head() }
 
+# Friends have no place in the reference, and source pages would lead to it.
 !is_c() {
-  print
+  print / friend struct / ? "" : $0
   next
 }
 

@@ -1545,6 +1545,7 @@ typedef struct discmc_picked_range {
 } discmc_picked_range;
 #define DISCMC_REST UINT32_MAX
 
+/* Tells of each row that comes whether it is picked, and what of it. */
 typedef struct discmc_row_picker {
   uint64_t opaque[56 / 8];
 } discmc_row_picker;

@@ -12,6 +12,7 @@
 
 namespace discmc {
 
+/// A packet of records on its way from an encoder or a decoder to another encoder.
 struct RecordsPacket {
   const uint8_t* payload;  ///< Owner: who gives it
   size_t bytes;
