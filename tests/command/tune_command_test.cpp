@@ -93,7 +93,8 @@ TEST_CASE("tune shows the payloads that are asked for") {
 TEST_CASE("the code that tune prints compiles, in C++ and in C") {
   const Workshop workshop;
   write_ball(workshop);
-  for (const char* options : {"", "--memory 3K --border open", "--capacities 300,20"}) {
+  for (const char* options :
+       {"", "--memory 3K --border open", "--capacities 300,20", "--median 3"}) {
     const std::string report = workshop.done(std::string("tune v.nrrd --iso 100 ") + options);
     for (const char* payload : {"regions", "slices"}) {
       INFO(report);
@@ -105,6 +106,27 @@ TEST_CASE("the code that tune prints compiles, in C++ and in C") {
       CHECK(workshop.shell("cc -std=c99" + include + "block.c").error == "");
     }
   }
+}
+
+TEST_CASE("the code that tune prints says what of the surface is not in it") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const auto code = [&](const std::string& options, const char* heading) {
+    return code_of(workshop.done("tune v.nrrd " + options), heading);
+  };
+  const std::string left = "Left to you: voxels above 150 are off; a MajorityFilter";
+  for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"}) {
+    CHECK(contains(code("--range 100..150 --median 3", heading), left));
+    CHECK(!contains(code("--iso 100", heading), "Left to you"));
+  }
+}
+
+TEST_CASE("tune tells the threshold that a rule has found") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const Result result = workshop.run("tune v.nrrd --iso otsu");
+  CHECK(contains(result.out, " (otsu)\n"));
+  CHECK(!contains(result.out, ", at otsu"));
 }
 
 TEST_CASE("a faster clock makes work shorter, and another core has other costs") {
@@ -135,4 +157,6 @@ TEST_CASE("tune refuses with the value and the remedy") {
           "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
   refused("--iso 100 --capacities 40000,1", 1, "give 4 to 32759 records");
   refused("--iso 300", 1, "no voxel reaches 300");
+  refused("--iso 300 --allow-empty", 2, "'--allow-empty' is not an option of tune");
+  refused("--iso 100 --payload slices --memory 2K", 2, "leave out --memory and --capacities");
 }

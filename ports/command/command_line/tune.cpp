@@ -28,6 +28,11 @@ void check(const TuneArguments& arguments) {
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   if (selections.empty())
     throw CLI::ValidationError("--iso", "is missing: give --iso ISO, the threshold of the device");
+  const bool sends_slices_alone = arguments.payloads == std::vector<Payload>{Payload::slices};
+  if (sends_slices_alone && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
+    throw CLI::ValidationError("--payload",
+                               "a slice encoder takes the memory that it needs, and no more: leave "
+                               "out --memory and --capacities");
 }
 
 void add_device_options(CLI::App& app, TuneArguments& arguments) {
@@ -85,6 +90,7 @@ Command add_tune(CLI::App& app) {
   add_device_options(*tune, *arguments);
   add_volume_options(*tune, arguments->reading.layout);
   add_surface_options(*tune, arguments->reading);
+  tune->remove_option(tune->get_option("--allow-empty"));
   tune->get_option("--memory")
       ->description(
           "bytes of the arena, with K or M for 1024 and 1024^2 (default: the least with nothing "

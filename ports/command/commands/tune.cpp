@@ -57,8 +57,9 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
   const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
   if (arguments.memory < least)
     throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
-                                ", or send slices: every one a key slice takes " +
-                                std::to_string(slice_encoder_bytes(limits, {1})));
+                                ", or send slices, which take " +
+                                std::to_string(slice_encoder_bytes(limits, {1})) +
+                                " where each is a key slice: --payload slices");
   return arguments.memory;
 }
 
@@ -152,6 +153,26 @@ std::string comment_of(const Trial& trial, Payload payload, const Device& device
          seconds_text(seconds_on_line(trial, device)) + " s on the line.";
 }
 
+// What has made the surface and is not in the code, in a line, or none.
+std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
+  std::vector<std::string> all;
+  const Selection& selection = arguments.selections[0].selection;
+  if (volume.is_floating()) all.push_back("the threshold in whole numbers, as the device has them");
+  if (selection.has_upper_end())
+    all.push_back("voxels above " + value_text(selection.high) + " are off");
+  if (arguments.median > 0) all.push_back("a MajorityFilter and its memory");
+  if (!arguments.mask.empty()) all.push_back("the mask");
+  std::string text;
+  for (const std::string& each : all) text += (text.empty() ? "Left to you: " : "; ") + each;
+  return text.empty() ? text : text + ".";
+}
+
+// As it was given, with the number that a rule has found.
+std::string surface_text(const NamedSelection& surface) {
+  if (!surface.rule) return surface.name;
+  return value_text(surface.selection.low) + " (" + surface.name + ")";
+}
+
 void write_code(const FirmwareChoice& choice, const char* payload, std::ostream& out) {
   out << "\n---- " << payload << ", C++ ----\n" << cpp_code(choice);
   out << "\n---- " << payload << ", C ----\n" << c_code(choice);
@@ -162,6 +183,7 @@ void write_all_code(const VolumeBits& volume, const TuneArguments& arguments, co
   FirmwareChoice choice;
   choice.limits = volume.limits();
   choice.threshold = volume.header().threshold;
+  choice.left_out = left_out(volume, arguments.reading);
   if (!trials.regions.empty()) {
     const Trial& chosen = trials.regions[trials.chosen];
     choice.comment = comment_of(chosen, Payload::regions, device);
@@ -184,7 +206,7 @@ void write_report(const VolumeBits& volume, const TuneArguments& arguments, cons
   const Device device{arguments.baud, arguments.clock_hz, arguments.core, volume.sample_bytes()};
   const NamedSelection& surface = arguments.reading.selections[0];
   out << arguments.volume << ", " << volume.limits().width << "x" << volume.limits().height << "x"
-      << volume.slices() << " voxels, at " << surface.name << "\n"
+      << volume.slices() << " voxels, at " << surface_text(surface) << "\n"
       << name(device.core) << " at " << value_text(device.clock_hz / 1e6) << " MHz, UART at "
       << grouped(static_cast<std::uint64_t>(device.baud)) << " baud\n";
   if (!trials.regions.empty()) {
@@ -215,8 +237,8 @@ int run_tune(const TuneArguments& arguments) {
   }
   const Trials trials = try_all(*bits, found, given);
   if (trials.plenty.work.cells == 0)
-    fail_empty(found.volume, found.reading, found.reading.selections[0].selection, *volume,
-               bits->is_full());
+    throw VolumeError(why_empty(found.volume, found.reading, found.reading.selections[0].selection,
+                                *volume, bits->is_full()));
   write_report(*bits, found, trials, std::cout);
   require_written(std::cout);
   return exit_ok;

@@ -59,8 +59,9 @@ void write_c_memory(const FirmwareChoice& choice, std::ostream& out) {
 std::string cpp_code(const FirmwareChoice& choice) {
   const Limits& limits = choice.limits;
   std::ostringstream out;
-  out << "// " << choice.comment << '\n'
-      << "#include <discmc/discmc.hpp>\n\n"
+  out << "// " << choice.comment << '\n';
+  if (!choice.left_out.empty()) out << "// " << choice.left_out << '\n';
+  out << "#include <discmc/discmc.hpp>\n\n"
       << "constexpr discmc::Limits limits{" << limits.width << ", " << limits.height
       << (is_open(choice) ? ", discmc::Border::open" : "") << "};\n"
       << "constexpr int32_t threshold = " << threshold_text(choice.threshold) << ";\n";
@@ -71,8 +72,9 @@ std::string cpp_code(const FirmwareChoice& choice) {
 std::string c_code(const FirmwareChoice& choice) {
   const Limits& limits = choice.limits;
   std::ostringstream out;
-  out << "/* " << choice.comment << " */\n"
-      << "#include <discmc/discmc.h>\n\n"
+  out << "/* " << choice.comment << " */\n";
+  if (!choice.left_out.empty()) out << "/* " << choice.left_out << " */\n";
+  out << "#include <discmc/discmc.h>\n\n"
       << "enum { WIDTH = " << limits.width << ", HEIGHT = " << limits.height << " };\n"
       << "static const discmc_limits limits = {WIDTH, HEIGHT, "
       << (is_open(choice) ? "DISCMC_OPEN" : "DISCMC_CLOSED") << ", {0, 0, 0}};\n"

@@ -15,6 +15,7 @@ struct FirmwareChoice {
   Limits limits;
   std::int32_t threshold = 0;
   std::string comment;                     ///< what it gives, in a line
+  std::string left_out{};                  ///< of it, in a line, or none
   std::uint64_t arena_bytes = 0;           ///< of regions; 0: slices
   std::optional<Capacities> capacities{};  ///< in place of arena_bytes
   std::uint32_t key_slices = 0;            ///< the interval, of slices

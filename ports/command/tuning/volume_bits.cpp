@@ -24,6 +24,7 @@ VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
       header_(stream_header(volume.info(), options)),
       // A scanner's converter has 8 bits or up to 16; a file may have more of them.
       sample_bytes_(host::sample_bytes(volume.info().type) == 1 ? 1 : 2),
+      is_floating_(host::is_floating(volume.info().type)),
       row_bytes_(bit_row_bytes(limits_.width)) {
   const SlabSpans all = slab_spans({}, slices(), options.takes_majority);
   BitSource source(volume.info(), limits_, all, options.takes_majority, {{options.selection, {}}});

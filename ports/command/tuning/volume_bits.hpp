@@ -27,6 +27,8 @@ class VolumeBits {
   const StreamHeader& header() const { return header_; }
   /// Of a sample on the device: 1 or 2. Units: bytes.
   std::uint32_t sample_bytes() const { return sample_bytes_; }
+  /// Whether the file's samples are floating point, which no device has.
+  bool is_floating() const { return is_floating_; }
   /// Voxels that are on in the first so many slices.
   std::uint64_t on(std::uint32_t slices) const { return on_[slices]; }
   bool is_full() const { return is_full_; }
@@ -38,6 +40,7 @@ class VolumeBits {
   Limits limits_;
   StreamHeader header_;
   std::uint32_t sample_bytes_;
+  bool is_floating_;
   std::size_t row_bytes_;
   std::vector<std::uint8_t> bits_;
   std::vector<std::uint64_t> on_{0};
