@@ -65,7 +65,7 @@ class BlockMeans {
   // Samples are added as they are above the least, which is never negative.
   static constexpr int32_t least = Sample(-1) < 0 ? -32768 : 0;
 
-  uint32_t size_of(uint32_t block, uint32_t extent) const;
+  uint32_t size_of(uint32_t block, uint32_t voxels) const;
   const Sample* next_row(uint32_t slices);
 
   Limits limits_{};

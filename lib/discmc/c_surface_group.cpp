@@ -35,10 +35,7 @@ struct StoredGroup {
   uint32_t is_started;
   Group group;
 };
-static_assert(sizeof(StoredGroup) <= sizeof(discmc_surface_group) &&
-                  sizeof(discmc_surface_group) < sizeof(StoredGroup) + sizeof(uint64_t) &&
-                  alignof(StoredGroup) <= alignof(discmc_surface_group),
-              "the size in discmc.h is enough");
+static_assert(fits<StoredGroup, discmc_surface_group>, "the size in discmc.h is enough");
 
 template <class Call>
 discmc_push_result push_to(discmc_surface_group* group, Call call) {
