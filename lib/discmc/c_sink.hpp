@@ -52,8 +52,10 @@ template <class Object, class Storage>
 constexpr bool has_size = sizeof(Object) <= sizeof(Storage) &&
                           sizeof(Storage) <= sizeof(Object) + sizeof(Object) / 10;
 template <class Object, class Storage>
-constexpr bool fits = has_size<Object, Storage>&& __is_trivially_copyable(Object) &&
-                      alignof(Object) <= alignof(Storage);
+constexpr bool has_alignment = alignof(Object) <= alignof(Storage);
+template <class Object, class Storage>
+constexpr bool fits =
+    has_size<Object, Storage>&& has_alignment<Object, Storage>&& __is_trivially_copyable(Object);
 
 }  // namespace discmc
 

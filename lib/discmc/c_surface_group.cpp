@@ -35,11 +35,10 @@ struct StoredGroup {
   uint32_t is_started;
   Group group;
 };
-static_assert(sizeof(StoredGroup) <= sizeof(discmc_surface_group) &&
-                  alignof(StoredGroup) <= alignof(discmc_surface_group),
+static_assert(has_alignment<StoredGroup, discmc_surface_group> &&
+                  sizeof(StoredGroup) <= sizeof(discmc_surface_group) &&
+                  sizeof(discmc_surface_group) < sizeof(StoredGroup) + sizeof(uint64_t),
               "the size in discmc.h is enough");
-static_assert(sizeof(discmc_surface_group) < sizeof(StoredGroup) + sizeof(uint64_t),
-              "and not much more");
 
 template <class Call>
 discmc_push_result push_to(discmc_surface_group* group, Call call) {
