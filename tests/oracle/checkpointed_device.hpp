@@ -3,10 +3,12 @@
 #define DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
 
 #include <algorithm>
+#include <cstring>
 #include <discmc/checkpoint.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "sanitized.hpp"
 #include "scan.hpp"
 #include "stream.hpp"
 #include "volume.hpp"
@@ -34,6 +36,51 @@ struct Store {
 
 /// What a device has written down, as one string of bytes, as a flash holds it.
 using Image = Bytes;
+
+inline Image image_of(const std::vector<Memory>& parts) {
+  Image image;
+  for (const Memory& part : parts) {
+    const auto* const bytes = static_cast<const uint8_t*>(part.data);
+    image.insert(image.end(), bytes, bytes + part.bytes);
+  }
+  return image;
+}
+/// Reads it back; what comes behind its end stays as it is.
+inline void read_back(const Image& image, const std::vector<Memory>& parts) {
+  const uint8_t* next = image.data();
+  const uint8_t* const end = next + image.size();
+  for (const Memory& part : parts) {
+    const size_t count = std::min(part.bytes, static_cast<size_t>(end - next));
+    std::copy_n(next, count, static_cast<uint8_t*>(part.data));
+    next += count;
+  }
+}
+
+/// Whether an image holds an address in a device or in its memory, which is the last of its parts.
+template <class AnyDevice>
+bool holds_address(const Image& image, AnyDevice& device) {
+  const auto lies_in = [](uintptr_t address, const Memory& memory) {
+    return address - reinterpret_cast<uintptr_t>(memory.data) < memory.bytes;
+  };
+  const Memory of_device = device.parts().back();
+  for (size_t at = 0; at + sizeof(uintptr_t) <= image.size(); ++at) {
+    uintptr_t word;
+    std::memcpy(&word, image.data() + at, sizeof word);
+    if (lies_in(word, {&device, sizeof device}) || lies_in(word, of_device)) return true;
+  }
+  return false;
+}
+
+/// The first bit of an image whose flip a device does not find out, or the number of its bits.
+template <class AnyDevice>
+size_t first_unnoticed_flip(const Image& image, AnyDevice& device) {
+  for (size_t bit = 0; bit < 8 * image.size(); bit += reference::step(7)) {
+    Image flipped = image;
+    flipped[bit / 8] = static_cast<uint8_t>(flipped[bit / 8] ^ 1 << bit % 8);
+    if (device.restore(flipped) != Status::bad_checkpoint) return bit;
+  }
+  return 8 * image.size();
+}
 
 /// A device with an extractor and an encoder, in memory of its own, and its checkpoints.
 template <class Index>
@@ -82,31 +129,10 @@ class Device {
     return extractor_.restore(scan_, block_.memory(), sink_to(encoder_));
   }
 
-  Image save() {
-    Image image;
-    for (const Memory& part : save_parts()) {
-      const auto* const bytes = static_cast<const uint8_t*>(part.data);
-      image.insert(image.end(), bytes, bytes + part.bytes);
-    }
-    return image;
-  }
+  Image save() { return image_of(save_parts()); }
   Status restore(const Image& image) {
-    const uint8_t* next = image.data();
-    const uint8_t* const end = next + image.size();
-    for (const Memory& part : parts()) {
-      const size_t count = std::min(part.bytes, static_cast<size_t>(end - next));
-      std::copy_n(next, count, static_cast<uint8_t*>(part.data));
-      next += count;
-    }
+    read_back(image, parts());
     return restore_parts();
-  }
-
-  /// Whether an address lies in the device or in its memory.
-  bool owns(uintptr_t address) {
-    const auto lies_in = [address](const void* first, size_t bytes) {
-      return address - reinterpret_cast<uintptr_t>(first) < bytes;
-    };
-    return lies_in(this, sizeof *this) || lies_in(block_.memory().data, block_.memory().bytes);
   }
 
   /// The bytes of stream before what comes next.
