@@ -44,7 +44,8 @@ struct HighestFirst {
 struct Mono12Packed {
   static constexpr uint32_t bits = 12, group = 2, bytes = 3;
   static constexpr uint32_t sample(const uint8_t (&byte)[bytes], uint32_t i) {
-    return uint32_t{byte[i == 0 ? 0 : 2]} << 4 | (uint32_t{byte[1]} >> 4 * i & 15);
+    const uint32_t highest = 2 * i;
+    return uint32_t{byte[highest]} << 4 | (uint32_t{byte[1]} >> 4 * i & 15);
   }
 };
 
