@@ -377,6 +377,17 @@ TEST_CASE("wrong usage exits with 2") {
   }
 }
 
+TEST_CASE("wrong values are told with what is expected") {
+  const Workshop workshop;
+  for (const char* memory : {"some", "3Q", "-5", "1.5M", ""})
+    check_failure(workshop.run("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'"), 2,
+                  {"'" + std::string(memory) + "' is no count of bytes", "as in 24K"});
+  check_failure(workshop.run("extract v.nrrd --iso 1 --memory 3K --memory 4K"), 2,
+                {"--memory is given more than once"});
+  check_failure(workshop.run("extract v.raw --iso 1 --type u8 --dims 3,4"), 2,
+                {"give --dims X,Y,Z"});
+}
+
 TEST_CASE("a volume that cannot be read is told by its name, and nothing is written") {
   const Workshop workshop;
   workshop.write("block.nrrd", volume_files::nrrd("type: block\nencoding: raw\n") + "\n");

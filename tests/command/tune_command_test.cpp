@@ -121,6 +121,18 @@ TEST_CASE("the code that tune prints says what of the surface is not in it") {
   }
 }
 
+TEST_CASE("the code that tune prints says for which value of the file its threshold stands") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const auto samples = volume_files::stored(volume_files::SampleType::u8);
+  workshop.write("scaled.nii", volume_files::Nifti().scale(2, -1000).file(samples));
+  const std::string scaled = workshop.done("tune scaled.nii --iso=-900");
+  for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"})
+    CHECK(contains(code_of(scaled, heading),
+                   "The threshold of the samples is 50 where the value is -900."));
+  CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "where the value is"));
+}
+
 TEST_CASE("tune tells the threshold that a rule has found") {
   const Workshop workshop;
   write_ball(workshop);
@@ -155,6 +167,8 @@ TEST_CASE("tune refuses with the value and the remedy") {
   refused("--iso 100 --baud 0", 2, "'0' is no baud rate");
   refused("--iso 100 --memory 100", 1,
           "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
+  refused("--iso 100 --memory 1M", 1,
+          "give at most " + std::to_string(discmc::bytes_for<std::uint16_t>(limits, {32759, 0})));
   refused("--iso 100 --capacities 40000,1", 1, "give 4 to 32759 records");
   refused("--iso 300", 1, "no voxel reaches 300");
   refused("--iso 300 --allow-empty", 2, "'--allow-empty' is not an option of tune");

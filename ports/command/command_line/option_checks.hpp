@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -79,13 +80,25 @@ inline CLI::Validator without_braces() {
       "");
 }
 
+/// Bytes as CLI::AsSizeValue takes them, of the units that memory has.
+inline CLI::Validator count_of_bytes() {
+  return CLI::Validator(
+      [](std::string& text) {
+        static const std::regex bytes("[0-9]+ ?([kmg]i?)?b?", std::regex::icase);
+        return std::regex_match(text, bytes)
+                   ? std::string()
+                   : "'" + text + "' is no count of bytes: give a whole number, as in 24K";
+      },
+      "");
+}
+
 /// --memory: bytes, with K, M or G for powers of 1024.
 inline CLI::Option* add_memory_option(CLI::App& app, std::uint64_t& memory,
                                       const std::string& description) {
   constexpr std::uint64_t most = std::uint64_t{1} << 60;  // more than there is anywhere
   return app.add_option("--memory", memory, description)
       ->transform(CLI::AsSizeValue(false))
-      ->transform(not_negative())  // which comes before the other
+      ->transform(count_of_bytes())  // which comes before the other
       ->check(CLI::Range(std::uint64_t{1}, most))
       ->option_text("BYTES");
 }

@@ -107,16 +107,21 @@ std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   return "'" + argument + "' is one argument too many; leave it out";
 }
 
-// How the option is given whose value is missing or of another kind.
-std::string remedy(const CLI::App& command, const CLI::Error& error) {
-  if (error.get_name() != "ArgumentMismatch" && error.get_name() != "ConversionError") return "";
+// The option whose value is missing, one too many, or of another kind; else none.
+const CLI::Option* mistaken_option(const CLI::App& command, const CLI::Error& error) {
+  if (error.get_name() != "ArgumentMismatch" && error.get_name() != "ConversionError")
+    return nullptr;
   const std::string what = error.what();
   const std::size_t start = std::min(what.size(), what.find("--"));
-  const std::string name = what.substr(start, what.find_first_of(": ", start) - start);
-  const CLI::Option* option = command.get_option_no_throw(name);
-  return option == nullptr || option->get_option_text().empty()
-             ? ""
-             : "; give " + name + " " + option->get_option_text();
+  return command.get_option_no_throw(what.substr(start, what.find_first_of(": ", start) - start));
+}
+
+std::string wrong_value(const CLI::App& command, const CLI::Error& error) {
+  const CLI::Option* option = mistaken_option(command, error);
+  if (option == nullptr || option->get_option_text().empty()) return error.what();
+  if (option->get_items_expected_max() == 1 && option->results().size() > 1)
+    return option->get_name() + " is given more than once; give it once";
+  return error.what() + ("; give " + option->get_name() + " " + option->get_option_text());
 }
 
 }  // namespace
@@ -131,7 +136,7 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
   } else {
     const CLI::App& command = *commands.front();
     if (what.empty()) what = unknown_argument(command, error);
-    if (what.empty()) what = error.what() + remedy(command, error);
+    if (what.empty()) what = wrong_value(command, error);
     help += " " + command.get_name();
   }
   return app->get_name() + ": " + what + "\nSee " + help + " --help.\n";

@@ -60,6 +60,11 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
                                 ", or send slices, which take " +
                                 std::to_string(slice_encoder_bytes(limits, {1})) +
                                 " where each is a key slice: --payload slices");
+  const std::uint64_t most = most_arena_bytes(limits);
+  if (arguments.memory > most)
+    throw std::invalid_argument("--memory " + std::to_string(arguments.memory) + ": give at most " +
+                                std::to_string(most) +
+                                " bytes, which is all that 16-bit indices make use of");
   return arguments.memory;
 }
 
@@ -153,7 +158,7 @@ std::string comment_of(const Trial& trial, Payload payload, const Device& device
          seconds_text(seconds_on_line(trial, device)) + " s on the line.";
 }
 
-// What has made the surface and is not in the code, in a line, or none.
+// What has made the surface and is not in the code, or empty.
 std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
   std::vector<std::string> all;
   const Selection& selection = arguments.selections[0].selection;
@@ -165,6 +170,24 @@ std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments)
   std::string text;
   for (const std::string& each : all) text += (text.empty() ? "Left to you: " : "; ") + each;
   return text.empty() ? text : text + ".";
+}
+
+// Where the file's values are not those of its samples, or empty.
+std::string threshold_stands_for(const VolumeBits& volume, const Selection& selection) {
+  const std::int32_t threshold = volume.header().threshold;
+  if (volume.is_floating() || selection.low == threshold) return "";
+  return "The threshold of the samples is " + std::to_string(threshold) + " where the value is " +
+         value_text(selection.low) + ".";
+}
+
+// The comments above the code. trial: what it gives.
+std::vector<std::string> comments(const VolumeBits& volume, const VolumeArguments& arguments,
+                                  const std::string& trial) {
+  std::vector<std::string> all{trial};
+  for (const std::string& more : {threshold_stands_for(volume, arguments.selections[0].selection),
+                                  left_out(volume, arguments)})
+    if (!more.empty()) all.push_back(more);
+  return all;
 }
 
 // As it was given, with the number that a rule has found.
@@ -183,17 +206,18 @@ void write_all_code(const VolumeBits& volume, const TuneArguments& arguments, co
   FirmwareChoice choice;
   choice.limits = volume.limits();
   choice.threshold = volume.header().threshold;
-  choice.left_out = left_out(volume, arguments.reading);
   if (!trials.regions.empty()) {
     const Trial& chosen = trials.regions[trials.chosen];
-    choice.comment = comment_of(chosen, Payload::regions, device);
+    choice.comments =
+        comments(volume, arguments.reading, comment_of(chosen, Payload::regions, device));
     choice.arena_bytes = chosen.memory;
     if (const auto& capacities = arguments.reading.capacities; !capacities.empty())
       choice.capacities = Capacities{capacities[0], capacities[1]};
     write_code(choice, "regions", out);
   }
   if (!trials.slices.empty()) {
-    choice.comment = comment_of(trials.slices[0], Payload::slices, device);
+    choice.comments =
+        comments(volume, arguments.reading, comment_of(trials.slices[0], Payload::slices, device));
     choice.arena_bytes = 0;
     choice.capacities.reset();
     choice.key_slices = key_slice_intervals[0];

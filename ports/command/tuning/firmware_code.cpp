@@ -59,8 +59,7 @@ void write_c_memory(const FirmwareChoice& choice, std::ostream& out) {
 std::string cpp_code(const FirmwareChoice& choice) {
   const Limits& limits = choice.limits;
   std::ostringstream out;
-  out << "// " << choice.comment << '\n';
-  if (!choice.left_out.empty()) out << "// " << choice.left_out << '\n';
+  for (const std::string& comment : choice.comments) out << "// " << comment << '\n';
   out << "#include <discmc/discmc.hpp>\n\n"
       << "constexpr discmc::Limits limits{" << limits.width << ", " << limits.height
       << (is_open(choice) ? ", discmc::Border::open" : "") << "};\n"
@@ -72,8 +71,7 @@ std::string cpp_code(const FirmwareChoice& choice) {
 std::string c_code(const FirmwareChoice& choice) {
   const Limits& limits = choice.limits;
   std::ostringstream out;
-  out << "/* " << choice.comment << " */\n";
-  if (!choice.left_out.empty()) out << "/* " << choice.left_out << " */\n";
+  for (const std::string& comment : choice.comments) out << "/* " << comment << " */\n";
   out << "#include <discmc/discmc.h>\n\n"
       << "enum { WIDTH = " << limits.width << ", HEIGHT = " << limits.height << " };\n"
       << "static const discmc_limits limits = {WIDTH, HEIGHT, "

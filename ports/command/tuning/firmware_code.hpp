@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <discmc/capacities.hpp>
 #include <discmc/limits.hpp>
@@ -14,8 +15,7 @@ namespace discmc::host {
 struct FirmwareChoice {
   Limits limits;
   std::int32_t threshold = 0;
-  std::string comment;                     ///< what it gives, in a line
-  std::string left_out{};                  ///< of it, in a line, or none
+  std::vector<std::string> comments{};     ///< a line each
   std::uint64_t arena_bytes = 0;           ///< of regions; 0: slices
   std::optional<Capacities> capacities{};  ///< in place of arena_bytes
   std::uint32_t key_slices = 0;            ///< the interval, of slices
