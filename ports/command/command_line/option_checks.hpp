@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -84,10 +83,14 @@ inline CLI::Validator without_braces() {
 inline CLI::Validator count_of_bytes() {
   return CLI::Validator(
       [](std::string& text) {
-        static const std::regex bytes("[0-9]+ ?([kmg]i?)?b?", std::regex::icase);
-        return std::regex_match(text, bytes)
-                   ? std::string()
-                   : "'" + text + "' is no count of bytes: give a whole number, as in 24K";
+        const std::vector<std::string> units = {"",   "b",   "k", "kb", "kib", "m",
+                                                "mb", "mib", "g", "gb", "gib"};
+        const std::size_t digits = std::min(text.size(), text.find_first_not_of("0123456789"));
+        const std::string unit = CLI::detail::to_lower(text.substr(digits));
+        const bool is_right =
+            digits > 0 && std::find(units.begin(), units.end(), unit) != units.end();
+        return is_right ? std::string()
+                        : "'" + text + "' is no count of bytes: give a whole number, as in 24K";
       },
       "");
 }

@@ -55,7 +55,8 @@ std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
                              const ExtractionOptions& options, const Arena& arena,
                              const std::vector<SurfaceRequest>& surfaces) {
   const VolumeInfo& info = volume.info();
-  const SlabSpans spans = slab_spans(options.slab, info.dims[2], options.takes_majority);
+  const SlabSpans spans =
+      slab_spans(slices_of(options.slab, info.dims[2]), info.dims[2], options.takes_majority);
   Scan<AnyExtractor> scan(arena, surfaces.size());
   scan.start(info, limits, surfaces);
   auto all = scan.group();

@@ -208,7 +208,7 @@ class Parts {
         options_(options),
         requests_(surfaces),
         reader_(volume, options.mask),
-        spans_(parts_of(info_, slab_spans(options.slab, info_.dims[2], false).own)) {
+        spans_(parts_of(info_, slices_of(options.slab, info_.dims[2]))) {
     for (const SurfaceRequest& request : requests_)
       joiners_.push_back(std::make_unique<GrowingJoiner>(request.sink));
   }
@@ -225,8 +225,7 @@ class Parts {
  private:
   void read(std::size_t number, Part& part) {
     const SliceSpan own = spans_[number];
-    part.spans = slab_spans(SlabRange{own.first, own.count(), info_.dims[2]}, info_.dims[2],
-                            options_.takes_majority);
+    part.spans = slab_spans(own, info_.dims[2], options_.takes_majority);
     reader_.read(part);
   }
 

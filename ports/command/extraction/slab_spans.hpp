@@ -30,9 +30,12 @@ struct SlabSpans {
 };
 
 /// slab: nothing stands for the whole volume. depth: of the volume.
-inline SlabSpans slab_spans(const std::optional<SlabRange>& slab, std::uint32_t depth,
-                            bool takes_majority) {
-  const SliceSpan own = slab ? SliceSpan{slab->first, slab->end()} : SliceSpan{0, depth};
+inline SliceSpan slices_of(const std::optional<SlabRange>& slab, std::uint32_t depth) {
+  return slab ? SliceSpan{slab->first, slab->end()} : SliceSpan{0, depth};
+}
+
+/// own: the slices of the slab. depth: of the volume.
+inline SlabSpans slab_spans(const SliceSpan& own, std::uint32_t depth, bool takes_majority) {
   const SliceSpan given = own.widened(1, depth);
   return {own, given, given.widened(takes_majority ? 1 : 0, depth)};
 }

@@ -26,7 +26,7 @@ VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
       sample_bytes_(host::sample_bytes(volume.info().type) == 1 ? 1 : 2),
       is_floating_(host::is_floating(volume.info().type)),
       row_bytes_(bit_row_bytes(limits_.width)) {
-  const SlabSpans all = slab_spans({}, slices(), options.takes_majority);
+  const SlabSpans all = slab_spans({0, slices()}, slices(), options.takes_majority);
   BitSource source(volume.info(), limits_, all, options.takes_majority, {{options.selection, {}}});
   bits_.reserve(row_bytes_ * limits_.height * slices());
   const std::size_t slice_bytes = row_bytes_ * limits_.height;
