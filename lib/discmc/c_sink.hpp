@@ -47,10 +47,12 @@ struct SinkAdapter {
   }
 };
 
-/// Whether storage of C's is large enough for an object, and not much larger.
+/// Whether storage of C's is large enough for an object, and not much larger: objects are smaller
+/// where 64-bit integers, of which all storage is made, are aligned to 4 bytes, as on 32-bit x86.
 template <class Object, class Storage>
 constexpr bool has_size = sizeof(Object) <= sizeof(Storage) &&
-                          sizeof(Storage) <= sizeof(Object) + sizeof(Object) / 10;
+                          (sizeof(Storage) <= sizeof(Object) + sizeof(Object) / 10 ||
+                           alignof(Storage) < 8);
 template <class Object, class Storage>
 constexpr bool has_alignment = alignof(Object) <= alignof(Storage);
 template <class Object, class Storage>
