@@ -22,6 +22,7 @@ std::vector<std::uint32_t> VertexNumbers::add_all(const std::vector<Vertex>& pos
     for_each_of(share, [&](std::size_t i) { numbers[i] = own.add(positions[i]); });
   });
   std::vector<std::vector<std::uint32_t>> numbers_here;
+  numbers_here.reserve(others.size());
   for (VertexNumbers& other : others) numbers_here.push_back(join(std::move(other)));
   run_in_any_order(jobs, others.size(), [&](std::size_t other) {
     for_each_of(other + 1, [&](std::size_t i) { numbers[i] = numbers_here[other][numbers[i]]; });

@@ -5,7 +5,7 @@ namespace {
 
 // scripts/cycles writes the lines between the marks.
 // clang-format off
-constexpr CycleCosts costs[][2] = {
+constexpr CycleCosts all_costs[][2] = {
     // begin
     {{2.681, 6.456, 13.89, 1970, 312.4, 726.3, 2561},
      {5.993, 8.192, 13.89, 1808, 0, 305, 281.5}},
@@ -20,7 +20,7 @@ constexpr CycleCosts costs[][2] = {
 }  // namespace
 
 const CycleCosts& cycle_costs(Core core, Payload payload) {
-  return costs[static_cast<int>(core)][static_cast<int>(payload)];
+  return all_costs[static_cast<int>(core)][static_cast<int>(payload)];
 }
 
 double cycles_of(const DeviceWork& work, std::uint32_t sample_bytes, const CycleCosts& costs) {
