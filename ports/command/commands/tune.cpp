@@ -162,7 +162,8 @@ std::string comment_of(const Trial& trial, Payload payload, const Device& device
 std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
   std::vector<std::string> all;
   const Selection& selection = arguments.selections[0].selection;
-  if (volume.is_floating()) all.emplace_back("the threshold in whole numbers, as the device has them");
+  if (volume.is_floating())
+    all.emplace_back("the threshold in whole numbers, as the device has them");
   if (selection.has_upper_end())
     all.push_back("voxels above " + value_text(selection.high) + " are off");
   if (arguments.median > 0) all.emplace_back("a MajorityFilter and its memory");
