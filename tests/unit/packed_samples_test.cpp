@@ -62,7 +62,7 @@ std::vector<uint8_t> packed(const Layout& layout, const std::vector<uint16_t>& s
     for (uint32_t bit = 0; bit < layout.bits; ++bit) {
       const Place place = layout.place(i % group.samples, bit);
       auto& byte = bytes[i / group.samples * group.bytes + place.byte];
-      byte = static_cast<uint8_t>(byte | (samples[i] >> bit & 1U) << place.bit);
+      byte = static_cast<uint8_t>(byte | (uint32_t{samples[i]} >> bit & 1U) << place.bit);
     }
   return bytes;
 }
