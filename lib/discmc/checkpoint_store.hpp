@@ -105,10 +105,10 @@ class CheckpointStore {
   [[nodiscard]] Status start(const FlashDevice& device, uint32_t most_bytes, Memory buffer);
 
   /// Whether there is a whole checkpoint, how many bytes it has, and its number: one more than of
-  /// the one before.
+  /// the one before. Without one, 0.
   bool has_checkpoint() const { return has_newest_; }
   uint32_t bytes() const { return has_newest_ ? newest_bytes_ : 0; }
-  uint32_t sequence() const { return newest_sequence_; }
+  uint32_t sequence() const { return has_newest_ ? newest_sequence_ : 0; }
 
   /// Reads the newest checkpoint. parts: as they were saved, but the last may have more bytes than
   /// then: the rest stays as it is. Breaks off a save that is under way. Errors: not_started,

@@ -113,8 +113,9 @@ uint8_t* slot(SimulatedFlash& flash, const StorePlan& plan, uint32_t number) {
 }
 
 /// Writes a slot by hand, as the header describes it.
-void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents) {
-  StoredHead head{StoredHead::current_format, sequence, contents.bytes(), 0};
+void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents,
+              uint32_t format = StoredHead::current_format) {
+  StoredHead head{format, sequence, contents.bytes(), 0};
   const auto* const in_memory = reinterpret_cast<const uint8_t*>(&head);
   head.checksum = crc32(in_memory, 12);
   std::copy_n(in_memory, sizeof head, bytes);
@@ -352,6 +353,53 @@ TEST_CASE("what was erased ahead is not erased again") {
   }
 }
 
+TEST_CASE("blocks wear alike where every checkpoint follows a start") {
+  const Memories& memory = memories[1];
+  SimulatedFlash flash(memory.geometry);
+  std::vector<uint8_t> all(most_bytes);
+  for (uint32_t number = 0; number < 6; ++number)
+    REQUIRE(Keeper(flash).save({{all.data(), all.size()}}) == Status::ok);
+  CHECK(flash.erasures == std::vector<uint32_t>{2, 2, 2, 2, 2, 2, 0});
+}
+
+TEST_CASE("the rest of the last unit that is programmed is ones, as if erased") {
+  const Memories& memory = memories[2];
+  SimulatedFlash flash(memory.geometry);
+  Keeper keeper(flash);
+  uint8_t bytes[300] = {};
+  REQUIRE(keeper.save({memory_of(bytes)}) == Status::ok);
+  const uint8_t* const first = slot(flash, keeper.store.plan(), 0);
+  CHECK(std::all_of(first + StorePlan::head_bytes + 300 + StorePlan::tail_bytes, first + 512,
+                    [](uint8_t byte) { return byte == 0xFF; }));
+}
+
+TEST_CASE("a store that is started with another flash forgets the first one") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    SimulatedFlash first(memory.geometry, 1, memory.kind), other(memory.geometry, 2, memory.kind);
+    Keeper keeper(first);
+    for (uint32_t number = 0; number < 3; ++number) REQUIRE(save(keeper, number) == Status::ok);
+    first.fail_call(0);
+    REQUIRE(keeper.restore(Contents(2).parts()) == Status::device_error);
+    Contents contents(3);
+    const auto parts = contents.parts();
+    REQUIRE(keeper.store.save(parts.data(), 3) == Status::more);
+    REQUIRE(keeper.store.start(other.device(), most_bytes,
+                               {keeper.buffer.data(), keeper.buffer.size()}) == Status::ok);
+    CHECK_FALSE(keeper.store.has_checkpoint());
+    CHECK(keeper.store.bytes() == 0);
+    CHECK(keeper.store.sequence() == 0);
+    CHECK(keeper.restore(Contents(2).parts()) == Status::bad_checkpoint);
+    CHECK(keeper.store.resume() == Status::ok);
+    CHECK(other.units == 0);
+    REQUIRE(save(keeper, 4) == Status::ok);
+    CHECK(keeper.store.sequence() == 1);
+    if (memory.kind == Kind::flash) CHECK(other.erasures[0] == 1);
+    CHECK(number_found(other, 5) == 4);
+    CHECK_FALSE(other.has_broken_rules);
+  }
+}
+
 TEST_CASE("after a start the next checkpoint goes where nothing was begun") {
   const Memories& memory = memories[3];
   SimulatedFlash flash(memory.geometry);
@@ -400,6 +448,44 @@ TEST_CASE("a call of the device that fails is told, and costs no older checkpoin
     REQUIRE(save(keeper, 3) == Status::ok);
     CHECK(number_found(flash, 4) == 3);
   }
+}
+
+TEST_CASE("a save that follows one that failed leaves the newest checkpoint until it is whole") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    for (uint32_t saved = 1; saved <= 6; ++saved) {
+      CAPTURE(saved);
+      SimulatedFlash flash(memory.geometry, 1, memory.kind);
+      Keeper keeper(flash);
+      for (uint32_t number = 0; number < saved; ++number)
+        REQUIRE(save(keeper, number) == Status::ok);
+      flash.fail_call(0);
+      REQUIRE(save(keeper, saved) == Status::device_error);
+      Contents contents(saved + 1);
+      const auto parts = contents.parts();
+      Status status = keeper.store.save(parts.data(), 3);
+      for (; status == Status::more; status = keeper.store.resume())
+        REQUIRE(number_found(flash, saved) == saved - 1);
+      REQUIRE(status == Status::ok);
+      CHECK(number_found(flash, saved + 2) == saved + 1);
+    }
+  }
+}
+
+TEST_CASE("a driver that says that it failed is believed, whatever it wrote") {
+  const Memories& memory = memories[2];
+  SimulatedFlash flash(memory.geometry);
+  FlashDevice device = flash.device();
+  static const auto program = device.program;
+  device.program = [](void* context, uint32_t block, uint32_t offset, const void* buffer,
+                      uint32_t count) {
+    (void)program(context, block, offset, buffer, count);
+    return -1;
+  };
+  Keeper keeper(flash);
+  REQUIRE(keeper.store.start(device, most_bytes, {keeper.buffer.data(), keeper.buffer.size()}) ==
+          Status::ok);
+  CHECK(save(keeper, 0) == Status::device_error);
 }
 
 TEST_CASE("a unit that does not take what is programmed is found out, and other blocks are used") {
@@ -488,6 +574,14 @@ TEST_CASE("a head that is larger than a checkpoint may be is none") {
   CHECK_FALSE(Keeper(flash, 918).store.has_checkpoint());
 }
 
+TEST_CASE("a head of another format is none") {
+  const Memories& memory = memories[2];
+  SimulatedFlash flash(memory.geometry);
+  const StorePlan plan = store_plan(memory.geometry, most_bytes);
+  put_slot(slot(flash, plan, 0), 1, Contents(0), StoredHead::current_format + 1);
+  CHECK(number_found(flash, 1) == UINT32_MAX);
+}
+
 TEST_CASE("whatever numbers heads have, a start comes to an end") {
   const FlashGeometry geometry{64, 2048, 4};
   SimulatedFlash flash(geometry);
@@ -535,7 +629,12 @@ TEST_CASE("parts are read back as they were saved, or not at all") {
   CHECK(keeper.restore({{read, 7}, {read + 7, 294}}) == Status::ok);
   CHECK(std::equal(bytes, bytes + 300, read));
   CHECK(keeper.restore({{read, 300}, {nullptr, 0}}) == Status::ok);
-  slot(flash, keeper.store.plan(), 0)[200] ^= 4;
+  const Memory none{nullptr, 0};
+  CHECK(keeper.restore({{read, 300}, none, none, none}) == Status::ok);
+  CHECK(keeper.restore({{read, 300}, none, none, none, none}) == Status::bad_checkpoint);
+  CHECK(keeper.save({{bytes, 300}, none, none, none, none}) == Status::too_little_memory);
+  CHECK(keeper.save({{bytes, 300}, none, none, none}) == Status::ok);
+  slot(flash, keeper.store.plan(), 1)[200] ^= 4;
   CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
 }
 

@@ -121,6 +121,8 @@ TEST_CASE("rows ahead of the next one are free as long as there is room for them
         }
       }
       task.take(ring, 100);
+      CHECK(bring(ring));  // so that the next round begins a place further
+      task.take(ring, 100);
     }
     CHECK(task.is_right);
     CHECK(ring.block.is_intact());
