@@ -540,7 +540,7 @@ DISCMC_NODISCARD discmc_status discmc_checkpoint_store_start(discmc_checkpoint_s
                                                              discmc_memory buffer);
 
 /* 1 when there is a whole checkpoint; how many bytes it has, and its number: one more than of the
- * one before. */
+ * one before. Without one, 0. */
 uint8_t discmc_checkpoint_store_has_checkpoint(const discmc_checkpoint_store* store);
 uint32_t discmc_checkpoint_store_bytes(const discmc_checkpoint_store* store);
 uint32_t discmc_checkpoint_store_sequence(const discmc_checkpoint_store* store);
