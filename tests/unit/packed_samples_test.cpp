@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "oracle/stream.hpp"
@@ -110,8 +110,9 @@ TEST_CASE("rows of every width are unpacked, in place too, and nothing is writte
       CHECK(unpacked == expected);
 
       std::vector<uint16_t> row(count + 8, 0x5A5A);
-      std::memcpy(row.data(), bytes.data(), bytes.size());
-      unpack(layout.packing, reinterpret_cast<const uint8_t*>(row.data()), count, row.data());
+      auto* const in_place = reinterpret_cast<uint8_t*>(row.data());
+      std::copy(bytes.begin(), bytes.end(), in_place);
+      unpack(layout.packing, in_place, count, row.data());
       row.resize(count);
       CHECK(row == samples);
     }
