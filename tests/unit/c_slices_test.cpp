@@ -30,21 +30,10 @@ discmc_byte_output in_c(const ByteOutput& output) {
 }
 
 discmc_stream_header header_in_c(uint8_t surfaces) {
-  static discmc_stream_header header;  // as checkpoints have its padding, too, which is 0 so
-  header.width = width;
-  header.height = height;
-  header.depth = depth;
-  header.spacing_nm[0] = 1000;
-  header.spacing_nm[1] = -2000;
-  header.spacing_nm[2] = 3000;
-  header.threshold = 100;
-  header.border = DISCMC_CLOSED;
-  header.channel = 5;
-  header.scan = 700;
+  // Static, so that its padding is 0: it goes into checkpoints, too.
+  static discmc_stream_header header = {
+      width, height, depth, {1000, -2000, 3000}, 100, DISCMC_CLOSED, 5, 700, 0, {120, 90, -4}};
   header.further_surfaces = static_cast<uint8_t>(surfaces - 1);
-  header.further_thresholds[0] = 120;
-  header.further_thresholds[1] = 90;
-  header.further_thresholds[2] = -4;
   return header;
 }
 

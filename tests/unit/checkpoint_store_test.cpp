@@ -44,7 +44,11 @@ struct Keeper {
 
   explicit Keeper(SimulatedFlash& flash, uint32_t most = most_bytes)
       : buffer(flash.device().geometry.program_bytes) {
-    status = store.start(flash.device(), most, {buffer.data(), buffer.size()});
+    status = start(flash.device(), most);
+  }
+
+  Status start(const FlashDevice& device, uint32_t most = most_bytes) {
+    return store.start(device, most, {buffer.data(), buffer.size()});
   }
 
   Status finish(Status last) {
@@ -384,8 +388,7 @@ TEST_CASE("a store that is started with another flash forgets the first one") {
     Contents contents(3);
     const auto parts = contents.parts();
     REQUIRE(keeper.store.save(parts.data(), 3) == Status::more);
-    REQUIRE(keeper.store.start(other.device(), most_bytes,
-                               {keeper.buffer.data(), keeper.buffer.size()}) == Status::ok);
+    REQUIRE(keeper.start(other.device()) == Status::ok);
     CHECK_FALSE(keeper.store.has_checkpoint());
     CHECK(keeper.store.bytes() == 0);
     CHECK(keeper.store.sequence() == 0);
@@ -483,8 +486,7 @@ TEST_CASE("a driver that says that it failed is believed, whatever it wrote") {
     return -1;
   };
   Keeper keeper(flash);
-  REQUIRE(keeper.store.start(device, most_bytes, {keeper.buffer.data(), keeper.buffer.size()}) ==
-          Status::ok);
+  REQUIRE(keeper.start(device) == Status::ok);
   CHECK(save(keeper, 0) == Status::device_error);
 }
 
