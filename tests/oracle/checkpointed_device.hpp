@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "sanitized.hpp"
+#include "thinned.hpp"
 #include "scan.hpp"
 #include "stream.hpp"
 #include "volume.hpp"

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "oracle/naive_join.hpp"
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/sink.hpp"
 #include "oracle/surface.hpp"

@@ -3,7 +3,7 @@
 
 #include "oracle/agreement.hpp"
 #include "oracle/event_log.hpp"
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
 
 using namespace discmc;

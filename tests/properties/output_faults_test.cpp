@@ -2,7 +2,7 @@
 // waits, and what leaves in the end is byte for byte what leaves without a fault.
 #include <doctest/doctest.h>
 
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/sink.hpp"
 #include "oracle/stream_samples.hpp"
 

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/naive_join.hpp"
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/sink.hpp"
 
@@ -238,7 +238,7 @@ TEST_CASE("more memory never makes more loose fragments of a ball, and enough ma
 }
 
 TEST_CASE("a thousand layers need no more memory than the first ones: nothing leaks") {
-  for (uint64_t seed = 0; seed < 12; ++seed) {
+  for (uint64_t seed = 0; seed < 12; seed += step(3)) {
     // A slice that is all off ends every region; else holes would gather in those that go on.
     BitVolume period = random({7, 8, 10}, 60 + 15 * static_cast<uint32_t>(seed), seed);
     std::fill_n(period.on.begin(), 7 * 8, uint8_t{0});

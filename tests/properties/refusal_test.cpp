@@ -4,7 +4,7 @@
 
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/sink.hpp"
 

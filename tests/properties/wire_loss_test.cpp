@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "oracle/stream_samples.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -122,8 +123,8 @@ TEST_CASE("any one packet that is dropped is counted, and only what it held is m
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Sent sent(sample.events, sample.header);
-    const size_t step = 1 + sent.frames.size() / 60;
-    for (size_t i = 0; i < sent.frames.size(); i += step) check_without(sent, i, 1);
+    const size_t stride = (1 + sent.frames.size() / 60) * reference::step(3);
+    for (size_t i = 0; i < sent.frames.size(); i += stride) check_without(sent, i, 1);
     check_without(sent, sent.frames.size() - 1, 1);
   }
 }
@@ -135,7 +136,8 @@ TEST_CASE("any run of packets that is dropped in front of others is counted") {
   const size_t after = wire::header_interval + 2;  // a header is among them
   for (const size_t count :
        {2U, 5U, 64U, 65U, 127U, 128U, 129U, 130U, 200U, 255U, 256U, 257U, 300U, 511U, 512U})
-    for (size_t first = 0; first + count + after < total; first += 1 + total / 17)
+    for (size_t first = 0; first + count + after < total;
+         first += (1 + total / 17) * reference::step(5))
       check_without(sent, first, count);
 }
 
@@ -190,7 +192,8 @@ TEST_CASE("of any number of pieces lost before the trailer it tells exactly how 
 
 TEST_CASE("a listener that joins late knows what was before him") {
   const Sent& sent = long_stream();
-  for (size_t first = 1; first + wire::header_interval < sent.frames.size(); first += 11)
+  for (size_t first = 1; first + wire::header_interval < sent.frames.size();
+       first += 11 * reference::step(3))
     check_without(sent, 0, first);
 }
 
@@ -247,7 +250,7 @@ TEST_CASE("packets that come twice are delivered once") {
 TEST_CASE("of packets that change places the later one is kept, the other counted as lost") {
   const Sent& sent = long_stream();
   for (size_t apart = 1; apart < 100; apart += 14)
-    for (size_t i = 1; i + apart + 1 < sent.frames.size(); i += 53) {
+    for (size_t i = 1; i + apart + 1 < sent.frames.size(); i += 53 * reference::step(5)) {
       CAPTURE(apart);
       CAPTURE(i);
       // Packet i comes too late, after packet i + apart.
@@ -278,7 +281,7 @@ TEST_CASE("two different streams spliced give regions of one or the other, never
   const Sent& first = long_stream();
   const Sent second(long_events(77));
   for (size_t cut = 1; cut < first.frames.size(); cut += 97)
-    for (size_t from = 0; from < second.frames.size(); from += 29) {
+    for (size_t from = 0; from < second.frames.size(); from += 29 * reference::step(5)) {
       const auto end = first.frames.begin() + static_cast<std::ptrdiff_t>(cut);
       std::vector<Bytes> frames(first.frames.begin(), end);
       frames.insert(frames.end(), second.frames.begin() + static_cast<std::ptrdiff_t>(from),

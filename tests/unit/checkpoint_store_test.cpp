@@ -9,7 +9,7 @@
 #include <set>
 
 #include "oracle/checkpointed_device.hpp"
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/simulated_flash.hpp"
 
 using namespace discmc;
@@ -257,7 +257,7 @@ TEST_CASE("a scan goes on from flash with the same bytes, wherever the power fai
   SimulatedFlash never_cut(geometry);
   scanned(never_cut);
   std::set<uint32_t> restored;
-  constexpr uint64_t stride = 7 * step(31);  // the last time the power fails after all of it
+  const uint64_t stride = 7 * step(31);  // the last time the power fails after all of it
   for (uint64_t cut = 1; cut < never_cut.steps + stride; cut += stride) {
     CAPTURE(cut);
     SimulatedFlash flash(geometry, static_cast<uint32_t>(cut));

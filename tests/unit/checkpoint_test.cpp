@@ -7,6 +7,7 @@
 
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/stream_samples.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -86,7 +87,7 @@ TEST_CASE("whoever cannot go back hears packets again and loses none, wherever t
   REQUIRE(again.restore(image) == Status::ok);
   const uint64_t position = again.position();
   again.finish();
-  for (size_t cut = position; cut <= whole.size(); ++cut) {
+  for (size_t cut = position; cut <= whole.size(); cut += step(7)) {
     CAPTURE(cut);
     Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(cut));
     stream.push_back(0);

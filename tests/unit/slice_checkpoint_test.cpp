@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "oracle/checkpointed_device.hpp"
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/slice_stream.hpp"
 
 using namespace discmc;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "block_prover.hpp"
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::prove;

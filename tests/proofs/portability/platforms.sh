@@ -1,15 +1,17 @@
 # Where golden.cpp has to tell the same; read by scripts with `source`. A platform is a compiler and
 # a machine.
 
+source "$(dirname "${BASH_SOURCE[0]}")/../../../scripts/clang.sh"
+
 platforms=()
-for compiler in gcc clang-14 clang-19; do
+for compiler in gcc "clang-$oldest_clang" "clang-$newest_clang"; do
   platforms+=("$compiler x86-64" "$compiler x86-32")
 done
 for machine in aarch64 mips s390x cortex-m0plus cortex-m4 cortex-m33 rv32imac rv64imac; do
   platforms+=("gcc $machine")
 done
 # Nothing that is particular to these compilers: see lib/discmc/compiler.hpp.
-platforms+=('gcc portable' 'clang-19 portable')
+platforms+=('gcc portable' "clang-$newest_clang portable")
 
 # What a machine is beyond its name.
 declare -A remark=(

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "oracle/sanitized.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/sector_statements.hpp"
 #include "oracle/table_statements.hpp"
 
