@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "grouped_number.hpp"
-#include "streams/stream_file.hpp"
+#include "streams/spacing.hpp"
 
 namespace discmc::host {
 namespace {

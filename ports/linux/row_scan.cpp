@@ -2,40 +2,47 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
+#include "extraction/arena_memory.hpp"
 #include "require.hpp"
+#include "streams/spacing.hpp"
 
 namespace discmc::device {
 
 using host::require;
 
+namespace {
+
+StreamLabel label_of(const ScanPlan& plan) {
+  const auto spacing = host::spacing_nm(plan.spacing_mm);
+  return {plan.dims[2], {spacing[0], spacing[1], spacing[2]}};
+}
+
+}  // namespace
+
 RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
-    : plan_(plan), memory_(plan.options.memory) {
-  const Limits limits{plan.volume.dims[0], plan.volume.dims[1], plan.options.border};
+    : plan_(plan), memory_(plan.memory) {
+  const Limits limits{plan.dims[0], plan.dims[1], plan.border};
   if (host::takes_narrow_indices(limits, memory_.size()))
     extractor_.emplace<Extractor16>();
   else
     extractor_.emplace<Extractor32>();
-  require(encoder_.start(stream_header(plan.volume, plan.options).label(), output));
-  const std::int32_t threshold = stored_threshold(plan.volume, plan.options.selection.low);
+  require(encoder_.start(label_of(plan), output));
   const Status started = std::visit(
       [&](auto& extractor) {
-        return extractor.start(limits, threshold, {memory_.data(), memory_.size()},
+        return extractor.start(limits, plan.threshold, {memory_.data(), memory_.size()},
                                sink_to(encoder_));
       },
       extractor_);
   if (started == Status::too_little_memory)
-    throw std::invalid_argument("--memory " + std::to_string(memory_.size()) +
-                                " is too little for slices of " + std::to_string(limits.width) +
-                                "x" + std::to_string(limits.height) + ": give at least " +
-                                std::to_string(minimum_bytes<std::uint16_t>(limits)) + " bytes");
+    throw std::invalid_argument(
+        host::too_little_memory(memory_.size(), limits, minimum_bytes<std::uint16_t>(limits)));
   require(started);
 }
 
 template <class Sample>
 Status RowScan::push_samples(const std::uint8_t* row) {
-  std::vector<Sample> samples(plan_.volume.dims[0]);
+  std::vector<Sample> samples(plan_.dims[0]);
   wire::ByteReader bytes(row, plan_.row_bytes());
   for (Sample& sample : samples) sample = static_cast<Sample>(bytes.get(sizeof(Sample)));
   const auto count = static_cast<std::uint32_t>(samples.size());
@@ -44,7 +51,7 @@ Status RowScan::push_samples(const std::uint8_t* row) {
 }
 
 void RowScan::push(const std::uint8_t* row) {
-  host::with_scanner_type(plan_.volume.type,
+  host::with_scanner_type(plan_.type,
                           [&](auto type) { require(push_samples<decltype(type)>(row)); });
   ++rows_;
 }
@@ -59,7 +66,7 @@ void RowScan::skip(std::uint32_t rows) {
 }
 
 void RowScan::finish() {
-  const bool slice_is_whole = rows_ % plan_.volume.dims[1] == 0;
+  const bool slice_is_whole = rows_ % plan_.dims[1] == 0;
   if (!slice_is_whole) return abandon();
   require(std::visit([](auto& extractor) { return extractor.finish(); }, extractor_));
 }
@@ -77,7 +84,7 @@ void RowScan::report(std::ostream& out) const {
   out << "rows " << rows_ << '\n'
       << "rows_planned " << plan_.rows() << '\n'
       << "rows_skipped " << statistics.skipped_rows << '\n'
-      << "slices " << rows_ / plan_.volume.dims[1] << '\n'
+      << "slices " << rows_ / plan_.dims[1] << '\n'
       << "regions " << statistics.regions << '\n'
       << "stream_bytes " << encoder_.bytes() << '\n';
 }

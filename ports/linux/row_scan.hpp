@@ -2,6 +2,7 @@
 #ifndef DISCMC_LINUX_ROW_SCAN_HPP
 #define DISCMC_LINUX_ROW_SCAN_HPP
 
+#include <array>
 #include <cstdint>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
@@ -9,20 +10,27 @@
 #include <variant>
 #include <vector>
 
-#include "extraction/extraction.hpp"
-#include "volumes/volume.hpp"
+#include "volumes/sample_type.hpp"
 
 namespace discmc::device {
 
-/// What is scanned, and how. Of the volume dims, type and spacing count.
+/// What is scanned, and how.
 struct ScanPlan {
-  host::VolumeInfo volume;
-  host::ExtractionOptions options;
+  /// Samples per row, rows per slice, and slices at most.
+  std::array<std::uint32_t, 3> dims{};
+  /// Limit: is_scanner_type(type).
+  host::SampleType type = host::SampleType::u8;
+  /// The distance between voxels. Units: millimetres.
+  std::array<double, 3> spacing_mm{1, 1, 1};
+  std::int32_t threshold = 0;  ///< a voxel is on if its sample is >= threshold
+  Border border = Border::closed;
+  /// The size of the arena. Units: bytes.
+  std::uint64_t memory = std::uint64_t{16} << 20;
 
   /// Units: bytes.
-  std::size_t row_bytes() const { return volume.dims[0] * host::sample_bytes(volume.type); }
+  std::size_t row_bytes() const { return dims[0] * host::sample_bytes(type); }
   /// Limit: dims[1] * dims[2] fit into 32 bits.
-  std::uint32_t rows() const { return volume.dims[1] * volume.dims[2]; }
+  std::uint32_t rows() const { return dims[1] * dims[2]; }
 };
 
 /// Rows are counted over all slices from 0. Every row is pushed or skipped, once and in order.

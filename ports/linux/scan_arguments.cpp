@@ -12,10 +12,8 @@
 namespace discmc::device {
 namespace {
 
-constexpr std::uint64_t generous_memory = std::uint64_t{16} << 20;
-
 std::string refusal_of(const ScanPlan& plan) {
-  const auto& dims = plan.volume.dims;
+  const auto& dims = plan.dims;
   for (const std::uint32_t extent : {dims[0], dims[1]})
     if (extent < 1 || extent > Limits::max_extent)
       return std::to_string(extent) + ": a slice is 1 to " + std::to_string(Limits::max_extent) +
@@ -30,48 +28,42 @@ std::string refusal_of(const ScanPlan& plan) {
 }  // namespace
 
 void add_scan_options(CLI::App& command, ScanArguments& arguments) {
-  host::VolumeInfo& volume = arguments.plan.volume;
-  host::ExtractionOptions& options = arguments.plan.options;
-  options.memory = generous_memory;
+  ScanPlan& plan = arguments.plan;
   command
       .add_option_function<std::vector<std::uint32_t>>(
           "--dims",
-          [&volume](const std::vector<std::uint32_t>& extents) {
-            std::copy_n(extents.begin(), 3, volume.dims.begin());
+          [&plan](const std::vector<std::uint32_t>& extents) {
+            std::copy_n(extents.begin(), 3, plan.dims.begin());
           },
           "voxels of a row, rows of a slice, and slices at most")
       ->delimiter(',')
       ->expected(3)
       ->required()
       ->option_text("X,Y,Z");
-  command.add_option("--type", volume.type, "samples, the low byte first (default: u8)")
+  command.add_option("--type", plan.type, "samples, the low byte first (default: u8)")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, host::SampleType>{{"u8", host::SampleType::u8},
                                                   {"u16", host::SampleType::u16},
                                                   {"i16", host::SampleType::i16}}))
       ->option_text("u8|u16|i16");
+  command.add_option("--threshold", plan.threshold, "on means sample >= THRESHOLD")->required();
   command
-      .add_option_function<std::int32_t>(
-          "--threshold", [&options](std::int32_t threshold) { options.selection = threshold; },
-          "on means sample >= THRESHOLD")
-      ->required();
-  command
-      .add_option("--border", options.border, "of the surface, as discmc extract (default: closed)")
+      .add_option("--border", plan.border, "of the surface, as discmc extract (default: closed)")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Border>{{"closed", Border::closed}, {"open", Border::open}}))
       ->option_text("closed|open");
   command
       .add_option_function<std::vector<double>>(
           "--spacing",
-          [&volume](const std::vector<double>& spacing) {
-            std::copy_n(spacing.begin(), 3, volume.spacing_mm.begin());
+          [&plan](const std::vector<double>& spacing) {
+            std::copy_n(spacing.begin(), 3, plan.spacing_mm.begin());
           },
           "between voxels, in millimetres (default: 1,1,1)")
       ->delimiter(',')
       ->expected(3)
       ->check(host::usable_spacing())
       ->option_text("X,Y,Z");
-  host::add_memory_option(command, options.memory,
+  host::add_memory_option(command, plan.memory,
                           "bytes of the arena, with K or M for 1024 and 1024^2 (default: 16M)");
   command.add_option("-o,--output", arguments.output,
                      "the stream (.dmc); - is standard output (default)");

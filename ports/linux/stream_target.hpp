@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "streams/stream_file.hpp"
+#include "streams/stream_output.hpp"
 
 namespace discmc::device {
 

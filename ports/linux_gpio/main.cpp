@@ -47,7 +47,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
 }
 
 std::unique_ptr<RowSource> row_source(const Arguments& arguments) {
-  if (arguments.simulate) return simulated_rows(arguments.scan.plan.volume);
+  const ScanPlan& plan = arguments.scan.plan;
+  if (arguments.simulate) return simulated_rows(plan.dims, plan.type);
   if (arguments.rows.empty()) throw CLI::RequiredError("--rows or --simulate");
   return open_rows(arguments.rows);
 }

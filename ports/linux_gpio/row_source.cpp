@@ -56,17 +56,17 @@ class FileRows final : public RowSource {
 
 class SimulatedRows final : public RowSource {
  public:
-  explicit SimulatedRows(const host::VolumeInfo& volume) : volume_(volume) {}
+  SimulatedRows(const std::array<std::uint32_t, 3>& dims, host::SampleType type)
+      : dims_(dims), sample_bytes_(host::sample_bytes(type)) {}
 
   bool read(std::uint32_t number, std::vector<std::uint8_t>& row) override {
-    const std::uint32_t y = number % volume_.dims[1];
-    const std::uint32_t z = number / volume_.dims[1];
-    const std::size_t bytes = host::sample_bytes(volume_.type);
-    for (std::uint32_t x = 0; x < volume_.dims[0]; ++x) {
+    const std::uint32_t y = number % dims_[1];
+    const std::uint32_t z = number / dims_[1];
+    for (std::uint32_t x = 0; x < dims_[0]; ++x) {
       const std::uint8_t sample =
           sample_at(from_middle(x, 0), from_middle(y, 1), from_middle(z, 2));
-      row[x * bytes] = sample;
-      if (bytes > 1) row[x * bytes + 1] = 0;
+      row[x * sample_bytes_] = sample;
+      if (sample_bytes_ > 1) row[x * sample_bytes_ + 1] = 0;
     }
     return true;
   }
@@ -74,7 +74,7 @@ class SimulatedRows final : public RowSource {
  private:
   // Units: thousandths of half the extent.
   std::int64_t from_middle(std::uint32_t at, std::size_t axis) const {
-    const std::int64_t extent = volume_.dims[axis];
+    const std::int64_t extent = dims_[axis];
     return (2 * std::int64_t{at} + 1 - extent) * 1000 / extent;
   }
 
@@ -87,7 +87,8 @@ class SimulatedRows final : public RowSource {
     return static_cast<std::uint8_t>((is_in_ball && !is_in_hole ? 160 : 80) + ripple / 2);
   }
 
-  host::VolumeInfo volume_;
+  std::array<std::uint32_t, 3> dims_;
+  std::size_t sample_bytes_;
 };
 
 }  // namespace
@@ -96,8 +97,9 @@ std::unique_ptr<RowSource> open_rows(const std::string& path) {
   return std::make_unique<FileRows>(path);
 }
 
-std::unique_ptr<RowSource> simulated_rows(const host::VolumeInfo& volume) {
-  return std::make_unique<SimulatedRows>(volume);
+std::unique_ptr<RowSource> simulated_rows(const std::array<std::uint32_t, 3>& dims,
+                                          host::SampleType type) {
+  return std::make_unique<SimulatedRows>(dims, type);
 }
 
 }  // namespace discmc::device

@@ -2,12 +2,13 @@
 #ifndef DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
 #define DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "volumes/volume.hpp"
+#include "volumes/sample_type.hpp"
 
 namespace discmc::device {
 
@@ -29,8 +30,9 @@ class RowSource {
 /// whatever its number. Throws std::runtime_error when it cannot be opened.
 std::unique_ptr<RowSource> open_rows(const std::string& path);
 
-/// A made-up volume: a ball with a hole through it, in noise. Of the volume dims and type count.
-std::unique_ptr<RowSource> simulated_rows(const host::VolumeInfo& volume);
+/// A made-up volume: a ball with a hole through it, in noise.
+std::unique_ptr<RowSource> simulated_rows(const std::array<std::uint32_t, 3>& dims,
+                                          host::SampleType type);
 
 }  // namespace discmc::device
 

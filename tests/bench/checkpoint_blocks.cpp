@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "extraction/extraction.hpp"
 #include "volumes/volume.hpp"
 
 using namespace discmc;

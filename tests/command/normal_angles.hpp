@@ -13,7 +13,7 @@
 #include "meshes/mesh.hpp"
 #include "oracle/angle.hpp"
 #include "oracle/gradient.hpp"
-#include "streams/stream_file.hpp"
+#include "streams/spacing.hpp"
 #include "surface/surface_builder.hpp"
 #include "volumes/volume.hpp"
 

@@ -5,6 +5,7 @@
 #include "command.hpp"
 #include "hand_made.hpp"
 #include "streams/stream_file.hpp"
+#include "streams/stream_output.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
 

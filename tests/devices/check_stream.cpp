@@ -47,7 +47,7 @@ struct Arguments {
 int run(const Arguments& arguments) {
   const device::ScanPlan& plan = arguments.scan.plan;
   const std::string stream = content(arguments.stream);
-  SkippedRows skipped{plan.volume.dims[1]};
+  SkippedRows skipped{plan.dims[1]};
   Decoder decoder;
   (void)decoder.start(sink_to(skipped));
   (void)decoder.push(reinterpret_cast<const std::uint8_t*>(stream.data()), stream.size());

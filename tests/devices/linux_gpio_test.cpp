@@ -65,7 +65,7 @@ class KernelQueue {
 struct Stage {
   explicit Stage(const ScanPlan& plan, bool has_button = false)
       : recording(plan),
-        source(simulated_rows(plan.volume)),
+        source(simulated_rows(plan.dims, plan.type)),
         triggered(recording.scan, *source, plan.row_bytes(), has_button) {}
 
   void edges(std::uint32_t count) {
@@ -259,7 +259,7 @@ TEST_CASE("an end-stop between slices leaves a whole stream, one within a slice 
 TEST_CASE("samples of 16 bits have their low byte first") {
   for (const auto type : {host::SampleType::u16, host::SampleType::i16}) {
     ScanPlan plan = plan_of(2, 1, 1, type);
-    plan.options.selection = 0x0100;
+    plan.threshold = 0x0100;
     Recording recording(plan);
     const std::uint8_t row[] = {0xFF, 0x00, 0x00, 0x01};
     recording.scan.push(row);
@@ -270,7 +270,7 @@ TEST_CASE("samples of 16 bits have their low byte first") {
 
 TEST_CASE("too little memory is refused with what is needed") {
   ScanPlan plan = plan_of(30, 20, 50);
-  plan.options.memory = 100;
+  plan.memory = 100;
   const std::string least = std::to_string(minimum_bytes<std::uint16_t>({30, 20}));
   CHECK_THROWS_WITH_AS(Recording{plan}, doctest::Contains(least.c_str()), std::invalid_argument);
 }

@@ -13,16 +13,16 @@ namespace discmc::test {
 inline device::ScanPlan plan_of(std::uint32_t width, std::uint32_t height, std::uint32_t depth,
                                 host::SampleType type = host::SampleType::u8) {
   device::ScanPlan plan;
-  plan.volume.dims = {width, height, depth};
-  plan.volume.type = type;
-  plan.options.selection = 130;
-  plan.options.memory = 256 * 1024;
+  plan.dims = {width, height, depth};
+  plan.type = type;
+  plan.threshold = 130;
+  plan.memory = 256 * 1024;
   return plan;
 }
 
 /// The rows of a simulated volume.
 inline std::vector<Bytes> rows_of(const device::ScanPlan& plan) {
-  const auto source = device::simulated_rows(plan.volume);
+  const auto source = device::simulated_rows(plan.dims, plan.type);
   std::vector<Bytes> rows(plan.rows(), Bytes(plan.row_bytes()));
   for (std::uint32_t i = 0; i < plan.rows(); ++i) source->read(i, rows[i]);
   return rows;
@@ -32,14 +32,13 @@ inline std::vector<Bytes> rows_of(const device::ScanPlan& plan) {
 inline Bytes expected_stream(const device::ScanPlan& plan, std::uint32_t row_count,
                              const std::set<std::uint32_t>& skipped = {}) {
   const std::vector<Bytes> rows = rows_of(plan);
-  const auto& dims = plan.volume.dims;
-  Bytes memory(plan.options.memory);
+  const auto& dims = plan.dims;
+  Bytes memory(plan.memory);
   Line line(0);
   Encoder encoder;
   Extractor16 extractor;
   reference::require_ok(encoder.start({dims[2], {1000000, 1000000, 1000000}}, line.output()));
-  reference::require_ok(extractor.start({dims[0], dims[1]},
-                                        stored_threshold(plan.volume, plan.options.selection.low),
+  reference::require_ok(extractor.start({dims[0], dims[1]}, plan.threshold,
                                         {memory.data(), memory.size()}, sink_to(encoder)));
   for (std::uint32_t i = 0; i < row_count; ++i)
     reference::require_ok(skipped.count(i) > 0 ? extractor.skip_row(Substitute::previous_row).status

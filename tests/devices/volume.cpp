@@ -8,14 +8,14 @@
 #include <fstream>
 
 int main(int count, char** arguments) {
-  discmc::host::VolumeInfo volume;
-  auto& [width, height, depth] = volume.dims;
+  std::array<std::uint32_t, 3> dims{};
+  auto& [width, height, depth] = dims;
   if (count != 4 || std::sscanf(arguments[2], "%u,%u,%u", &width, &height, &depth) != 3) return 2;
   const bool is_wide = std::strcmp(arguments[3], "u16") == 0;
-  volume.type = is_wide ? discmc::host::SampleType::u16 : discmc::host::SampleType::u8;
-  std::vector<std::uint8_t> row(width * discmc::host::sample_bytes(volume.type));
+  const auto type = is_wide ? discmc::host::SampleType::u16 : discmc::host::SampleType::u8;
+  std::vector<std::uint8_t> row(width * discmc::host::sample_bytes(type));
   std::ofstream file(arguments[1], std::ios::binary);
-  const auto source = discmc::device::simulated_rows(volume);
+  const auto source = discmc::device::simulated_rows(dims, type);
   for (std::uint32_t i = 0; i < height * depth; ++i) {
     source->read(i, row);
     file.write(reinterpret_cast<const char*>(row.data()), static_cast<std::streamsize>(row.size()));

@@ -12,6 +12,8 @@
 #include "output_file.hpp"
 #include "require.hpp"
 #include "stream_input.hpp"
+#include "streams/spacing.hpp"
+#include "streams/stream_output.hpp"
 #include "surface/growing_joiner.hpp"
 #include "volume_input.hpp"
 #include "volumes/volume_offset.hpp"

@@ -16,6 +16,7 @@
 #include "extract.hpp"
 #include "output_file.hpp"
 #include "progress.hpp"
+#include "streams/stream_output.hpp"
 #include "summary.hpp"
 #include "surface/counts.hpp"
 #include "volume_input.hpp"

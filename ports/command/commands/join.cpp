@@ -11,6 +11,7 @@
 #include "require.hpp"
 #include "stream_input.hpp"
 #include "streams/slab_ranges.hpp"
+#include "streams/stream_output.hpp"
 #include "summary.hpp"
 #include "surface/spilling_joiner.hpp"
 #include "surface_receiver.hpp"

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "empty_surface.hpp"
 #include "exit_codes.hpp"
+#include "extraction/arena_memory.hpp"
 #include "extraction/scan.hpp"
 #include "grouped_number.hpp"
 #include "progress.hpp"

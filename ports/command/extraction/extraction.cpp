@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "arena_memory.hpp"
 #include "bit_source.hpp"
 #include "mask_bits.hpp"
 #include "part_extraction.hpp"
 #include "require.hpp"
 #include "scan.hpp"
-#include "streams/stream_file.hpp"
+#include "streams/spacing.hpp"
 
 namespace discmc::host {
 namespace {
@@ -126,12 +127,6 @@ std::string list(const Numbers& numbers, const char* separator) {
 }
 
 }  // namespace
-
-std::string too_little_memory(std::uint64_t bytes, const Limits& limits, std::uint64_t least) {
-  return "--memory " + std::to_string(bytes) + " is too little for slices of " +
-         std::to_string(limits.width) + "x" + std::to_string(limits.height) + ": give at least " +
-         std::to_string(least) + " bytes";
-}
 
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options) {
   StreamHeader header;

@@ -84,19 +84,8 @@ struct SurfaceRequest {
   NormalEncoder* encoder = nullptr;
 };
 
-/// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
-/// half a MiB. A scan on the host then is one on a device.
-template <class Normals = NoNormals>
-bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
-  return default_capacities<std::uint16_t, Normals>(limits, memory).records >=
-         default_capacities<std::uint32_t, Normals>(limits, memory).records;
-}
-
 /// The header of a volume's stream.
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
-
-/// What is said where an extractor would refuse the memory. Units: bytes.
-std::string too_little_memory(std::uint64_t bytes, const Limits& limits, std::uint64_t least);
 
 /// Throws std::invalid_argument when the stream cannot be of this volume, because their extents or
 /// spacings differ; the text tells both. What the header does not say is not compared.

@@ -16,7 +16,7 @@
 
 #include "bit_source.hpp"
 #include "extraction.hpp"
-#include "streams/stream_file.hpp"
+#include "streams/spacing.hpp"
 
 namespace discmc::host {
 

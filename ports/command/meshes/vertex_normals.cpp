@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "streams/stream_file.hpp"
+#include "streams/spacing.hpp"
 
 namespace discmc::host {
 namespace {

@@ -1,4 +1,4 @@
-// Streams (.dmc) as files: written through an encoder, read through a decoder.
+// Streams (.dmc) as files, read through a decoder.
 #ifndef DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
 #define DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
 
@@ -7,32 +7,16 @@
 #include <istream>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <vector>
 
-#include <discmc/encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 
 #include "scan_filter.hpp"
-#include "spacing.hpp"
 #include "stream_census.hpp"
 #include "streams/version1/decoder.hpp"
 #include "version_search.hpp"
 
 namespace discmc::host {
-
-/// An output that counts what an encoder gives it and passes it on to a stream.
-/// Owner: `out` belongs to the caller and outlives the output.
-class StreamOutput {
- public:
-  explicit StreamOutput(std::ostream* out) : out_(out) {}
-  ByteOutput byte_output();
-  std::uint64_t bytes() const { return bytes_; }
-
- private:
-  std::ostream* out_;
-  std::uint64_t bytes_ = 0;
-};
 
 /// Which stream of a link, and which surface of it. Version 1 has neither scans nor channels.
 struct StreamChoice {

@@ -5,7 +5,7 @@
 #include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
 
-#include "extraction/extraction.hpp"
+#include "extraction/arena_memory.hpp"
 #include "require.hpp"
 
 namespace discmc::web {

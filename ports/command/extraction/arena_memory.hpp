@@ -1,0 +1,30 @@
+// What an extractor does with the memory that it is given.
+#ifndef DISCMC_COMMAND_EXTRACTION_ARENA_MEMORY_HPP
+#define DISCMC_COMMAND_EXTRACTION_ARENA_MEMORY_HPP
+
+#include <cstdint>
+#include <string>
+
+#include <discmc/extractor.hpp>
+
+namespace discmc::host {
+
+/// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
+/// half a MiB. A scan on the host then is one on a device.
+template <class Normals = NoNormals>
+bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
+  return default_capacities<std::uint16_t, Normals>(limits, memory).records >=
+         default_capacities<std::uint32_t, Normals>(limits, memory).records;
+}
+
+/// The message for memory that an extractor refuses. Units: bytes.
+inline std::string too_little_memory(std::uint64_t bytes, const Limits& limits,
+                                     std::uint64_t least) {
+  return "--memory " + std::to_string(bytes) + " is too little for slices of " +
+         std::to_string(limits.width) + "x" + std::to_string(limits.height) + ": give at least " +
+         std::to_string(least) + " bytes";
+}
+
+}  // namespace discmc::host
+
+#endif

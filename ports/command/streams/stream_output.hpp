@@ -1,0 +1,27 @@
+// The stream (.dmc) that an encoder writes.
+#ifndef DISCMC_COMMAND_STREAMS_STREAM_OUTPUT_HPP
+#define DISCMC_COMMAND_STREAMS_STREAM_OUTPUT_HPP
+
+#include <cstdint>
+#include <ostream>
+
+#include <discmc/encoder.hpp>
+
+namespace discmc::host {
+
+/// An output that counts what an encoder gives it and passes it on to a stream.
+/// Owner: `out` belongs to the caller and outlives the output.
+class StreamOutput {
+ public:
+  explicit StreamOutput(std::ostream* out) : out_(out) {}
+  ByteOutput byte_output();
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  std::ostream* out_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace discmc::host
+
+#endif
