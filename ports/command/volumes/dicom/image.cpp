@@ -184,8 +184,8 @@ DicomContent dicom_content(const std::filesystem::path& file) {
   image->modality = text(dataset, DCM_Modality);
   Sint32 number = 0;
   if (dataset.findAndGetSint32(DCM_SeriesNumber, number).good()) image->series_number = number;
-  const DcmXfer syntax(dataset.getOriginalXfer());
-  if (syntax.isEncapsulated()) image->compression = syntax.getXferName();
+  const E_TransferSyntax syntax = dataset.getOriginalXfer();
+  if (is_encapsulated(syntax)) image->compression = DcmXfer(syntax).getXferName();
 
   Sint32 count = 0;
   if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) count = 1;

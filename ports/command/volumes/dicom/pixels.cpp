@@ -157,12 +157,10 @@ void DicomPixels::read_jpeg2000(DcmDataset& dataset, DcmElement& element, const 
 }
 
 void DicomPixels::read_frame(DcmDataset& dataset, DcmElement& element, const DicomFrame& frame) {
-  Uint32 bytes = 0;
-  if (element.getUncompressedFrameSize(&dataset, bytes).bad() || bytes != frame_bytes(*frame.image))
+  if (frame_bytes_by_header(element, dataset) != frame_bytes(*frame.image))
     fail_frame(frame, "the pixel data has another size than the header says");
   std::optional<Fragments> fragments;
-  if (DcmXfer(dataset.getOriginalXfer()).isEncapsulated())
-    fragments.emplace(dataset, element, frame);
+  if (is_encapsulated(dataset.getOriginalXfer())) fragments.emplace(dataset, element, frame);
   // Where the file does not tell where frames begin, that is found behind the one before.
   Uint32 fragment = 0;
   if (frame.number == next_frame_)

@@ -26,7 +26,40 @@ bool is_deflated(const std::filesystem::path& file) {
   return DcmXfer(syntax.c_str()).getStreamCompression() != ESC_none;
 }
 
+// Each in the newer way where DCMTK has it: an int is preferred as an argument for an int.
+template <class Syntax>
+auto has_fragments(const Syntax& syntax, int) -> decltype(syntax.usesEncapsulatedFormat()) {
+  return syntax.usesEncapsulatedFormat();
+}
+
+template <class Syntax>
+bool has_fragments(const Syntax& syntax, long) {
+  return syntax.isEncapsulated();
+}
+
+template <class Element>
+auto find_frame_bytes(Element& pixels, DcmDataset& dataset, Uint32& bytes, int)
+    -> decltype(pixels.getUncompressedFrameSize(&dataset, bytes, OFBool{})) {
+  return pixels.getUncompressedFrameSize(&dataset, bytes,
+                                         !is_encapsulated(dataset.getOriginalXfer()));
+}
+
+template <class Element>
+OFCondition find_frame_bytes(Element& pixels, DcmDataset& dataset, Uint32& bytes, long) {
+  return pixels.getUncompressedFrameSize(&dataset, bytes);
+}
+
 }  // namespace
+
+bool is_encapsulated(E_TransferSyntax syntax) {
+  return has_fragments(DcmXfer(syntax), 0);
+}
+
+std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& dataset) {
+  Uint32 bytes = 0;
+  if (find_frame_bytes(pixels, dataset, bytes, 0).bad()) return std::nullopt;
+  return bytes;
+}
 
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {
   static const bool is_set_up = (set_up(), true);

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace discmc::host {
 
@@ -19,6 +20,15 @@ enum class Pixels { left_out, included };
 /// Opens a file. Values of some size stay in it until they are asked for. Returns nothing where it
 /// is no DICOM file, a damaged one, or deflated as a whole.
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels);
+
+// What the versions of DCMTK, 3.6.7 of Debian 12 and 3.6.9 of Debian 13 among them, have under
+// different names or with different parameters.
+
+/// Whether pixel data is in fragments, as compressed data is.
+bool is_encapsulated(E_TransferSyntax syntax);
+
+/// The bytes of a frame, decompressed, by the header of the file. Nothing if the header lacks them.
+std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& dataset);
 
 }  // namespace discmc::host
 
