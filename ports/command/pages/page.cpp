@@ -24,7 +24,7 @@ Parts parts_of_page() {
   const std::size_t begin = page.find(scripts);
   if (begin == std::string_view::npos)
     throw std::runtime_error(
-        "this discmc was built without the page: run scripts/setup web, and build it again");
+        "this discmc was built without the page: run scripts/setup page, and build it again");
   return {page.substr(0, begin), page.substr(begin)};
 }
 
