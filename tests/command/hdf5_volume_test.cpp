@@ -13,6 +13,7 @@
 
 #include "command.hpp"
 #include "volume_files.hpp"
+#include "volumes/hdf5/dataset.hpp"
 #include "volumes/hdf5/handle.hpp"
 
 namespace {
@@ -31,7 +32,8 @@ std::size_t count_unpacked(unsigned flags, std::size_t, const unsigned*, std::si
 }
 
 Hdf5Handle new_file(const fs::path& file) {
-  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose};
+  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, discmc::host::file_access().id()),
+          H5Fclose};
 }
 
 Hdf5Handle no_creation() {

@@ -164,12 +164,20 @@ Hdf5Handle open_dataset(const Hdf5Handle& file, const std::string& path) {
 
 }  // namespace
 
+Hdf5Handle file_access() {
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+#if H5_VERSION_GE(1, 14, 4)
+  H5Pset_relax_file_integrity_checks(access.id(), H5F_RFIC_UNUSUAL_NUM_UNUSED_NUMERIC_BITS);
+#endif
+  return access;
+}
+
 Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
   be_silent();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     fail(file, "there is no such file", "check the name");
-  Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, file_access().id()), H5Fclose);
   if (!opened)
     fail(file, "this is no HDF5 file, or it is damaged, locked or not to be read",
          "copy or export it again; where a program writes it, wait for its end");

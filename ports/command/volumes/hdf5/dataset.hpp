@@ -21,6 +21,10 @@ struct Hdf5Description {
   std::optional<SampleType> type;   ///< nothing where it holds no single numbers
 };
 
+/// How files are opened: HDF5 1.14.4 and newer refuse numbers of less than half the bits that they
+/// have room for, such as 12 bits in 32, unless they are asked not to.
+Hdf5Handle file_access();
+
 /// Returns the file, open for reading. Throws VolumeError.
 Hdf5Handle open_hdf5_file(const std::filesystem::path& file);
 
