@@ -16,6 +16,7 @@
 #include "oracle/ramp_ball.hpp"
 #include "oracle/stream_samples.hpp"
 #include "oracle/surface.hpp"
+#include "oracle/thinned.hpp"
 #include "oracle/version1_packets.hpp"
 #include "streams/stream_file.hpp"
 #include "streams/version1/decoder.hpp"
@@ -324,7 +325,7 @@ TEST_CASE(
 TEST_CASE("of a stream of version 1 with any bit changed nothing wrong is told") {
   const Bytes stream = golden("fragments");
   const std::vector<Region> all = simple(whole_regions(read(stream).events));
-  for (std::size_t bit = 0; bit < 8 * stream.size(); ++bit) {
+  for (std::size_t bit = 0; bit < 8 * stream.size(); bit += discmc::reference::step(5)) {
     CAPTURE(bit);
     Bytes changed = stream;
     changed[bit / 8] = static_cast<uint8_t>(changed[bit / 8] ^ 1 << bit % 8);

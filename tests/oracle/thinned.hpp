@@ -1,5 +1,5 @@
-// How many cases the tests try that would try everything: a part of them, or all where the environment
-// has DISCMC_ALL, as under `scripts/test --all`.
+// How many cases the tests try that would try everything: a part of them, or all where the
+// environment has DISCMC_ALL, as under `scripts/test --all`.
 #ifndef DISCMC_TESTS_ORACLE_THINNED_HPP
 #define DISCMC_TESTS_ORACLE_THINNED_HPP
 
@@ -8,8 +8,8 @@
 
 namespace discmc::reference {
 
-// Always a part with an address sanitizer, where each scan takes some twenty times as long, and with
-// the library of mutants, which is run some thousand times.
+// Always a part with an address sanitizer, where each scan takes some twenty times as long, and
+// with the library of mutants, which is run some thousand times.
 #if defined(__SANITIZE_ADDRESS__) || defined(MUTANTS_HPP)
 constexpr bool is_slow = true;
 #elif defined(__has_feature)

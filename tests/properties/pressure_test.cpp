@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "oracle/naive_join.hpp"
-#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/sink.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

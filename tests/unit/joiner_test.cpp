@@ -7,8 +7,8 @@
 #include "oracle/join.hpp"
 #include "oracle/loose.hpp"
 #include "oracle/merge.hpp"
-#include "oracle/thinned.hpp"
 #include "oracle/stream_samples.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -327,7 +327,8 @@ TEST_CASE("slabs join to the whole wherever their fragments are handed over, by 
       const EventLog whole = expected_of(volume, plan);
       const std::vector<Region> regions = collected(whole.events, true).regions();
       const std::vector<Region> expected = canonical(regions);
-      for (const uint32_t capacity : records)
+      for (size_t i = 0; i < std::size(records); i += step(2)) {
+        const uint32_t capacity = records[i];
         for (const std::vector<uint32_t>& thick : {thicknesses[0], thicknesses[4]}) {
           CAPTURE(capacity);
           CAPTURE(thick[0]);
@@ -350,6 +351,7 @@ TEST_CASE("slabs join to the whole wherever their fragments are handed over, by 
           CHECK(joined.report.unmatched == 0);
           CHECK(regions_among(joined.events) == expected);
         }
+      }
     }
 }
 
