@@ -234,16 +234,17 @@ std::vector<BitVolume> volumes_of_slabs() {
 }  // namespace
 
 TEST_CASE("an extractor that learns gives the events of one that does not, from scan to scan") {
-  for (const size_t bytes :
-       {size_t{0}, size_t{95}, size_t{96}, size_t{1000}, size_t{1} << 16, size_t{1} << 21}) {
-    CAPTURE(bytes);
-    check_like_others(bytes);
+  constexpr size_t memories[] = {0, 95, 96, 1000, 1 << 16, 1 << 21};
+  for (size_t i = 0; i < std::size(memories); i += step(2)) {
+    CAPTURE(memories[i]);
+    check_like_others(memories[i]);
   }
 }
 
 TEST_CASE("it does with too few records to keep corners, down to those for little") {
-  for (const uint32_t records : {60U, 200U, 1100U, 3000U, least_for_corners - 1})
-    check_like_others(1 << 16, {records, 10});
+  constexpr uint32_t records[] = {60, 200, 1100, 3000, least_for_corners - 1};
+  for (size_t i = 0; i < std::size(records); i += step(2))
+    check_like_others(1 << 16, {records[i], 10});
   LearningExtractor extractor;
   (void)scanned(extractor, plate(), {}, {least_for_corners - 1, 10});
   CHECK(!has_kept_corners(extractor));
