@@ -8,9 +8,8 @@
 
 namespace discmc::reference {
 
-// Always a part with an address sanitizer, where each scan takes some twenty times as long, and
-// with the library of mutants, which is run some thousand times.
-#if defined(__SANITIZE_ADDRESS__) || defined(MUTANTS_HPP)
+// Always a part with an address sanitizer, where each scan takes some twenty times as long.
+#if defined(__SANITIZE_ADDRESS__)
 constexpr bool is_slow = true;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
