@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "thinned.hpp"
 #include "scan.hpp"
 #include "stream.hpp"
+#include "thinned.hpp"
 #include "volume.hpp"
 
 namespace discmc::test {

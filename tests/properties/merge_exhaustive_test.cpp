@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "oracle/naive_join.hpp"
-#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/sink.hpp"
 #include "oracle/surface.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

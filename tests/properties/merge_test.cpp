@@ -3,8 +3,8 @@
 
 #include "oracle/agreement.hpp"
 #include "oracle/event_log.hpp"
-#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -2,9 +2,9 @@
 // waits, and what leaves in the end is byte for byte what leaves without a fault.
 #include <doctest/doctest.h>
 
-#include "oracle/thinned.hpp"
 #include "oracle/sink.hpp"
 #include "oracle/stream_samples.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -4,9 +4,9 @@
 
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
-#include "oracle/thinned.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/sink.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

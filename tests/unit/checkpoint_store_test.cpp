@@ -9,8 +9,8 @@
 #include <set>
 
 #include "oracle/checkpointed_device.hpp"
-#include "oracle/thinned.hpp"
 #include "oracle/simulated_flash.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "oracle/checkpointed_device.hpp"
-#include "oracle/thinned.hpp"
 #include "oracle/slice_stream.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -9,9 +9,9 @@
 #include <map>
 #include <string>
 
-#include "oracle/thinned.hpp"
 #include "oracle/sector_statements.hpp"
 #include "oracle/table_statements.hpp"
+#include "oracle/thinned.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
