@@ -10,9 +10,16 @@
 namespace discmc::host {
 namespace {
 
+#ifdef DISCMC_WITHOUT_HDF5_PLUGINS
+constexpr bool loads_plugins = false;
+#else
+constexpr bool loads_plugins = true;
+#endif
+
 // Errors are told here, not by the library, which has this setting for each thread.
 void be_silent() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  if (!loads_plugins) H5PLset_loading_state(0);
 }
 
 Hdf5Handle type_of(const Hdf5Handle& dataset) {
@@ -118,8 +125,10 @@ std::string filters_of(const std::filesystem::path& name, const Hdf5Handle& crea
       fail(name,
            "its samples are packed by filter " + std::to_string(filter) +
                " of HDF5, which is not here",
-           "install it, on Debian hdf5-filter-plugin or hdf5-filter-plugin-blosc-serial, or unpack "
-           "the file with h5repack -f NONE");
+           std::string(loads_plugins ? "install it, on Debian hdf5-filter-plugin or "
+                                       "hdf5-filter-plugin-blosc-serial, or "
+                                     : "") +
+               "unpack the file with h5repack -f NONE");
     names +=
         (names.empty() ? "" : ", ") + std::string(filter == H5Z_FILTER_DEFLATE ? "gzip" : text);
   }
