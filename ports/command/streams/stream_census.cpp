@@ -15,6 +15,10 @@ void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   PacketReader reader;
   reader.start(any_channel);
   for (const std::uint8_t byte : frame) static_cast<void>(reader.take(byte));
+  if (reader.is_refused()) {
+    wire::ByteReader fields(reader.payload(), reader.payload_bytes());
+    other_version_ = static_cast<std::uint8_t>(fields.get(3 + 1) >> 24);  // behind the magic
+  }
   if (!reader.report().has_header) return;
   const StreamHeader& header = reader.header();
   const bool is_new = known_.insert(wire::tag_of(header)).second;
