@@ -16,7 +16,7 @@
 
 namespace discmc::web {
 
-/// Of a stream of either kind and of any version; of a link with several, one surface.
+/// Of a stream of either kind; of a link with several, one surface.
 class StreamSurface {
  public:
   explicit StreamSurface(const host::StreamChoice& choice);
