@@ -23,7 +23,7 @@
  * something or saves.
  *
  * Pointers must not be null unless said otherwise. Call an object's functions from one context at a
- * time: see ports/README.md for interrupts. Coordinates are in half-steps: voxel (i, j, k) lies at
+ * time: see ports/boards/README.md for interrupts. Coordinates are in half-steps: voxel (i, j, k) lies at
  * (2i, 2j, 2k). */
 #ifndef DISCMC_H
 #define DISCMC_H

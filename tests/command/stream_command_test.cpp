@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::reference::ball;
 using discmc::reference::box;
 using discmc::test::Bytes;

@@ -11,7 +11,7 @@
 
 #include "frames.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Finds the headers among the frames of a link.
 class StreamCensus {
@@ -31,6 +31,6 @@ class StreamCensus {
   std::uint8_t other_version_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

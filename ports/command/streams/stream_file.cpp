@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 
 StreamReader::StreamReader(const Sink& sink, const StreamChoice& choice) : choice_(choice) {
   if (choice.scan) filter_.emplace(*choice.scan);
@@ -86,4 +86,4 @@ Status StreamReader::give_memory() {
   return decoder_.give_memory({memory_.get(), bytes});
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -14,7 +14,7 @@
 #include "scan_filter.hpp"
 #include "stream_census.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Which stream of a link, and which surface of it.
 struct StreamChoice {
@@ -66,6 +66,6 @@ class StreamReader {
   std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif
