@@ -205,7 +205,7 @@ TEST_CASE("a stream of version 1 tells the regions of today, ring for ring, and 
     CHECK(then.report.is_complete());
     CHECK(then.report.damaged_packets == 0);
     check_header(then.header, sample.header);
-    const Collector told = discmc::reference::collected(then.events, false);
+    const Collector told = discmc::reference::collected(then.events);
     const Collector today = discmc::reference::collected(sample.events);
     CHECK(describe_difference(simple(told.regions()), simple(today.regions())).empty());
     CHECK(told.split_sides() == today.split_sides());
@@ -232,7 +232,7 @@ TEST_CASE(
     "where memory was too short even for fragments, regions are cut and the surface is right") {
   const Read then = read(golden("cuts"));
   CHECK(then.report.is_complete());
-  const Collector told = discmc::reference::collected(then.events, false);
+  const Collector told = discmc::reference::collected(then.events);
   const BitVolume volume = ball({14, 14, 14}, {13, 13, 13}, 36);
   CHECK(discmc::reference::surface_of(told.regions()) ==
         discmc::reference::surface_of_cells(volume, true));
