@@ -8,7 +8,7 @@ static const discmc_limits limits = {.width = SIZE, .height = SIZE, .border = DI
 static uint8_t memory[DISCMC_MINIMUM_BYTES(SIZE, SIZE) + 5 * 1024];
 static discmc_extractor extractor;
 static discmc_encoder encoder;
-static const discmc_sink sink = {&encoder, discmc_encoder_take, 1};
+static const discmc_sink sink = {&encoder, discmc_encoder_take};
 
 /* The UART takes what its FIFO has room for. Every other time it is busy and takes nothing. */
 static size_t uart_write(void* context, const uint8_t* bytes, size_t count) {

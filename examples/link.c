@@ -35,7 +35,7 @@ static discmc_answer receiver_take(void* context, const discmc_event* event) {
 
 static int receiver_start(receiver* self, uint8_t channel) {
   const discmc_memory memory = {self->memory, sizeof self->memory};
-  const discmc_sink sink = {self, receiver_take, 1};
+  const discmc_sink sink = {self, receiver_take};
   self->channel = channel;
   self->regions = self->lost_rows = 0;
   return discmc_surface_decoder_start(&self->decoder, memory, &sink, channel) == DISCMC_OK;

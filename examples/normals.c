@@ -13,7 +13,7 @@ static uint8_t memory[LEAST + 8 * 1024];
 static const discmc_memory arena = {memory, sizeof memory};
 static discmc_normal_extractor extractor;
 static discmc_normal_encoder encoder;
-static const discmc_sink sink = {&encoder, discmc_normal_encoder_take, 1};
+static const discmc_sink sink = {&encoder, discmc_normal_encoder_take};
 
 static discmc_status begin(discmc_byte_output output) {
   const discmc_normal_kind* const kind = &discmc_normals_u8; /* of the samples' type */

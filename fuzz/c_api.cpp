@@ -12,7 +12,6 @@
 #include "both_sides.hpp"
 #include "input.hpp"
 #include "oracle/scan.hpp"
-#include "oracle/sink.hpp"
 
 using namespace discmc;
 using reference::counts;
@@ -192,18 +191,17 @@ class BothNormals {
     const int32_t spacing_nm[3] = {static_cast<int32_t>(input_.byte()) - 100, 100,
                                    static_cast<int32_t>(input_.byte()) - 20};
     c_.refusals = cpp_.refusals = read_refusals(input_);
-    const bool takes_fragments = input_.below(4) != 0;
     const int32_t threshold = static_cast<int32_t>(input_.byte()) - 2;
     blocks_ = std::make_unique<BothBlocks>(
         discmc_normal_extractor_bytes_for(&kind_, &limits, &capacities));
-    const discmc_sink sink = {&c_, SinkInC::take, static_cast<uint8_t>(takes_fragments)};
+    const discmc_sink sink = {&c_, SinkInC::take};
     discmc_normal_extractor_set_spacing(&in_c_, &kind_, spacing_nm);
     in_cpp_.set_spacing(spacing_nm);
     const discmc_status in_c = discmc_normal_extractor_start(&in_c_, &kind_, &limits, &capacities,
                                                              threshold, blocks_->memory_c(), &sink);
     require_same(in_c, in_cpp_.start({width_, limits.height, static_cast<Border>(limits.border)},
                                      {capacities.records, capacities.holes}, threshold,
-                                     blocks_->cpp.memory(), sink_to(cpp_, takes_fragments)));
+                                     blocks_->cpp.memory(), sink_to(cpp_)));
     return in_c == DISCMC_OK;
   }
 
@@ -305,11 +303,10 @@ class Both {
     uint64_t bytes = discmc_minimum_bytes(&limits) + 8 * input_.byte();
     if (!has_defaults) bytes = discmc_bytes_for(&limits, &capacities);
     if ((flags & 0x38) == 0x38) bytes -= 1 + input_.byte();
-    const bool takes_fragments = (flags & 4) == 0;
     const int32_t threshold = static_cast<int32_t>(input_.byte()) - 2;
 
     auto blocks = std::make_unique<BothBlocks>(bytes);
-    const discmc_sink sink = {&scanned_c_, SinkInC::take, static_cast<uint8_t>(takes_fragments)};
+    const discmc_sink sink = {&scanned_c_, SinkInC::take};
     const discmc_status in_c =
         discmc_extractor_start(extractor_.get(), &limits, has_defaults ? nullptr : &capacities,
                                threshold, blocks->memory_c(), &sink);
@@ -319,7 +316,7 @@ class Both {
         static_cast<Border>(limits.border),
         {limits.slab.first, limits.slab.continues_below != 0, limits.slab.continues_above != 0}};
     const Capacities cpp_capacities{capacities.records, capacities.holes};
-    const Sink cpp_sink = sink_to(scanned_cpp_, takes_fragments);
+    const Sink cpp_sink = sink_to(scanned_cpp_);
     const Status in_cpp =
         has_defaults
             ? in_cpp_.start(cpp_limits, threshold, blocks->cpp.memory(), cpp_sink)
@@ -438,7 +435,7 @@ class Both {
 
   void start_decoder() {
     const bool has_sink = input_.byte() < 250;
-    const discmc_sink sink = {&decoded_c_, has_sink ? SinkInC::take : nullptr, 1};
+    const discmc_sink sink = {&decoded_c_, has_sink ? SinkInC::take : nullptr};
     Sink cpp_sink = sink_to(decoded_cpp_);
     if (!has_sink) cpp_sink.take = nullptr;
     const uint32_t choice = input_.byte();

@@ -11,7 +11,6 @@
 #include "both_sides.hpp"
 #include "input.hpp"
 #include "oracle/c_row_events.hpp"
-#include "oracle/sink.hpp"
 
 using namespace discmc;
 using reference::Events;
@@ -222,10 +221,8 @@ class Both {
   void start_surface_decoder() {
     auto blocks = std::make_unique<BothBlocks>(read_bytes(discmc_minimum_surface_bytes));
     const bool has_sink = input_.byte() < 250;
-    const auto takes_fragments = static_cast<uint8_t>(input_.below(2));
-    const discmc_sink sink = {&events_c_, has_sink ? EventSinkOfEither::take_in_c : nullptr,
-                              takes_fragments};
-    Sink cpp_sink = sink_to(events_cpp_, takes_fragments != 0);
+    const discmc_sink sink = {&events_c_, has_sink ? EventSinkOfEither::take_in_c : nullptr};
+    Sink cpp_sink = sink_to(events_cpp_);
     if (!has_sink) cpp_sink.take = nullptr;
     const uint8_t channel = read_channel();
     const discmc_status in_c =

@@ -33,8 +33,7 @@ struct SinkAdapter {
   }
 
   Sink passing_to(const discmc_sink& sink) {
-    return {this, sink.take == nullptr ? nullptr : offer<Event>,
-            sink.takes_fragments != 0 ? nullptr : &trace::sealing};
+    return {this, sink.take == nullptr ? nullptr : offer<Event>};
   }
   RowSink passing_to(const discmc_row_sink& sink) {
     return {this, sink.take == nullptr ? nullptr : offer<RowEvent>};

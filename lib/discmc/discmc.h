@@ -4,7 +4,7 @@
  * that a line of C does.
  *
  *   discmc_encoder_start      once
- *   discmc_extractor_start    once, with {&encoder, discmc_encoder_take, 1} as the sink
+ *   discmc_extractor_start    once, with {&encoder, discmc_encoder_take} as the sink
  *   discmc_extractor_push_u8  as often as samples arrive
  *   discmc_extractor_resume   after DISCMC_MORE, when the output takes bytes again
  *   discmc_extractor_finish   after the last slice; the stream is then complete, without a flush
@@ -62,11 +62,10 @@ enum {
   DISCMC_BAD_LIMITS,        /* see discmc_limits */
   DISCMC_BAD_CAPACITIES,    /* below the minimum, or more records than an index can count */
   DISCMC_TOO_LITTLE_MEMORY, /* smaller than the limits or capacities need, or null */
-  DISCMC_BAD_SINK,    /* a sink or output without a function, or a sink that refuses to start; or
-                       * that of a slab takes no fragments */
-  DISCMC_NOT_STARTED, /* ..._start() has not succeeded yet */
-  DISCMC_FINISHED,    /* the scan takes no more samples: ..._start() another, or reset */
-  DISCMC_ROW_IN_PROGRESS,   /* a whole row was given or skipped in the middle of a row */
+  DISCMC_BAD_SINK,        /* a sink or output without a function, or a sink that refuses to start */
+  DISCMC_NOT_STARTED,     /* ..._start() has not succeeded yet */
+  DISCMC_FINISHED,        /* the scan takes no more samples: ..._start() another, or reset */
+  DISCMC_ROW_IN_PROGRESS, /* a whole row was given or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish in the middle of a slice */
   DISCMC_TOO_DEEP,          /* the volume has DISCMC_MAX_SLICES; finish still works */
   DISCMC_WRONG_VERSION,     /* this decoder does not know the stream's version */
@@ -276,15 +275,12 @@ typedef struct discmc_event {
 typedef uint8_t discmc_answer;
 enum { DISCMC_TAKEN, DISCMC_NOT_NOW, DISCMC_NEVER };
 
-/* Where events go. Owner: the context is the caller's and must outlive the scan; the sink is
- * copied. */
+/* Where events go. A sink that passes over fragments, from DISCMC_FRAGMENT to DISCMC_FRAGMENT_END,
+ * gets an incomplete surface: put a joiner before it. Owner: the context is the caller's and must
+ * outlive the scan; the sink is copied. */
 typedef struct discmc_sink {
   void* context;
   discmc_answer (*take)(void* context, const discmc_event* event);
-  /* 1: also loose fragments; who passes over them has holes in the surface. 0: for lack of memory
-   * an extractor cuts regions up at cells instead, and a joiner leaves out what it cannot join. A
-   * decoder hands out what its stream holds: put a joiner between. */
-  uint8_t takes_fragments;
 } discmc_sink;
 
 /* ---- the extractor (extractor.hpp) ---- */
@@ -307,7 +303,7 @@ enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
  * records, which are 256 KiB. Hosts that give it more memory take a discmc_learning_extractor, and
  * whoever wants normals a discmc_normal_extractor. */
 typedef struct discmc_extractor {
-  uint64_t opaque[(sizeof(void*) == 8 ? 560 : 472) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 512 : 424) / 8];
 } discmc_extractor;
 
 /* Where a scan is, as plain bytes: see checkpoint.hpp. */
@@ -377,8 +373,8 @@ DISCMC_NODISCARD discmc_status discmc_extractor_save(const discmc_extractor* ext
 
 /* Goes on where a checkpoint was saved, by the same build. memory: as many bytes as the start was
  * given, the first ones as they were then; it may lie elsewhere, with the same alignment modulo 4;
- * Owner: as of the start. sink: with takes_fragments as then. Errors: DISCMC_TOO_LITTLE_MEMORY,
- * DISCMC_BAD_CHECKPOINT, DISCMC_BAD_SINK. Cost: as save. */
+ * Owner: as of the start. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_BAD_CHECKPOINT,
+ * DISCMC_BAD_SINK. Cost: as save. */
 DISCMC_NODISCARD discmc_status
 discmc_extractor_restore(discmc_extractor* extractor, const discmc_extractor_checkpoint* checkpoint,
                          discmc_memory memory, const discmc_sink* sink);
@@ -423,7 +419,7 @@ DISCMC_NODISCARD discmc_status discmc_encoder_start(discmc_encoder* encoder,
                                                     discmc_byte_output output);
 
 /* Takes an event; encoder points to a discmc_encoder, so that this is the `take` of a sink whose
- * context is one: {&encoder, discmc_encoder_take, 1}. DISCMC_NEVER before discmc_encoder_start(),
+ * context is one: {&encoder, discmc_encoder_take}. DISCMC_NEVER before discmc_encoder_start(),
  * and before the start of a scan: a stream begins with its header. */
 discmc_answer discmc_encoder_take(void* encoder, const discmc_event* event);
 
@@ -644,7 +640,7 @@ extern const discmc_normal_kind discmc_host_normals_i16;
  * the events' `normal`. It keeps the samples of four slices, and sweeps a slice and a row later;
  * the events are those of a discmc_extractor but for the normals in them. */
 typedef struct discmc_normal_extractor {
-  uint64_t opaque[(sizeof(void*) == 8 ? 640 : 552) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 600 : 504) / 8];
 } discmc_normal_extractor;
 
 /* As discmc_minimum_bytes() and its neighbours. sizes.h has the same as constants, but for kinds of
@@ -752,7 +748,7 @@ DISCMC_NODISCARD discmc_status discmc_normal_encoder_restore(
  * where it has a few megabytes. The object takes 137 KiB. Events are those of a discmc_extractor,
  * as long as nothing goes out loose; what does may be other pieces of the same regions. */
 typedef struct discmc_learning_extractor {
-  uint64_t opaque[(sizeof(void*) == 8 ? 140800 : 140680) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 140544 : 140448) / 8];
 } discmc_learning_extractor;
 
 /* As discmc_minimum_bytes() and its neighbours; give it 600 KiB more than the minimum. sizes.h has
@@ -902,7 +898,7 @@ typedef struct discmc_decoded {
 
 /* Reads one stream of regions, and hands its events to a sink. */
 typedef struct discmc_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 1344 : 1272) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 1328 : 1256) / 8];
 } discmc_decoder;
 
 /* Begins a stream: the one of the first whole packet that comes on this channel, or
@@ -1120,7 +1116,7 @@ enum { DISCMC_MOST_SKIPPED_ROWS = 65536 };
 /* Makes events of a stream of either kind: of bits those of an extractor that is given the same
  * rows. Rows that were lost on the way are skipped rows. */
 typedef struct discmc_surface_decoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 2888 : 2592) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 2832 : 2544) / 8];
 } discmc_surface_decoder;
 
 /* The least memory for streams of bits of this size. Limit: as of the slice encoder. sizes.h has
@@ -1182,7 +1178,7 @@ typedef struct discmc_join_report {
 
 /* Joins loose fragments to regions. */
 typedef struct discmc_joiner {
-  uint64_t opaque[(sizeof(void*) == 8 ? 336 : 288) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 312 : 272) / 8];
 } discmc_joiner;
 
 /* The bytes that a joiner takes, the least, and the default split of a number of bytes. sizes.h has
@@ -1201,7 +1197,7 @@ DISCMC_NODISCARD discmc_status discmc_joiner_start(discmc_joiner* joiner,
                                                    uint8_t order);
 
 /* Takes an event; joiner points to a discmc_joiner, so that this is the `take` of a sink whose
- * context is one: {&joiner, discmc_joiner_take, 1}. DISCMC_NEVER before discmc_joiner_start(), and
+ * context is one: {&joiner, discmc_joiner_take}. DISCMC_NEVER before discmc_joiner_start(), and
  * where the sink says so. Any events are safe. */
 discmc_answer discmc_joiner_take(void* joiner, const discmc_event* event);
 

@@ -110,11 +110,11 @@
 /* So many rows of bits, and one that is off. */
 #define DISCMC_BIT_ROW_BYTES_(width, rows) (UINT64_C(4) * ((width) / 30 + 1) * ((rows) + 1))
 
-/* Rows of bits, rows of cells that are sealed, queues, lists of holes, and alignment. */
+/* Rows of bits, queues, lists of holes, and alignment. */
 #define DISCMC_FIXED_BYTES_(width, height) DISCMC_FIXED_BYTES_OF_INDEX_(width, height, UINT64_C(2))
-#define DISCMC_FIXED_BYTES_OF_INDEX_(width, height, index_bytes)                                  \
-  (DISCMC_BIT_ROW_BYTES_(width, UINT64_C(2) * (height) + 3) + UINT64_C(8) * ((height) / 32 + 1) + \
-   (index_bytes)*2 * 144 + (index_bytes)*16 + 3)
+#define DISCMC_FIXED_BYTES_OF_INDEX_(width, height, index_bytes)                      \
+  (DISCMC_BIT_ROW_BYTES_(width, UINT64_C(2) * (height) + 3) + (index_bytes)*2 * 144 + \
+   (index_bytes)*16 + 3)
 
 /* Arrays begin at multiples of four bytes. */
 #define DISCMC_ALIGNED_(bytes) (((bytes) + 3) / 4 * 4)

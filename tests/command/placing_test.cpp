@@ -14,7 +14,6 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "oracle/sink.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/volume.hpp"
 

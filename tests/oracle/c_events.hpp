@@ -73,12 +73,12 @@ inline discmc_limits to_c(const Limits& limits) {
 }
 
 /// An EventLog as a sink of the C API. Owner: the log must outlive the sink.
-inline discmc_sink c_sink_to(EventLog& log, bool takes_fragments = true) {
+inline discmc_sink c_sink_to(EventLog& log) {
   const auto take = [](void* context, const discmc_event* event) {
     const Answer answer = static_cast<EventLog*>(context)->take(from_c(*event).event());
     return static_cast<discmc_answer>(answer);
   };
-  return {&log, take, static_cast<uint8_t>(takes_fragments)};
+  return {&log, take};
 }
 
 }  // namespace discmc::reference

@@ -167,13 +167,10 @@ TEST_CASE("real volumes come out the same in any memory, once loose fragments ar
     for (const uint64_t extra : {0U, 1000U, 10000U, 40000U}) {
       CAPTURE(scan.file.string());
       CAPTURE(extra);
-      Collector loose, sealed(false);
+      Collector loose;
       scan_into<uint16_t>(loose, volume, {}, least + extra);
       CHECK(unlike_joined({loose}, merged) == "");
       CHECK(miscounted(loose, volume, true) == "");
-      scan_into<uint16_t>(sealed, volume, {Border::closed, false}, least + extra);
-      CHECK(unlike_surface(sealed.regions(), volume, true) == "");
-      CHECK(miscounted(sealed, volume, true) == "");
     }
   }
 }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "oracle/c_events.hpp"
-#include "oracle/sink.hpp"
 
 using namespace discmc;
 using reference::c_sink_to;
@@ -117,19 +116,19 @@ uint64_t loose_fragments(const EventLog& log) {
 }
 
 template <class Sample>
-void check_scans(const Limits& limits, bool takes_fragments = true) {
+void check_scans(const Limits& limits) {
   const std::vector<Sample> samples = make_samples<Sample>();
   const size_t least = minimum_bytes<uint16_t>(limits);
   for (const size_t bytes : {least, least + 600, least + 200000})
     for (const uint32_t nth : {0U, 3U}) {
       CAPTURE(bytes);
       EventLog in_c(refuses_every(nth)), in_cpp;
-      scan_in_c(samples, limits, bytes, c_sink_to(in_c, takes_fragments));
-      scan_in_cpp(samples, limits, bytes, sink_to(in_cpp, takes_fragments));
+      scan_in_c(samples, limits, bytes, c_sink_to(in_c));
+      scan_in_cpp(samples, limits, bytes, sink_to(in_cpp));
       CHECK(in_c.events.size() > 100);
       CHECK(in_c.events == in_cpp.events);
       // Otherwise little memory has not been tried.
-      if (bytes == least) CHECK((loose_fragments(in_c) > 100) == takes_fragments);
+      if (bytes == least) CHECK(loose_fragments(in_c) > 100);
     }
 }
 
@@ -144,7 +143,7 @@ std::vector<uint8_t> stream_in_c(const std::vector<uint8_t>& samples) {
   discmc_encoder encoder = {};
   const discmc_stream_label label = {depth, {1000, -2000, 3000}, 700, 5};
   REQUIRE(discmc_encoder_start(&encoder, &label, {&stream, write_bytes}) == DISCMC_OK);
-  scan_in_c(samples, closed, 6000, {&encoder, discmc_encoder_take, 1});
+  scan_in_c(samples, closed, 6000, {&encoder, discmc_encoder_take});
   CHECK(discmc_encoder_bytes(&encoder) == stream.size());
   CHECK(discmc_encoder_flush(&encoder) == 1);
   return stream;
@@ -160,14 +159,6 @@ TEST_CASE("a scan through C makes the same events, whatever the samples, the mem
   }
 }
 
-TEST_CASE("a sink that takes no fragments is given none, through C as well") {
-  check_scans<uint8_t>(closed, false);
-  EventLog log;
-  scan_in_c(make_samples<uint8_t>(), closed, minimum_bytes<uint16_t>(closed),
-            c_sink_to(log, false));
-  for (const auto& recorded : log.events) CHECK_FALSE(recorded.is(Event::Kind::fragment));
-}
-
 TEST_CASE("a slab is scanned through C as in C++") {
   for (const Slab& slab : {Slab{0, false, true}, Slab{7, true, true}, Slab{7, true, false}}) {
     const Limits limits{width, height, Border::closed, slab};
@@ -178,11 +169,9 @@ TEST_CASE("a slab is scanned through C as in C++") {
     std::vector<uint8_t> memory(6000);
     const discmc_memory all = {memory.data(), memory.size()};
     EventLog log;
-    const discmc_sink whole_regions = c_sink_to(log, false), any = c_sink_to(log);
+    const discmc_sink sink = c_sink_to(log);
     discmc_extractor extractor = {};
-    CHECK(discmc_extractor_start(&extractor, &c_limits, nullptr, threshold, all, &whole_regions) ==
-          DISCMC_BAD_SINK);
-    REQUIRE(discmc_extractor_start(&extractor, &c_limits, nullptr, threshold, all, &any) ==
+    REQUIRE(discmc_extractor_start(&extractor, &c_limits, nullptr, threshold, all, &sink) ==
             DISCMC_OK);
     const discmc_slab told = discmc_extractor_limits(&extractor).slab;
     CHECK(told.first == slab.first);
@@ -326,12 +315,12 @@ TEST_CASE("what a start refuses it refuses through C, and an object of zeros is 
   CHECK(discmc_decoder_start(&decoder, &none, DISCMC_ANY_CHANNEL) == DISCMC_BAD_SINK);
   const discmc_stream_label bad_label = {0, {0, 0, 0}, 0, DISCMC_MAX_CHANNEL + 1};
   CHECK(discmc_encoder_start(&encoder, &bad_label, {nullptr, write_bytes}) == DISCMC_BAD_LABEL);
-  const discmc_sink to_encoder = {&encoder, discmc_encoder_take, 1};
+  const discmc_sink to_encoder = {&encoder, discmc_encoder_take};
   CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &to_encoder) == DISCMC_BAD_SINK);
   const auto is_busy = [](void*, const uint8_t*, size_t) { return size_t{0}; };
   discmc_encoder waiting = {};
   const discmc_stream_label label = {};
-  const discmc_sink to_waiting = {&waiting, discmc_encoder_take, 1};
+  const discmc_sink to_waiting = {&waiting, discmc_encoder_take};
   CHECK(discmc_encoder_start(&waiting, &label, {nullptr, is_busy}) == DISCMC_OK);
   CHECK(discmc_extractor_start(&extractor, &good, nullptr, 1, all, &to_waiting) == DISCMC_OK);
   CHECK(discmc_encoder_flush(&waiting) == 0);

@@ -40,7 +40,7 @@ struct DeviceInC {
   alignas(4) uint8_t memory[DISCMC_MINIMUM_BYTES(size, size) + 400] = {};
   std::vector<uint8_t> bytes;
 
-  discmc_sink sink() { return {&encoder, discmc_encoder_take, 1}; }
+  discmc_sink sink() { return {&encoder, discmc_encoder_take}; }
   discmc_byte_output output() { return {&bytes, append}; }
 
   void start() {

@@ -225,26 +225,25 @@ std::unique_ptr<typename InC::InCpp> scan_in_cpp(size_t bytes, const Sink& sink)
 TEST_CASE_TEMPLATE("a scan through C makes the same events, and goes on from a checkpoint", InC,
                    ALL_EXTRACTORS) {
   const size_t least = InC::minimum_bytes(to_c(closed));
-  for (const size_t bytes : {least, least + 700, least + 1000000})
-    for (const bool takes_fragments : {true, false}) {
-      CAPTURE(bytes);
-      const auto refuses = [](uint64_t offer) { return offer % 3 == 2; };
-      EventLog in_c(refuses), in_cpp(refuses);
-      const auto c = scan_in_c<InC>(bytes, c_sink_to(in_c, takes_fragments));
-      const auto cpp = scan_in_cpp<InC>(bytes, sink_to(in_cpp, takes_fragments));
-      CHECK(in_c.events.size() > 100);
-      CHECK(in_c.events == in_cpp.events);
-      CHECK(in_c.starts[0].spacing_nm[1] == in_cpp.starts[0].spacing_nm[1]);
-      CHECK(counts(from_c(c->statistics())) == counts(cpp->statistics()));
-      CHECK(c->limits().width == width);
-      CHECK(c->limits().height == height);
-      CHECK(c->capacities().records == cpp->capacities().records);
-      CHECK(c->high_water().records == cpp->high_water().records);
-      CHECK(c->high_water().holes == cpp->high_water().holes);
-      CHECK(c->bytes_used() == cpp->bytes_used());
-      CHECK(c->slices() == depth);
-      CHECK(c->rows() == 0);
-    }
+  for (const size_t bytes : {least, least + 700, least + 1000000}) {
+    CAPTURE(bytes);
+    const auto refuses = [](uint64_t offer) { return offer % 3 == 2; };
+    EventLog in_c(refuses), in_cpp(refuses);
+    const auto c = scan_in_c<InC>(bytes, c_sink_to(in_c));
+    const auto cpp = scan_in_cpp<InC>(bytes, sink_to(in_cpp));
+    CHECK(in_c.events.size() > 100);
+    CHECK(in_c.events == in_cpp.events);
+    CHECK(in_c.starts[0].spacing_nm[1] == in_cpp.starts[0].spacing_nm[1]);
+    CHECK(counts(from_c(c->statistics())) == counts(cpp->statistics()));
+    CHECK(c->limits().width == width);
+    CHECK(c->limits().height == height);
+    CHECK(c->capacities().records == cpp->capacities().records);
+    CHECK(c->high_water().records == cpp->high_water().records);
+    CHECK(c->high_water().holes == cpp->high_water().holes);
+    CHECK(c->bytes_used() == cpp->bytes_used());
+    CHECK(c->slices() == depth);
+    CHECK(c->rows() == 0);
+  }
 }
 
 TEST_CASE_TEMPLATE("an extractor of zeros is not started, and is one after a start", InC,

@@ -252,20 +252,18 @@ StreamReport check_rows(const Bytes& stream, uint8_t surfaces) {
 }
 
 // The same to surfaces. bytes: of memory.
-StreamReport check_surface(const Bytes& stream, size_t bytes, uint8_t channel,
-                           bool takes_fragments = true) {
+StreamReport check_surface(const Bytes& stream, size_t bytes, uint8_t channel) {
   Block block(bytes), block_of_cpp(bytes);
   EventLog log_c([](uint64_t offer) { return offer % 3 == 2; }), log_cpp;
   SurfaceDecoderInC in_c_too;
-  const discmc_sink sink = c_sink_to(log_c, takes_fragments);
+  const discmc_sink sink = c_sink_to(log_c);
   REQUIRE(discmc_surface_decoder_start(&in_c_too.decoder, in_c(block.memory()), &sink, channel) ==
           DISCMC_OK);
   reference::require_ok(push_stream(in_c_too, stream, 11));
   CHECK(block.is_intact());
 
   SurfaceDecoder decoder;
-  reference::require_ok(
-      decoder.start(block_of_cpp.memory(), sink_to(log_cpp, takes_fragments), channel));
+  reference::require_ok(decoder.start(block_of_cpp.memory(), sink_to(log_cpp), channel));
   reference::require_ok(push_stream(decoder, stream, 0));
   CHECK(log_c.events.size() > 100);
   CHECK(log_c.events == log_cpp.events);
@@ -312,7 +310,6 @@ TEST_CASE("a surface decoder through C makes the same events, in any memory, of 
   for (const size_t bytes : {least, least + 3000, least + 300000})
     for (const uint8_t channel : {uint8_t{DISCMC_ANY_CHANNEL}, uint8_t{6}, uint8_t{7}})
       CHECK(check_surface(stream, bytes, channel).is_complete());
-  CHECK(check_surface(stream, least, DISCMC_ANY_CHANNEL, false).is_complete());
   std::vector<Bytes> frames = frames_of(stream);
   frames.erase(frames.begin() + 3);
   CHECK(check_surface(joined(frames), least, 6).lost_rows > 0);

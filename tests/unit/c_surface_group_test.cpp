@@ -168,7 +168,7 @@ Bytes shared_in_c(size_t bytes_a_time) {
   for (uint32_t i = 0; i < surfaces; ++i) {
     const discmc_limits limits = {width, height, DISCMC_CLOSED, {}};
     const discmc_stream_label label = {depth, {0, 0, 0}, 7, static_cast<uint8_t>(i)};
-    const discmc_sink sink = {&encoders[i], discmc_encoder_take, 1};
+    const discmc_sink sink = {&encoders[i], discmc_encoder_take};
     memory[i].resize(memory_bytes);
     REQUIRE(discmc_encoder_start(&encoders[i], &label, discmc_shared_output_output(&shared)) ==
             DISCMC_OK);
