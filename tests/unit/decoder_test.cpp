@@ -28,9 +28,8 @@ Bytes header_after(uint32_t packets, uint64_t pieces) {
   Packet header = packet_of(stream_of({}));
   header.number = static_cast<uint8_t>(packets);
   header.pieces = static_cast<uint16_t>(pieces);
-  wire::ByteWriter counts(header.payload.data() + header.payload.size() - 12);
-  counts.put(packets, 4);
-  counts.put_long(pieces);
+  uint8_t* const counts = header.payload.data() + header.payload.size() - 12;
+  wire::put_long(wire::put(counts, packets, 4), pieces);
   return frame_of(header);
 }
 
@@ -440,7 +439,7 @@ TEST_CASE("a trailer that tells of fewer regions than came counts none of them a
   Packet trailer = packet_of(frames[2]);
   trailer.pieces = 0;
   // After the slices, the flag and three totals.
-  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(0);
+  wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 0);
   frames[2] = frame_of(trailer);
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.has_trailer);
@@ -786,7 +785,7 @@ TEST_CASE("a trailer that is too short is none; one that tells of more regions c
   Packet trailer = packet_of(frames[2]);
   for (const uint32_t lost : {0U, 3U, 0x7FFFU, 0x8000U, 0x8001U, 65536U, 1000000U}) {
     // After the slices, the flag and three totals.
-    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1 + lost);
+    wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1 + lost);
     trailer.pieces = static_cast<uint16_t>(1 + lost);
     const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
     CHECK(report.has_trailer);
@@ -1183,8 +1182,8 @@ TEST_CASE("a stream whose trailer counts another number of fragments is not comp
   REQUIRE(decode(joined(frames)).report.is_complete());
   Packet trailer = packet_of(frames.back());
   // After the slices and the flag; a region in the place of the fragment.
-  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1);
-  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 6 * 8).put_long(0);
+  wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1);
+  wire::put_long(trailer.payload.data() + 4 + 1 + 6 * 8, 0);
   frames.back() = frame_of(trailer);
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.lost_pieces == 0);
