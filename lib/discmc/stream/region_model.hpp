@@ -70,10 +70,10 @@ enum class Item : uint8_t { run, ring, end };
 
 /// What a chain is: the first ring of a region, any other chain that is told run by run, a whole
 /// fragment, or one that is told from its end.
-enum class Chain : uint8_t { first, further, fragment, backwards };
+enum class ChainKind : uint8_t { first, further, fragment, backwards };
 
-constexpr bool is_fragment(Chain chain) {
-  return chain >= Chain::fragment;
+constexpr bool is_fragment(ChainKind kind) {
+  return kind >= ChainKind::fragment;
 }
 
 // Differences wrap: any 32-bit coordinates come through.
@@ -136,14 +136,14 @@ class RegionModel {
   Incidence incidence(Incidence incidence);
   uint32_t ring_count(uint32_t count);
   /// Whether a fragment is told from its end: in the order of its links from the last to the first.
-  Chain order(Chain fragment) {
-    const bool is_backwards = code_bit(context::is_backwards, fragment == Chain::backwards);
-    begin_chain(is_backwards ? Chain::backwards : Chain::fragment);
-    return chain_;
+  ChainKind order(ChainKind kind) {
+    const bool is_backwards = code_bit(context::is_backwards, kind == ChainKind::backwards);
+    begin_chain(is_backwards ? ChainKind::backwards : ChainKind::fragment);
+    return kind_;
   }
   /// Where a ring begins, relative to the vertex told last; after the incidence. Limit: an odd
   /// coordinate sum.
-  Vertex start(const Vertex& start, Chain chain);
+  Vertex start(const Vertex& start, ChainKind kind);
   /// After the first direction of a fragment: where it begins, or, told from its end, the vertex
   /// before the end. As start().
   Vertex fragment_vertex(const Vertex& vertex);
@@ -188,7 +188,7 @@ class RegionModel {
   }
   uint32_t direction_count() const { return 4U + 2U * link_class_; }
   // Most fragments were cut after a few links. From then on one is told as a ring is.
-  bool is_short() const { return is_fragment(chain_) && links_ <= most_of_short; }
+  bool is_short() const { return is_fragment(kind_) && links_ <= most_of_short; }
   Rise rise() const { return rise_of(link_of(incidence_, direction_)); }
   uint32_t is_level() const { return rise() == Rise::level ? 1 : 0; }
   uint32_t by_slope_and_level() const { return 2U * slope_ + is_level(); }
@@ -205,12 +205,12 @@ class RegionModel {
   }
   // Rings start at their last vertex: the first direction of a region is told as a turn from the
   // first that leads back, any other from 0.
-  void begin_chain(Chain chain) {
-    direction_ = chain == Chain::first ? first_back() : Direction{0};
+  void begin_chain(ChainKind kind) {
+    direction_ = kind == ChainKind::first ? first_back() : Direction{0};
     links_ = 0;
     turns_ = 0;
     length_ = 0;
-    chain_ = chain;
+    kind_ = kind;
   }
 
   static constexpr uint8_t most_of_short = 6;
@@ -223,7 +223,7 @@ class RegionModel {
   Before before_ = Before::mark;
   bool fragments_came_ = false;  // in this packet: then memory is short, and more will come
   // Of the chain:
-  Chain chain_ = Chain::first;
+  ChainKind kind_ = ChainKind::first;
   Direction direction_ = 0;
   uint8_t links_ = 0;   // whose direction was told, up to one more than most_of_short
   uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
@@ -356,11 +356,11 @@ uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
 }
 
 template <class Coder>
-Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
+Vertex RegionModel<Coder>::start(const Vertex& start, ChainKind kind) {
   using namespace context;
   // 6 rows of z, 6 of y, 10 of x, 3 of holes.
-  const auto row = [chain](uint32_t of_first, uint32_t of_further) {
-    return chain == Chain::first ? of_first : of_further;
+  const auto row = [kind](uint32_t of_first, uint32_t of_further) {
+    return kind == ChainKind::first ? of_first : of_further;
   };
   const uint32_t after_mark = before_ == Before::mark ? 1 : 0;
   const int32_t dz = step(row(link_class_ + 3 * after_mark, 22), start.z, start_.z);
@@ -369,7 +369,7 @@ Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
   const uint32_t by_y = dy < -2 ? 0U : dy > 2 ? 4U : static_cast<uint32_t>(dy + 2);
   step_x(row((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24), start.x);
   before_ = Before::region;
-  begin_chain(chain);
+  begin_chain(kind);
   return start_;
 }
 
@@ -378,7 +378,7 @@ Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
 template <class Coder>
 Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
   using namespace context;
-  const uint32_t order = chain_ == Chain::backwards ? 1 : 0;
+  const uint32_t order = kind_ == ChainKind::backwards ? 1 : 0;
   const uint32_t z = code_bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order,
                               parity_of(vertex.z));
   const uint32_t y = code_bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y));
@@ -397,7 +397,7 @@ template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
   if (links_ <= most_of_short) ++links_;
   const uint32_t directions = direction_count();
-  const bool mirrors = chain_ == Chain::backwards && links_ > 1;
+  const bool mirrors = kind_ == ChainKind::backwards && links_ > 1;
   const uint32_t from = mirrors ? direction : direction_;
   const uint32_t to = mirrors ? direction_ : direction;
   const uint32_t turn = tree(tree_of_turn(), to - from + (to < from ? directions : 0));
@@ -412,8 +412,8 @@ template <class Coder>
 uint32_t RegionModel<Coder>::tree_of_turn() const {
   using namespace context;
   if (links_ == 1) {
-    if (chain_ == Chain::further) return even;
-    return (is_fragment(chain_) ? fragment_direction : first_direction) + slope_ * size_of_tree;
+    if (kind_ == ChainKind::further) return even;
+    return (is_fragment(kind_) ? fragment_direction : first_direction) + slope_ * size_of_tree;
   }
   if (is_short()) return fragment_turn + by_slope_and_level() * size_of_tree;
   // A class has a tree for each turn before and one for none: 5, 7 or 9.
@@ -448,7 +448,7 @@ void RegionModel<Coder>::part(Record& record) {
   record.incidence = incidence(record.incidence);
   if (record.is_fragment && !record.continues)
     record.came = static_cast<Direction>(tree(context::even, record.came));
-  begin_chain(Chain::further);
+  begin_chain(ChainKind::further);
 }
 
 }  // namespace discmc
