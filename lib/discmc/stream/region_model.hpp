@@ -21,11 +21,7 @@ constexpr uint32_t size_of_run_length = 7;  ///< likewise
 constexpr uint32_t size_of_tree = 7;        ///< of 3 bits
 constexpr uint32_t slopes = 5;
 
-/// One or zero, equally likely. A type of its own: coders may know it at compile time.
-struct Even {
-  constexpr operator uint32_t() const noexcept { return 0; }
-};
-constexpr Even even{};
+constexpr uint32_t even = 0;                                    ///< one or zero, equally likely
 constexpr uint32_t region_follows = even + 1;                   ///< by: what came before
 constexpr uint32_t fragment_follows = region_follows + 5;       ///< likewise
 constexpr uint32_t other_kind = fragment_follows + 5;           ///< tree of 3 bits
@@ -98,12 +94,6 @@ constexpr Rise rise_of(Link link) {
 static_assert(link_vector(4).z < 0 && link_vector(5).z == 0 && link_vector(12).z == 0 &&
               link_vector(13).z > 0);
 
-/// What codes a symbol of several bits: the coder itself, unless there is a better overload for it.
-template <class Coder>
-Coder& symbol_coder(Coder& coder) {
-  return coder;
-}
-
 /// The state that goes from one record of a packet to the next, and the grammar of records.
 /// A copy is a snapshot. Coder has: bool code_bit(uint32_t context, bool bit).
 template <class Coder>
@@ -128,7 +118,7 @@ class RegionModel {
   bool plain_bit(bool value) { return code_bit(context::even, value); }
   uint32_t plain_bits(uint32_t count, uint32_t value) {
     uint32_t coded = 0;
-    while (count-- > 0) coded = 2 * coded + code_bit(context::even, value >> count & 1);
+    while (count-- > 0) coded = 2 * coded + uint32_t{plain_bit((value >> count & 1) != 0)};
     return coded;
   }
 
@@ -183,9 +173,6 @@ class RegionModel {
 
  private:
   bool code_bit(uint32_t context, bool value) { return coder_.code_bit(context, value); }
-  uint32_t code_bit(uint32_t context, uint32_t value) {
-    return code_bit(context, value != 0) ? 1 : 0;
-  }
   uint32_t direction_count() const { return 4U + 2U * link_class_; }
   // Most fragments were cut after a few links. From then on one is told as a ring is.
   bool is_short() const { return is_fragment(kind_) && links_ <= most_of_short; }
@@ -250,11 +237,10 @@ constexpr uint32_t max_compact_length = 0xFFFF;
 // Three bits. Nodes are numbered from 1, those below a node by twice its number and one more.
 template <class Coder>
 uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
-  auto&& coder = symbol_coder(coder_);
   uint32_t node = 1;
   for (uint32_t bits = 3; bits-- > 0;) {
     const uint32_t context = first == context::even ? first : first + node - 1;
-    node = 2 * node + (coder.code_bit(context, (value >> bits & 1) != 0) ? 1 : 0);
+    node = 2 * node + uint32_t{code_bit(context, (value >> bits & 1) != 0)};
   }
   return node - 8;
 }
@@ -263,15 +249,12 @@ uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
 // lower bits.
 template <class Coder>
 uint32_t RegionModel<Coder>::number(uint32_t first, uint32_t contexts, uint32_t value) {
-  auto&& coder = symbol_coder(coder_);
   const uint32_t last = first + contexts - 1;
   uint32_t bits = 0;
-  for (uint32_t rest = value >> 1; coder.code_bit(first, rest != 0) && bits < 31;
-       ++bits, rest >>= 1)
+  for (uint32_t rest = value >> 1; code_bit(first, rest != 0) && bits < 31; ++bits, rest >>= 1)
     if (first < last) ++first;
   uint32_t coded = 1;
-  while (bits-- > 0)
-    coded = 2 * coded + (coder.code_bit(context::even, (value >> bits & 1) != 0) ? 1 : 0);
+  while (bits-- > 0) coded = 2 * coded + uint32_t{plain_bit((value >> bits & 1) != 0)};
   return coded;
 }
 
@@ -379,9 +362,9 @@ template <class Coder>
 Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
   using namespace context;
   const uint32_t order = kind_ == ChainKind::backwards ? 1 : 0;
-  const uint32_t z = code_bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order,
-                              parity_of(vertex.z));
-  const uint32_t y = code_bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y));
+  const uint32_t z{code_bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order,
+                            parity_of(vertex.z) != 0)};
+  const uint32_t y{code_bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y) != 0)};
   // Of z, y and x two rows each, which follow those of start().
   const int32_t dz = step_voxels(25 + (before_ == Before::mark ? 1U : 0U), vertex.z, start_.z, z);
   const int32_t dy = step_voxels(27 + (dz != 0 ? 1U : 0U), vertex.y, start_.y, y);
@@ -446,8 +429,9 @@ void RegionModel<Coder>::part(Record& record) {
   record.is_fragment = code_bit(context::part_kind, record.is_fragment);
   record.continues = code_bit(context::part_kind + 1, record.continues);
   record.incidence = incidence(record.incidence);
-  if (record.is_fragment && !record.continues)
-    record.came = static_cast<Direction>(tree(context::even, record.came));
+  begin_chain(ChainKind::further);
+  if (!record.is_fragment || record.continues) return;
+  record.came = direction(record.came);
   begin_chain(ChainKind::further);
 }
 

@@ -67,7 +67,7 @@ constexpr uint8_t further_surfaces_in(uint32_t tag) {
 
 /// A packet of whole regions tells last how many they are. Units: bytes.
 constexpr size_t whole_regions_tail = 2;
-constexpr size_t max_appended = max_payload - whole_regions_tail;
+constexpr size_t max_whole_regions = max_payload - whole_regions_tail;
 
 /// A frame is a packet with its stuffing byte and its ending zero.
 constexpr size_t max_frame = max_packet + 2;
