@@ -13,10 +13,11 @@ constexpr int32_t spacing_nm[] = {500000, 500000, 1000000};
 using Normals = GradientNormals<uint8_t>;  // of the samples' type
 static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 8 * 1024];
 static Extractor<uint16_t, Normals> extractor;
-static NormalEncoder encoder;
+static Encoder encoder;
 
 static Status begin(const ByteOutput& output) {
   extractor.set_spacing(spacing_nm);
+  encoder.encode_normals();
   const Status status = encoder.start({size}, output);
   if (status != Status::ok) return status;
   return extractor.start(limits, threshold, memory_of(memory), sink_to(encoder));

@@ -72,7 +72,8 @@ static_assert(Limits::max_extent == DISCMC_MAX_EXTENT && Limits::max_slices == D
                   wire::version == DISCMC_WIRE_VERSION && wire::max_frame == DISCMC_MAX_FRAME &&
                   StreamLabel::max_channel == DISCMC_MAX_CHANNEL &&
                   StreamHeader::max_surfaces == DISCMC_MAX_SURFACES &&
-                  any_channel == DISCMC_ANY_CHANNEL && wire::max_appended == DISCMC_MAX_APPENDED &&
+                  any_channel == DISCMC_ANY_CHANNEL &&
+                  wire::max_whole_regions == DISCMC_MAX_APPENDED &&
                   ApplicationRecord::max_bytes == DISCMC_MAX_RECORD_BYTES &&
                   ApplicationRecord::first_standard_kind == DISCMC_FIRST_STANDARD_KIND,
               "constants are the same");

@@ -10,15 +10,15 @@ namespace discmc {
 
 namespace {
 
-static_assert(fits<NormalEncoder, discmc_normal_encoder> &&
-                  fits<Checkpoint<NormalEncoder>, discmc_normal_encoder_checkpoint>,
+static_assert(fits<Encoder, discmc_normal_encoder> &&
+                  fits<Checkpoint<Encoder>, discmc_normal_encoder_checkpoint>,
               "the sizes in discmc.h are enough and not much more");
 
-NormalEncoder& cpp(discmc_normal_encoder* encoder) {
-  return *reinterpret_cast<NormalEncoder*>(encoder);
+Encoder& cpp(discmc_normal_encoder* encoder) {
+  return *reinterpret_cast<Encoder*>(encoder);
 }
-const NormalEncoder& cpp(const discmc_normal_encoder* encoder) {
-  return *reinterpret_cast<const NormalEncoder*>(encoder);
+const Encoder& cpp(const discmc_normal_encoder* encoder) {
+  return *reinterpret_cast<const Encoder*>(encoder);
 }
 
 }  // namespace
@@ -28,6 +28,7 @@ extern "C" {
 discmc_status discmc_normal_encoder_start(discmc_normal_encoder* encoder,
                                           const discmc_stream_label* label,
                                           discmc_byte_output output) {
+  cpp(encoder).encode_normals();
   return c(cpp(encoder).start(cpp(*label), cpp(output)));
 }
 discmc_answer discmc_normal_encoder_take(void* encoder, const discmc_event* event) {
@@ -53,13 +54,14 @@ uint64_t discmc_normal_encoder_bytes(const discmc_normal_encoder* encoder) {
 }
 discmc_status discmc_normal_encoder_save(const discmc_normal_encoder* encoder,
                                          discmc_normal_encoder_checkpoint* checkpoint) {
-  return c(cpp(encoder).save(*reinterpret_cast<Checkpoint<NormalEncoder>*>(checkpoint)));
+  return c(cpp(encoder).save(*reinterpret_cast<Checkpoint<Encoder>*>(checkpoint)));
 }
 discmc_status discmc_normal_encoder_restore(discmc_normal_encoder* encoder,
                                             const discmc_normal_encoder_checkpoint* checkpoint,
                                             discmc_byte_output output) {
-  return c(cpp(encoder).restore(*reinterpret_cast<const Checkpoint<NormalEncoder>*>(checkpoint),
-                                cpp(output)));
+  cpp(encoder).encode_normals();
+  return c(
+      cpp(encoder).restore(*reinterpret_cast<const Checkpoint<Encoder>*>(checkpoint), cpp(output)));
 }
 
 }  // extern "C"

@@ -132,12 +132,12 @@ bool Decoder::read_region() {
   record_.is_last = true;
   const uint32_t rings = model_.ring_count(1);
   for (uint32_t ring = 0; ring < rings; ++ring)
-    if (!read_ring(ring > 0 ? Chain::further : Chain::first)) return false;
+    if (!read_ring(ring > 0 ? ChainKind::further : ChainKind::first)) return false;
   return true;
 }
 
-bool Decoder::read_ring(Chain chain) {
-  const Vertex start = model_.start(Vertex{0, 0, 0}, chain);
+bool Decoder::read_ring(ChainKind kind) {
+  const Vertex start = model_.start(Vertex{0, 0, 0}, kind);
   const bool is_parallelogram = model_.parallelogram(false);
   const uint32_t count = is_parallelogram ? 4 : model_.run_count(2);
   if (count < 2 || count > Record::max_words || !record_.has_room(Record::ring_words + count))
@@ -180,7 +180,7 @@ bool Decoder::read_ring(Chain chain) {
 // The link by which it comes to its start is told first, or from its end last.
 bool Decoder::read_fragment() {
   const Incidence incidence = model_.incidence(no_incidence);
-  const bool is_backwards = model_.order(Chain::fragment) == Chain::backwards;
+  const bool is_backwards = model_.order(ChainKind::fragment) == ChainKind::backwards;
   record_.begin(incidence);
   record_.begin_fragment(0, Vertex{0, 0, 0});
   record_.is_last = true;
@@ -223,7 +223,8 @@ bool Decoder::read_part() {
     const bool is_first = record_.count == 0 && !record_.continues;
     if (kind == Item::ring) {
       if (!record_.has_room(Record::ring_words) || (record_.is_fragment && !is_first)) return false;
-      record_.add_ring(model_.start(Vertex{0, 0, 0}, is_first ? Chain::first : Chain::further));
+      record_.add_ring(
+          model_.start(Vertex{0, 0, 0}, is_first ? ChainKind::first : ChainKind::further));
     } else {
       const Direction direction = model_.direction(0);
       if (!is_direction_of(record_.incidence, direction)) return false;

@@ -77,7 +77,7 @@ class Decoder {
   Event& packet_mark(Event::Kind kind);
   void read_record();
   bool read_region();
-  bool read_ring(Chain chain);
+  bool read_ring(ChainKind kind);
   bool read_fragment();
   bool read_part();
   void read_mark(RecordKind kind);

@@ -407,7 +407,7 @@ typedef struct discmc_byte_output {
 
 /* Writes the stream of one scan. */
 typedef struct discmc_encoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 848 : 808) / 8];
+  uint64_t opaque[(sizeof(void*) == 8 ? 1024 : 1000) / 8];
 } discmc_encoder;
 
 /* Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of its
@@ -433,7 +433,7 @@ DISCMC_NODISCARD discmc_status discmc_encoder_tell(discmc_encoder* encoder,
  * (records_packet.hpp). */
 typedef struct discmc_records_packet {
   const uint8_t* payload; /* Owner: who gives it */
-  size_t bytes;           /* Limit: at most DISCMC_MAX_APPENDED */
+  size_t bytes;           /* Limit: at most DISCMC_MAX_APPENDED, or 2 more where not whole */
   uint32_t pieces;        /* regions and loose fragments that end in it; Limit: below 2^16 */
   uint8_t is_whole;       /* it holds whole regions alone, none of them in part, and no loose
                            * fragment of any stream belongs to one of them */
@@ -607,21 +607,6 @@ discmc_application_record discmc_slab_range_record(const discmc_slab_range* rang
  * or the number of bytes, or the slices are none, or beyond the depth. */
 DISCMC_NODISCARD uint8_t discmc_read_slab_range(const discmc_application_record* record,
                                                 discmc_slab_range* range);
-
-/* ---- a part's encoder (records_packet.hpp) ---- */
-
-/* Encodes a part of a scan beside the others: discmc_encoder_append() of the encoder of the whole
- * scan takes the payloads of its packets of records, which WIRE.md finds in its frames. */
-typedef struct discmc_part_encoder {
-  uint64_t opaque[(sizeof(void*) == 8 ? 848 : 808) / 8];
-} discmc_part_encoder;
-
-/* Each as the function of discmc_encoder. */
-DISCMC_NODISCARD discmc_status discmc_part_encoder_start(discmc_part_encoder* encoder,
-                                                         const discmc_stream_label* label,
-                                                         discmc_byte_output output);
-discmc_answer discmc_part_encoder_take(void* encoder, const discmc_event* event);
-DISCMC_NODISCARD uint8_t discmc_part_encoder_flush(discmc_part_encoder* encoder);
 
 /* ---- normals on the device (gradient_normals.hpp) ---- */
 

@@ -80,7 +80,6 @@
 //   record.hpp, record_encoding.hpp              what they hold
 //     region_model.hpp, range_coder.hpp            in few bits
 //   normal_encoding.hpp                          and the normals in it
-//   encoder_definitions.hpp                      what is compiled of the encoders
 //
 // Behind the encoder and the decoder of slices works slices/:
 //

@@ -1,8 +1,283 @@
-// The encoder without normals.
-#include <discmc/stream/encoder_definitions.hpp>
+#include <discmc/encoder.hpp>
+#include <discmc/stream/normal_encoding.hpp>
+#include <discmc/stream/record_encoding.hpp>
 
 namespace discmc {
 
-template class BasicEncoder<NoRecordNormals>;
+namespace {
+
+namespace packet_end {
+
+// What the end of a packet, and the end of a part in it, may take. Units: bytes.
+constexpr size_t reserve = 4;
+constexpr size_t part_reserve = reserve + 4;
+
+}  // namespace packet_end
+
+constexpr bool is_end(Event::Kind kind) {
+  return kind == Event::Kind::region_end || kind == Event::Kind::fragment_end;
+}
+
+}  // namespace
+
+// Only this function refers to the code for normals: where nobody calls it, the linker drops both.
+void Encoder::encode_normals() {
+  write_normals_ = [](Encoder& encoder, uint32_t words) {
+    discmc::encode_normals(encoder.model_, encoder.record_, encoder.normals_, words);
+  };
+}
+
+inline void Encoder::Coder::encode(uint32_t context, bool bit) {
+  range.encode(bit, region_model[context]);
+}
+
+Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
+  if (label.channel > StreamLabel::max_channel) return Status::bad_label;
+  if (output.write == nullptr) return Status::bad_sink;
+  packets_.open(output);
+  state_ = State::idle;
+  StreamHeader& header = packets_.header();
+  header.depth = label.depth;
+  for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
+  header.scan = label.scan;
+  header.channel = label.channel;
+  return Status::ok;
+}
+
+// The header is what the label says and what the extractor knows.
+Answer Encoder::begin_stream(const StreamHeader& scan) {
+  if (!packets_.has_output() || !scan.is_valid()) return Answer::never;
+  StreamHeader& header = packets_.header();
+  if (state_ != State::idle) {
+    if (!drain()) return Answer::not_now;
+    ++header.scan;
+  }
+  header.width = scan.width;
+  header.height = scan.height;
+  header.threshold = scan.threshold;
+  header.border = scan.border;
+  if (scan.has_spacing())
+    for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = scan.spacing_nm[axis];
+  packets_.start(header, 0);
+  state_ = State::between;
+  (void)drain();  // whoever listens knows at once; or later
+  return Answer::taken;
+}
+
+Answer Encoder::take(const Event& event) {
+  if (event.kind == Event::Kind::start) return begin_stream(*event.header);
+  if (state_ == State::idle) return Answer::never;
+  if (!drain()) return Answer::not_now;
+  bool is_done = true;
+  switch (event.kind) {
+    case Event::Kind::region:
+    case Event::Kind::fragment:
+      state_ = State::in_piece;
+      record_.begin(event.incidence);
+      if (event.kind == Event::Kind::fragment) record_.begin_fragment(event.came, event.start);
+      break;
+    case Event::Kind::ring:
+      if (!takes(Record::ring_words) && !put_parts(event)) return Answer::not_now;
+      record_.add_ring(event.start);
+      break;
+    case Event::Kind::run:
+      if (!takes(1) && !put_parts(event)) return Answer::not_now;
+      normals_[record_.count] = event.normal;
+      record_.add_run(event.run);
+      break;
+    case Event::Kind::region_end:
+    case Event::Kind::fragment_end:
+    case Event::Kind::layer:
+    case Event::Kind::skipped:
+      is_done = put(event);
+      break;
+    case Event::Kind::application:
+      is_done = tell(*event.application) != Status::more;
+      break;
+    case Event::Kind::finish:
+      if (state_ != State::ended) {
+        if (!flush()) return Answer::not_now;
+        packets_.seal_trailer(event);
+        state_ = State::ended;
+      }
+      is_done = drain();
+      break;
+    case Event::Kind::start:
+    case Event::Kind::lost:
+      state_ = State::between;
+      break;
+  }
+  return is_done ? Answer::taken : Answer::not_now;
+}
+
+// Whether a packet without the encoder's records can be sent now.
+Status Encoder::ready_for_packet(bool is_good) {
+  if (state_ == State::idle) return Status::not_started;
+  if (state_ == State::ended) return Status::finished;
+  if (!is_good) return Status::bad_record;
+  return state_ == State::between && flush() ? Status::ok : Status::more;
+}
+
+Status Encoder::tell(const ApplicationRecord& record) {
+  const Status status = ready_for_packet(record.count <= ApplicationRecord::max_bytes);
+  if (status != Status::ok) return status;
+  packets_.seal_application(wire::PacketKind::application, record);
+  (void)drain();  // it is taken, whenever the output takes it
+  return Status::ok;
+}
+
+Status Encoder::append(const RecordsPacket& packet) {
+  const size_t most = packet.is_whole ? wire::max_whole_regions : wire::max_payload;
+  const Status status = ready_for_packet(packet.bytes <= most && packet.pieces <= 0xFFFF);
+  if (status != Status::ok) return status;
+  packets_.seal_appended(packet);
+  (void)drain();  // it is taken, whenever the output takes it
+  return Status::ok;
+}
+
+void Encoder::set_output(const ByteOutput& output) {
+  packets_.set_output(output);
+  if (output.write != nullptr) packets_.repeat_header(packet_is_empty());
+}
+
+bool Encoder::flush() {
+  if (state_ == State::idle) return true;
+  if (!drain()) return false;
+  if (!packet_is_empty()) seal_records();
+  return drain();
+}
+
+// ---- checkpoints ----
+
+Status Encoder::save(Checkpoint<Encoder>& checkpoint) const {
+  if (state_ == State::idle) return Status::not_started;
+  Encoder& image = checkpoint.object;
+  image = *this;
+  image.model_.coder().range.move_to(nullptr);
+  image.write_normals_ = nullptr;
+  image.packets_.rewind();
+  checkpoint.seal({});
+  return Status::ok;
+}
+
+Status Encoder::restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output) {
+  if (!checkpoint.is_whole({})) return Status::bad_checkpoint;
+  if (output.write == nullptr) return Status::bad_sink;
+  const auto write_normals = write_normals_;
+  *this = checkpoint.object;
+  write_normals_ = write_normals;
+  packets_.set_output(output);
+  model_.coder().range.move_to(packets_.payload());
+  return Status::ok;
+}
+
+// ---- records ----
+
+// Sends the record in parts to make room for the event. False when the output takes nothing now.
+inline bool Encoder::put_parts(const Event& event) {
+  state_ = State::in_parts;
+  if (!put(event)) return false;
+  state_ = State::in_piece;
+  return true;
+}
+
+// Puts a mark, or the record, into this packet and into more if one is not enough. False when the
+// output takes nothing now.
+bool Encoder::put(const Event& event) {
+  while (!fill_packet(event)) {
+    seal_records();
+    if (!drain()) return false;
+  }
+  if (is_end(event.kind)) {
+    state_ = State::between;
+    packets_.count_piece();
+  }
+  return true;
+}
+
+// Puts a mark, or the record, into the packet. A record that cannot be encoded whole, or is longer
+// than a packet, goes in parts. False when something is left for the next packet.
+bool Encoder::fill_packet(const Event& event) {
+  const Model before = model_;
+  uint32_t words = record_.count;
+  for (;;) {
+    if (write_normals_ != nullptr) write_normals_(*this, words);
+    const bool is_part = state_ == State::in_parts;
+    const bool is_encoded = is_part ? encode_part(words, event.kind) : encode_whole(event);
+    if (is_encoded && fits(packet_end::reserve)) break;
+    model_ = before;
+    // What is too long for the rest of this packet goes into the next one.
+    if ((is_encoded || is_part) && !packet_is_empty()) return false;
+    state_ = State::in_parts;
+  }
+  // What is left of the record goes on where these words end.
+  record_.count -= words;
+  for (uint32_t i = 0; i < record_.count; ++i) {
+    record_.word[i] = record_.word[i + words];
+    normals_[i] = normals_[i + words];
+  }
+  record_.continues = true;
+  return record_.count == 0;
+}
+
+inline bool Encoder::encode_whole(const Event& event) {
+  switch (event.kind) {
+    case Event::Kind::layer:
+      model_.record_kind(RecordKind::layer);
+      model_.layer(event.slice);
+      return true;
+    case Event::Kind::skipped:
+      model_.record_kind(RecordKind::skipped);
+      model_.plain_number(event.slice);
+      model_.plain_number(event.row);
+      model_.plain_bit(event.repeated);
+      return true;
+    default:
+      if constexpr (is_host)
+        return encode_record_in_place(model_, record_);
+      else
+        return encode_record(model_, record_);
+  }
+}
+
+// Encodes the first words of the record as a part. False when fewer fit: `words` says how many.
+inline bool Encoder::encode_part(uint32_t& words, Event::Kind cause) {
+  model_.record_kind(RecordKind::part);
+  model_.part(record_);
+  for (uint32_t i = 0; i < words;) {
+    const uint32_t end = i + encode_item(model_, record_, i);
+    if (!fits(packet_end::part_reserve)) {
+      words = i > 0 ? i : end;  // a far start and all normals may be too much: then the start alone
+      return false;
+    }
+    i = end;
+  }
+  model_.item_kind(Item::end);
+  model_.end_part(is_end(cause) && words == record_.count);
+  return true;
+}
+
+// ---- packets ----
+
+bool Encoder::fits(size_t reserve) const {
+  return model_.coder().range.size() + reserve <= wire::max_payload;
+}
+
+void Encoder::open_packet() {
+  model_ = Model(Coder{RangeEncoder(packets_.payload(), wire::max_payload)});
+}
+
+void Encoder::seal_records() {
+  model_.record_kind(RecordKind::end);
+  packets_.seal(wire::PacketKind::records, packets_.payload() + model_.coder().range.finish());
+}
+
+// Hands the sealed frame over. When all of it is gone the next packet is open.
+bool Encoder::drain() {
+  if (packets_.is_open()) return true;
+  if (!packets_.drain()) return false;
+  open_packet();
+  return true;
+}
 
 }  // namespace discmc

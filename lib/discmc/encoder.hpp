@@ -5,37 +5,23 @@
 #include <discmc/checkpoint.hpp>
 #include <discmc/records_packet.hpp>
 #include <discmc/status.hpp>
-#include <discmc/stream/normal_encoding.hpp>
 #include <discmc/stream/packet_writer.hpp>
+#include <discmc/stream/region_model.hpp>
 
 namespace discmc {
 
-/// The bits of a symbol, encoded where they are decided.
-class SymbolCoder {
- public:
-  explicit SymbolCoder(RangeEncoder& range) : range_(range) {}
-  bool code_bit(uint32_t context, bool bit) noexcept {
-    range_.encode(bit, region_model[context]);
-    return bit;
-  }
-  bool code_bit(context::Even, bool bit) noexcept {
-    range_.encode_even(bit);
-    return bit;
-  }
-
- private:
-  RangeEncoder::Bits range_;
-};
-
 /// Writes the stream of one scan. One packet and one record are all that is held. The encoder may
 /// be suspended after any byte: while the output takes nothing, take() answers not_now, and goes on
-/// where it was when asked again. Use it as Encoder, or as NormalEncoder where the normals of runs
-/// are to be told too; a stream without any is the same from both. It points into itself, so it is
-/// neither copied nor moved, but by save() and restore(). max_payload: of a packet. Units: bytes.
-template <class Normals, size_t max_payload = wire::max_payload>
-class BasicEncoder : private Normals {
+/// where it was when asked again. It points into itself, so it is neither copied nor moved, but by
+/// save() and restore().
+class Encoder {
  public:
-  BasicEncoder() = default;
+  Encoder() = default;
+
+  /// Encodes the normals of runs, too; without this call they are left out. Call it before start()
+  /// and restore(). Programs without this call do not link the code for normals. Cost: 2 to 3 bytes
+  /// per normal; the stream is about four times as long.
+  void encode_normals();
 
   /// Gets ready for a scan: the stream begins with the extractor's start, which tells the rest of
   /// its header, the first packet. A further scan is a further stream; its number is one more.
@@ -48,16 +34,7 @@ class BasicEncoder : private Normals {
   /// the start of a scan: a stream begins with its header. Answer::not_now while the output has not
   /// taken what was sealed before.
   /// Cost: a few decisions a run, and the bytes.
-  Answer take(const Event& event) {
-    // Most events: on a host they are worth a shortcut.
-    if constexpr (is_host) {
-      if (only_waits(event)) {
-        add_run(event);
-        return Answer::taken;
-      }
-    }
-    return take_any(event);
-  }
+  Answer take(const Event& event);
 
   /// Sends an application record now, in the order of the stream. Its slice and row are the
   /// caller's to fill in: extractor.slices() and rows(). Status::more: the output takes nothing
@@ -65,8 +42,9 @@ class BasicEncoder : private Normals {
   /// finished, bad_record.
   [[nodiscard]] Status tell(const ApplicationRecord& record);
 
-  /// Sends a packet of records that a PartEncoder of the same surface has made, as it is. The
-  /// parts of a piece that goes through several packets must follow each other. Status::more: as of
+  /// Sends a packet of records that another encoder of the same surface has made, as it is. The
+  /// parts of a piece that goes through several packets must follow each other. Limit:
+  /// wire::max_payload bytes, or wire::max_whole_regions where it is whole. Status::more: as of
   /// tell(). Errors: not_started, finished, bad_record. Cost: the bytes.
   [[nodiscard]] Status append(const RecordsPacket& packet);
 
@@ -81,84 +59,67 @@ class BasicEncoder : private Normals {
 
   /// Writes down where the stream is: at the beginning of a frame, which restore() may thus send
   /// once more. Errors: not_started. Cost: a checksum of the object.
-  [[nodiscard]] Status save(Checkpoint<BasicEncoder>& checkpoint) const;
+  [[nodiscard]] Status save(Checkpoint<Encoder>& checkpoint) const;
 
   /// Goes on where a checkpoint was saved; bytes() says how many bytes of stream were before.
   /// Errors: bad_checkpoint, bad_sink (no write). Cost: as save().
-  [[nodiscard]] Status restore(const Checkpoint<BasicEncoder>& checkpoint,
-                               const ByteOutput& output);
+  [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
 
   /// The bytes of stream so far: what the output has taken, and what was dropped without one. How
   /// many those are is what this has grown by between the two calls of set_output().
   uint64_t bytes() const { return packets_.bytes(); }
 
   /// Of what a checkpoint holds: see CheckpointHead.
-  static constexpr uint32_t layout = sizeof(void*) << 4 | (Normals::are_told ? 1 : 0);
+  static constexpr uint32_t layout = sizeof(void*) << 4;
 
  private:
-  friend struct Checkpoint<BasicEncoder>;
-  BasicEncoder(const BasicEncoder&) = default;
-  BasicEncoder& operator=(const BasicEncoder&) = default;
+  friend struct Checkpoint<Encoder>;
+  Encoder(const Encoder&) = default;
+  Encoder& operator=(const Encoder&) = default;
 
   struct Coder {
     RangeEncoder range;
     bool code_bit(uint32_t context, bool bit) {
-      tell(context, bit);
+      encode(context, bit);
       return bit;
     }
-    void tell(uint32_t context, bool bit);
-    // Firmware is smaller without.
-    friend decltype(auto) symbol_coder(Coder& coder) {
-      if constexpr (is_host)
-        return SymbolCoder(coder.range);
-      else
-        return (coder);
-    }
+    void encode(uint32_t context, bool bit);
   };
   using Model = RegionModel<Coder>;
 
-  // Whether it is a run, and an encoder that is started and idle has room for it.
-  bool only_waits(const Event& event) const {
-    return event.kind == Event::Kind::run && record_.has_room(1) && packets_.is_open() &&
-           !is_emptying_ && packets_.is_started();
-  }
-  Answer take_any(const Event& event);
+  enum class State : uint8_t {
+    idle,      // no scan has begun
+    between,   // no region or fragment is under way
+    in_piece,  // one is, and the record takes its rings and runs
+    in_parts,  // one is, but the record is being sent in parts and takes nothing
+    ended,     // the trailer is sealed
+  };
+
   Answer begin_stream(const StreamHeader& scan);
+  // Whether the record has room for so many words and takes them.
+  bool takes(uint32_t words) const { return state_ != State::in_parts && record_.has_room(words); }
+  bool put_parts(const Event& event);
   bool put(const Event& event);
+  bool fill_packet(const Event& event);
   bool encode_whole(const Event& event);
   bool encode_part(uint32_t& words, Event::Kind cause);
-  bool put_trailer(const Event& event);
-  void add_run(const Event& event) {
-    if constexpr (Normals::are_told) Normals::set(record_.count, event.normal);
-    record_.add_run(event.run);
-  }
-  void drop(uint32_t words);
-  void encode_normals(uint32_t words);
+  Status ready_for_packet(bool is_good);
 
+  bool packet_is_empty() const { return model_.coder().range.is_empty(); }
   bool fits(size_t reserve) const;
   void open_packet();
   void seal_records();
   bool drain();
 
   // Small members stand first, where they are reached by short instructions.
-  bool packet_is_empty_ = false;
-  bool piece_is_open_ = false;  // it has begun and not ended
-  bool is_emptying_ = false;    // the record is on its way out in parts, and takes nothing
+  State state_ = State::idle;
   Model model_;
+  // Encodes the normals of the record's first words; null where they are left out.
+  void (*write_normals_)(Encoder& encoder, uint32_t words) = nullptr;
   Record record_;
+  OctahedralNormal normals_[Record::max_words] = {};  // by the word of the record
   PacketWriter packets_;
 };
-
-extern template class BasicEncoder<NoRecordNormals>;
-extern template class BasicEncoder<RecordNormals>;
-extern template class BasicEncoder<NoRecordNormals, wire::max_appended>;
-
-using Encoder = BasicEncoder<NoRecordNormals>;
-/// A normal takes 2 to 3 bytes, and a stream with them about four times the bytes of one without.
-/// The object has 192 bytes more.
-using NormalEncoder = BasicEncoder<RecordNormals>;
-/// Of a part of a scan: its packets go to append() of one of the two above.
-using PartEncoder = BasicEncoder<NoRecordNormals, wire::max_appended>;
 
 }  // namespace discmc
 

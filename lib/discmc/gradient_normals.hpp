@@ -4,7 +4,7 @@
 //   using Normals = GradientNormals<uint8_t>;           // of the samples' type
 //   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
 //   static Extractor<uint16_t, Normals> extractor;      // used like any other
-//   static NormalEncoder encoder;                       // and an Encoder leaves them out
+//   encoder.encode_normals();                           // or they are left out of the stream
 //   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
 // It keeps the samples of four slices and six rows, and lets every row wait for a slice and a row:

@@ -6,11 +6,12 @@ namespace discmc {
 static_assert(Placement::record_bytes <= ApplicationRecord::max_bytes, "a record holds it");
 
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes) {
-  wire::ByteWriter writer(bytes);
+  uint8_t* place = bytes;
   for (const auto& axis : placement.axes_nm)
-    for (const int32_t along : axis) writer.put(static_cast<uint32_t>(along), 4);
-  for (const int64_t along : placement.origin_nm) writer.put_long(static_cast<uint64_t>(along));
-  writer.put(static_cast<uint8_t>(placement.frame), 1);
+    for (const int32_t along : axis) place = wire::put(place, static_cast<uint32_t>(along), 4);
+  for (const int64_t along : placement.origin_nm)
+    place = wire::put_long(place, static_cast<uint64_t>(along));
+  wire::put(place, static_cast<uint8_t>(placement.frame), 1);
   return {Placement::record_kind, 0, 0, bytes, Placement::record_bytes};
 }
 

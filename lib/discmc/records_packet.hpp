@@ -1,6 +1,6 @@
 // Packets of records that pass from an encoder or a decoder to another encoder as they are.
 //
-// A PartEncoder makes them, append() of the encoder of the whole scan sends them, and a Decoder
+// An encoder of a part makes them, append() of that of the whole scan sends them, and a Decoder
 // passes them on: so parts are encoded side by side, and what a join of slabs costs is what crosses
 // their seams.
 #ifndef DISCMC_RECORDS_PACKET_HPP

@@ -4,10 +4,9 @@
 namespace discmc {
 
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes) {
-  wire::ByteWriter writer(bytes);
-  writer.put(range.first, 4);
-  writer.put(range.slices, 4);
-  writer.put(range.depth, 4);
+  uint8_t* place = wire::put(bytes, range.first, 4);
+  place = wire::put(place, range.slices, 4);
+  wire::put(place, range.depth, 4);
   return {SlabRange::record_kind, 0, 0, bytes, SlabRange::record_bytes};
 }
 

@@ -67,7 +67,8 @@ class Trainer {
   void make_room(uint32_t words) {
     if (record_.has_room(words)) return;
     encode_part(false);
-    record_.drop(record_.count);
+    record_.count = 0;
+    record_.continues = true;
   }
   void end_record() {
     if (record_.is_fragment ? !encode_fragment(model_, record_) : !encode_whole_region())

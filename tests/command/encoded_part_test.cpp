@@ -24,7 +24,7 @@ Bytes stream_of(const Events& regions) {
   REQUIRE(part.take(start) == discmc::Answer::taken);
   take_all(part, regions);
   Line line;
-  discmc::NormalEncoder encoder;
+  discmc::Encoder encoder;
   REQUIRE(begin_stream(encoder, header, line.output()) == Status::ok);
   part.append_to(encoder);
   take_all(encoder, Script().finish().events);

@@ -52,7 +52,7 @@ std::string stream_with_normals() {
   const std::uint64_t least = discmc::minimum_bytes<std::uint32_t, WithNormals>(limits);
   discmc::reference::Block block(least + (std::uint64_t{1} << 20));
   discmc::test::Line line;
-  discmc::NormalEncoder encoder;
+  discmc::test::NormalEncoder encoder;
   discmc::reference::require_ok(encoder.start(header.label(), line.output()));
   discmc::Extractor<std::uint32_t, WithNormals> extractor;
   extractor.set_spacing(header.spacing_nm);

@@ -61,7 +61,7 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
 Surface streamed(const BitVolume& volume, const ExtractionOptions& options, bool by_packets) {
   SampleReader reader(volume);
   std::vector<std::uint8_t> bytes;
-  discmc::NormalEncoder encoder;
+  discmc::Encoder encoder;
   REQUIRE(encoder.start({}, {&bytes, [](void* kept, const std::uint8_t* part, std::size_t count) {
                                auto& stream = *static_cast<std::vector<std::uint8_t>*>(kept);
                                stream.insert(stream.end(), part, part + count);

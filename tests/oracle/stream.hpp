@@ -115,6 +115,11 @@ void take_all(Encoding& encoder, const Events& events) {
       if (tries > 10000) throw std::runtime_error("an event that is never taken");
 }
 
+/// Encodes normals, too.
+struct NormalEncoder : Encoder {
+  NormalEncoder() { encode_normals(); }
+};
+
 template <class Encoding = Encoder>
 Bytes encode(const Events& events, const StreamHeader& header = any_header(),
              size_t bytes_a_time = 0) {

@@ -123,7 +123,7 @@ TEST_CASE("the decisions in WIRE.md are those of the first record and the first 
   CHECK(model.record_kind(RecordKind::end) == RecordKind::region);
   CHECK(model.incidence(no_incidence) == 0);
   CHECK(model.ring_count(0) == 1);
-  CHECK(model.start({0, 0, 0}, Chain::first) == Vertex{-1, 0, 0});
+  CHECK(model.start({0, 0, 0}, ChainKind::first) == Vertex{-1, 0, 0});
   CHECK_FALSE(model.parallelogram(false));
   CHECK(model.run_count(2) == 3);
   CHECK(model.direction(0) == 0);

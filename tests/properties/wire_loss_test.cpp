@@ -179,8 +179,8 @@ TEST_CASE("of any number of pieces lost before the trailer it tells exactly how 
       trailer.pieces = static_cast<uint16_t>(regions + fragments);
       // After the slices and the flag; the fragments are the seventh total.
       uint8_t* const totals = trailer.payload.data() + 4 + 1;
-      wire::ByteWriter(totals + 3 * 8).put_long(regions);
-      wire::ByteWriter(totals + 6 * 8).put_long(fragments);
+      wire::put_long(totals + 3 * 8, regions);
+      wire::put_long(totals + 6 * 8, fragments);
       frames[1] = frame_of(trailer);
       const Received arrival = decode(joined(frames));
       CHECK(arrival.report.totals.regions == regions);

@@ -202,11 +202,11 @@ TEST_CASE("parts, fragments and marks are encoded as they always were") {
 
 TEST_CASE("fields of one to eight bytes are read as they were written, and zeros beyond the end") {
   Bytes bytes(1 + 2 + 4 + 8);
-  wire::ByteWriter writer(bytes.data());
-  writer.put(0xFE, 1);
-  writer.put(0x1234, 2);
-  writer.put(0x89ABCDEF, 4);
-  writer.put_long(0x0123456789ABCDEF);
+  uint8_t* place = wire::put(bytes.data(), 0xFE, 1);
+  place = wire::put(place, 0x1234, 2);
+  place = wire::put(place, 0x89ABCDEF, 4);
+  place = wire::put_long(place, 0x0123456789ABCDEF);
+  CHECK(place == bytes.data() + bytes.size());
   CHECK(bytes == Bytes{0xFE, 0x34, 0x12, 0xEF, 0xCD, 0xAB, 0x89,  //
                        0xEF, 0xCD, 0xAB, 0x89, 0x67, 0x45, 0x23, 0x01});
   wire::ByteReader reader(bytes.data(), bytes.size());

@@ -1,4 +1,4 @@
-// The encoders of normals and of parts, and packets of records on their way between encoders and
+// The encoder of normals, and packets of records on their way between encoders and
 // decoders, are through C what they are in C++, byte for byte.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
@@ -42,28 +42,6 @@ struct NormalEncoderInC {
   bool flush() { return discmc_normal_encoder_flush(&object) != 0; }
   uint64_t bytes() const { return discmc_normal_encoder_bytes(&object); }
 };
-struct PartEncoderInC {
-  discmc_part_encoder object = {};
-  uint64_t sent = 0;
-  ByteOutput output;
-
-  Status start(const StreamLabel& label, const ByteOutput& to) {
-    const discmc_stream_label in_c = to_c(label);
-    output = to;
-    const auto count = [](void* context, const uint8_t* bytes, size_t size) {
-      auto& encoder = *static_cast<PartEncoderInC*>(context);
-      const size_t taken = encoder.output.write(encoder.output.context, bytes, size);
-      encoder.sent += taken;
-      return taken;
-    };
-    return static_cast<Status>(discmc_part_encoder_start(&object, &in_c, {this, count}));
-  }
-  Answer take(const Event& event) {
-    return static_cast<Answer>(discmc_part_encoder_take(&object, reference::to_c(event)));
-  }
-  bool flush() { return discmc_part_encoder_flush(&object) != 0; }
-  uint64_t bytes() const { return sent; }
-};
 
 // Events whose runs have normals.
 Events with_normals(const Events& events) {
@@ -93,11 +71,6 @@ TEST_CASE("normals are encoded through C as in C++, whenever the output takes") 
   for (const size_t bytes_a_time : {size_t{0}, size_t{7}})
     CHECK(encode<NormalEncoderInC>(events, any_header(), bytes_a_time) == expected);
   CHECK(expected.size() > encode<Encoder>(events).size() + 10000);
-}
-
-TEST_CASE("parts are encoded through C as in C++") {
-  for (const Events& events : {monstrous_events(), small_regions(1000)})
-    CHECK(encode<PartEncoderInC>(events) == encode<PartEncoder>(events));
 }
 
 TEST_CASE("a stream with normals goes on from a checkpoint, to another output, through C") {
@@ -171,7 +144,7 @@ struct Appended {
 template <class Append>
 Appended appended(const Events& events, Append append) {
   std::vector<Packet> all;
-  for (const Bytes& frame : frames_of(encode<PartEncoder>(events))) all.push_back(packet_of(frame));
+  for (const Bytes& frame : frames_of(encode(events))) all.push_back(packet_of(frame));
   Line line;
   Appended result;
   discmc_encoder encoder = {};

@@ -33,7 +33,7 @@ std::string without(const std::string& text, const char* pattern) {
 /// What a name of C++ may be in C: extractors and encoders are of several kinds.
 const std::map<std::string, std::vector<std::string>> kinds = {
     {"Extractor", {"extractor", "normal_extractor", "learning_extractor"}},
-    {"BasicEncoder", {"encoder", "normal_encoder"}},
+    {"Encoder", {"encoder", "normal_encoder"}},
 };
 
 /// The public functions that a header declares, as `name` or `Class::name`.
@@ -192,9 +192,9 @@ const std::map<std::string, std::string> others = {
     {"StorePlan::is_valid", "slots are not 0"},
     {"StorePlan::microseconds", "products of members"},
     {"StorePlan::units", "a member"},
+    {"Encoder::encode_normals", "discmc_normal_encoder_start"},
     {"KeySlices::is_every", "an interval of 1"},
     {"KeySlices::is_key", "a remainder"},
-    {"SymbolCoder::code_bit", "of encoders alone"},
     {"add", "discmc_add_statistics"},
     {"axis_weights", "discmc_axis_weights_of"},
     {"cross", "arithmetic on members"},

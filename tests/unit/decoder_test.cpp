@@ -28,9 +28,8 @@ Bytes header_after(uint32_t packets, uint64_t pieces) {
   Packet header = packet_of(stream_of({}));
   header.number = static_cast<uint8_t>(packets);
   header.pieces = static_cast<uint16_t>(pieces);
-  wire::ByteWriter counts(header.payload.data() + header.payload.size() - 12);
-  counts.put(packets, 4);
-  counts.put_long(pieces);
+  uint8_t* const counts = header.payload.data() + header.payload.size() - 12;
+  wire::put_long(wire::put(counts, packets, 4), pieces);
   return frame_of(header);
 }
 
@@ -70,7 +69,7 @@ void tell_run(Model& model, Direction direction, uint32_t length) {
 template <class Model>
 void tell_ring(Model& model, bool further) {
   model.item_kind(Item::ring);
-  model.start({1, 0, 0}, further ? Chain::further : Chain::first);
+  model.start({1, 0, 0}, further ? ChainKind::further : ChainKind::first);
 }
 
 template <class Model>
@@ -84,7 +83,7 @@ void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
   model.record_kind(RecordKind::region);
   model.incidence(incidence);
   model.ring_count(1);
-  model.start({1, 0, 0}, Chain::first);
+  model.start({1, 0, 0}, ChainKind::first);
   model.parallelogram(false);
   model.run_count(runs);
 }
@@ -92,12 +91,12 @@ void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
 // A whole fragment: the directions of its links in the order in which they are told, and the
 // lengths of its runs.
 template <class Model>
-void tell_fragment(Model& model, Chain order, const std::vector<Direction>& directions,
+void tell_fragment(Model& model, ChainKind order, const std::vector<Direction>& directions,
                    const std::vector<uint32_t>& lengths, Incidence incidence = up) {
   model.record_kind(RecordKind::fragment);
   model.incidence(incidence);
   model.order(order);
-  const bool is_forward = order == Chain::fragment;
+  const bool is_forward = order == ChainKind::fragment;
   for (size_t i = 0; i < directions.size(); ++i) {
     model.direction(directions[i]);
     if (i == 0)
@@ -440,7 +439,7 @@ TEST_CASE("a trailer that tells of fewer regions than came counts none of them a
   Packet trailer = packet_of(frames[2]);
   trailer.pieces = 0;
   // After the slices, the flag and three totals.
-  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(0);
+  wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 0);
   frames[2] = frame_of(trailer);
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.has_trailer);
@@ -605,7 +604,7 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
     tell_ring(model, false);
     tell_run(model, 0, Run::max_length);
     end_part(model, true);
-    tell_fragment(model, Chain::fragment, {0, 2}, {Run::max_length});
+    tell_fragment(model, ChainKind::fragment, {0, 2}, {Run::max_length});
   })}));
   const Events expected = Script()
                               .region(up)
@@ -621,7 +620,7 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
 
 TEST_CASE("a fragment told from its end begins where its runs lead back to") {
   CHECK(decode(stream_of({payload_of([](auto& model) {
-          tell_fragment(model, Chain::fragment, {2, 4, 6}, {10, 20});
+          tell_fragment(model, ChainKind::fragment, {2, 4, 6}, {10, 20});
         })}))
             .events ==
         Script().fragment(up, {1, 0, 0}, 2).run(4, 10).run(6, 20).fragment_end().events);
@@ -630,14 +629,14 @@ TEST_CASE("a fragment told from its end begins where its runs lead back to") {
   const Vertex second = direction_vector(up, 6);
   const Vertex start{1 - 10 * first.x - 19 * second.x, -10 * first.y - 19 * second.y, 0};
   CHECK(decode(stream_of({payload_of([](auto& model) {
-          tell_fragment(model, Chain::backwards, {6, 4, 2}, {20, 10});
+          tell_fragment(model, ChainKind::backwards, {6, 4, 2}, {20, 10});
         })}))
             .events == Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
 }
 
 TEST_CASE("a fragment may fill a record to the last word, and one run more is refused") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
-  for (const Chain order : {Chain::fragment, Chain::backwards})
+  for (const ChainKind order : {ChainKind::fragment, ChainKind::backwards})
     for (const uint32_t runs : {most, most + 1, most + 5}) {
       std::vector<Direction> directions;
       for (uint32_t i = 0; i <= runs; ++i) directions.push_back(static_cast<Direction>(i % 4));
@@ -664,7 +663,7 @@ TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region")
 
 TEST_CASE("so does one of a fragment that follows another's, whatever directions that had") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
-    tell_fragment(model, Chain::fragment, {7, 0}, {2});
+    tell_fragment(model, ChainKind::fragment, {7, 0}, {2});
     begin_part(model, true, true, incidence_of({1, 1, 0}));
     tell_run(model, 0, 2);
     end_part(model, true);
@@ -786,7 +785,7 @@ TEST_CASE("a trailer that is too short is none; one that tells of more regions c
   Packet trailer = packet_of(frames[2]);
   for (const uint32_t lost : {0U, 3U, 0x7FFFU, 0x8000U, 0x8001U, 65536U, 1000000U}) {
     // After the slices, the flag and three totals.
-    wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1 + lost);
+    wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1 + lost);
     trailer.pieces = static_cast<uint16_t>(1 + lost);
     const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
     CHECK(report.has_trailer);
@@ -902,7 +901,7 @@ TEST_CASE("records that break the grammar are refused") {
     tell_ring(model, false);
     tell_run(model, 0, 2);
     model.item_kind(Item::ring);
-    model.start({1, 0, 2}, Chain::further);
+    model.start({1, 0, 2}, ChainKind::further);
     end_part(model, true);
   });
   check_unreadable([](auto& model) {  // a region without a ring
@@ -942,13 +941,13 @@ TEST_CASE("records that break the grammar are refused") {
     end_part(model, true);
   });
   check_unreadable([](auto& model) {  // a whole fragment that came by no direction of the plane
-    tell_fragment(model, Chain::fragment, {4, 0}, {1}, incidence_of({1, 1, 0}));
+    tell_fragment(model, ChainKind::fragment, {4, 0}, {1}, incidence_of({1, 1, 0}));
   });
   check_unreadable([](auto& model) {  // and of its run
-    tell_fragment(model, Chain::backwards, {7, 0}, {1}, incidence_of({1, 1, 0}));
+    tell_fragment(model, ChainKind::backwards, {7, 0}, {1}, incidence_of({1, 1, 0}));
   });
   check_unreadable([](auto& model) {  // a run of a fragment too long
-    tell_fragment(model, Chain::fragment, {4, 0}, {Run::max_length + 1});
+    tell_fragment(model, ChainKind::fragment, {4, 0}, {Run::max_length + 1});
   });
   check_unreadable([](auto& model) {  // a kind that version 2 does not have
     model.record_kind(static_cast<RecordKind>(8));
@@ -1026,7 +1025,7 @@ TEST_CASE("records that break the grammar are refused") {
     model.incidence(up);
     model.ring_count(2);
     for (const uint32_t runs : {2U, Record::max_words}) {
-      model.start({1, 0, 0}, runs > 2 ? Chain::further : Chain::first);
+      model.start({1, 0, 0}, runs > 2 ? ChainKind::further : ChainKind::first);
       model.parallelogram(false);
       model.run_count(runs);
       model.direction(0);
@@ -1183,8 +1182,8 @@ TEST_CASE("a stream whose trailer counts another number of fragments is not comp
   REQUIRE(decode(joined(frames)).report.is_complete());
   Packet trailer = packet_of(frames.back());
   // After the slices and the flag; a region in the place of the fragment.
-  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 3 * 8).put_long(1);
-  wire::ByteWriter(trailer.payload.data() + 4 + 1 + 6 * 8).put_long(0);
+  wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1);
+  wire::put_long(trailer.payload.data() + 4 + 1 + 6 * 8, 0);
   frames.back() = frame_of(trailer);
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.lost_pieces == 0);

@@ -135,31 +135,7 @@ TEST_CASE("a carry that leaves a byte of 255 behind it reaches none of those tha
   check_round_trip(decisions);
 }
 
-TEST_CASE("bits in registers come to the same code, carries and all, however many at a time") {
-  Chance chance(8);
-  for (int round = 0; round < 300; ++round) {
-    CAPTURE(round);
-    Decisions decisions = random_decisions(chance, 400);
-    const Decisions climb = towards(Bytes(chance.below(12), 0xFF), 80, 128);
-    decisions.insert(decisions.end(), climb.begin(), climb.end());
-    Bytes bytes(4000);
-    RangeEncoder encoder(bytes.data(), bytes.size());
-    for (size_t i = 0; i < decisions.size();) {
-      RangeEncoder::Bits bits(encoder);
-      for (size_t left = chance.below(9); left > 0 && i < decisions.size(); --left, ++i) {
-        const Decision& decision = decisions[i];
-        if (decision.one == 128)
-          bits.encode_even(decision.bit);
-        else
-          bits.encode(decision.bit, decision.one);
-      }
-    }
-    bytes.resize(encoder.finish());
-    CHECK(bytes == encoded(decisions));
-  }
-}
-
-TEST_CASE("bits in registers come to the same code where the range is the least that suffices") {
+TEST_CASE("what is coded comes back where the range is the least that suffices") {
   constexpr uint32_t least = 1U << 24;
   Chance chance(7);
   Decisions decisions;
@@ -176,15 +152,7 @@ TEST_CASE("bits in registers come to the same code where the range is the least 
     decisions.push_back(next);
   }
   for (const Decision& decision : random_decisions(chance, 100)) decisions.push_back(decision);
-  Bytes bytes(decisions.size() + 8);
-  RangeEncoder encoder(bytes.data(), bytes.size());
-  {
-    RangeEncoder::Bits bits(encoder);
-    for (const Decision& decision : decisions) bits.encode(decision.bit, decision.one);
-  }
-  bytes.resize(encoder.finish());
-  CHECK(bytes == encoded(decisions));
-  CHECK(wrong_bits(bytes, decisions) == 0);
+  check_round_trip(decisions);
 }
 
 TEST_CASE("a first byte of 255 waits, and goes out whole") {

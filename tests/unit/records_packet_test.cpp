@@ -30,14 +30,17 @@ struct KeptPacket {
 };
 using KeptPackets = std::vector<KeptPacket>;
 
-// The packets of records that a PartEncoder makes.
+// The packets of records that an encoder makes. They are whole if they are to be and leave room for
+// a count.
 KeptPackets packets_of(const Events& events, bool are_whole = true) {
   std::vector<Packet> all;
-  for (const Bytes& frame : frames_of(encode<PartEncoder>(events))) all.push_back(packet_of(frame));
+  for (const Bytes& frame : frames_of(encode(events))) all.push_back(packet_of(frame));
   KeptPackets packets;
   for (size_t i = 0; i < all.size(); ++i) {
     const auto pieces = static_cast<uint16_t>(all[(i + 1) % all.size()].pieces - all[i].pieces);
-    if (all[i].is(PacketKind::records)) packets.push_back({all[i].payload, pieces, are_whole});
+    if (!all[i].is(PacketKind::records)) continue;
+    const bool is_whole = are_whole && all[i].payload.size() <= wire::max_whole_regions;
+    packets.push_back({all[i].payload, pieces, is_whole});
   }
   return packets;
 }
@@ -109,8 +112,7 @@ Events regions_among(const Events& events) {
 
 TEST_CASE("packets of another encoder are sent as they are, numbered and counted") {
   for (const Events& events : {monstrous_events(), small_regions(1000)})
-    CHECK(appended(packets_of(events, false), events.back().event()) ==
-          encode<PartEncoder>(events));
+    CHECK(appended(packets_of(events, false), events.back().event()) == encode(events));
 }
 
 TEST_CASE("packets of whole regions hold the same, and stand behind what there was before") {
@@ -191,15 +193,20 @@ TEST_CASE("a packet that says it holds whole regions, but not how many, is damag
 }
 
 TEST_CASE("a packet of another encoder that cannot be sent is refused") {
-  const KeptPacket longest{Bytes(wire::max_appended), 0xFFFF, true};
+  const KeptPacket longest{Bytes(wire::max_whole_regions), 0xFFFF, true};
   KeptPacket too_long = longest, too_many = longest;
   too_long.payload.push_back(0);
+  const KeptPacket longest_part{Bytes(wire::max_payload), 1, false};
+  KeptPacket too_long_part = longest_part;
+  too_long_part.payload.push_back(0);
   ++too_many.pieces;
   Line line;
   Encoder encoder;
   CHECK(append(encoder, longest) == Status::not_started);
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   CHECK(append(encoder, too_long) == Status::bad_record);
+  CHECK(append(encoder, too_long_part) == Status::bad_record);
+  CHECK(append(encoder, longest_part) == Status::ok);
   CHECK(append(encoder, too_many) == Status::bad_record);
   const Events events = small_regions(1);
   REQUIRE(encoder.take(events.front().event()) == Answer::taken);

@@ -56,11 +56,12 @@ Record record_with(Incidence incidence) {
   return record;
 }
 
-constexpr Chain chains[] = {Chain::first, Chain::further, Chain::fragment, Chain::backwards};
+constexpr ChainKind chains[] = {ChainKind::first, ChainKind::further, ChainKind::fragment,
+                                ChainKind::backwards};
 
 // The model begins the chain and tells its vertex, and before that, of a fragment, its first link.
 template <class Model>
-Vertex tell_vertex(Model& model, const Vertex& vertex, Chain chain, Direction first = 0) {
+Vertex tell_vertex(Model& model, const Vertex& vertex, ChainKind chain, Direction first = 0) {
   if (!is_fragment(chain)) return model.start(vertex, chain);
   model.order(chain);
   model.direction(first);
@@ -113,7 +114,7 @@ TEST_CASE("small steps, and every direction after every other, are told as versi
     model.incidence(incidence);
     Vertex at{0, 0, 1};
     for (int step = -4; step <= 4; ++step)
-      for (const Chain chain : chains) {
+      for (const ChainKind chain : chains) {
         at = at + Vertex{2 * step, step, -step};
         tell_vertex(model, at, chain, static_cast<Direction>(step + 4) % 4);
         for (Direction i = 0; i < direction_count(incidence); ++i)
@@ -224,7 +225,7 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
         Values coded;
         Incidence incidence = 0;
         for (const Vertex& start : starts) {
-          const Chain chain = chains[static_cast<uint32_t>(start.y) % 4];
+          const ChainKind chain = chains[static_cast<uint32_t>(start.y) % 4];
           model.incidence(writes ? incidence : no_incidence);
           const Vertex told = tell_vertex(model, writes ? start : Vertex{0, 0, 0}, chain);
           coded.insert(coded.end(), {told.x, told.y, told.z});
@@ -240,7 +241,7 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
 TEST_CASE("directions come back after every other direction, in every kind of chain") {
   for_each_incidence([&](Incidence incidence) {
     const uint32_t count = direction_count(incidence);
-    for (const Chain chain : chains) {
+    for (const ChainKind chain : chains) {
       Values expected;
       for (uint32_t a = 0; a < count; ++a)
         for (uint32_t b = 0; b < count; ++b) expected.insert(expected.end(), {a, b, b, a});
@@ -275,7 +276,7 @@ TEST_CASE("kinds come back, in whatever state of the packet") {
         };
         model.incidence(writes ? Incidence{4} : no_incidence);
         all_kinds();
-        for (const Chain chain : {Chain::first, Chain::fragment, Chain::further}) {
+        for (const ChainKind chain : {ChainKind::first, ChainKind::fragment, ChainKind::further}) {
           tell_vertex(model, {1, 0, 0}, chain);
           all_kinds();
         }
@@ -291,8 +292,8 @@ TEST_CASE("orders, items and parts come back") {
   check_round_trip(
       [&](auto& model, bool writes) {
         Values coded;
-        for (const Chain order : {Chain::fragment, Chain::backwards})
-          coded.push_back(static_cast<int64_t>(model.order(writes ? order : Chain::fragment)));
+        for (const ChainKind order : {ChainKind::fragment, ChainKind::backwards})
+          coded.push_back(static_cast<int64_t>(model.order(writes ? order : ChainKind::fragment)));
         for (uint32_t kind = 0; kind < 3; ++kind)
           coded.push_back(
               static_cast<int64_t>(model.item_kind(static_cast<Item>(writes ? kind : 0))));
@@ -321,7 +322,7 @@ TEST_CASE("a chain told backwards costs about what it costs forwards") {
       return bit;
     }
   };
-  const auto cost = [](Chain order, const std::vector<Direction>& directions) {
+  const auto cost = [](ChainKind order, const std::vector<Direction>& directions) {
     double bits = 0;
     RegionModel<Meter> model(Meter{&bits});
     model.incidence(0);
@@ -330,9 +331,9 @@ TEST_CASE("a chain told backwards costs about what it costs forwards") {
     for (size_t i = 1; i < directions.size(); ++i) model.direction(directions[i]);
     return bits;
   };
-  CHECK(cost(Chain::fragment, {0, 1, 2, 3}) ==
-        doctest::Approx(cost(Chain::backwards, {3, 2, 1, 0})));
-  CHECK(cost(Chain::fragment, {0, 1, 2, 3}) < cost(Chain::fragment, {3, 2, 1, 0}));
+  CHECK(cost(ChainKind::fragment, {0, 1, 2, 3}) ==
+        doctest::Approx(cost(ChainKind::backwards, {3, 2, 1, 0})));
+  CHECK(cost(ChainKind::fragment, {0, 1, 2, 3}) < cost(ChainKind::fragment, {3, 2, 1, 0}));
 }
 
 TEST_CASE("a ring is closed by any two directions and lengths, and by nothing else") {

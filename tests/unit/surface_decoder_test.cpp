@@ -156,7 +156,7 @@ TEST_CASE("where a scan ends its surface is closed, whatever the trailer says") 
       REQUIRE(trailer.is(wire::PacketKind::slices_trailer));
       trailer.number = static_cast<uint8_t>(frames.size());
       trailer.payload[4] = is_abandoned;  // behind the slices
-      wire::ByteWriter(trailer.payload.data() + 4 + 1).put_long(rows);
+      wire::put_long(trailer.payload.data() + 4 + 1, rows);
       frames.push_back(frame_of(trailer));
       BitVolume scanned({12, 8, 2});
       std::copy_n(volume().on.begin(), rows * 12, scanned.on.begin());

@@ -15,30 +15,6 @@ namespace discmc {
 constexpr uint32_t first_normals_extension = 1;
 constexpr uint32_t last_normals_extension = first_normals_extension + 8;
 
-/// The normals where the runs of a record start.
-class RecordNormals {
- public:
-  static constexpr bool are_told = true;
-
-  /// By the word of the record.
-  void set(uint32_t word, OctahedralNormal normal) { normal_[word] = normal; }
-  void drop(uint32_t words, uint32_t left) {
-    for (uint32_t i = 0; i < left; ++i) normal_[i] = normal_[i + words];
-  }
-
-  /// Tells the normals of the record's first words; nothing when there is none.
-  template <class Model>
-  void encode(Model& model, const Record& record, uint32_t words) const;
-
- private:
-  OctahedralNormal normal_[Record::max_words] = {};
-};
-
-/// For an encoder that tells no normals.
-struct NoRecordNormals {
-  static constexpr bool are_told = false;
-};
-
 /// What an extension has told of normals, in the order of the record's runs.
 class ToldNormals {
  public:
@@ -71,8 +47,11 @@ constexpr uint8_t sum(uint8_t from, uint32_t number) {
 
 }  // namespace normal_difference
 
+/// Tells the normals where the runs among the record's first words start, by these words; nothing
+/// when there is none.
 template <class Model>
-void RecordNormals::encode(Model& model, const Record& record, uint32_t words) const {
+void encode_normals(Model& model, const Record& record, const OctahedralNormal* normals,
+                    uint32_t words) {
   using namespace normal_difference;
   // Calls visit(normal, the one before) for every run; the first is its own.
   const auto for_each = [&](auto visit) {
@@ -82,8 +61,8 @@ void RecordNormals::encode(Model& model, const Record& record, uint32_t words) c
         i += Record::ring_words;
         continue;
       }
-      visit(normal_[i], before == nullptr ? normal_[i] : *before, before == nullptr);
-      before = &normal_[i++];
+      visit(normals[i], before == nullptr ? normals[i] : *before, before == nullptr);
+      before = &normals[i++];
     }
   };
   uint32_t all = 0, runs = 0;

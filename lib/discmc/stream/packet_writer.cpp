@@ -6,7 +6,7 @@ namespace discmc {
 void PacketWriter::open(const ByteOutput& output) {
   if (frame_bytes_ > 0 && drained_ > 0) is_cut_ = true;
   output_ = output;
-  state_ = State::idle;
+  is_under_way_ = false;
   frame_bytes_ = 0;
 }
 
@@ -14,7 +14,7 @@ void PacketWriter::start(const StreamHeader& header, uint8_t flags) {
   header_ = header;
   const bool is_open = header.border == Border::open;
   flags_ = static_cast<uint8_t>(flags | (is_open ? wire::HeaderFlags::open_border : 0));
-  state_ = State::started;
+  is_under_way_ = true;
   bytes_ = 0;
   pieces_ = 0;
   packets_ = 0;
@@ -69,7 +69,7 @@ void PacketWriter::seal_trailer(const Event& finish) {
   place = wire::put(place, finish.abandoned ? 1 : 0, 1);
   for (const auto total : wire::trailer_totals)
     place = wire::put_long(place, finish.statistics->*total);
-  state_ = State::ended;
+  is_under_way_ = false;
   seal(wire::PacketKind::trailer, wire::put(place, digest_, 4));
 }
 
@@ -79,7 +79,7 @@ void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint6
   place = wire::put(place, is_abandoned ? 1 : 0, 1);
   place = wire::put_long(place, rows);
   place = wire::put_long(place, skipped_rows);
-  state_ = State::ended;
+  is_under_way_ = false;
   seal(wire::PacketKind::slices_trailer, wire::put(place, digest_, 4));
 }
 
@@ -109,7 +109,7 @@ bool PacketWriter::drain() {
     drained_ = static_cast<uint16_t>(drained_ + taken);
     if (taken < left) continue;
     frame_bytes_ = 0;
-    if (packets_since_header_ >= wire::header_interval && state_ == State::started) seal_header();
+    if (packets_since_header_ >= wire::header_interval && is_under_way_) seal_header();
   }
   return true;
 }
@@ -121,7 +121,7 @@ void PacketWriter::set_output(const ByteOutput& output) {
 }
 
 void PacketWriter::repeat_header(bool packet_is_empty) {
-  if (state_ != State::started) return;
+  if (!is_under_way_) return;
   packets_since_header_ = wire::header_interval;
   if (is_open() && packet_is_empty) seal_header();
 }

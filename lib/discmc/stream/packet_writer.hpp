@@ -18,9 +18,6 @@ class PacketWriter {
   /// not tell. Where a part of a frame went out before, a zero goes first, which ends that. Limit:
   /// open(), and nothing is sealed.
   void start(const StreamHeader& header, uint8_t flags);
-  bool is_started() const { return state_ != State::idle; }
-  /// Whether its trailer is sealed, or gone.
-  bool is_ended() const { return state_ == State::ended; }
   bool has_output() const { return output_.write != nullptr; }
   /// Of the stream that goes on, or went before.
   StreamHeader& header() { return header_; }
@@ -60,13 +57,11 @@ class PacketWriter {
   void repeat_header(bool packet_is_empty);
 
  private:
-  enum class State : uint8_t { idle, started, ended };
-
   void seal_header();
   void put_delimiter();
 
   // Small members stand first, where they are reached by short instructions.
-  State state_ = State::idle;
+  bool is_under_way_ = false;  // a stream: its header was sealed, and its trailer was not
   uint8_t packets_since_header_ = 0;
   uint8_t flags_ = 0;
   bool is_cut_ = false;       // a part of a frame went out, and nothing since

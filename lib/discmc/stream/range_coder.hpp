@@ -45,70 +45,15 @@ class RangeEncoder {
 
   void encode(bool bit, Probability one) {
     narrow(bit, (range_ >> 8) * one);
-    // Down to a 256th of it is at least 2^16.
-    if (range_ < min_range) {
-      shift();
-      range_ <<= 8;
-    }
+    if (range_ < min_range) shift();  // down to a 256th of it is at least 2^16
   }
   void encode(bool bit, LearntProbability one) {
     narrow(bit, (range_ >> 16) * one.of_one());
-    while (range_ < min_range) {
-      shift();
-      range_ <<= 8;
-    }
+    while (range_ < min_range) shift();
   }
 
-  /// The encoder while it encodes several bits, in registers where all of it is inlined. Until it
-  /// is gone the encoder itself is not to be used. Owner: the encoder is the caller's.
-  ///
-  /// It has a destructor: what is called until then says noexcept, or a compiler that does not
-  /// optimise would link the C++ run-time library.
-  class Bits {
-   public:
-    explicit Bits(RangeEncoder& of) : of_(of), low_(of.low_), range_(of.range_) {}
-    ~Bits() { write_back(); }
-    Bits(const Bits&) = delete;
-    Bits& operator=(const Bits&) = delete;
-
-    void encode(bool bit, Probability one) noexcept {
-      const uint32_t bound = (range_ >> 8) * one;
-      if (bit) {
-        range_ = bound;
-      } else {
-        low_ += bound;
-        range_ -= bound;
-      }
-      normalise();
-    }
-    /// The same for a bit that a processor's branch prediction foresees as little as anybody: no
-    /// branch depends on it.
-    void encode_even(bool bit) noexcept {
-      const uint32_t half = range_ >> 8 << 7;
-      const uint32_t if_zero = uint32_t{bit} - 1;
-      low_ += half & if_zero;
-      range_ = half + ((range_ - 2 * half) & if_zero);
-      normalise();
-    }
-
-   private:
-    void write_back() noexcept {
-      of_.low_ = static_cast<uint32_t>(low_);
-      of_.range_ = range_;
-      of_.carry_ = static_cast<uint8_t>(of_.carry_ | low_ >> 32);
-    }
-    void normalise() noexcept {
-      if (range_ >= min_range) return;
-      write_back();
-      of_.shift();
-      low_ = of_.low_;
-      range_ <<= 8;
-    }
-
-    RangeEncoder& of_;
-    uint64_t low_;  // and above it a carry
-    uint32_t range_;
-  };
+  /// Whether no bit was encoded: no bit leaves the range as wide as it was.
+  bool is_empty() const { return range_ == UINT32_MAX; }
 
   /// Goes on in another buffer, which holds the same bytes.
   void move_to(uint8_t* buffer) { buffer_ = buffer; }
@@ -166,7 +111,7 @@ class RangeEncoder {
 
   // The top byte is held, and with it those of 255 that follow: a carry may still come through
   // them. They leave when none can, or when it has come.
-  void shift() noexcept {
+  void shift() {
     if (carry_ != 0 || low_ < 0xFF000000U) {
       for (; held_ > 0; --held_) {
         if (count_ < capacity_) buffer_[count_] = static_cast<uint8_t>(first_held_ + carry_);
@@ -178,6 +123,7 @@ class RangeEncoder {
     }
     ++held_;
     low_ <<= 8;
+    range_ <<= 8;
   }
 
   // In an order that leaves no gaps: a checkpoint would hold whatever lay in them.

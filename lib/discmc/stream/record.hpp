@@ -62,12 +62,6 @@ struct Record {
       word[i] = last;
     }
   }
-  /// Takes the first words away: what is left goes on where they ended.
-  void drop(uint32_t words) {
-    count -= words;
-    for (uint32_t i = 0; i < count; ++i) word[i] = word[i + words];
-    continues = true;
-  }
   Vertex start_at(uint32_t mark) const {
     return {static_cast<int32_t>(word[mark + 1]), static_cast<int32_t>(word[mark + 2]),
             static_cast<int32_t>(word[mark + 3])};

@@ -27,7 +27,7 @@ uint32_t compact_runs(const Record& record, uint32_t first) {
   return way == Vertex{0, 0, 0} ? end - first : 0;
 }
 
-Chain cheaper_end(const Record& record, const Vertex& before, Vertex& vertex) {
+ChainKind cheaper_end(const Record& record, const Vertex& before, Vertex& vertex) {
   const Vertex start = record.start_at(0);
   vertex = start;
   for (uint32_t i = Record::ring_words; i < record.count; ++i) {
@@ -35,9 +35,9 @@ Chain cheaper_end(const Record& record, const Vertex& before, Vertex& vertex) {
     if (i + 1 == record.count) run = Run::straight(run.direction(), run.length() - 1);
     move(vertex, record.incidence, run.direction(), run.length());
   }
-  if (cost_of_vertex(vertex, before) < cost_of_vertex(start, before)) return Chain::backwards;
+  if (cost_of_vertex(vertex, before) < cost_of_vertex(start, before)) return ChainKind::backwards;
   vertex = start;
-  return Chain::fragment;
+  return ChainKind::fragment;
 }
 
 }  // namespace discmc

@@ -13,8 +13,9 @@ namespace discmc {
 uint32_t compact_runs(const Record& record, uint32_t first);
 
 /// From which end a whole fragment is told: the one that costs less after the vertex `before`.
-/// Returns Chain::fragment and its start, or Chain::backwards and the vertex before its end.
-Chain cheaper_end(const Record& record, const Vertex& before, Vertex& vertex);
+/// Returns ChainKind::fragment and its start, or ChainKind::backwards and the vertex before its
+/// end.
+ChainKind cheaper_end(const Record& record, const Vertex& before, Vertex& vertex);
 
 constexpr bool are_opposite(Incidence incidence, Run a, Run b) {
   const int turn = a.direction() - b.direction();
@@ -38,7 +39,8 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
 
 template <class Model>
 void encode_start(Model& model, const Record& record, uint32_t mark) {
-  model.start(record.start_at(mark), mark > 0 || record.continues ? Chain::further : Chain::first);
+  model.start(record.start_at(mark),
+              mark > 0 || record.continues ? ChainKind::further : ChainKind::first);
 }
 
 /// A whole region of closed rings, in as few decisions as they take. False, with only some of it
@@ -67,14 +69,14 @@ bool encode_fragment(Model& model, const Record& record) {
   constexpr uint32_t first = Record::ring_words;
   if (record.continues || record.count == first) return false;
   Vertex vertex;
-  const Chain chain = cheaper_end(record, model.last_start(), vertex);
+  const ChainKind order = cheaper_end(record, model.last_start(), vertex);
   model.record_kind(RecordKind::fragment);
   model.incidence(record.incidence);
-  model.order(chain);
+  model.order(order);
   // The link by which the chain comes to its start is told like a run, but for its length.
   const uint32_t runs = record.count - first;
   for (uint32_t i = 0; i <= runs; ++i) {
-    const uint32_t link = chain == Chain::backwards ? runs - i : i;
+    const uint32_t link = order == ChainKind::backwards ? runs - i : i;
     const Run run =
         link == 0 ? Run::straight(record.came, 0) : Run::from_code(record.word[first + link - 1]);
     model.direction(run.direction());

@@ -21,11 +21,7 @@ constexpr uint32_t size_of_run_length = 7;  ///< likewise
 constexpr uint32_t size_of_tree = 7;        ///< of 3 bits
 constexpr uint32_t slopes = 5;
 
-/// One or zero, equally likely. A type of its own: coders may know it at compile time.
-struct Even {
-  constexpr operator uint32_t() const noexcept { return 0; }
-};
-constexpr Even even{};
+constexpr uint32_t even = 0;                                    ///< one or zero, equally likely
 constexpr uint32_t region_follows = even + 1;                   ///< by: what came before
 constexpr uint32_t fragment_follows = region_follows + 5;       ///< likewise
 constexpr uint32_t other_kind = fragment_follows + 5;           ///< tree of 3 bits
@@ -70,10 +66,10 @@ enum class Item : uint8_t { run, ring, end };
 
 /// What a chain is: the first ring of a region, any other chain that is told run by run, a whole
 /// fragment, or one that is told from its end.
-enum class Chain : uint8_t { first, further, fragment, backwards };
+enum class ChainKind : uint8_t { first, further, fragment, backwards };
 
-constexpr bool is_fragment(Chain chain) {
-  return chain >= Chain::fragment;
+constexpr bool is_fragment(ChainKind kind) {
+  return kind >= ChainKind::fragment;
 }
 
 // Differences wrap: any 32-bit coordinates come through.
@@ -97,12 +93,6 @@ constexpr Rise rise_of(Link link) {
 }
 static_assert(link_vector(4).z < 0 && link_vector(5).z == 0 && link_vector(12).z == 0 &&
               link_vector(13).z > 0);
-
-/// What codes a symbol of several bits: the coder itself, unless there is a better overload for it.
-template <class Coder>
-Coder& symbol_coder(Coder& coder) {
-  return coder;
-}
 
 /// The state that goes from one record of a packet to the next, and the grammar of records.
 /// A copy is a snapshot. Coder has: bool code_bit(uint32_t context, bool bit).
@@ -128,7 +118,7 @@ class RegionModel {
   bool plain_bit(bool value) { return code_bit(context::even, value); }
   uint32_t plain_bits(uint32_t count, uint32_t value) {
     uint32_t coded = 0;
-    while (count-- > 0) coded = 2 * coded + code_bit(context::even, value >> count & 1);
+    while (count-- > 0) coded = 2 * coded + uint32_t{plain_bit((value >> count & 1) != 0)};
     return coded;
   }
 
@@ -136,14 +126,14 @@ class RegionModel {
   Incidence incidence(Incidence incidence);
   uint32_t ring_count(uint32_t count);
   /// Whether a fragment is told from its end: in the order of its links from the last to the first.
-  Chain order(Chain fragment) {
-    const bool is_backwards = code_bit(context::is_backwards, fragment == Chain::backwards);
-    begin_chain(is_backwards ? Chain::backwards : Chain::fragment);
-    return chain_;
+  ChainKind order(ChainKind kind) {
+    const bool is_backwards = code_bit(context::is_backwards, kind == ChainKind::backwards);
+    begin_chain(is_backwards ? ChainKind::backwards : ChainKind::fragment);
+    return kind_;
   }
   /// Where a ring begins, relative to the vertex told last; after the incidence. Limit: an odd
   /// coordinate sum.
-  Vertex start(const Vertex& start, Chain chain);
+  Vertex start(const Vertex& start, ChainKind kind);
   /// After the first direction of a fragment: where it begins, or, told from its end, the vertex
   /// before the end. As start().
   Vertex fragment_vertex(const Vertex& vertex);
@@ -183,12 +173,9 @@ class RegionModel {
 
  private:
   bool code_bit(uint32_t context, bool value) { return coder_.code_bit(context, value); }
-  uint32_t code_bit(uint32_t context, uint32_t value) {
-    return code_bit(context, value != 0) ? 1 : 0;
-  }
   uint32_t direction_count() const { return 4U + 2U * link_class_; }
   // Most fragments were cut after a few links. From then on one is told as a ring is.
-  bool is_short() const { return is_fragment(chain_) && links_ <= most_of_short; }
+  bool is_short() const { return is_fragment(kind_) && links_ <= most_of_short; }
   Rise rise() const { return rise_of(link_of(incidence_, direction_)); }
   uint32_t is_level() const { return rise() == Rise::level ? 1 : 0; }
   uint32_t by_slope_and_level() const { return 2U * slope_ + is_level(); }
@@ -205,12 +192,12 @@ class RegionModel {
   }
   // Rings start at their last vertex: the first direction of a region is told as a turn from the
   // first that leads back, any other from 0.
-  void begin_chain(Chain chain) {
-    direction_ = chain == Chain::first ? first_back() : Direction{0};
+  void begin_chain(ChainKind kind) {
+    direction_ = kind == ChainKind::first ? first_back() : Direction{0};
     links_ = 0;
     turns_ = 0;
     length_ = 0;
-    chain_ = chain;
+    kind_ = kind;
   }
 
   static constexpr uint8_t most_of_short = 6;
@@ -223,7 +210,7 @@ class RegionModel {
   Before before_ = Before::mark;
   bool fragments_came_ = false;  // in this packet: then memory is short, and more will come
   // Of the chain:
-  Chain chain_ = Chain::first;
+  ChainKind kind_ = ChainKind::first;
   Direction direction_ = 0;
   uint8_t links_ = 0;   // whose direction was told, up to one more than most_of_short
   uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
@@ -250,11 +237,10 @@ constexpr uint32_t max_compact_length = 0xFFFF;
 // Three bits. Nodes are numbered from 1, those below a node by twice its number and one more.
 template <class Coder>
 uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
-  auto&& coder = symbol_coder(coder_);
   uint32_t node = 1;
   for (uint32_t bits = 3; bits-- > 0;) {
     const uint32_t context = first == context::even ? first : first + node - 1;
-    node = 2 * node + (coder.code_bit(context, (value >> bits & 1) != 0) ? 1 : 0);
+    node = 2 * node + uint32_t{code_bit(context, (value >> bits & 1) != 0)};
   }
   return node - 8;
 }
@@ -263,15 +249,12 @@ uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
 // lower bits.
 template <class Coder>
 uint32_t RegionModel<Coder>::number(uint32_t first, uint32_t contexts, uint32_t value) {
-  auto&& coder = symbol_coder(coder_);
   const uint32_t last = first + contexts - 1;
   uint32_t bits = 0;
-  for (uint32_t rest = value >> 1; coder.code_bit(first, rest != 0) && bits < 31;
-       ++bits, rest >>= 1)
+  for (uint32_t rest = value >> 1; code_bit(first, rest != 0) && bits < 31; ++bits, rest >>= 1)
     if (first < last) ++first;
   uint32_t coded = 1;
-  while (bits-- > 0)
-    coded = 2 * coded + (coder.code_bit(context::even, (value >> bits & 1) != 0) ? 1 : 0);
+  while (bits-- > 0) coded = 2 * coded + uint32_t{plain_bit((value >> bits & 1) != 0)};
   return coded;
 }
 
@@ -356,11 +339,11 @@ uint32_t RegionModel<Coder>::ring_count(uint32_t count) {
 }
 
 template <class Coder>
-Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
+Vertex RegionModel<Coder>::start(const Vertex& start, ChainKind kind) {
   using namespace context;
   // 6 rows of z, 6 of y, 10 of x, 3 of holes.
-  const auto row = [chain](uint32_t of_first, uint32_t of_further) {
-    return chain == Chain::first ? of_first : of_further;
+  const auto row = [kind](uint32_t of_first, uint32_t of_further) {
+    return kind == ChainKind::first ? of_first : of_further;
   };
   const uint32_t after_mark = before_ == Before::mark ? 1 : 0;
   const int32_t dz = step(row(link_class_ + 3 * after_mark, 22), start.z, start_.z);
@@ -369,7 +352,7 @@ Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
   const uint32_t by_y = dy < -2 ? 0U : dy > 2 ? 4U : static_cast<uint32_t>(dy + 2);
   step_x(row((from_2 - 1 < 3 ? 17U : 12U) + by_y, 24), start.x);
   before_ = Before::region;
-  begin_chain(chain);
+  begin_chain(kind);
   return start_;
 }
 
@@ -378,10 +361,10 @@ Vertex RegionModel<Coder>::start(const Vertex& start, Chain chain) {
 template <class Coder>
 Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
   using namespace context;
-  const uint32_t order = chain_ == Chain::backwards ? 1 : 0;
-  const uint32_t z = code_bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order,
-                              parity_of(vertex.z));
-  const uint32_t y = code_bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y));
+  const uint32_t order = kind_ == ChainKind::backwards ? 1 : 0;
+  const uint32_t z{code_bit(z_is_odd + 6U * slope_ + 2 * static_cast<uint32_t>(rise()) + order,
+                            parity_of(vertex.z) != 0)};
+  const uint32_t y{code_bit(y_is_odd + 2U * slope_ + z, parity_of(vertex.y) != 0)};
   // Of z, y and x two rows each, which follow those of start().
   const int32_t dz = step_voxels(25 + (before_ == Before::mark ? 1U : 0U), vertex.z, start_.z, z);
   const int32_t dy = step_voxels(27 + (dz != 0 ? 1U : 0U), vertex.y, start_.y, y);
@@ -397,7 +380,7 @@ template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
   if (links_ <= most_of_short) ++links_;
   const uint32_t directions = direction_count();
-  const bool mirrors = chain_ == Chain::backwards && links_ > 1;
+  const bool mirrors = kind_ == ChainKind::backwards && links_ > 1;
   const uint32_t from = mirrors ? direction : direction_;
   const uint32_t to = mirrors ? direction_ : direction;
   const uint32_t turn = tree(tree_of_turn(), to - from + (to < from ? directions : 0));
@@ -412,8 +395,8 @@ template <class Coder>
 uint32_t RegionModel<Coder>::tree_of_turn() const {
   using namespace context;
   if (links_ == 1) {
-    if (chain_ == Chain::further) return even;
-    return (is_fragment(chain_) ? fragment_direction : first_direction) + slope_ * size_of_tree;
+    if (kind_ == ChainKind::further) return even;
+    return (is_fragment(kind_) ? fragment_direction : first_direction) + slope_ * size_of_tree;
   }
   if (is_short()) return fragment_turn + by_slope_and_level() * size_of_tree;
   // A class has a tree for each turn before and one for none: 5, 7 or 9.
@@ -446,9 +429,10 @@ void RegionModel<Coder>::part(Record& record) {
   record.is_fragment = code_bit(context::part_kind, record.is_fragment);
   record.continues = code_bit(context::part_kind + 1, record.continues);
   record.incidence = incidence(record.incidence);
-  if (record.is_fragment && !record.continues)
-    record.came = static_cast<Direction>(tree(context::even, record.came));
-  begin_chain(Chain::further);
+  begin_chain(ChainKind::further);
+  if (!record.is_fragment || record.continues) return;
+  record.came = direction(record.came);
+  begin_chain(ChainKind::further);
 }
 
 }  // namespace discmc

@@ -67,7 +67,7 @@ constexpr uint8_t further_surfaces_in(uint32_t tag) {
 
 /// A packet of whole regions tells last how many they are. Units: bytes.
 constexpr size_t whole_regions_tail = 2;
-constexpr size_t max_appended = max_payload - whole_regions_tail;
+constexpr size_t max_whole_regions = max_payload - whole_regions_tail;
 
 /// A frame is a packet with its stuffing byte and its ending zero.
 constexpr size_t max_frame = max_packet + 2;
@@ -77,7 +77,7 @@ constexpr uint32_t header_interval = 64;
 
 constexpr uint32_t magic = 'D' | 'M' << 8 | 'C' << 16;
 
-/// Writes a little-endian field. Returns the place behind it.
+/// Writes a little-endian field. Returns the place behind it. Limit: the buffer has room.
 inline uint8_t* put(uint8_t* place, uint32_t value, int bytes) {
   for (; bytes > 0; --bytes, value >>= 8) *place++ = static_cast<uint8_t>(value);
   return place;
@@ -87,17 +87,6 @@ inline uint8_t* put_long(uint8_t* place, uint64_t value) {
   place = put(place, static_cast<uint32_t>(value), 4);
   return put(place, static_cast<uint32_t>(value >> 32), 4);
 }
-
-/// Writes little-endian fields. Limit: the buffer has room.
-class ByteWriter {
- public:
-  explicit ByteWriter(uint8_t* place) : place_(place) {}
-  void put(uint32_t value, int bytes) { place_ = wire::put(place_, value, bytes); }
-  void put_long(uint64_t value) { place_ = wire::put_long(place_, value); }
-
- private:
-  uint8_t* place_;
-};
 
 /// Reads little-endian fields; beyond the end zeros.
 class ByteReader {

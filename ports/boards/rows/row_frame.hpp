@@ -37,12 +37,11 @@ inline size_t write(uint8_t* frame, Kind kind, uint32_t number, const uint8_t* s
                     size_t count = 0) {
   frame[0] = 0;  // ends whatever is left on the line
   uint8_t* plain = frame + 2;
-  discmc::wire::ByteWriter head(plain);
-  head.put(static_cast<uint8_t>(kind), 1);
-  head.put(number, 4);
+  plain[0] = static_cast<uint8_t>(kind);
+  discmc::wire::put(plain + 1, number, 4);
   for (size_t i = 0; i < count; ++i) plain[head_bytes + i] = samples[i];
   const size_t checked = head_bytes + count;
-  discmc::wire::ByteWriter(plain + checked).put(discmc::crc32(plain, checked), crc_bytes);
+  discmc::wire::put(plain + checked, discmc::crc32(plain, checked), crc_bytes);
   return 1 + discmc::cobs::stuff(frame + 1, checked + crc_bytes);
 }
 

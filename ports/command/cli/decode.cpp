@@ -27,6 +27,7 @@ class Recoder {
   explicit Recoder(const ByteOutput& output) : output_(output) {}
   Answer take(const Event& event) {
     if (event.kind == Event::Kind::start) {
+      encoder_.encode_normals();
       require(encoder_.start(event.header->label(), output_));
       encoder_.take(event);
       for (const Event& early : early_) encoder_.take(early);  // a file takes all
@@ -44,7 +45,7 @@ class Recoder {
 
  private:
   ByteOutput output_;
-  NormalEncoder encoder_;
+  Encoder encoder_;
   std::vector<Event> early_;  // before any header
   bool is_started_ = false;
 };

@@ -85,7 +85,7 @@ class Join {
   // What comes out of the joiner, and what need not be joined. It is counted here: a stream that
   // broke off tells no totals.
   struct Encoded {
-    NormalEncoder& encoder;
+    Encoder& encoder;
     std::uint64_t regions = 0;
     std::uint64_t fragments = 0;
     Answer take(const Event& event) {
@@ -109,6 +109,7 @@ class Join {
       header_ = header;
       depth_ = header.depth;
       first_path_ = path_;
+      encoder_.encode_normals();
       require(encoder_.start(header.label(), output_.byte_output()));
     } else if (!is_same_volume(header, header_)) {
       throw std::runtime_error(path_ + ": this is of " + described(header) + ", and " +
@@ -130,7 +131,7 @@ class Join {
   }
 
   StreamOutput output_;
-  NormalEncoder encoder_;
+  Encoder encoder_;
   Encoded encoded_{encoder_};
   SpillingJoiner joiner_;
   SlabRanges slabs_;

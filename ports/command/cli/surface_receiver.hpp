@@ -39,6 +39,7 @@ class SurfaceReceiver {
   /// Begins a stream. output: must take all; Owner: the caller.
   void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,
                     const std::optional<SlabRange>& slab, const ByteOutput& output) {
+    encoder_.encode_normals();
     require(encoder_.start(label, output));
     placement_ = placement;
     slab_ = slab;
@@ -61,12 +62,12 @@ class SurfaceReceiver {
   /// Where polygons may go in place of their events, or null where none are kept.
   SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
   /// Likewise packets, or null without a stream.
-  NormalEncoder* encoder() { return encodes_ ? &encoder_ : nullptr; }
+  Encoder* encoder() { return encodes_ ? &encoder_ : nullptr; }
   /// Empty unless begun. The spacing is for the caller to set.
   Surface& surface() { return builder_.surface(); }
 
  private:
-  NormalEncoder encoder_;
+  Encoder encoder_;
   std::optional<VolumePlacement> placement_;
   std::optional<SlabRange> slab_;
   SurfaceBuilder builder_;

@@ -81,7 +81,7 @@ struct SurfaceRequest {
   /// in place of the sink: as polygons, and encoded, in packets that a join passes on. Limit: the
   /// sink is what starts the encoder, whose output takes all. Owner: the caller.
   SurfaceBuilder* builder = nullptr;
-  NormalEncoder* encoder = nullptr;
+  Encoder* encoder = nullptr;
 };
 
 /// The header of a volume's stream.

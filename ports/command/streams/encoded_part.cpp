@@ -51,11 +51,12 @@ std::size_t EncodedPart::keep(const std::uint8_t* frame, std::size_t bytes) {
   payloads_.insert(payloads_.end(), payload, end);
   const bool continues = continues_region(payload, static_cast<std::size_t>(end - payload));
   if (continues) packets_.back().is_whole = false;
-  packets_.push_back({payloads_.size(), pieces_before, !continues});
+  const bool is_whole = !continues && payload + wire::max_whole_regions >= end;
+  packets_.push_back({payloads_.size(), pieces_before, is_whole});
   return bytes;
 }
 
-void EncodedPart::append_to(NormalEncoder& encoder) {
+void EncodedPart::append_to(Encoder& encoder) {
   if (!encoder_.flush()) throw std::logic_error("a part's encoder holds back a packet");
   std::size_t begin = 0;
   for (std::size_t i = 0; i < packets_.size(); ++i) {

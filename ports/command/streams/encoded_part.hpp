@@ -22,18 +22,18 @@ class EncodedPart {
 
   /// Gives all packets to an encoder. Call once, after the last region. encoder: started; its
   /// output must take all.
-  void append_to(NormalEncoder& encoder);
+  void append_to(Encoder& encoder);
 
  private:
   struct Packet {
     std::size_t end;              // of its payload
     std::uint16_t pieces_before;  // as the packet tells them
-    bool is_whole;                // no region goes on before or behind it
+    bool is_whole;                // only whole regions, with room for their number
   };
 
   std::size_t keep(const std::uint8_t* frame, std::size_t bytes);
 
-  PartEncoder encoder_;
+  Encoder encoder_;
   std::vector<std::uint8_t> payloads_;  // one after another
   std::vector<Packet> packets_;
   std::uint16_t pieces_ = 0;  // taken, modulo 2^16

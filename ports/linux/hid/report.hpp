@@ -35,11 +35,11 @@ struct Report {
   /// Size: `bytes`; what follows the payload is 0.
   void write(std::uint8_t* report) const {
     std::fill_n(report, bytes, std::uint8_t{0});
-    wire::ByteWriter head(report);
-    head.put(static_cast<std::uint32_t>(version << 4 | static_cast<int>(kind)), 1);
-    head.put(length, 1);
-    head.put(chunk, 2);
-    head.put(number, 4);
+    const auto first = static_cast<std::uint32_t>(version << 4 | static_cast<int>(kind));
+    std::uint8_t* place = wire::put(report, first, 1);
+    place = wire::put(place, length, 1);
+    place = wire::put(place, chunk, 2);
+    wire::put(place, number, 4);
     std::copy_n(payload, length, report + head_bytes);
   }
 

@@ -10,8 +10,9 @@ constexpr Limits limits{64, 64};
 constexpr Capacities capacities =
     default_capacities<uint16_t, GradientNormals<uint8_t>>(limits, 28 * 1024);
 
-extern "C" Status run(Scanner& extractor, NormalEncoder& encoder, const ByteOutput& output,
+extern "C" Status run(Scanner& extractor, Encoder& encoder, const ByteOutput& output,
                       const StreamLabel& label, Memory memory, const uint8_t* row) {
+  encoder.encode_normals();
   Status status = encoder.start(label, output);
   extractor.set_spacing(label.spacing_nm);
   if (status == Status::ok)

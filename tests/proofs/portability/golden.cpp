@@ -189,6 +189,7 @@ class Wire {
   bool start(const StreamHeader& header) {
     sent_ = EventHash();
     line_.start();
+    encoder_.encode_normals();
     return encoder_.start(header.label(), line_.output()) == Status::ok &&
            line_.decoder().start(line_.sink()) == Status::ok;
   }
@@ -201,7 +202,7 @@ class Wire {
   const EventHash& sent() const { return sent_; }
 
  private:
-  NormalEncoder encoder_;  // as Encoder where there are no normals
+  Encoder encoder_;
   BusyLine<Decoder> line_;
   EventHash sent_;
 };
