@@ -129,6 +129,11 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
+  /// Goes on as restore() does, where the bytes of this object itself have been read back, with
+  /// those of the memory: for objects that are saved where they lie, as those of C. Limit: they are
+  /// as they were. Errors: bad_sink, too_little_memory.
+  [[nodiscard]] Status continue_in(Memory memory, const Sink& sink);
+
   /// Remembers in this memory, besides that of start(), what it works out of neighbourhoods, from
   /// this scan to the next: 1 MiB is a good size. Call it at any time; what was remembered
   /// elsewhere is forgotten. Nothing is remembered before, and after restore(). Owner: the memory

@@ -94,6 +94,11 @@ class SliceEncoder {
   [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
                                const ByteOutput& output);
 
+  /// Goes on as restore() does, where the bytes of this object itself have been read back, with
+  /// those of the memory: for objects that are saved where they lie, as those of C. Limit: they are
+  /// as they were. Errors: bad_sink (no write), too_little_memory.
+  [[nodiscard]] Status continue_in(Memory memory, const ByteOutput& output);
+
   /// The bytes of stream so far: what the output has taken, and what was dropped without one. How
   /// many those are is what this has grown by between the two calls of set_output().
   uint64_t bytes() const { return packets_.bytes(); }

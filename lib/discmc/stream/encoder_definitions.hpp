@@ -155,6 +155,13 @@ Status BasicEncoder<Normals, max_payload>::restore(const Checkpoint<BasicEncoder
   if (!checkpoint.is_whole({})) return Status::bad_checkpoint;
   if (output.write == nullptr) return Status::bad_sink;
   *this = checkpoint.object;
+  return continue_to(output);
+}
+
+template <class Normals, size_t max_payload>
+Status BasicEncoder<Normals, max_payload>::continue_to(const ByteOutput& output) {
+  if (output.write == nullptr) return Status::bad_sink;
+  packets_.rewind();
   packets_.set_output(output);
   model_.coder().range.move_to(packets_.payload());
   return Status::ok;
