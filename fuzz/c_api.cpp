@@ -184,7 +184,7 @@ class Polygons {
   void lose_power() {
     discmc_memory part, encoder_part;
     const discmc_status status = discmc_extractor_save(extractor_, &part);
-    require_same(status, scanner_->resume());
+    require_same(status, scanner_->save(*std::make_unique<Checkpoint<Scanner>>()));
     if (status != DISCMC_OK) return;
     require(discmc_encoder_save(c_sink_.encoder, &encoder_part) == DISCMC_OK, "not saved");
     memory_->move(part);

@@ -279,7 +279,7 @@ DISCMC_CHECK discmc_status discmc_extractor_finish(discmc_extractor* extractor);
 /* Ends the scan anywhere: the rest of the slice is off, so the surface is closed. */
 DISCMC_CHECK discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
 
-/* A checkpoint, between two rows. If save() is suspended, resume. After restore() the scan goes on
+/* A checkpoint, of a scan that is not suspended: else resume first. After restore() the scan goes on
  * with row `rows` of slice `slices` of the info. */
 DISCMC_CHECK discmc_status discmc_extractor_save(discmc_extractor* extractor, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor,

@@ -96,7 +96,7 @@
 //   region_holes.hpp                       which holes lie in a region
 //
 // discmc.h, for C, has its implementation in c/: object.hpp (where objects lie and how they are
-// saved), values.hpp (values and sinks of C), and extractor.hpp and encoder.hpp (kinds).
+// saved), values.hpp (values and sinks of C), and extractor_kind.hpp and encoder_kind.hpp.
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

@@ -145,6 +145,9 @@ class Extractor {
     sweep.learn_in(memory);
   }
 
+  /// Whether the sink has refused something that is due: then resume() before save().
+  bool is_suspended() const;
+
   /// Totals so far, and all of them once the scan is finished.
   Statistics statistics() const { return statistics_; }
   const Limits& limits() const { return limits_; }
@@ -183,7 +186,6 @@ class Extractor {
   PushResult push_row_of_bits(const uint8_t* bits);
   bool lay_out(Memory memory);
   void clear();
-  bool is_suspended() const;
   Status ready_for_samples();
   void note(Arrival arrival);
 

@@ -376,5 +376,7 @@ TEST_CASE("a suspended scan is not saved") {
   CHECK(discmc_extractor_save(scan.extractor, &part) == DISCMC_SUSPENDED);
   CHECK(part.data == nullptr);
   is_busy = false;
+  CHECK(discmc_extractor_save(scan.extractor, &part) == DISCMC_SUSPENDED);
+  CHECK(discmc_extractor_resume(scan.extractor) == DISCMC_OK);
   CHECK(discmc_extractor_save(scan.extractor, &part) == DISCMC_OK);
 }

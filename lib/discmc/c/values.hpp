@@ -1,5 +1,5 @@
 // Values of C's as those of C++, and sinks of C's as those of C++. Events, totals, application
-// records and the headers in events have one layout on both sides, which events.cpp checks.
+// records and the headers in events have one layout on both sides, which c_events.cpp checks.
 #ifndef DISCMC_C_VALUES_HPP
 #define DISCMC_C_VALUES_HPP
 

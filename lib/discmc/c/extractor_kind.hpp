@@ -1,7 +1,7 @@
 // The kinds of extractors: tables of what an extractor of a C++ type does. A program links those
 // that it names.
-#ifndef DISCMC_C_EXTRACTOR_HPP
-#define DISCMC_C_EXTRACTOR_HPP
+#ifndef DISCMC_C_EXTRACTOR_KIND_HPP
+#define DISCMC_C_EXTRACTOR_KIND_HPP
 
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
@@ -16,6 +16,7 @@ struct ExtractorView {
   Capacities capacities;
   HighWater high_water;
   uint32_t slices, rows;
+  bool is_suspended;
 };
 
 }  // namespace discmc
@@ -110,6 +111,7 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
     view.high_water = scanner.high_water();
     view.slices = scanner.slices();
     view.rows = scanner.rows();
+    view.is_suspended = scanner.is_suspended();
   }
 
   static constexpr discmc_extractor_kind functions = {

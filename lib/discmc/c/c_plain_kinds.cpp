@@ -1,5 +1,5 @@
 // The kinds of extractors that make no normals, for firmware.
-#include <discmc/c/extractor.hpp>
+#include <discmc/c/extractor_kind.hpp>
 
 namespace discmc {
 

@@ -1,5 +1,5 @@
-// The kind of encoders that encode normals, too. A file of its own: see normal_kinds.cpp.
-#include <discmc/c/encoder.hpp>
+// The kind of encoders that encode normals, too. A file of its own: see c_normal_kinds.cpp.
+#include <discmc/c/encoder_kind.hpp>
 
 static_assert(DISCMC_NORMAL_ENCODER_BYTES >=
                   discmc::bytes_with_object(

@@ -1,5 +1,5 @@
-// The kind of extractors for hosts. A file of its own: see normal_kinds.cpp.
-#include <discmc/c/extractor.hpp>
+// The kind of extractors for hosts. A file of its own: see c_normal_kinds.cpp.
+#include <discmc/c/extractor_kind.hpp>
 #include <discmc/learning_extractor.hpp>
 
 namespace discmc {

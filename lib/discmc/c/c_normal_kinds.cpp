@@ -1,6 +1,6 @@
 // The kinds of extractors that make normals. A file of its own, so that plain scanners do not link
 // them even if the linker drops whole files alone.
-#include <discmc/c/extractor.hpp>
+#include <discmc/c/extractor_kind.hpp>
 
 namespace discmc {
 

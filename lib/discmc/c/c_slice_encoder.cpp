@@ -1,4 +1,4 @@
-#include <discmc/c/encoder.hpp>
+#include <discmc/c/encoder_kind.hpp>
 #include <discmc/slice_encoder.hpp>
 
 struct discmc_slice_encoder {

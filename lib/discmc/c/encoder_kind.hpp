@@ -1,7 +1,7 @@
 // The kinds of encoders: tables of what an encoder of a C++ type does. A program links those that
 // it names.
-#ifndef DISCMC_C_ENCODER_HPP
-#define DISCMC_C_ENCODER_HPP
+#ifndef DISCMC_C_ENCODER_KIND_HPP
+#define DISCMC_C_ENCODER_KIND_HPP
 
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>

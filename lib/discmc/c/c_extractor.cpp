@@ -1,4 +1,4 @@
-#include <discmc/c/extractor.hpp>
+#include <discmc/c/extractor_kind.hpp>
 
 namespace discmc {
 
@@ -44,14 +44,12 @@ discmc_status discmc_extractor_restore(discmc_extractor** extractor,
   });
 }
 
-// What is due is delivered first: what is suspended cannot be saved.
 discmc_status discmc_extractor_save(discmc_extractor* extractor, discmc_memory* part) {
-  const discmc_status status = discmc_extractor_resume(extractor);
-  if (status != DISCMC_OK) return status;
   ExtractorView view;
   extractor->kind->look(*extractor, view);
+  if (view.is_suspended) return DISCMC_SUSPENDED;
   *part = extractor->seal.close(used_bytes(*extractor->kind, view));
-  return status;
+  return DISCMC_OK;
 }
 
 discmc_push_result discmc_extractor_push(discmc_extractor* extractor, discmc_sample_type type,
