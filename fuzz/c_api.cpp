@@ -288,13 +288,12 @@ class Slices {
   void lose_power() {
     discmc_memory part;
     const discmc_status status = discmc_slice_encoder_save(in_c_, &part);
-    require_same(status, in_cpp_.resume());
+    Checkpoint<SliceEncoder> checkpoint{};
+    require_same(status, in_cpp_.save(checkpoint));
     if (status != DISCMC_OK) return;
     memory_->move(part);
     config_.memory = memory_->get();
     require(discmc_slice_encoder_restore(&in_c_, &config_) == DISCMC_OK, "not restored");
-    Checkpoint<SliceEncoder> checkpoint{};
-    require_ok(in_cpp_.save(checkpoint));
     require_ok(
         in_cpp_.restore(checkpoint, {cpp_memory_.data(), cpp_memory_.size()}, cpp_line_.output()));
   }

@@ -165,7 +165,7 @@ size_t SliceEncoder::bytes_used() const {
 
 Status SliceEncoder::save(Checkpoint<SliceEncoder>& checkpoint) const {
   if (state_ == State::idle) return Status::not_started;
-  if (row_is_due_ || state_ == State::finishing) return Status::more;
+  if (is_suspended()) return Status::more;
   SliceEncoder& image = checkpoint.object;
   image = *this;
   // Addresses are of no use to whoever restores it.

@@ -82,6 +82,9 @@ class SliceEncoder {
   /// as finish().
   [[nodiscard]] Status abandon();
 
+  /// Whether a row, or the end, waits for the output: then resume() before save().
+  bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
+
   /// Writes down where scan and stream are, the stream at the beginning of a frame; with the first
   /// bytes_used() bytes of the memory that is all of both. Errors: not_started. Status::more:
   /// resume() first. Cost: a checksum of those bytes.

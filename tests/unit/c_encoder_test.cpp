@@ -33,13 +33,15 @@ struct Stream {
   discmc_encoder* encoder = nullptr;
 };
 
+const StreamHeader header{12, 9, 7, {1000, -2000, 3000}, -5, Border::open, 5, 300};
+
 // Offers a start whose header is C's, and no more of it than there is.
 discmc_sink_result begin(discmc_encoder* encoder, uint32_t width) {
-  const auto header = std::make_unique<discmc_stream_header>(
+  const auto scan = std::make_unique<discmc_stream_header>(
       discmc_stream_header{width, 9, 0, {0, 0, 0}, -5, DISCMC_OPEN, 0, 0});
   discmc_event event{};
   event.kind = DISCMC_START;
-  event.of.header = header.get();
+  event.of.header = scan.get();
   return discmc_encoder_take(encoder, &event);
 }
 
@@ -79,7 +81,8 @@ void compare(const discmc_encoder_kind& kind, size_t bytes, const Events& all) {
   const size_t middle = all.size() / 2;
   take_all(stream.encoder, all, 0, middle);
 
-  // The power fails, with a frame that has gone out in part.
+  // The power fails, with a frame that has gone out in part, which is sent again.
+  for (int i = 0; i < 2; ++i) CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_SUSPENDED);
   discmc_memory part;
   REQUIRE(discmc_encoder_save(stream.encoder, &part) == DISCMC_OK);
   CHECK(part.data == stream.config.memory.data);
@@ -93,6 +96,7 @@ void compare(const discmc_encoder_kind& kind, size_t bytes, const Events& all) {
   later.config.output = in_c(other_line.output());
   std::copy_n(saved, bytes, static_cast<uint8_t*>(later.config.memory.data));
   REQUIRE(discmc_encoder_restore(&later.encoder, &later.config) == DISCMC_OK);
+  CHECK(discmc_encoder_stream_bytes(later.encoder) < line.bytes.size());
   line.bytes.resize(discmc_encoder_stream_bytes(later.encoder));
 
   take_all(later.encoder, all, middle, all.size());
@@ -101,8 +105,15 @@ void compare(const discmc_encoder_kind& kind, size_t bytes, const Events& all) {
   CHECK(discmc_encoder_stream_bytes(later.encoder) == line.bytes.size() + other_line.bytes.size());
   line.bytes.insert(line.bytes.end(), other_line.bytes.begin(), other_line.bytes.end());
 
-  StreamHeader header{12, 9, 7, {1000, -2000, 3000}, -5, Border::open, 5, 300};
-  CHECK(line.bytes == test::encode<EncoderInCpp>(all, header));
+  Line expected;
+  EncoderInCpp encoder;
+  require_ok(test::begin_stream(encoder, header, expected.output()));
+  const auto half = all.begin() + static_cast<std::ptrdiff_t>(middle);
+  test::take_all(encoder, Events(all.begin(), half));
+  CHECK(encoder.flush());
+  test::take_all(encoder, Events(half, all.end()));
+  CHECK(encoder.flush());
+  CHECK(line.bytes == expected.bytes);
 }
 
 }  // namespace
@@ -121,7 +132,6 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   const uint8_t bytes[] = {1, 2, 3};
   const discmc_application_record record = {4, 5, 6, bytes, sizeof bytes};
   CHECK(discmc_encoder_write_record(stream.encoder, &record) == DISCMC_NOT_STARTED);
-  StreamHeader header{12, 9, 7, {1000, -2000, 3000}, -5, Border::open, 5, 300};
   require_ok(test::begin_stream(encoder, header, cpp_line.output()));
   CHECK(begin(stream.encoder, 12) == DISCMC_SINK_ACCEPTED);
 
@@ -140,10 +150,11 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   }
   CHECK(discmc_encoder_write_record(stream.encoder, &record) == DISCMC_FINISHED);
   CHECK(begin(stream.encoder, 14) == DISCMC_SINK_ACCEPTED);
-  header.width = 14;
+  StreamHeader further = header;
+  further.width = 14;
   Event start{};
   start.kind = Event::Kind::start;
-  start.header = &header;
+  start.header = &further;
   CHECK(encoder.take(start) == Answer::taken);
   CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_OK);
   CHECK(encoder.flush());

@@ -29,9 +29,17 @@ const Bytes& polygons() {
   return stream;
 }
 Bytes encoded_slices(uint8_t further_surfaces) {
-  test::SlicePlan plan;
-  plan.further_surfaces = further_surfaces;
-  return test::encode_slices(volume(), plan);
+  StreamHeader header = test::header_of(volume());
+  header.further_surfaces = further_surfaces;
+  int32_t next = 0;
+  for (int32_t& threshold : header.further_thresholds) threshold = next++;
+  std::vector<uint8_t> memory(20000);
+  test::Line line;
+  SliceEncoder encoder;
+  require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(encoder.push(volume().on.data(), static_cast<uint32_t>(volume().on.size())).status);
+  require_ok(encoder.finish());
+  return line.bytes;
 }
 
 struct Receiver {

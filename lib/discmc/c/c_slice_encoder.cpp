@@ -79,12 +79,10 @@ discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
       });
 }
 
-// What is due is encoded first: what is suspended cannot be saved.
 discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encoder, discmc_memory* part) {
-  const discmc_status status = discmc_slice_encoder_resume(encoder);
-  if (status == DISCMC_OK)
-    *part = encoder->seal.close(sizeof *encoder + encoder->encoder.bytes_used());
-  return status;
+  if (encoder->encoder.is_suspended()) return DISCMC_SUSPENDED;
+  *part = encoder->seal.close(sizeof *encoder + encoder->encoder.bytes_used());
+  return DISCMC_OK;
 }
 
 discmc_push_result discmc_slice_encoder_push(discmc_slice_encoder* encoder, discmc_sample_type type,
