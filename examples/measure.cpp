@@ -2,8 +2,8 @@
 //
 // It scans a phantom that is built in, as regions and as slices, and sends the figures by the UART,
 // a line each. docs/measure.md says how to read them, and what to keep out of them. Build it as
-// ports/README.md builds scanner.cpp. The counter is the processor's own: DWT on Cortex-M3, M4, M7
-// and M33, SysTick on M0 and M0+, mcycle on RISC-V.
+// ports/boards/README.md builds scanner.cpp. The counter is the processor's own: DWT on Cortex-M3,
+// M4, M7 and M33, SysTick on M0 and M0+, mcycle on RISC-V.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>

@@ -1,7 +1,8 @@
 // A scanner's firmware on any board: rows come in by interrupt, the surface leaves by the UART.
 //
-// What differs between boards is behind ports/board.hpp; what is scanned is said in the board's
-// scan.hpp. ports/README.md tells how to build it, and how to bring it to a board of your own.
+// What differs between boards is behind ports/boards/board.hpp; what is scanned is said in the
+// board's scan.hpp. ports/boards/README.md tells how to build it, and how to bring it to a board of
+// your own.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>

@@ -16,7 +16,6 @@
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
-#include "oracle/sink.hpp"
 #include "require.hpp"
 
 using namespace discmc;
@@ -56,9 +55,9 @@ class Place {
 /// outlives the scans.
 class Listener {
  public:
-  void listen(bool takes_fragments) {
+  void listen() {
     log_.emplace([this](uint64_t) { return refuses(); });
-    collector_ = Collector(takes_fragments);
+    collector_ = Collector();
     refuses_now_ = false;
   }
   void refuse(uint32_t of_256, uint32_t seed) {
@@ -156,7 +155,7 @@ class Caller {
     const uint64_t bytes = read_bytes(needed, is_split);
     auto place = std::make_unique<Place>(bytes, input_.below(4));
     const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : place->memory();
-    Sink sink = sink_to(listener_, (flags & 8) == 0);
+    Sink sink = sink_to(listener_);
     if ((flags & 0xF0) == 0xF0) sink.take = nullptr;
     const int32_t threshold = read_threshold();
 
@@ -177,7 +176,6 @@ class Caller {
     place_ = std::move(place);
     limits_ = limits;
     threshold_ = threshold;
-    takes_fragments_ = sink.takes_fragments();
     require(extractor_.bytes_used() <= bytes, "more bytes in use than were given");
     begin();
   }
@@ -193,7 +191,7 @@ class Caller {
     was_abandoned_ = false;
     on_.clear();
     skipped_ = 0;
-    listener_.listen(takes_fragments_);
+    listener_.listen();
   }
 
   Limits read_limits(uint32_t flags) {
@@ -418,7 +416,7 @@ class Caller {
     check_own_memory();
     place_ = std::move(place);
     new (&extractor_) Extractor<Index>{};
-    const Sink sink = sink_to(listener_, takes_fragments_);
+    const Sink sink = sink_to(listener_);
     uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % used];
     any = static_cast<uint8_t>(any ^ 1);
     require(extractor_.restore(*checkpoint, memory, sink) == Status::bad_checkpoint,
@@ -441,9 +439,7 @@ class Caller {
     require(collector.layers().size() == depth, "another number of slices");
     require(collector.skipped().size() == skipped_, "another number of skipped rows");
     require(collector.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
-    const std::string unlike = takes_fragments_
-                                   ? unlike_joined({collector}, merge(volume, closed))
-                                   : unlike_surface(collector.regions(), volume, closed);
+    const std::string unlike = unlike_joined({collector}, merge(volume, closed));
     require(unlike.empty(), unlike.c_str());
   }
 
@@ -471,7 +467,6 @@ class Caller {
   Extractor<Index> extractor_{};  // all of it set, also what lies between members, for checkpoints
   Limits limits_{1, 1};
   int32_t threshold_ = 0;
-  bool takes_fragments_ = true;
   State state_ = State::idle;
   bool was_abandoned_ = false;
   std::vector<uint8_t> on_;  // of the voxels of this scan so far

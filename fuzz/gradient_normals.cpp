@@ -10,7 +10,6 @@
 #include "input.hpp"
 #include "little_memory.hpp"
 #include "oracle/normal_events.hpp"
-#include "oracle/sink.hpp"
 #include "require.hpp"
 
 using namespace discmc;
@@ -23,7 +22,7 @@ struct Setting {
   Limits limits;
   int32_t threshold;
   Capacities capacities;
-  bool takes_fragments, refuses;
+  bool refuses;
 };
 
 enum class Row : uint8_t { given, off, repeated };
@@ -65,7 +64,7 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting, con
   Scan scan;
   if constexpr (Normals::holds_samples) scan.set_spacing(uneven_spacing);
   resume(scan, scan.start(setting.limits, setting.capacities, setting.threshold,
-                          {memory.get(), bytes}, sink_to(log, setting.takes_fragments)));
+                          {memory.get(), bytes}, sink_to(log)));
   const uint32_t width = setting.limits.width;
   const Sample* samples = volume.samples.data();
   for (const Row row : script.rows) {
@@ -92,8 +91,7 @@ void check(const SampleVolume<Sample>& volume, const Setting& setting, const Scr
           "normals change the events");
   if (!script.is_whole()) return;
   for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal, bool is_corner) {
-    // Sealed cells, for sinks that take no fragments, have none.
-    if (normal.is_none() && !(setting.takes_fragments && is_corner)) return;
+    if (normal.is_none() && !is_corner) return;
     require(normal == reference_normal(volume, vertex), "a normal is not that of a second pass");
   });
 }
@@ -105,8 +103,7 @@ void read_and_check(Input& input) {
   const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
   const Capacities capacities = read_little_memory(input);
   const int32_t threshold = static_cast<int32_t>(input.byte()) - 2;
-  const Setting setting{
-      {size.width, size.height, border}, threshold, capacities, (flags & 2) != 0, (flags & 4) != 0};
+  const Setting setting{{size.width, size.height, border}, threshold, capacities, (flags & 4) != 0};
   Script script{{}, 1 + input.below(12), (flags & 8) != 0};
   const uint32_t rows = size.height * size.depth;
   const uint32_t given = script.abandons ? input.below(rows) : rows;

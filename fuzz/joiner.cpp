@@ -38,7 +38,7 @@ void read_scenario(Input& input, Scenario& scenario) {
   const uint32_t flags = input.byte();
   scenario.is_open = (flags & 1) != 0;
   scenario.plan.order = (flags & 2) != 0 ? InputOrder::any : InputOrder::sweep;
-  scenario.plan.takes_fragments = (flags & 4) == 0;
+  scenario.plan.unjoined = (flags & 4) == 0 ? Unjoined::passed_on : Unjoined::left_out;
   scenario.has_little_memory = (flags & 8) != 0;
   scenario.has_losses = (flags & 16) != 0;
   if (scenario.has_little_memory) scenario.plan.capacities = read_little_memory(input);
@@ -81,8 +81,10 @@ void check_regions(const Joined& joined, const Scenario& scenario,
   require((joined.status == Status::ok) == (joined.report.passed == 0), "short without saying so");
   if (!scenario.has_little_memory) require(joined.status == Status::ok, "short of what is enough");
   const Delivered delivered(joined.events);
-  if (!scenario.plan.takes_fragments) require(delivered.fragments.empty(), "a loose fragment");
-  if (joined.report.passed > 0 && !scenario.plan.takes_fragments) return;
+  if (scenario.plan.unjoined == Unjoined::left_out) {
+    require(delivered.fragments.empty(), "a loose fragment");
+    if (joined.report.passed > 0) return;
+  }
   require(joined.report.passed == delivered.fragments.size(), "fragments not counted");
   JoinPlan other = scenario.plan;
   other.capacities = enough_for(joined.events);
@@ -103,7 +105,7 @@ void check_rest(const Joined& joined, const Scenario& scenario, const std::vecto
     if (lost[region] == 0)
       require(std::count(left.begin(), left.end(), regions[region]) == 1,
               "a region that lost nothing is not right");
-  if (scenario.plan.takes_fragments)
+  if (scenario.plan.unjoined == Unjoined::passed_on)
     require(joined.report.unmatched == delivered.fragments.size(), "fragments not counted");
 }
 

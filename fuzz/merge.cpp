@@ -1,7 +1,7 @@
 // Fuzz target. The promise: any small volume, fed in any portions, in any memory, to a sink that
-// refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined, or
-// for a sink that takes none pieces that make up the same surface; nothing is loose in the memory
-// of the worst case; and neither index width, portions, refusals nor what a host learns show.
+// refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined;
+// nothing is loose in the memory of the worst case; and neither index width, portions, refusals nor
+// what a host learns show.
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
@@ -15,7 +15,6 @@
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
-#include "oracle/sink.hpp"
 #include "require.hpp"
 
 using namespace discmc;
@@ -30,7 +29,6 @@ struct Scenario {
   Limits limits;
   Capacities capacities;
   bool has_all_memory;
-  bool takes_fragments;
   bool is_abandoned;
   bool is_wide;
   uint32_t chunk;          ///< samples a push, when rows are pushed
@@ -92,19 +90,8 @@ Scenario read_scenario(Input& input) {
   Size size{width, 1 + input.below(8), input.below(most_slices)};
   // The reference takes longer than all else: few voxels, so that there are many volumes.
   size.depth = std::min(size.depth, 300 / (size.width * size.height));
-  Scenario scenario{{size.width, size.height, border},
-                    {},
-                    false,
-                    true,
-                    false,
-                    false,
-                    0,
-                    0,
-                    0,
-                    {},
-                    0,
-                    BitVolume(size)};
-  scenario.takes_fragments = (flags & 2) == 0;
+  Scenario scenario{
+      {size.width, size.height, border}, {}, false, false, false, 0, 0, 0, {}, 0, BitVolume(size)};
   scenario.is_abandoned = (flags & 4) != 0;
   scenario.is_wide = (flags & 8) != 0;
   scenario.capacities = read_capacities(input, scenario.limits, scenario.is_wide);
@@ -232,17 +219,16 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
               scenario.chunk % 2 == 0 ? Block::Kind::exact : Block::Kind::guarded);
   Scanner extractor;
   give_memory(extractor);
-  const Status started = extractor.start(scenario.limits, scenario.capacities, 1, block.memory(),
-                                         sink_to(log, scenario.takes_fragments));
+  const Status started =
+      extractor.start(scenario.limits, scenario.capacities, 1, block.memory(), sink_to(log));
   require(started == Status::ok, text(started));
   Feeder<Scanner> feeder(extractor, scenario);
   feeder.feed_all();
   feeder.end();
-  require(collected(log.events, scenario.takes_fragments).is_finished(),
-          "the scan has no finish event");
+  require(collected(log.events).is_finished(), "the scan has no finish event");
   const HighWater most = extractor.high_water();
   const Capacities& room = scenario.capacities;
-  require(most.records <= room.records && (most.holes <= room.holes || !scenario.takes_fragments),
+  require(most.records <= room.records && most.holes <= room.holes,
           "more in use than there is room for");
   require(block.is_intact(), "a write outside the arena");
   return log;
@@ -256,10 +242,9 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
   const std::string miscount = miscounted(collector, scenario.volume, closed);
   require(miscount.empty(), miscount.c_str());
   const std::vector<Region> merged = merge(scenario.volume, closed);
-  const std::string unlike =
-      scenario.has_all_memory    ? unlike_regions(collector.regions(), canonical(merged))
-      : scenario.takes_fragments ? unlike_joined({collector}, merged)
-                                 : unlike_surface(collector.regions(), scenario.volume, closed);
+  const std::string unlike = scenario.has_all_memory
+                                 ? unlike_regions(collector.regions(), canonical(merged))
+                                 : unlike_joined({collector}, merged);
   require(unlike.empty(), unlike.c_str());
   require(!scenario.has_all_memory || collector.loose().empty(), "loose, with memory left");
 }
@@ -281,7 +266,7 @@ void check(const Scenario& scenario) {
   };
   const EventLog log =
       scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
-  check_surface(scenario, collected(log.events, scenario.takes_fragments));
+  check_surface(scenario, collected(log.events));
   const EventLog learnt = run<uint32_t, LearningExtractor>(scenario, refuses);
   require(learnt.events == log.events, "a host that learns gives other events");
   check_corners(scenario, refuses);

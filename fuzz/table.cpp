@@ -1,12 +1,10 @@
 // Fuzz target. The promise: in any neighbourhood of cells the lookup tables draw a closed surface,
-// on which neighbours agree about every link between them, and patches are what facets make up.
+// on which neighbours agree about every link between them.
 // Eight bytes of the input are the bits of 4 x 4 x 4 voxels, 27 cells; every further eight bytes
 // are another such block.
 //
 //   fuzz_table -max_len=64 corpus/table      with libFuzzer
 //   fuzz_table corpus/table                  with replay_main.cpp
-#include <algorithm>
-#include <discmc/trace/cell_patches.hpp>
 #include <map>
 #include <vector>
 
@@ -43,14 +41,6 @@ class LinkSum {
  private:
   std::map<UnitLink, int> sum_;
 };
-
-bool operator==(const LinkSum& a, const LinkSum& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.first.from == y.first.from && x.first.to == y.first.to && x.second == y.second;
-  };
-  return a.sum().size() == b.sum().size() &&
-         std::equal(a.sum().begin(), a.sum().end(), b.sum().begin(), same);
-}
 
 std::vector<UnitLink> links_of(const Vertex& cell, const FacetRing& ring) {
   std::vector<UnitLink> result;
@@ -138,28 +128,6 @@ void check_continuation(const FacetsByLink& facets, const Vertex& cell, Facet fa
   }
 }
 
-// The patches of a cell are what its facets leave over, plane by plane.
-void check_patches(Configuration configuration) {
-  std::map<Incidence, LinkSum> by_facets, by_patches;
-  for_each_facet(configuration, [&](Facet facet) {
-    for (const UnitLink& link : links_of({0, 0, 0}, facet_rings.ring[facet]))
-      by_facets[incidence_of(facet)].add(link);
-  });
-  for (uint32_t number = 0;; ++number) {
-    const trace::CellPatch patch = trace::cell_patch(configuration, number);
-    if (patch.count == 0) break;
-    Vertex from = position(patch.start);
-    for (int i = 0; i < patch.count; ++i)
-      for (uint32_t link = 0; link < patch.run[i].length(); ++link) {
-        const Vertex to = from + direction_vector(patch.incidence, patch.run[i].direction());
-        by_patches[patch.incidence].add({from, to});
-        from = to;
-      }
-    require(from == position(patch.start), "a patch that is not closed");
-  }
-  require(by_facets == by_patches, "patches are not the union of the facets");
-}
-
 // Facets and cells enclose the same volume.
 void check_volume(const BitVolume& block) {
   int64_t enclosed = 0;
@@ -180,7 +148,6 @@ void check(const BitVolume& block) {
       check_adjacency(cell, facet);
       check_continuation(facets, cell, facet);
     });
-    check_patches(configuration);
   });
 }
 

@@ -23,7 +23,7 @@
 #include "volumes/volume.hpp"
 #include "volumes/volume_stream.hpp"
 
-using namespace discmc::host;
+using namespace discmc::command;
 namespace fs = std::filesystem;
 
 namespace {

@@ -20,7 +20,6 @@ Events read_scan(Input& input, StreamHeader& header) {
   reference::Plan plan;
   const uint32_t flags = input.byte();
   plan.border = (flags & 1) != 0 ? Border::open : Border::closed;
-  plan.takes_fragments = (flags & 2) == 0;
   const Capacities capacities = read_little_memory(input);
   const BitVolume volume = read_small_volume(input, {12, 8, 6});
   header = header_of(volume, plan.border);

@@ -8,8 +8,7 @@ function sizesOf(width, height, memory, indexBytes) {
   const recordBytes = indexBytes === 2 ? 8 : 16;
   const rowBytes = 4 * (Math.floor(width / 30) + 1);
   const alignment = 3;
-  const fixed = rowBytes * (2 * height + 4) + 8 * (Math.floor(height / 32) + 1) +
-    288 * indexBytes + 16 * indexBytes + alignment;
+  const fixed = rowBytes * (2 * height + 4) + 288 * indexBytes + 16 * indexBytes + alignment;
   const minimum = fixed + leastRecords * recordBytes;
   const spare = Math.max(0, Math.min(memory - minimum - 4, 0xffffffff));
   const records = leastRecords + Math.min(Math.floor(spare / recordBytes), mostRecords - leastRecords);

@@ -43,12 +43,8 @@ constexpr uint32_t record_bytes = sizeof(Index) == 4       ? 16
 template <class Index>
 constexpr uint32_t most_records = static_cast<Index>(~Index{0}) / 2 - 8;
 
-/// Words of a bit for each row of cells, in two layers: those that were cut off.
-constexpr uint32_t sealed_words(const Limits& limits) {
-  return 2 * (limits.height / 32 + 1);
-}
-
-/// The most records that a cell may come to need: an end and a run for each link of its patches.
+/// The most records that a cell may come to need: an end and a run for each link of the rings of
+/// its facets.
 constexpr uint32_t records_a_cell = 2 * 17;
 
 }  // namespace sizing
@@ -57,9 +53,9 @@ constexpr Capacities minimum_capacities() {
   return {4, 0};
 }
 
-/// Capacities with which no volume of so many slices ever sends anything loose, or cuts anything
-/// off where the sink takes no fragments. Far more than real volumes need. A number beyond what can
-/// be counted comes out as the greatest. Limit: valid limits.
+/// Capacities with which no volume of so many slices ever sends anything loose. Far more than real
+/// volumes need. A number beyond what can be counted comes out as the greatest. Limit: valid
+/// limits.
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
   // In 32 bits: no 64-bit division on small machines.
   const uint32_t cells = (limits.width + 1) * (limits.height + 1);
@@ -76,7 +72,6 @@ constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities)
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
   return Normals::bytes_for(limits) +
          trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
-         Arena::bytes_of(sizing::sealed_words(limits), sizeof(uint32_t)) +
          Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
          Arena::bytes_of(sizing::hole_lists, sizeof(Index)) +
          Arena::bytes_of(capacities.records, sizing::record_bytes<Index, Normals>) +
@@ -91,7 +86,7 @@ constexpr bool is_valid(const Capacities& capacities) {
 }
 
 /// The least memory with which a scan works: the surface comes out right, in loose fragments of a
-/// few links, or cell by cell where the sink takes none.
+/// few links.
 template <class Index, class Normals = NoNormals>
 constexpr uint64_t minimum_bytes(const Limits& limits) {
   return bytes_for<Index, Normals>(limits, minimum_capacities());

@@ -65,8 +65,7 @@
 //   fragments.hpp, queues.hpp         pieces of chains, and their ends that wait
 //     records.hpp, run_list.hpp       what they are kept in
 //   delivery.hpp, holes.hpp           rings, grouped into regions, to the sink
-//   sealing.hpp, seams.hpp            for sinks that take no fragments, and for slabs
-//     cell_patches.hpp                what a cell adds that stands alone
+//   seams.hpp                         for slabs
 //   corner_sweep.hpp                  what hosts do faster:
 //     learnt_passes.hpp                 passes that are remembered,
 //     numbered_passes.hpp               by their numbers,

@@ -19,7 +19,6 @@
 #include <discmc/checkpoint.hpp>
 #include <discmc/gradient_normals.hpp>
 #include <discmc/row_input.hpp>
-#include <discmc/trace/sealing.hpp>
 #include <discmc/trace/sweep.hpp>
 
 namespace discmc {
@@ -124,8 +123,7 @@ class Extractor {
 
   /// Goes on where a checkpoint was saved. memory: as many bytes as start() was given, the first
   /// ones as they were then; it may lie elsewhere, with the same alignment modulo 4; Owner: as of
-  /// start(). sink: one that takes fragments if that of then did. Errors: too_little_memory,
-  /// bad_checkpoint, bad_sink. Cost: as save().
+  /// start(). Errors: too_little_memory, bad_checkpoint, bad_sink. Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
@@ -192,7 +190,6 @@ class Extractor {
   bool work();
   uint32_t rows_outside(int32_t y) const;
   bool sweep_row();
-  bool seal(trace::SweptRow& row);
   int32_t middle_slice() const;
   uint32_t ready_rows() const;
   bool is_last_slice() const;
@@ -207,7 +204,6 @@ class Extractor {
   bool abandoned_ = false;
   bool skip_untold_ = false;
   bool skip_repeated_ = false;
-  bool sends_fragments_ = false;
   bool chains_are_ended_ = false;  // at the row under way above a slab
   uint32_t swept_rows_ = 0;        // of the middle slice
   int32_t threshold_ = 0;
@@ -217,7 +213,6 @@ class Extractor {
   trace::BitRows rows_;
   Sweep sweep_;
   Statistics statistics_{};
-  trace::SealedRows sealed_;
   Capacities capacities_{};
   Memory memory_;
 };

@@ -9,8 +9,7 @@
 //
 // It keeps the samples of four slices and six rows, and lets every row wait for a slice and a row:
 // so samples on all sides are at hand where the sweep is. A normal is made with its corner, and
-// kept with the run that starts there; what is the middle of a side never has one, nor has a cell
-// that is delivered alone because memory is short and the sink takes no fragments. A slab has one
+// kept with the run that starts there; what is the middle of a side never has one. A slab has one
 // slice of context: near a seam the gradient is that of the slices at hand, as at a volume's end.
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP

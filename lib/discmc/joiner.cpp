@@ -13,12 +13,12 @@ void add(Statistics& sum, const Statistics& other) {
   sum.skipped_rows += other.skipped_rows;
 }
 
-Status Joiner::start(Memory memory, const Sink& sink, InputOrder order) {
-  return start(default_capacities(memory.bytes), memory, sink, order);
+Status Joiner::start(Memory memory, const Sink& sink, InputOrder order, Unjoined unjoined) {
+  return start(default_capacities(memory.bytes), memory, sink, order, unjoined);
 }
 
 Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
-                     InputOrder order) {
+                     InputOrder order, Unjoined unjoined) {
   if (sink.take == nullptr) return Status::bad_sink;
   if (capacities.fragments < 1 || capacities.fragments > JoinCapacities::max_fragments ||
       capacities.runs < 1 || capacities.runs > JoinCapacities::max_runs)
@@ -28,6 +28,7 @@ Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink
   *this = Joiner{};
   sink_ = sink;
   order_ = order;
+  unjoined_ = unjoined;
   capacities_ = capacities;
   Arena arena(memory);
   waiting_.start(arena, capacities.fragments, capacities.runs);
@@ -158,7 +159,7 @@ bool Joiner::pass(const Event& event) {
 }
 
 bool Joiner::pass_loose(const Event& event) {
-  return !wants_loose() || offer(event);
+  return !passes_loose() || offer(event);
 }
 
 // ---- fragments ----
@@ -290,7 +291,7 @@ void Joiner::begin_next_hole() {
 
 void Joiner::begin_loose(uint32_t chain) {
   ++(is_short_ ? report_.passed : report_.unmatched);
-  if (wants_loose())
+  if (passes_loose())
     begin_delivery(Delivery::loose, Event::Kind::fragment, chain);
   else
     chains().give(chain);
@@ -315,7 +316,7 @@ bool Joiner::begin_next_loose() {
   waiting_.forget();
   if (arriving_ == no_record) return false;
   begin_delivery(Delivery::beginning, Event::Kind::fragment, arriving_);
-  if (wants_loose()) return true;
+  if (passes_loose()) return true;
   end_chain();
   return false;
 }
@@ -346,7 +347,7 @@ bool Joiner::send_finish() {
   Statistics totals = totals_;
   totals.regions += report_.regions;
   totals.rings += report_.rings;
-  totals.fragments = wants_loose() ? report_.unmatched + report_.passed : 0;
+  totals.fragments = passes_loose() ? report_.unmatched + report_.passed : 0;
   Event event{};
   event.kind = Event::Kind::finish;
   event.slice = slices_;

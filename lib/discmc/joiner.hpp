@@ -15,7 +15,8 @@
 // starts is a ring. A hole waits for the outer ring around it, on the same plane.
 //
 // A shortage of memory loses nothing: from then on the joiner passes on what it holds and what it
-// gets, and another with more memory can join that.
+// gets, and another with more memory can join that. A sink that wants whole regions alone is made
+// by region_sink_to().
 #ifndef DISCMC_JOINER_HPP
 #define DISCMC_JOINER_HPP
 
@@ -36,6 +37,12 @@ enum class InputOrder : uint8_t {
   /// `fragment_end`, comes without events of others between; and a region that is whole already
   /// comes after the loose fragments that its own stream has before it.
   any,
+};
+
+/// What becomes of fragments that the joiner cannot join: for want of a partner, or of memory.
+enum class Unjoined : uint8_t {
+  passed_on,  ///< to the sink, as loose fragments
+  left_out,   ///< they are lost, and so are the regions, or holes, that they belong to
 };
 
 /// How much a joiner has room for. Limit: at least 1 of each.
@@ -61,10 +68,9 @@ struct JoinReport {
 /// Takes the events of extractors and decoders and gives them to a sink, regions completed and
 /// joined. Any events are safe.
 ///
-/// The sink gets everything but loose fragments in the order in which it came. If it takes
-/// fragments, it gets as such what the report counts as unmatched or passed; else these are lost,
-/// and so are the regions that they belong to. Runs keep their normals. A region is right when all
-/// its fragments came, whatever else is lost.
+/// The sink gets everything but loose fragments in the order in which it came. What the report
+/// counts as unmatched or passed it gets as loose fragments, unless these are left out. Runs keep
+/// their normals. A region is right when all its fragments came, whatever else is lost.
 ///
 /// The sink gets one `finish` event: of several, in any order, the sum, when finish() is called.
 /// Its regions, rings and loose fragments are those that were delivered. Layer marks stay true
@@ -96,10 +102,11 @@ class Joiner {
 
   /// Begins anew, with the default split of the memory. memory: Owner: the caller, for as long as
   /// events are taken. Errors: bad_sink, too_little_memory; then nothing has changed.
-  [[nodiscard]] Status start(Memory memory, const Sink& sink, InputOrder order);
+  [[nodiscard]] Status start(Memory memory, const Sink& sink, InputOrder order,
+                             Unjoined unjoined = Unjoined::passed_on);
   /// The same with capacities of one's own. Errors: also bad_capacities.
   [[nodiscard]] Status start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
-                             InputOrder order);
+                             InputOrder order, Unjoined unjoined = Unjoined::passed_on);
 
   /// Takes an event; Answer::never before start(), and where the sink says so. What it completes
   /// has been delivered once it is taken.
@@ -151,7 +158,7 @@ class Joiner {
   bool begin_next_outer();
   bool send_finish();
 
-  bool wants_loose() const { return sink_.takes_fragments(); }
+  bool passes_loose() const { return unjoined_ == Unjoined::passed_on; }
   HeldChains& chains() { return waiting_.chains(); }
   const HeldChains& chains() const { return waiting_.chains(); }
 
@@ -161,6 +168,7 @@ class Joiner {
   JoinCapacities capacities_{0, 0};
   JoinReport report_{};
   InputOrder order_ = InputOrder::sweep;
+  Unjoined unjoined_ = Unjoined::passed_on;
   Answer answer_ = Answer::taken;  // of the sink, to the last event
   bool is_short_ = false;          // of memory: everything is passed on
 
@@ -185,6 +193,27 @@ class Joiner {
   uint32_t slices_ = 0;
   Statistics totals_{};
 };
+
+/// A sink for a receiver that wants whole regions alone, of a scan that may be short of memory:
+///
+///   static Joiner joiner;
+///   extractor.start(limits, threshold, memory, region_sink_to(receiver, joiner, join_memory));
+///
+/// It starts the joiner, which calls `receiver.take(event)` and leaves out what it cannot join:
+/// joiner.report() counts that. Each scan, or stream of a decoder, needs a new call, so an
+/// Extractor is started again and not reset. Owner: all three must outlive the sink. Where the
+/// memory is less than Joiner::minimum_bytes() the sink has no function, which start() refuses with
+/// bad_sink.
+///
+/// Memory: 96 bytes per chain that waits and 12 per run of it; Joiner::high_water() counts both. On
+/// the device that extracts, more memory for the extractor is better: there a chain takes 16 bytes
+/// and 8 per three runs, and does not go loose at all. Cost: that of the Joiner.
+template <class Receiver>
+Sink region_sink_to(Receiver& receiver, Joiner& joiner, Memory memory) {
+  const Status status =
+      joiner.start(memory, sink_to(receiver), InputOrder::sweep, Unjoined::left_out);
+  return status == Status::ok ? sink_to(joiner) : Sink{};
+}
 
 }  // namespace discmc
 

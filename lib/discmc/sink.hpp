@@ -6,7 +6,7 @@
 //
 //   scan     = start { region | fragment | skipped | layer | application } finish
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
-//   fragment = fragment { run } fragment_end              only when the sink takes fragments
+//   fragment = fragment { run } fragment_end              for lack of memory, or at a slab's seam
 //
 // `start` must be taken at once: an extractor whose sink does not is not started. Only decoders
 // send `application`. A decoder may put `lost` in place of the rest of a region or fragment; a
@@ -19,6 +19,11 @@
 // there is one match at most. Where two fragments are joined, runs of one direction may meet: that
 // is no corner. A ring that goes out loose as a whole is a fragment that follows itself. All loose
 // fragments of a region's holes come before its outer ring, or the last fragment of it.
+//
+// A sink that passes over fragments (all events from `fragment` to `fragment_end`) gets an
+// incomplete surface: regions whose outer ring went out loose are missing, and others lack the
+// holes that did. Statistics::fragments counts them. region_sink_to() in joiner.hpp gives a sink
+// whole regions.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
@@ -94,11 +99,6 @@ struct Event {
   };
 };
 
-namespace trace {
-struct Sealing;
-extern const Sealing sealing;
-}  // namespace trace
-
 /// Where events go. Owner: the context belongs to the caller and must outlive the scan.
 ///
 /// take() is called within calls of the object that has the sink, by the same thread, and at no
@@ -109,32 +109,15 @@ extern const Sealing sealing;
 struct Sink {
   void* context = nullptr;
   Answer (*take)(void* context, const Event& event) = nullptr;
-  /// &trace::sealing for a sink that takes no fragments, else null. Only programs with such a sink
-  /// link the code for it.
-  const trace::Sealing* sealing = nullptr;
-
-  bool takes_fragments() const { return sealing == nullptr; }
 };
 
-/// A sink that calls `receiver.take(event)` with every event, loose fragments among them. Where
-/// memory is short these are all that comes of some regions: a receiver that passes over them has
-/// holes in its surface. So put a Joiner before it, or use region_sink_to(). Owner: the receiver
-/// must outlive the sink.
+/// A sink that calls `receiver.take(event)` with every event. Owner: the receiver must outlive the
+/// sink.
 template <class Receiver>
 Sink sink_to(Receiver& receiver) {
   return {&receiver, [](void* context, const Event& event) {
             return static_cast<Receiver*>(context)->take(event);
           }};
-}
-
-/// The same for a receiver that takes no fragments: for lack of memory an extractor cuts regions up
-/// at cells instead, and a joiner leaves out what it cannot join. A decoder hands out what its
-/// stream holds, loose fragments too: put a joiner between.
-template <class Receiver>
-Sink region_sink_to(Receiver& receiver) {
-  Sink sink = sink_to(receiver);
-  sink.sealing = &trace::sealing;
-  return sink;
 }
 
 }  // namespace discmc

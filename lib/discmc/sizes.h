@@ -16,29 +16,29 @@
 #endif
 
 /* With room for so many records, from DISCMC_MIN_RECORDS on; see discmc_extractor_config. */
-#define DISCMC_EXTRACTOR_BYTES(width, height, records)                                         \
-  (24 * sizeof(void*) + 1026 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (height) / 4 + \
+#define DISCMC_EXTRACTOR_BYTES(width, height, records)                         \
+  (26 * sizeof(void*) + 962 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    UINT64_C(8) * (records))
 
 /* With normals, of samples of 1 or 2 bytes. */
-#define DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sample_bytes, records)                    \
-  (26 * sizeof(void*) + 1100 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (height) / 4 + \
+#define DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sample_bytes, records)     \
+  (28 * sizeof(void*) + 1032 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    (UINT64_C(4) * (height) + 6) * ((width) * (sample_bytes) + 2) + UINT64_C(14) * (records))
 
 /* Without normals, and with them. */
-#define DISCMC_ENCODER_BYTES (6 * sizeof(void*) + 823)
-#define DISCMC_NORMAL_ENCODER_BYTES (6 * sizeof(void*) + 1015)
+#define DISCMC_ENCODER_BYTES (8 * sizeof(void*) + 807)
+#define DISCMC_NORMAL_ENCODER_BYTES (8 * sizeof(void*) + 999)
 
 /* Whatever the interval of key slices. If it is 1, discmc_slice_encoder_bytes() is much less. */
 #define DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces) \
-  (26 * sizeof(void*) + 74 +                                \
+  (28 * sizeof(void*) + 58 +                                \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + 1060 * (surfaces))
 
 /* For streams of slices: the least, to which more may be added. */
 #define DISCMC_RECEIVER_BYTES(width, height, surfaces)                                            \
-  (74 * sizeof(void*) + 3093 +                                                                    \
+  (72 * sizeof(void*) + 3041 +                                                                    \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + 1060 * (surfaces) + \
-   DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (width) / 8 + (height) / 4)
+   DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (width) / 8)
 
 /* For so many fragments that wait at once, of eight runs each. */
 #define DISCMC_JOINER_BYTES(fragments) (10 * sizeof(void*) + 242 + UINT64_C(192) * (fragments))

@@ -26,8 +26,7 @@ enum class Status : uint8_t {
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
   too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
-  bad_sink,           ///< a sink or output without a function, or a sink that refuses to start; or
-                      ///< that of a slab takes no fragments
+  bad_sink,           ///< a sink or output without a function, or a sink that refuses to start
   not_started,        ///< start() has not succeeded yet
   finished,           ///< finish() or abandon() was called: start() another scan, or reset()
   row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
@@ -55,7 +54,7 @@ constexpr const char* text(Status status) {
     case Status::too_little_memory:
       return "the memory is too small: see minimum_bytes(), slice_encoder_bytes() or the like";
     case Status::bad_sink:
-      return "the sink or output has no function, was not started, or a slab's takes no fragments";
+      return "the sink or output has no function, or was not started";
     case Status::not_started:
       return "start() has not succeeded";
     case Status::slice_in_progress:

@@ -64,7 +64,7 @@ Status SurfaceDecoder::begin_sweep() {
     return event.kind == Event::Kind::start ? Answer::taken
                                             : static_cast<SurfaceDecoder*>(context)->pass(event);
   };
-  const Status status = extractor_.start(limits, any, rest, {this, pass_all_else, sink_.sealing});
+  const Status status = extractor_.start(limits, any, rest, {this, pass_all_else});
   return status == Status::ok ? slices_.give_memory(memory_) : status;
 }
 

@@ -7,12 +7,12 @@
 #include <new>
 #include <vector>
 
-#include "command_line/command_line.hpp"
-#include "command_line/help.hpp"
-#include "command_line/usage_error.hpp"
-#include "commands/exit_codes.hpp"
+#include "cli/command_line.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/help/help.hpp"
+#include "cli/help/usage_error.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 int run(int argc, char** argv) {
@@ -39,19 +39,19 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 int main(int argc, char** argv) {
   // A file that grows beyond what is allowed is a failed write, which is told.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return discmc::host::run(argc, argv);
+    return discmc::command::run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::cerr
         << "discmc: the memory of this computer is not enough: take a smaller volume or stream\n";
-    return discmc::host::exit_failure;
+    return discmc::command::exit_failure;
   } catch (const std::exception& error) {
     std::cerr << "discmc: " << error.what() << '\n';
-    return discmc::host::exit_failure;
+    return discmc::command::exit_failure;
   }
 }

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 
 inline void require(Status status) {
   if (status != Status::ok) throw std::runtime_error(text(status));
@@ -16,6 +16,6 @@ inline void require_written(std::ostream& out) {
   if (!out.flush()) throw std::runtime_error("the table cannot be written: is the disk full?");
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -18,7 +18,7 @@
 #include "volumes/volume.hpp"
 
 using namespace discmc;
-using namespace discmc::host;
+using namespace discmc::command;
 
 namespace {
 

@@ -15,7 +15,7 @@ namespace {
 
 using discmc::Event;
 using discmc::Vertex;
-using discmc::host::SpillingJoiner;
+using discmc::command::SpillingJoiner;
 
 constexpr discmc::Incidence upwards = discmc::incidence_of({0, 0, 1});
 constexpr std::uint64_t columns = 128;

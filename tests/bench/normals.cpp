@@ -21,7 +21,7 @@
 #include "volumes/volume.hpp"
 
 using namespace discmc;
-using namespace discmc::host;
+using namespace discmc::command;
 using namespace normal_angles;
 using reference::Ramp;
 

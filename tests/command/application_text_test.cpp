@@ -6,7 +6,7 @@
 #include <discmc/placement.hpp>
 
 using namespace discmc;
-using host::text;
+using command::text;
 
 namespace {
 

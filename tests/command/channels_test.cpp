@@ -3,7 +3,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 
 // A cone of samples: the nearer to the middle, the higher.
 std::string cone(int size) {

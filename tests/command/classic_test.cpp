@@ -10,17 +10,17 @@
 
 namespace {
 
-using command::volume_of;
+using command_tests::volume_of;
 using discmc::Border;
-using discmc::host::check_mesh;
-using discmc::host::classic_mesh;
-using discmc::host::Extraction;
-using discmc::host::ExtractionOptions;
-using discmc::host::Mesh;
-using discmc::host::MeshReport;
-using discmc::host::Point;
-using discmc::host::SampleType;
-using discmc::host::SurfaceBuilder;
+using discmc::command::check_mesh;
+using discmc::command::classic_mesh;
+using discmc::command::Extraction;
+using discmc::command::ExtractionOptions;
+using discmc::command::Mesh;
+using discmc::command::MeshReport;
+using discmc::command::Point;
+using discmc::command::SampleType;
+using discmc::command::SurfaceBuilder;
 using discmc::reference::BitVolume;
 using discmc::reference::Size;
 using sample_reader::SampleReader;

@@ -10,9 +10,9 @@
 
 namespace {
 
-using command::check_failure;
-using command::contains;
-using command::Workshop;
+using command_tests::check_failure;
+using command_tests::contains;
+using command_tests::Workshop;
 using discmc::reference::BitVolume;
 
 // Two boxes and a voxel, 1 where on.
@@ -90,9 +90,10 @@ TEST_CASE("cleaning that makes no sense is refused") {
 TEST_CASE("counts and volumes that are none are refused with what is wanted") {
   const Workshop workshop;
   for (const std::string none : {"0", "2.5", "abc", "-1"})
-    command::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --largest=" + none), 2,
-                           {"'" + none + "' is no whole number from 1 on"});
+    command_tests::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --largest=" + none),
+                                 2, {"'" + none + "' is no whole number from 1 on"});
   for (const std::string none : {"100mm", "-1", "inf"})
-    command::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --min-volume=" + none), 2,
-                           {"'" + none + "' is no number of cubic millimetres"});
+    command_tests::check_failure(
+        workshop.run("extract v.nrrd --iso 1 -o v.stl --min-volume=" + none), 2,
+        {"'" + none + "' is no number of cubic millimetres"});
 }

@@ -23,10 +23,10 @@
 #include "oracle/volume.hpp"
 #include "volume_files.hpp"
 
-namespace command {
+namespace command_tests {
 
-using discmc::host::Mesh;
-using discmc::host::Point;
+using discmc::command::Mesh;
+using discmc::command::Point;
 using discmc::reference::BitVolume;
 
 inline std::string contents(const std::filesystem::path& file) {
@@ -162,8 +162,8 @@ class Taker {
     }
     return point;
   }
-  discmc::host::Srgb colour() {
-    discmc::host::Srgb colour{};
+  discmc::command::Srgb colour() {
+    discmc::command::Srgb colour{};
     for (std::uint8_t& part : colour) part = static_cast<std::uint8_t>(integer(1));
     return colour;
   }
@@ -255,6 +255,6 @@ inline void check_failure(const Result& result, int code, const std::vector<std:
   for (const std::string& part : parts) CHECK(contains(result.error, part));
 }
 
-}  // namespace command
+}  // namespace command_tests
 
 #endif

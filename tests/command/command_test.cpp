@@ -5,9 +5,9 @@
 
 namespace {
 
-using namespace command;
-using discmc::host::check_mesh;
-using discmc::host::MeshReport;
+using namespace command_tests;
+using discmc::command::check_mesh;
+using discmc::command::MeshReport;
 using discmc::reference::ball;
 using discmc::reference::box;
 using discmc::reference::checkerboard;

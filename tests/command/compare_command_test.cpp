@@ -11,10 +11,10 @@
 
 namespace {
 
-using command::check_failure;
-using command::contains;
-using command::Result;
-using command::Workshop;
+using command_tests::check_failure;
+using command_tests::contains;
+using command_tests::Result;
+using command_tests::Workshop;
 
 // The three distances of every row by its name, "A to B, mm".
 std::map<std::string, std::vector<double>> rows(const std::string& table) {

@@ -1,11 +1,11 @@
 // Completions of the command line, in the shells themselves.
-#include "command_line/completions.hpp"
+#include "cli/help/completions.hpp"
 
 #include "command.hpp"
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 
 // What bash offers at the end of a line.
 std::string bash_offers(const std::string& line) {
@@ -88,13 +88,13 @@ TEST_CASE("zsh is told the values, files and texts of options") {
 
 TEST_CASE("no text of the command line is taken for a part of a script") {
   const std::string text = "it's [a] volume: $HOME `ls`; and more";
-  discmc::host::CommandOutline program{"it", text, {}, {}, {}, "", ""};
+  discmc::command::CommandOutline program{"it", text, {}, {}, {}, "", ""};
   program.groups = {{"Options", {{{"-o"}, "", {}, text, false, false}}}};
-  CHECK(contains(discmc::host::zsh_completions(program),
+  CHECK(contains(discmc::command::zsh_completions(program),
                  "'(-o)-o[it'\\''s \\[a\\] volume\\: $HOME `ls`]'"));
-  CHECK(
-      contains(discmc::host::fish_completions(program), " -d 'it'\\''s [a] volume: $HOME `ls`'\n"));
-  CHECK(!contains(discmc::host::bash_completions(program), "HOME"));
+  CHECK(contains(discmc::command::fish_completions(program),
+                 " -d 'it'\\''s [a] volume: $HOME `ls`'\n"));
+  CHECK(!contains(discmc::command::bash_completions(program), "HOME"));
 }
 
 TEST_CASE("completions of another shell are refused") {

@@ -10,16 +10,16 @@
 
 namespace {
 
-using discmc::host::Component;
-using discmc::host::ComponentCounts;
-using discmc::host::Surface;
+using discmc::command::Component;
+using discmc::command::ComponentCounts;
+using discmc::command::Surface;
 using discmc::reference::BitVolume;
 
-const discmc::host::Point spacing_mm = {0.5, -2, 3};
+const discmc::command::Point spacing_mm = {0.5, -2, 3};
 
 Surface surface_of(const BitVolume& volume) {
   sample_reader::SampleReader reader(volume, spacing_mm);
-  discmc::host::SurfaceBuilder builder;
+  discmc::command::SurfaceBuilder builder;
   extract(reader, {sample_reader::bit_threshold, discmc::Border::closed, 0, {}},
           discmc::sink_to(builder));
   builder.surface().spacing_mm = spacing_mm;

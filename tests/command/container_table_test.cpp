@@ -15,9 +15,9 @@
 namespace {
 
 using namespace volume_files;
-using command::contains;
-using command::contents;
-using discmc::host::sample_type_called;
+using command_tests::contains;
+using command_tests::contents;
+using discmc::command::sample_type_called;
 
 const fs::path folder = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes";
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct DescribedVolume {
   std::filesystem::path file;
@@ -51,6 +51,6 @@ inline std::vector<DescribedVolume> described_volumes(const std::filesystem::pat
   return volumes;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -14,8 +14,8 @@
 namespace {
 
 using namespace volume_files;
-using command::contains;
-using command::contents;
+using command_tests::contains;
+using command_tests::contents;
 using Spacing = std::array<double, 3>;
 
 constexpr int width = 8;
@@ -83,7 +83,7 @@ TEST_CASE("slices of a folder are in the order of their positions, with spacing 
   CHECK(info.slope == 0.5);
   CHECK(info.intercept == -1024);
   CHECK(info.format == "DICOM");
-  const discmc::host::VolumePlacement placement = {
+  const discmc::command::VolumePlacement placement = {
       discmc::Frame::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
   CHECK(info.placement == placement);
   CHECK(read_all(*reader) == values());
@@ -370,7 +370,7 @@ TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->origin_mm == Spacing{-10, -20, 110});
   CHECK(reader->info().placement->axes_mm ==
-        discmc::host::Axes{{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}});
+        discmc::command::Axes{{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}});
   const auto all = values();
   std::vector<double> expected;
   constexpr int of_slice = width * height;
@@ -426,10 +426,10 @@ TEST_CASE("sequences that are nested without end are refused") {
 }
 
 TEST_CASE("a folder of DICOM is a mesh by one command") {
-  const command::Workshop workshop;
+  const command_tests::Workshop workshop;
   const std::string folder = "'" + (files / "series").string() + "'";
   workshop.done("extract " + folder + " --iso -1000 -o v.stl");
-  CHECK(!command::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
+  CHECK(!command_tests::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
   workshop.done("extract '" + (files / "u16-j2k.dcm").string() + "' --iso -24 -o j.stl");
   CHECK(workshop.run("extract " + folder + " --series 2 --iso 0 -o v.stl").code == 1);
 }

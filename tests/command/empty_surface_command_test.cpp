@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using volume_files::nrrd;
 
 // 60 values: -1000, -900 ... 4900.

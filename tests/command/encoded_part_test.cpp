@@ -9,7 +9,7 @@
 
 using namespace discmc::test;
 using discmc::Status;
-using discmc::host::EncodedPart;
+using discmc::command::EncodedPart;
 using discmc::wire::PacketKind;
 
 namespace {

@@ -19,12 +19,12 @@
 
 namespace {
 
-using command::contains;
+using command_tests::contains;
 using discmc::Border;
-using discmc::host::Extraction;
-using discmc::host::ExtractionOptions;
-using discmc::host::SampleType;
-using discmc::host::SurfaceBuilder;
+using discmc::command::Extraction;
+using discmc::command::ExtractionOptions;
+using discmc::command::SampleType;
+using discmc::command::SurfaceBuilder;
 using discmc::reference::ball;
 using discmc::reference::BitVolume;
 using discmc::reference::box;
@@ -35,7 +35,7 @@ using sample_reader::SampleReader;
 
 constexpr std::int32_t threshold = 100;
 
-const discmc::host::Point spacing_mm = {0.5, -2, 1.25};
+const discmc::command::Point spacing_mm = {0.5, -2, 1.25};
 
 ExtractionOptions options(Border border = Border::closed, std::uint64_t memory = 0) {
   ExtractionOptions options{threshold, border, memory, {}};
@@ -46,7 +46,7 @@ ExtractionOptions options(Border border = Border::closed, std::uint64_t memory =
 struct Extracted {
   Extraction extraction;
   discmc::test::Events events;
-  discmc::host::Surface surface;
+  discmc::command::Surface surface;
 };
 
 Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
@@ -55,7 +55,7 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
   discmc::test::EventLog log;
   const Extraction extraction = extract(reader, options, discmc::sink_to(log));
   SurfaceBuilder builder;
-  discmc::host::GrowingJoiner joiner(discmc::sink_to(builder));
+  discmc::command::GrowingJoiner joiner(discmc::sink_to(builder));
   for (const auto& recorded : log.events) joiner.take(recorded.event());
   CHECK(builder.incomplete_regions() == 0);
   builder.surface().spacing_mm = reader.info().spacing_mm;
@@ -131,7 +131,7 @@ TEST_CASE("sizes and progress are told") {
 TEST_CASE("the type of the samples makes no difference") {
   const BitVolume volume = discmc::reference::random({8, 8, 8}, 128, 4);
   const Extracted bytes = extracted(volume, options());
-  for (const auto& [called, type] : discmc::host::sample_types) {
+  for (const auto& [called, type] : discmc::command::sample_types) {
     if (type == SampleType::i8) continue;  // has no 150
     const Extracted others = extracted(volume, options(), type);
     CHECK(others.events == bytes.events);
@@ -192,7 +192,7 @@ TEST_CASE("too little memory is refused with the least that will do, which does"
   INFO(text);
   CHECK(contains(text, "--memory 7 "));
   CHECK(contains(text, "20x20"));
-  const std::uint64_t least = command::count_after(text, "at least ");
+  const std::uint64_t least = command_tests::count_after(text, "at least ");
   refusal(volume, least - 1);
   const Extracted small = extracted(volume, options(Border::closed, least));
   CHECK(small.extraction.memory->arena_bytes == least);
@@ -243,7 +243,7 @@ TEST_CASE("both widths of indices make the same surface") {
 TEST_CASE("the header of a stream tells the volume") {
   const BitVolume volume({9, 8, 7});
   const SampleReader reader(volume, spacing_mm);
-  const auto header = discmc::host::stream_header(reader.info(), options(Border::open));
+  const auto header = discmc::command::stream_header(reader.info(), options(Border::open));
   CHECK(header.width == 9);
   CHECK(header.height == 8);
   CHECK(header.depth == 7);
@@ -256,7 +256,7 @@ TEST_CASE("the header of a stream tells the volume") {
 
 TEST_CASE("a stream is of a volume of its extents and spacing, as far as it tells them") {
   const SampleReader reader(BitVolume({9, 8, 7}), spacing_mm);
-  const auto header = discmc::host::stream_header(reader.info(), options());
+  const auto header = discmc::command::stream_header(reader.info(), options());
   const auto complaint = [&reader](const discmc::StreamHeader& other) -> std::string {
     try {
       require_same_volume(reader.info(), other);

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-using discmc::host::Format;
-using discmc::host::format_of;
+using discmc::command::Format;
+using discmc::command::format_of;
 
 TEST_CASE("an output's format is told by its extension") {
   CHECK(format_of("a.dmc") == Format::stream);

@@ -1,4 +1,4 @@
-// The joiner of the host: it grows as it must, and what has no partner stays loose.
+// The joiner of the command: it grows as it must, and what has no partner stays loose.
 #include "surface/growing_joiner.hpp"
 
 #include <doctest/doctest.h>
@@ -14,8 +14,8 @@
 namespace {
 
 using discmc::Event;
-using discmc::host::GrowingJoiner;
-using discmc::host::SurfaceBuilder;
+using discmc::command::GrowingJoiner;
+using discmc::command::SurfaceBuilder;
 using discmc::test::EventLog;
 using discmc::test::Events;
 

@@ -1,4 +1,4 @@
-// Small surfaces made by hand for the tests of the host's meshes, files and pictures.
+// Small surfaces made by hand for the tests of the command's meshes, files and pictures.
 #ifndef DISCMC_TESTS_COMMAND_HAND_MADE_HPP
 #define DISCMC_TESTS_COMMAND_HAND_MADE_HPP
 
@@ -16,12 +16,12 @@
 namespace hand_made {
 
 using discmc::Vertex;
-using discmc::host::Mesh;
-using discmc::host::Point;
-using discmc::host::Polygon;
-using discmc::host::Polygons;
-using discmc::host::Ring;
-using discmc::host::Surface;
+using discmc::command::Mesh;
+using discmc::command::Point;
+using discmc::command::Polygon;
+using discmc::command::Polygons;
+using discmc::command::Ring;
+using discmc::command::Surface;
 using Corners = std::vector<Vertex>;  // of a ring that a test may change
 
 inline std::vector<Corners> rings_of(const Polygon& polygon) {

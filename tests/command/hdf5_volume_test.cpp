@@ -13,14 +13,14 @@
 
 #include "command.hpp"
 #include "volume_files.hpp"
-#include "volumes/hdf5/dataset.hpp"
-#include "volumes/hdf5/handle.hpp"
+#include "volumes/formats/hdf5/dataset.hpp"
+#include "volumes/formats/hdf5/handle.hpp"
 
 namespace {
 
 using namespace volume_files;
-using command::contents;
-using discmc::host::Hdf5Handle;
+using command_tests::contents;
+using discmc::command::Hdf5Handle;
 
 constexpr H5Z_filter_t counting_filter = 256;  // the first of those for tests
 unsigned unpacked_chunks = 0;
@@ -32,7 +32,7 @@ std::size_t count_unpacked(unsigned flags, std::size_t, const unsigned*, std::si
 }
 
 Hdf5Handle new_file(const fs::path& file) {
-  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, discmc::host::file_access().id()),
+  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, discmc::command::file_access().id()),
           H5Fclose};
 }
 

@@ -3,7 +3,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 
 const std::vector<std::string> commands = {"extract", "decode", "info", "render", "compare"};
 

@@ -12,8 +12,8 @@
 
 namespace {
 
-using discmc::host::Histogram;
-using discmc::host::SampleType;
+using discmc::command::Histogram;
+using discmc::command::SampleType;
 
 template <class Sample>
 Histogram histogram_of(SampleType type, const std::vector<Sample>& samples) {
@@ -41,8 +41,8 @@ std::vector<Sample> few_samples() {
 }  // namespace
 
 TEST_CASE("samples of every type are counted each by itself, in their order") {
-  for (const auto& [name, type] : discmc::host::sample_types)
-    discmc::host::with_sample_type(type, [&, type = type](auto typed) {
+  for (const auto& [name, type] : discmc::command::sample_types)
+    discmc::command::with_sample_type(type, [&, type = type](auto typed) {
       using Sample = decltype(typed);
       const std::vector<Sample> samples = few_samples<Sample>();
       std::map<double, std::uint64_t> expected;

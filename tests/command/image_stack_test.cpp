@@ -11,7 +11,7 @@
 namespace {
 
 using namespace volume_files;
-using command::contents;
+using command_tests::contents;
 using Spacing = std::array<double, 3>;
 
 constexpr int width = 8;
@@ -202,10 +202,10 @@ TEST_CASE("damaged pictures are refused, wherever they are cut") {
 }
 
 TEST_CASE("a stack of pictures is a mesh by one command") {
-  const command::Workshop workshop;
+  const command_tests::Workshop workshop;
   workshop.done("extract '" + (files / "stack/*.png").string() +
                 "' --iso 2000 --spacing 0.5,0.5,2 -o v.stl");
-  CHECK(!command::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
+  CHECK(!command_tests::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using volume_files::gzip;
 using volume_files::nrrd;
 using volume_files::SampleType;

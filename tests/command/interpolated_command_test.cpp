@@ -8,10 +8,10 @@
 
 namespace {
 
-using command::check_failure;
-using command::mesh_of_obj;
-using command::Workshop;
-using discmc::host::Mesh;
+using command_tests::check_failure;
+using command_tests::mesh_of_obj;
+using command_tests::Workshop;
+using discmc::command::Mesh;
 
 const std::string extract = "extract v.raw --dims 14,14,14 --type u8 -q --iso 50 ";
 
@@ -52,8 +52,8 @@ TEST_CASE("the normals of an interpolated ball are its radii") {
     const Mesh mesh = mesh_of_obj(workshop.read("v.obj"));
     REQUIRE(mesh.normals.size() == mesh.vertices_mm.size());
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-      const auto radius = discmc::host::difference(mesh.vertices_mm[i], {6.5, 6.5, 6.5});
-      CHECK(discmc::host::dot(mesh.normals[i], discmc::host::unit_or_zero(radius)) > 0.9);
+      const auto radius = discmc::command::difference(mesh.vertices_mm[i], {6.5, 6.5, 6.5});
+      CHECK(discmc::command::dot(mesh.normals[i], discmc::command::unit_or_zero(radius)) > 0.9);
     }
   }
 }

@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using discmc::test::Chance;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;

@@ -10,9 +10,9 @@
 namespace {
 
 using namespace volume_files;
-using discmc::host::LabelTable;
-using discmc::host::read_label_table;
-using discmc::host::Srgb;
+using discmc::command::LabelTable;
+using discmc::command::read_label_table;
+using discmc::command::Srgb;
 
 LabelTable table_of(const std::string& text) {
   const Folder folder;

@@ -7,10 +7,10 @@
 
 namespace {
 
-using command::check_failure;
-using command::contains;
-using command::mesh_of_ply;
-using command::Workshop;
+using command_tests::check_failure;
+using command_tests::contains;
+using command_tests::mesh_of_ply;
+using command_tests::Workshop;
 
 const std::string extract = "extract v.raw --dims 4,2,3 --type u8 ";
 
@@ -43,8 +43,8 @@ TEST_CASE("a table names the meshes of labels") {
                 "--label 9 --label 7 --allow-empty --label-table table.txt -o 'one-{name}.ply'");
   CHECK(workshop.read("bone-9.ply") == workshop.read("one-bone.ply"));
   CHECK_FALSE(workshop.read("one-7.ply").empty());
-  CHECK(mesh_of_ply(workshop.read("bone.ply")).colour == discmc::host::Srgb{1, 2, 3});
-  CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::host::Srgb{4, 5, 6});
+  CHECK(mesh_of_ply(workshop.read("bone.ply")).colour == discmc::command::Srgb{1, 2, 3});
+  CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::command::Srgb{4, 5, 6});
 }
 
 TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is given") {
@@ -60,7 +60,7 @@ TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is giv
   const auto colour = [&](const std::string& name) {
     return mesh_of_ply(workshop.read(name)).colour;
   };
-  CHECK(colour("left lung_top.ply") == discmc::host::Srgb{128, 255, 0});
+  CHECK(colour("left lung_top.ply") == discmc::command::Srgb{128, 255, 0});
   CHECK_FALSE(workshop.read("bone.ply").empty());
   CHECK(colour("bone.ply") == colour("9.ply"));
   workshop.write("table.txt", "1 tibia 1 2 3\n");
@@ -99,7 +99,8 @@ TEST_CASE("a file of a format that holds several has all meshes, with their name
   workshop.done(extract + "--labels all -o '{name}.ply'");
   const auto meshes_in = [&](const std::string& file) {
     const std::string bytes = workshop.read(file);
-    return contains(file, ".glb") ? command::meshes_of_glb(bytes) : command::meshes_of_3mf(bytes);
+    return contains(file, ".glb") ? command_tests::meshes_of_glb(bytes)
+                                  : command_tests::meshes_of_3mf(bytes);
   };
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
@@ -119,8 +120,8 @@ TEST_CASE("a file of a format that holds several has all meshes, with their name
     }
     CHECK(all[0].name == "a<&\xC3\xA4\xEF\xBF\xBD");
     CHECK(all[2].name == "skin");
-    CHECK(all[0].colour == discmc::host::Srgb{1, 2, 3});
-    CHECK(all[2].colour == discmc::host::Srgb{7, 8, 9});
+    CHECK(all[0].colour == discmc::command::Srgb{1, 2, 3});
+    CHECK(all[2].colour == discmc::command::Srgb{7, 8, 9});
 
     workshop.done(extract + "--label 2 --label 9 -o " + file);
     const auto two = meshes_in(file);
@@ -161,8 +162,8 @@ TEST_CASE("objects without triangles are in no file that holds several") {
     INFO(file);
     workshop.done(extract + "--labels all --min-volume 1 --allow-empty -q -o " + file);
     const std::string bytes = workshop.read(file);
-    const auto left =
-        file == "all.glb" ? command::meshes_of_glb(bytes) : command::meshes_of_3mf(bytes);
+    const auto left = file == "all.glb" ? command_tests::meshes_of_glb(bytes)
+                                        : command_tests::meshes_of_3mf(bytes);
     REQUIRE(left.size() == 1);
     CHECK(left[0].name == "1");
   }

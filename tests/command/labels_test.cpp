@@ -18,12 +18,12 @@
 namespace {
 
 using discmc::Border;
-using discmc::host::extract_labels;
-using discmc::host::LabelledSurfaces;
-using discmc::host::LabelOptions;
-using discmc::host::most_scattered_labels;
-using discmc::host::SampleType;
-using discmc::host::Selection;
+using discmc::command::extract_labels;
+using discmc::command::LabelledSurfaces;
+using discmc::command::LabelOptions;
+using discmc::command::most_scattered_labels;
+using discmc::command::SampleType;
+using discmc::command::Selection;
 using discmc::reference::Size;
 using sample_reader::SampleReader;
 
@@ -47,11 +47,11 @@ std::vector<int> labels(std::uint32_t seed) {
   return samples;
 }
 
-discmc::host::Surface surface_of(int label, std::uint32_t seed, Border border, bool takes_majority,
-                                 SampleType type) {
+discmc::command::Surface surface_of(int label, std::uint32_t seed, Border border,
+                                    bool takes_majority, SampleType type) {
   SampleReader reader(size, labels(seed), {1, 2, 3}, type);
-  discmc::host::SurfaceBuilder builder;
-  discmc::host::ExtractionOptions options;
+  discmc::command::SurfaceBuilder builder;
+  discmc::command::ExtractionOptions options;
   options.selection = Selection(label, label);
   options.border = border;
   options.takes_majority = takes_majority;
@@ -61,13 +61,13 @@ discmc::host::Surface surface_of(int label, std::uint32_t seed, Border border, b
 
 LabelledSurfaces extracted(const std::vector<float>& samples, Size extents) {
   SampleReader reader(extents, {}, {1, 1, 1}, SampleType::f32);
-  struct Floats final : discmc::host::VolumeReader {
+  struct Floats final : discmc::command::VolumeReader {
     const std::vector<float>& samples;
-    discmc::host::VolumeInfo told;
+    discmc::command::VolumeInfo told;
     std::size_t next = 0;
-    Floats(const std::vector<float>& given, discmc::host::VolumeInfo info)
+    Floats(const std::vector<float>& given, discmc::command::VolumeInfo info)
         : samples(given), told(std::move(info)) {}
-    const discmc::host::VolumeInfo& info() const override { return told; }
+    const discmc::command::VolumeInfo& info() const override { return told; }
     void read_slice(void* slice) override {
       std::memcpy(slice, samples.data() + next, told.slice_bytes());
       next += told.slice_bytes() / sizeof(float);
@@ -90,7 +90,7 @@ TEST_CASE("the surface of every label is that of a scan for it alone") {
         for (std::size_t i = 0; i < all.size(); ++i) {
           const int label = std::vector<int>{-2, -1, 1, 2, 3}[i];
           CHECK(all[i].label == label);
-          CHECK(all[i].surface.spacing_mm == discmc::host::Point{1, 2, 3});
+          CHECK(all[i].surface.spacing_mm == discmc::command::Point{1, 2, 3});
           const auto alone = surface_of(label, seed, border, takes_majority, type);
           CHECK(discmc::reference::describe_difference(hand_made::regions_of(all[i].surface),
                                                        hand_made::regions_of(alone)) == "");

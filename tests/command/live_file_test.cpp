@@ -14,7 +14,7 @@
 
 namespace {
 
-using discmc::host::LiveFile;
+using discmc::command::LiveFile;
 
 // A named pipe, and what is written into it.
 class Pipe {

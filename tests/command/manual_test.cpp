@@ -1,11 +1,11 @@
 // The manual page that discmc writes.
-#include "command_line/manual.hpp"
+#include "cli/help/manual.hpp"
 
 #include "command.hpp"
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 
 bool has(const Workshop& workshop, const std::string& program) {
   return workshop.shell("command -v " + program).code == 0;
@@ -79,9 +79,9 @@ TEST_CASE("the manual tells values, defaults, examples and exit codes") {
 
 TEST_CASE("no text of the command line is taken for a request of troff") {
   const auto line = [](const std::string& description) {
-    discmc::host::CommandOutline program{"it", description, {}, {}, {}, "", ""};
+    discmc::command::CommandOutline program{"it", description, {}, {}, {}, "", ""};
     program.groups = {{"Options", {{{"-o"}, "", {}, description, false, false}}}};
-    const std::string page = discmc::host::manual(program, "1");
+    const std::string page = discmc::command::manual(program, "1");
     CHECK(contains(page, "\n.SH NAME\nit \\- "));
     const std::string start = "\n.TP\n\\fB\\-o\\fR\n";
     REQUIRE(contains(page, start));

@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::reference::Size;
 
 constexpr Size size = {9, 8, 7};

@@ -1,5 +1,5 @@
 // Masks: which voxels they keep, and whether they lie where their volume does.
-#include "volumes/mask_volume.hpp"
+#include "volumes/filters/mask_volume.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@
 namespace {
 
 using namespace volume_files;
-using discmc::host::offset_mm;
-using discmc::host::open_mask;
+using discmc::command::offset_mm;
+using discmc::command::open_mask;
 
 VolumeInfo volume_of(const VolumeOptions& options = {}, const std::string& lines = "") {
   const Folder folder;

@@ -10,15 +10,15 @@
 #include <streambuf>
 #include <string>
 
-#include "base64.hpp"
 #include "command.hpp"
 #include "hand_made.hpp"
 #include "mesh_formats.hpp"
-#include "name_text.hpp"
+#include "text/base64.hpp"
+#include "text/name_text.hpp"
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using namespace hand_made;
 
 // A stream that takes so many bytes and then no more.
@@ -197,7 +197,7 @@ TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
   mesh.normals[3] = {};
   std::ostringstream out;
   write_glb({&mesh}, out);
-  const Mesh read = command::mesh_of_glb(out.str());
+  const Mesh read = command_tests::mesh_of_glb(out.str());
   REQUIRE(read.normals.size() == mesh.normals.size());
   for (std::size_t i = 0; i < read.normals.size(); ++i)
     CHECK(read.normals[i][i == 3 ? 2 : 0] == doctest::Approx(1));
@@ -211,7 +211,7 @@ TEST_CASE("the colour of a mesh is kept by the formats that have one") {
       mesh.colour = colour;
       std::ostringstream out;
       write_mesh(mesh, format_of(name), out);
-      const Mesh read = command::mesh_of(name, out.str());
+      const Mesh read = command_tests::mesh_of(name, out.str());
       CHECK(read.colour == colour);
       CHECK(read.face_count() == mesh.face_count());
     }
@@ -272,8 +272,8 @@ TEST_CASE("every writer reports a stream that fails, early or late") {
 }
 
 TEST_CASE("names of any bytes are valid text in JSON and XML") {
-  using discmc::host::json_string;
-  using discmc::host::xml_attribute;
+  using discmc::command::json_string;
+  using discmc::command::xml_attribute;
   CHECK(json_string("a\"b\\c\n\x7F") == "\"a\\\"b\\\\c\\u000a\\u007f\"");
   CHECK(xml_attribute("<a & \"b\">\t") == "&lt;a &amp; &quot;b&quot;&gt;\xEF\xBF\xBD");
   const std::string whole = "\xC3\xA4 \xE2\x82\xAC \xF0\x9D\x84\x9E";

@@ -10,7 +10,7 @@
 
 #include "command.hpp"
 
-namespace command {
+namespace command_tests {
 namespace {
 
 using Json = nlohmann::json;
@@ -172,8 +172,8 @@ std::vector<std::uint32_t> integers_of(const pugi::xml_node& parent, const char*
 }
 
 // From linear light, as the format has it.
-discmc::host::Srgb srgb_of(const Json& factor) {
-  discmc::host::Srgb colour{};
+discmc::command::Srgb srgb_of(const Json& factor) {
+  discmc::command::Srgb colour{};
   for (std::size_t i = 0; i < colour.size(); ++i) {
     const double light = factor.at(i).get<double>();
     const double part =
@@ -310,4 +310,4 @@ Mesh mesh_of_vtp(const std::string& bytes) {
   return mesh;
 }
 
-}  // namespace command
+}  // namespace command_tests

@@ -8,18 +8,18 @@
 
 #include "meshes/mesh.hpp"
 
-namespace command {
+namespace command_tests {
 
 /// Brought from the metres of the file, y upwards, to millimetres, z upwards.
-std::vector<discmc::host::Mesh> meshes_of_glb(const std::string& bytes);
-discmc::host::Mesh mesh_of_glb(const std::string& bytes);
+std::vector<discmc::command::Mesh> meshes_of_glb(const std::string& bytes);
+discmc::command::Mesh mesh_of_glb(const std::string& bytes);
 
 /// Also checks that the parts of the package find each other.
-std::vector<discmc::host::Mesh> meshes_of_3mf(const std::string& bytes);
-discmc::host::Mesh mesh_of_3mf(const std::string& bytes);
+std::vector<discmc::command::Mesh> meshes_of_3mf(const std::string& bytes);
+discmc::command::Mesh mesh_of_3mf(const std::string& bytes);
 
-discmc::host::Mesh mesh_of_vtp(const std::string& bytes);
+discmc::command::Mesh mesh_of_vtp(const std::string& bytes);
 
-}  // namespace command
+}  // namespace command_tests
 
 #endif

@@ -14,7 +14,7 @@
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using namespace hand_made;
 
 const Faces both_kinds[] = {Faces::polygons, Faces::triangles};

@@ -15,8 +15,8 @@
 namespace {
 
 using namespace volume_files;
-using discmc::host::narrowed;
-using discmc::host::SampleBounds;
+using discmc::command::narrowed;
+using discmc::command::SampleBounds;
 
 // The test volume as float, some samples of which are others.
 std::string floats(const std::vector<float>& first) {
@@ -46,7 +46,7 @@ TEST_CASE("the bounds are those of the finite samples") {
 
 TEST_CASE("a narrowed volume is on where the volume is, and in proportion") {
   const Folder folder;
-  for (const auto& [called, type] : discmc::host::sample_types) {
+  for (const auto& [called, type] : discmc::command::sample_types) {
     INFO(called);
     const std::string bytes = stored(type);
     const double iso = (sample_at(20, type) + sample_at(21, type)) / 2;

@@ -1,5 +1,5 @@
 // Volumes written as NIfTI-2, and read again.
-#include "volumes/nifti_writer.hpp"
+#include "volumes/formats/nifti/writer.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using discmc::Frame;
 
 // A volume in memory; its samples are the bytes 0, 1, 2, ...

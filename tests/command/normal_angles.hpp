@@ -19,16 +19,16 @@
 
 namespace normal_angles {
 
-using discmc::host::Mesh;
-using discmc::host::Point;
+using discmc::command::Mesh;
+using discmc::command::Point;
 using discmc::reference::Angles;
 using discmc::reference::degrees_between;
 using discmc::reference::SampleVolume;
 
 /// The closed surface of a volume.
-inline discmc::host::Surface surface_of(discmc::host::VolumeReader& volume,
-                                        std::int32_t threshold) {
-  discmc::host::SurfaceBuilder builder;
+inline discmc::command::Surface surface_of(discmc::command::VolumeReader& volume,
+                                           std::int32_t threshold) {
+  discmc::command::SurfaceBuilder builder;
   extract(volume, {threshold, discmc::Border::closed, 0, {}}, discmc::sink_to(builder));
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return builder.surface();
@@ -44,7 +44,7 @@ struct NormalAngles {
 
 /// Compares gradient normals of a mesh with central differences in the volume that it is of.
 inline NormalAngles compare(const Mesh& mesh, const SampleVolume<int>& volume) {
-  const auto nm = discmc::host::spacing_nm(mesh.spacing_mm);
+  const auto nm = discmc::command::spacing_nm(mesh.spacing_mm);
   const discmc::AxisWeights weights = discmc::axis_weights({nm[0], nm[1], nm[2]});
   NormalAngles result;
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {

@@ -9,8 +9,8 @@
 
 namespace {
 
-using namespace command;
-using discmc::host::Point;
+using namespace command_tests;
+using discmc::command::Point;
 using discmc::reference::degrees_between;
 
 constexpr std::uint32_t extent = 16;
@@ -118,8 +118,8 @@ TEST_CASE("every format holds the same normals, and without a source there are n
       CHECK(mesh.corners == ply.corners);
       REQUIRE(mesh.normals.size() == ply.normals.size());
       for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        const Point apart = discmc::host::difference(mesh.normals[i], ply.normals[i]);
-        CHECK(discmc::host::dot(apart, apart) < 1e-12);
+        const Point apart = discmc::command::difference(mesh.normals[i], ply.normals[i]);
+        CHECK(discmc::command::dot(apart, apart) < 1e-12);
       }
     }
   }

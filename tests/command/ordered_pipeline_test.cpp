@@ -1,5 +1,5 @@
 // Steps that come in order, and work between them that does not.
-#include "ordered_pipeline.hpp"
+#include "jobs/ordered_pipeline.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@
 
 namespace {
 
-using discmc::host::run_in_any_order;
-using discmc::host::run_in_order;
+using discmc::command::run_in_any_order;
+using discmc::command::run_in_order;
 
 constexpr std::size_t count = 100;
 

@@ -1,5 +1,5 @@
 // Output files: nothing half-written appears under their name.
-#include "output_file.hpp"
+#include "files/output_file.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,9 @@
 
 namespace {
 
-using command::contains;
-using command::contents;
-using discmc::host::OutputFile;
+using command_tests::contains;
+using command_tests::contents;
+using discmc::command::OutputFile;
 using volume_files::Folder;
 
 // What is said of a file that cannot be written.

@@ -14,7 +14,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 
 constexpr std::uint32_t extent = 16;
 const std::string layout = " --dims 16,16,16 --type u16 ";
@@ -57,8 +57,8 @@ void check_same_places(const Mesh& a, const Mesh& b) {
   REQUIRE(a.vertices_mm.size() == b.vertices_mm.size());
   CHECK(a.corners == b.corners);
   for (std::size_t i = 0; i < a.vertices_mm.size(); ++i) {
-    const Point apart = discmc::host::difference(a.vertices_mm[i], b.vertices_mm[i]);
-    CHECK(discmc::host::dot(apart, apart) < 1e-12);
+    const Point apart = discmc::command::difference(a.vertices_mm[i], b.vertices_mm[i]);
+    CHECK(discmc::command::dot(apart, apart) < 1e-12);
   }
 }
 

@@ -18,14 +18,14 @@
 namespace {
 
 using discmc::Border;
-using discmc::host::Extraction;
-using discmc::host::ExtractionOptions;
-using discmc::host::GrowingJoiner;
-using discmc::host::SliceSpan;
-using discmc::host::Surface;
-using discmc::host::SurfaceBuilder;
-using discmc::host::SurfaceRequest;
-using discmc::host::VolumeInfo;
+using discmc::command::Extraction;
+using discmc::command::ExtractionOptions;
+using discmc::command::GrowingJoiner;
+using discmc::command::SliceSpan;
+using discmc::command::Surface;
+using discmc::command::SurfaceBuilder;
+using discmc::command::SurfaceRequest;
+using discmc::command::VolumeInfo;
 using discmc::reference::BitVolume;
 using discmc::reference::describe_difference;
 using discmc::reference::random;
@@ -125,7 +125,7 @@ VolumeInfo info_of(std::uint32_t width, std::uint32_t height, std::uint32_t dept
 }
 
 std::vector<SliceSpan> parts_of(const VolumeInfo& info) {
-  return discmc::host::parts_of(info, {0, info.dims[2]});
+  return discmc::command::parts_of(info, {0, info.dims[2]});
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
 }
 
 TEST_CASE("parts of a slab cover its slices alone") {
-  const auto parts = discmc::host::parts_of(info_of(4, 4, 100), {30, 80});
+  const auto parts = discmc::command::parts_of(info_of(4, 4, 100), {30, 80});
   CHECK(parts.size() > 1);
   CHECK(parts.front().first == 30);
   for (std::size_t i = 1; i < parts.size(); ++i) CHECK(parts[i].first == parts[i - 1].end);
@@ -189,7 +189,7 @@ TEST_CASE("the statistics of parts are those of one sweep, up to one a seam") {
 }
 
 TEST_CASE("files are the same whatever the jobs") {
-  const command::Workshop workshop;
+  const command_tests::Workshop workshop;
   std::string samples;
   std::uint32_t noise = 1;
   for (int i = 0; i < 40 * 40 * 70; ++i) {
@@ -232,7 +232,7 @@ TEST_CASE("packets of parts are the regions of one sweep, in an order without re
 }
 
 TEST_CASE("a stream of parts holds the regions of one sweep") {
-  const command::Workshop workshop;
+  const command_tests::Workshop workshop;
   std::string samples;
   for (int i = 0; i < 20 * 20 * 50; ++i) samples.push_back(static_cast<char>(i * i % 251 % 97));
   workshop.write("v.raw", samples);
@@ -247,27 +247,28 @@ TEST_CASE("a stream of parts holds the regions of one sweep") {
 }
 
 TEST_CASE("a volume that ends early is refused as in one sweep, and nothing is left") {
-  const command::Workshop workshop;
+  const command_tests::Workshop workshop;
   workshop.write("v.nrrd",
                  "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 60\nencoding: raw\n\n" +
                      std::string(20 * 20 * 45, 'a'));
   for (const std::string jobs : {"1", "4"}) {
-    const command::Result result = workshop.run("extract v.nrrd --iso 50 -o v.stl --jobs " + jobs);
+    const command_tests::Result result =
+        workshop.run("extract v.nrrd --iso 50 -o v.stl --jobs " + jobs);
     CHECK(result.code == 1);
-    CHECK(command::contains(result.error, "v.nrrd"));
+    CHECK(command_tests::contains(result.error, "v.nrrd"));
     CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
   }
 }
 
 TEST_CASE("jobs that cannot be are refused, with the remedy") {
-  const command::Workshop workshop;
+  const command_tests::Workshop workshop;
   workshop.write("v.raw", std::string(4 * 4 * 4, 'a'));
   const auto refused = [&](const std::string& options, const std::string& part) {
-    const command::Result result =
+    const command_tests::Result result =
         workshop.run("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options);
     INFO(options, "\n", result.error);
     CHECK(result.code == 2);
-    CHECK(command::contains(result.error, part));
+    CHECK(command_tests::contains(result.error, part));
   };
   refused("-o v.stl --jobs 0", "--jobs");
   refused("-o v.stl --jobs 2 --memory 4096", "leave out one or the other");

@@ -14,7 +14,7 @@
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using namespace hand_made;
 
 using Pixel = std::array<int, 3>;

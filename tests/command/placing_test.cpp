@@ -14,18 +14,17 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "oracle/sink.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/volume.hpp"
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::Frame;
-using discmc::host::Axes;
-using discmc::host::determinant;
-using discmc::host::dot;
-using discmc::host::VolumePlacement;
+using discmc::command::Axes;
+using discmc::command::determinant;
+using discmc::command::dot;
+using discmc::command::VolumePlacement;
 
 using Vertices = std::vector<Point>;
 
@@ -63,7 +62,7 @@ void check_vertices(const Mesh& mesh, const Vertices& expected) {
   REQUIRE(mesh.vertices_mm.size() == expected.size());
   for (const Point& vertex : expected)
     CHECK(std::any_of(mesh.vertices_mm.begin(), mesh.vertices_mm.end(), [&](const Point& found) {
-      const Point apart = discmc::host::difference(found, vertex);
+      const Point apart = discmc::command::difference(found, vertex);
       return dot(apart, apart) < rounding_mm * rounding_mm;
     }));
 }
@@ -223,7 +222,7 @@ TEST_CASE("a stream whose placement mirrors what its spacing does not looks outs
   const Mesh mesh = mesh_in(workshop, "v.obj");
   check_closed(mesh, -1);
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
-    CHECK(dot(mesh.normals[i], discmc::host::difference(mesh.vertices_mm[i], {0, 0, 5})) ==
+    CHECK(dot(mesh.normals[i], discmc::command::difference(mesh.vertices_mm[i], {0, 0, 5})) ==
           doctest::Approx(0.5));
 }
 
@@ -244,7 +243,8 @@ TEST_CASE("placed meshes are closed and look outside, and normals stay across th
   for (const Axes& axes : {oblique, mirrored})
     for (const Point& spacing : {Point{1, 2, 3}, {-1, 2, 3}, {-1, -2, -3}}) {
       const VolumePlacement placement{Frame::lps, {100, -200, 300}, axes};
-      for (const auto faces : {discmc::host::Faces::polygons, discmc::host::Faces::triangles}) {
+      for (const auto faces :
+           {discmc::command::Faces::polygons, discmc::command::Faces::triangles}) {
         Mesh mesh = build_mesh(hand_made::box_with_hole(spacing), {true, faces});
         place(mesh, placement);
         CHECK(check_mesh(mesh).closed());

@@ -1,12 +1,12 @@
 // Progress of the command, on a terminal and elsewhere.
-#include "progress.hpp"
+#include "cli/progress.hpp"
 
 #include "command.hpp"
 
 namespace {
 
-using namespace command;
-using discmc::host::progress_text;
+using namespace command_tests;
+using discmc::command::progress_text;
 using discmc::reference::box;
 
 const std::string clear_line = "\r\033[K";

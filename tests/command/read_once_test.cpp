@@ -9,7 +9,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using volume_files::Folder;
 using volume_files::gzip;
 using volume_files::metaimage;

@@ -3,7 +3,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::reference::ball;
 
 const std::string raw_layout = " --dims 20,20,20 --type u8 --spacing 0.5,-1,2";

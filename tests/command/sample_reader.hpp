@@ -1,4 +1,4 @@
-// Volumes from memory as the host reads them, and the meshes of their surfaces.
+// Volumes from memory as the command reads them, and the meshes of their surfaces.
 #ifndef DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
 #define DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
 
@@ -14,15 +14,15 @@
 
 namespace sample_reader {
 
-using discmc::host::Mesh;
-using discmc::host::Point;
-using discmc::host::SampleType;
-using discmc::host::VolumeInfo;
+using discmc::command::Mesh;
+using discmc::command::Point;
+using discmc::command::SampleType;
+using discmc::command::VolumeInfo;
 using discmc::reference::BitVolume;
 using discmc::reference::Size;
 
 /// Samples of any type, x fastest, then y, then z.
-class SampleReader final : public discmc::host::VolumeReader {
+class SampleReader final : public discmc::command::VolumeReader {
  public:
   SampleReader(Size size, std::vector<int> samples, const Point& spacing_mm = {1, 1, 1},
                SampleType type = SampleType::u8)
@@ -40,7 +40,7 @@ class SampleReader final : public discmc::host::VolumeReader {
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override {
-    discmc::host::with_sample_type(info_.type, [&](auto type) {
+    discmc::command::with_sample_type(info_.type, [&](auto type) {
       using Sample = decltype(type);
       auto* const slice = static_cast<Sample*>(samples);
       for (std::size_t i = 0; i < info_.slice_bytes() / sizeof(Sample); ++i)
@@ -57,10 +57,10 @@ class SampleReader final : public discmc::host::VolumeReader {
 /// Between on and off of a volume of bits.
 constexpr std::int32_t bit_threshold = 100;
 
-inline Mesh merged_mesh(const BitVolume& volume, discmc::host::Faces faces,
+inline Mesh merged_mesh(const BitVolume& volume, discmc::command::Faces faces,
                         const Point& spacing_mm = {1, 1, 1}) {
   SampleReader reader(volume, spacing_mm);
-  discmc::host::SurfaceBuilder builder;
+  discmc::command::SurfaceBuilder builder;
   extract(reader, {bit_threshold, discmc::Border::closed, 0, {}}, discmc::sink_to(builder));
   builder.surface().spacing_mm = spacing_mm;
   return build_mesh(builder.surface(), {true, faces});

@@ -17,7 +17,7 @@
 
 namespace sampled_field {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using discmc::Border;
 using discmc::Vertex;
 using discmc::reference::Size;

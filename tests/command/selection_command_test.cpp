@@ -9,9 +9,9 @@
 
 namespace {
 
-using command::check_failure;
-using command::contains;
-using command::Workshop;
+using command_tests::check_failure;
+using command_tests::contains;
+using command_tests::Workshop;
 
 // 60 voxels in a file of five a row, three rows a slice: 0, 4, 8 ... 236.
 const std::string ramp = "extract v.raw --dims 5,3,4 --type u8 ";

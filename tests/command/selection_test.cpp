@@ -10,12 +10,12 @@
 
 namespace {
 
-using discmc::host::bit_row_bytes;
-using discmc::host::SampleRange;
-using discmc::host::SampleType;
-using discmc::host::Selection;
-using discmc::host::SliceSelector;
-using discmc::host::VolumeInfo;
+using discmc::command::bit_row_bytes;
+using discmc::command::SampleRange;
+using discmc::command::SampleType;
+using discmc::command::Selection;
+using discmc::command::SliceSelector;
+using discmc::command::VolumeInfo;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -28,7 +28,7 @@ VolumeInfo scaled(double slope, double intercept) {
 
 template <class Sample>
 SampleRange<Sample> range(const Selection& selection, const VolumeInfo& info = {}) {
-  return discmc::host::selected_samples<Sample>(info, selection);
+  return discmc::command::selected_samples<Sample>(info, selection);
 }
 
 template <class Sample>

@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::Answer;
 using discmc::Event;
 using discmc::Status;
@@ -32,9 +32,9 @@ std::string rough_samples(int width, int height, int depth) {
 }
 
 std::vector<Region> regions_in(const Workshop& workshop, const std::string& stream) {
-  discmc::host::SurfaceBuilder builder;
-  discmc::host::GrowingJoiner joiner(discmc::sink_to(builder));
-  discmc::host::StreamReader reader(discmc::sink_to(joiner));
+  discmc::command::SurfaceBuilder builder;
+  discmc::command::GrowingJoiner joiner(discmc::sink_to(builder));
+  discmc::command::StreamReader reader(discmc::sink_to(joiner));
   std::istringstream in(workshop.read(stream));
   reader.read(in);
   joiner.finish();
@@ -74,13 +74,13 @@ class WithoutDepth {
 
  private:
   std::ostringstream bytes_;
-  discmc::host::StreamOutput output_{&bytes_};
+  discmc::command::StreamOutput output_{&bytes_};
   discmc::Encoder encoder_;
 };
 
 void forget_depth(const Workshop& workshop, const std::string& stream) {
   WithoutDepth encoder;
-  discmc::host::StreamReader reader(discmc::sink_to(encoder));
+  discmc::command::StreamReader reader(discmc::sink_to(encoder));
   std::istringstream in(workshop.read(stream));
   reader.read(in);
   workshop.write(stream, encoder.stream());

@@ -11,7 +11,7 @@
 namespace {
 
 using discmc::SlabRange;
-using discmc::host::SlabRanges;
+using discmc::command::SlabRanges;
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // first, end
 
@@ -59,5 +59,5 @@ TEST_CASE("slices that come twice are told, and not taken") {
     CHECK(std::pair{told->first, told->end()} == twice);
   }
   CHECK(pairs(ranges.ranges()) == Pairs{{2, 6}});
-  CHECK(discmc::host::text(ranges.missing()) == "slices 0 to 1 and 6 to 9");
+  CHECK(discmc::command::text(ranges.missing()) == "slices 0 to 1 and 6 to 9");
 }

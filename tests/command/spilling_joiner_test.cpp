@@ -18,7 +18,7 @@ namespace {
 
 using discmc::Event;
 using discmc::Vertex;
-using discmc::host::SpillingJoiner;
+using discmc::command::SpillingJoiner;
 using discmc::test::EventLog;
 using discmc::test::Events;
 
@@ -52,7 +52,7 @@ std::size_t count(const Events& events, Event::Kind kind) {
 }
 
 std::vector<discmc::reference::Region> regions_of(const Events& events) {
-  discmc::host::SurfaceBuilder builder;
+  discmc::command::SurfaceBuilder builder;
   for (const auto& one : events) builder.take(one.event());
   return hand_made::regions_of(builder.surface());
 }

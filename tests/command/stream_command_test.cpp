@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::reference::ball;
 using discmc::reference::box;
 using discmc::test::Bytes;
@@ -58,6 +58,29 @@ TEST_CASE("what is no stream is refused by the name of the command that takes it
   for (const std::string arguments :
        {"decode v.stl -o o.ply", "info v.stl", "render v.stl -o o.png"})
     CHECK(contains(refusal(arguments), "v.stl: this is a mesh, not a stream; only discmc compare"));
+}
+
+TEST_CASE("a stream of another version is refused by its version, wherever its header stands") {
+  const Workshop workshop;
+  const Bytes stream = bytes_of(write_stream(workshop, "v.dmc"));
+  for (const std::uint8_t version : Bytes{1, 3, 99}) {
+    const Bytes other = discmc::test::with_version(version, stream);
+    Bytes late = discmc::test::frames_of(stream)[1];
+    late.insert(late.end(), other.begin(), other.end());
+    for (const Bytes& refused : {other, late}) {
+      workshop.write("other.dmc", text_of(refused));
+      for (const std::string arguments :
+           {"decode other.dmc -o o.stl", "info other.dmc", "render other.dmc -o o.png",
+            "info other.dmc --channel 0 --scan 0"}) {
+        const Result result = workshop.run(arguments);
+        CHECK(result.code == 1);
+        CHECK(contains(result.error,
+                       "other.dmc: stream version " + std::to_string(version) +
+                           " is unknown; this discmc reads version 2: use the release of discmc "
+                           "that wrote the stream"));
+      }
+    }
+  }
 }
 
 TEST_CASE("info tells one key and value a line") {

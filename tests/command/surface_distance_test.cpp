@@ -15,11 +15,11 @@
 
 namespace {
 
-using discmc::host::distances;
-using discmc::host::Distances;
-using discmc::host::Mesh;
-using discmc::host::Point;
-using discmc::host::squared_distance;
+using discmc::command::distances;
+using discmc::command::Distances;
+using discmc::command::Mesh;
+using discmc::command::Point;
+using discmc::command::squared_distance;
 
 // A square of this size at a height, in two triangles.
 Mesh square(double size, double height) {
@@ -38,7 +38,7 @@ Mesh moved(Mesh mesh, const Point& by) {
 
 Mesh ball() {
   return sample_reader::merged_mesh(discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 30),
-                                    discmc::host::Faces::triangles);
+                                    discmc::command::Faces::triangles);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using namespace hand_made;
 using discmc::reference::ball;
 using sample_reader::merged_mesh;

@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using volume_files::nrrd;
 
 // Ten voxels a row: air, tissue, bone.

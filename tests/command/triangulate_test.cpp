@@ -16,11 +16,11 @@
 
 namespace {
 
-using discmc::host::doubled_area;
-using discmc::host::max_plane_coordinate;
-using discmc::host::PlanePoint;
-using discmc::host::Triangle;
-using discmc::host::Triangulator;
+using discmc::command::doubled_area;
+using discmc::command::max_plane_coordinate;
+using discmc::command::PlanePoint;
+using discmc::command::Triangle;
+using discmc::command::Triangulator;
 
 using Position = std::pair<std::int64_t, std::int64_t>;
 using Edge = std::pair<Position, Position>;

@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::Limits;
 
 constexpr Limits limits{40, 40};

@@ -3,7 +3,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 
 // Usage, and the whole of what is said.
 void check_said(const std::string& arguments, const std::string& said) {

@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using namespace hand_made;
 using namespace normal_angles;
 using discmc::reference::gradient;

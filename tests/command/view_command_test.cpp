@@ -4,7 +4,7 @@
 
 namespace {
 
-using namespace command;
+using namespace command_tests;
 using discmc::reference::ball;
 
 // Writes the file that a page has inside; says what the page calls it.
@@ -23,7 +23,7 @@ std::string unpack(const Workshop& workshop, const std::string& page, const std:
 
 // Whether there is a page; else the command says so.
 bool has_page(const Workshop& workshop) {
-  if (!discmc::host::page_template().empty()) return true;
+  if (!discmc::command::page_template().empty()) return true;
   const Result result = workshop.run("view v.nrrd --no-open");
   CHECK(result.code == 1);
   CHECK(contains(result.error, "built without the page"));

@@ -22,10 +22,10 @@
 namespace {
 
 using namespace volume_files;
-using discmc::host::along_coordinates;
-using discmc::host::BlockValue;
-using discmc::host::Crop;
-using discmc::host::VolumePlacement;
+using discmc::command::along_coordinates;
+using discmc::command::BlockValue;
+using discmc::command::Crop;
+using discmc::command::VolumePlacement;
 using Dims = std::array<std::uint32_t, 3>;
 using Place = std::array<double, 3>;
 
@@ -103,7 +103,7 @@ Sample shrunk_block(const std::vector<Sample>& samples, SampleType type,
 
 TEST_CASE("a crop keeps the voxels of its ranges, the ends too, of samples of every type") {
   const Folder folder;
-  for (const auto& [called, type] : discmc::host::sample_types) {
+  for (const auto& [called, type] : discmc::command::sample_types) {
     const std::string_view name = called;
     INFO(name);
     const auto file = folder.write("v.raw", stored(type));
@@ -183,7 +183,7 @@ TEST_CASE("another spacing is that of the volume's own voxels") {
 TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of what there is") {
   const Folder folder;
   std::minstd_rand random(1);
-  for (const auto& [called, type] : discmc::host::sample_types)
+  for (const auto& [called, type] : discmc::command::sample_types)
     for (const std::uint32_t extent : {2U, 3U, 16U}) {
       const std::string_view name = called;
       INFO(name, " by ", extent);
@@ -191,7 +191,7 @@ TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of 
       std::vector<int> samples(7 * 9 * 5);
       for (int& sample : samples) sample = static_cast<int>(random() % 100);
       std::string bytes;
-      discmc::host::with_sample_type(type, [&](auto typed) {
+      discmc::command::with_sample_type(type, [&](auto typed) {
         bytes = bytes_of(std::vector<decltype(typed)>(samples.begin(), samples.end()));
       });
       const auto file = folder.write("v.raw", bytes);
@@ -211,7 +211,7 @@ TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of 
       std::vector<double> expected;
       for (const auto& [block, of] : sums) {
         const auto& [sum, count] = of;
-        expected.push_back(discmc::host::is_floating(type)
+        expected.push_back(discmc::command::is_floating(type)
                                ? static_cast<double>(sum) / count
                                : static_cast<double>((2 * sum + count) / (2 * count)));
       }

@@ -17,9 +17,9 @@ namespace {
 
 using namespace volume_files;
 using discmc::Frame;
-using discmc::host::Axes;
-using discmc::host::determinant;
-using discmc::host::VolumePlacement;
+using discmc::command::Axes;
+using discmc::command::determinant;
+using discmc::command::VolumePlacement;
 using Vector = std::array<double, 3>;
 
 const std::string u8 = stored(SampleType::u8);

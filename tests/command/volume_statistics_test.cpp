@@ -10,11 +10,11 @@
 
 #include "sample_reader.hpp"
 #include "statistics/threshold_rule.hpp"
-#include "statistics/value_text.hpp"
+#include "text/value_text.hpp"
 
 namespace {
 
-using namespace discmc::host;
+using namespace discmc::command;
 using sample_reader::SampleReader;
 
 VolumeStatistics statistics_of(const std::vector<int>& samples, SampleType type) {

@@ -22,7 +22,7 @@
 namespace {
 
 using namespace volume_files;
-using discmc::host::stored_threshold;
+using discmc::command::stored_threshold;
 using Spacing = std::array<double, 3>;
 
 const std::string u8 = stored(SampleType::u8);
@@ -32,7 +32,7 @@ const std::string i16 = stored(SampleType::i16);
 
 TEST_CASE("raw samples of every type and byte order are read") {
   const Folder folder;
-  for (const auto& [called, type] : discmc::host::sample_types) {
+  for (const auto& [called, type] : discmc::command::sample_types) {
     for (const bool big_endian : {false, true}) {
       RawLayout layout;
       layout.dims = {5, 3, 4};
@@ -71,7 +71,7 @@ TEST_CASE(
   CHECK(reader->info().spacing_mm == Spacing{1, -1.5, 2});
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->axes_mm ==
-        discmc::host::Axes{{{1, 0, 0}, {0, -1.5, 0}, {0, 0, 2}}});
+        discmc::command::Axes{{{1, 0, 0}, {0, -1.5, 0}, {0, 0, 2}}});
   CHECK(read_all(*reader) == read_all(*open_volume(file)));
 }
 

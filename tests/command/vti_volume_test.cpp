@@ -48,7 +48,7 @@ TEST_CASE("VTK's XML gives the place of the first voxel, whatever number it has"
   const VolumeInfo info = open_volume(folder.write("v.vti", file))->info();
   REQUIRE(info.placement);
   using Vector = std::array<double, 3>;
-  CHECK(info.placement->axes_mm == discmc::host::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
+  CHECK(info.placement->axes_mm == discmc::command::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
   CHECK(info.placement->origin_mm == Vector{1, 12, -1});
 }
 

@@ -17,8 +17,8 @@
 namespace {
 
 using namespace volume_files;
-using command::contains;
-using command::contents;
+using command_tests::contains;
+using command_tests::contents;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 

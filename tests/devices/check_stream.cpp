@@ -3,11 +3,11 @@
 //   check_stream STREAM ROWS ROW_COUNT --dims X,Y,Z --threshold ...
 //
 // Prints: `same` or `different`, how many rows are skipped, `whole` or `abandoned`.
+#include <common/scan_arguments.hpp>
 #include <discmc/decoder.hpp>
 #include <fstream>
+#include <gpio/row_source.hpp>
 #include <iostream>
-#include <row_source.hpp>
-#include <scan_arguments.hpp>
 #include <set>
 #include <sstream>
 

@@ -1,8 +1,8 @@
 // Rows in reports: what arrives whole is a row, lost reports cost their rows, repeated ones
 // nothing.
 #include <doctest/doctest.h>
-#include <row_assembler.hpp>
-#include <stream_reports.hpp>
+#include <hid/row_assembler.hpp>
+#include <hid/stream_reports.hpp>
 
 #include "linux_scan.hpp"
 

@@ -2,8 +2,8 @@
 #ifndef DISCMC_TESTS_LINUX_SCAN_HPP
 #define DISCMC_TESTS_LINUX_SCAN_HPP
 
-#include <row_scan.hpp>
-#include <row_source.hpp>
+#include <common/row_scan.hpp>
+#include <gpio/row_source.hpp>
 #include <set>
 
 #include "oracle/stream.hpp"
@@ -11,7 +11,7 @@
 namespace discmc::test {
 
 inline device::ScanPlan plan_of(std::uint32_t width, std::uint32_t height, std::uint32_t depth,
-                                host::SampleType type = host::SampleType::u8) {
+                                command::SampleType type = command::SampleType::u8) {
   device::ScanPlan plan;
   plan.dims = {width, height, depth};
   plan.type = type;

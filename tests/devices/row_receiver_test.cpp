@@ -1,6 +1,6 @@
 // Rows over a line: what comes whole is taken once and in order, and nothing else is.
 #include <doctest/doctest.h>
-#include <row_receiver.hpp>
+#include <rows/row_receiver.hpp>
 
 #include <algorithm>
 #include <initializer_list>

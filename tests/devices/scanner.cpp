@@ -15,8 +15,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <hid/report.hpp>
 #include <iterator>
-#include <report.hpp>
 #include <set>
 #include <string>
 #include <vector>

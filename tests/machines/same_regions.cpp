@@ -16,9 +16,9 @@
 namespace {
 
 std::vector<discmc::reference::Region> regions_in(const std::string& path) {
-  discmc::host::SurfaceBuilder builder;
-  discmc::host::GrowingJoiner joiner(discmc::sink_to(builder));
-  discmc::host::StreamReader reader(discmc::sink_to(joiner));
+  discmc::command::SurfaceBuilder builder;
+  discmc::command::GrowingJoiner joiner(discmc::sink_to(builder));
+  discmc::command::StreamReader reader(discmc::sink_to(joiner));
   std::ifstream file(path, std::ios::binary);
   reader.read(file);
   joiner.finish();

@@ -159,7 +159,6 @@ void Collector::end_region() {
 
 void Collector::begin_fragment(const Event& event) {
   require(place_ == Place::between, "a fragment begins inside something else");
-  require(takes_fragments_, "a fragment for a sink that takes none");
   require(is_incidence(event.incidence), "a fragment without incidence");
   require((event.start.x + event.start.y + event.start.z) % 2 != 0,
           "a fragment starts off the lattice");

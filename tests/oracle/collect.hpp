@@ -7,12 +7,12 @@
 
 #include <cstdint>
 #include <discmc/limits.hpp>
+#include <discmc/sink.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "region.hpp"
-#include "sink.hpp"
 
 namespace discmc::reference {
 
@@ -42,14 +42,13 @@ struct Fragment {
 /// Collects one scan. The regions have sweep rings, in the order in which they came.
 class Collector {
  public:
-  explicit Collector(bool takes_fragments = true, const Slab& slab = {})
-      : takes_fragments_(takes_fragments), slab_(slab) {}
+  explicit Collector(const Slab& slab = {}) : slab_(slab) {}
 
   /// Always answers `taken`. Errors: throws GrammarError.
   Answer take(const Event& event);
 
   /// Owner: the collector must outlive the sink.
-  Sink sink() { return sink_to(*this, takes_fragments_); }
+  Sink sink() { return sink_to(*this); }
 
   const std::vector<Region>& regions() const { return regions_; }
   const std::vector<LayerMark>& layers() const { return layers_; }
@@ -88,7 +87,6 @@ class Collector {
   }
 
   Place place_ = Place::between;
-  bool takes_fragments_;
   Slab slab_;
   Region region_{};
   int32_t plane_ = 0;

@@ -157,9 +157,8 @@ class EventLog {
 };
 
 /// The events, put together by a Collector. Errors: throws GrammarError.
-inline Collector collected(const Events& events, bool takes_fragments = true,
-                           const Slab& slab = {}) {
-  Collector collector(takes_fragments, slab);
+inline Collector collected(const Events& events, const Slab& slab = {}) {
+  Collector collector(slab);
   for (const RecordedEvent& event : events) (void)collector.take(event.event());
   return collector;
 }

@@ -7,7 +7,6 @@
 
 #include "event_log.hpp"
 #include "scan.hpp"
-#include "sink.hpp"
 
 namespace discmc::reference {
 
@@ -21,7 +20,7 @@ struct Joined {
 struct JoinPlan {
   InputOrder order = InputOrder::sweep;
   JoinCapacities capacities{2000, 20000};
-  bool takes_fragments = true;
+  Unjoined unjoined = Unjoined::passed_on;
   EventLog::Refuses refuses{};
 };
 
@@ -42,8 +41,8 @@ inline Joined join(const Events& events, const JoinPlan& plan) {
   Block block(Joiner::bytes_for(plan.capacities), Block::Kind::guarded);
   EventLog log(plan.refuses);
   Joiner joiner;
-  require_ok(joiner.start(plan.capacities, block.memory(), sink_to(log, plan.takes_fragments),
-                          plan.order));
+  require_ok(
+      joiner.start(plan.capacities, block.memory(), sink_to(log), plan.order, plan.unjoined));
   for (const RecordedEvent& event : events)
     for (int tries = 1; joiner.take(event.event()) != Answer::taken; ++tries)
       if (tries >= most_tries) throw std::runtime_error("an event that is never taken");

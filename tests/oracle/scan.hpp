@@ -12,7 +12,6 @@
 
 #include "collect.hpp"
 #include "event_log.hpp"
-#include "sink.hpp"
 #include "volume.hpp"
 
 namespace discmc::reference {
@@ -49,7 +48,6 @@ class Block {
 /// How a test wants a volume scanned.
 struct Plan {
   Border border = Border::closed;
-  bool takes_fragments = true;
   uint32_t chunk = 0;  ///< samples a push; 0: the whole volume
 };
 
@@ -95,8 +93,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan,
   const Limits limits = limits_of(volume, plan.border);
   Block block(bytes_for<Index>(limits, capacities), kind);
   Extractor<Index> extractor;
-  require_ok(extractor.start(limits, capacities, 1, block.memory(),
-                             sink_to(receiver, plan.takes_fragments)));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(receiver)));
   push_all(extractor, volume.on, plan.chunk);
   finish_all(extractor);
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
@@ -109,7 +106,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, ui
   const Limits limits = limits_of(volume, plan.border);
   Block block(bytes, kind);
   Extractor<Index> extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), sink_to(receiver, plan.takes_fragments)));
+  require_ok(extractor.start(limits, 1, block.memory(), sink_to(receiver)));
   push_all(extractor, volume.on, plan.chunk);
   finish_all(extractor);
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
@@ -118,7 +115,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, ui
 /// The regions of a volume, in sweep rings, in ample memory.
 template <class Index>
 Collector scan(const BitVolume& volume, const Plan& plan = {}) {
-  Collector collector(plan.takes_fragments);
+  Collector collector;
   scan_into<Index>(collector, volume, plan, ample);
   return collector;
 }
@@ -153,7 +150,7 @@ std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32
     push_all(extractor, voxels_of_slab(volume, first, end));
     finish_all(extractor);
     if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
-    scans.push_back(collected(log.events, true, limits.slab));
+    scans.push_back(collected(log.events, limits.slab));
   }
   return scans;
 }

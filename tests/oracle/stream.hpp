@@ -246,23 +246,18 @@ struct Packet {
   bool is(wire::PacketKind which) const { return kind == static_cast<uint8_t>(which); }
 };
 
-/// A packet behind the place of its code, whole but for its checksum, as a frame.
-inline Bytes sealed_frame(Bytes frame) {
-  const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
-  for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
-  const size_t plain = frame.size() - 1;
-  frame.push_back(0);
-  cobs::stuff(frame.data(), plain);
-  return frame;
-}
-
 inline Bytes frame_of(const Packet& packet) {
   Bytes frame{0, packet.kind, packet.number, static_cast<uint8_t>(packet.pieces),
               static_cast<uint8_t>(packet.pieces >> 8)};
   for (const uint8_t byte : packet.payload) frame.push_back(byte);
   for (const int byte : {packet.scan & 0xFF, packet.scan >> 8, int{packet.channel}})
     frame.push_back(static_cast<uint8_t>(byte));
-  return sealed_frame(std::move(frame));
+  const uint32_t check = crc32(frame.data() + 1, frame.size() - 1);
+  for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
+  const size_t plain = frame.size() - 1;
+  frame.push_back(0);
+  cobs::stuff(frame.data(), plain);
+  return frame;
 }
 
 /// Limit: a whole frame with its zero.

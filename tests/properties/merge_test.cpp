@@ -61,7 +61,7 @@ BitVolume small_random(uint64_t seed) {
 template <class Index>
 std::string fault_of(const BitVolume& volume, bool closed) {
   try {
-    const Plan plan{closed ? Border::closed : Border::open, true, 0};
+    const Plan plan{closed ? Border::closed : Border::open};
     Collector collector;
     scan_into<Index>(collector, volume, plan, ample);
     if (!collector.loose().empty()) return "loose fragments, with memory left";
@@ -75,10 +75,10 @@ std::string fault_of(const BitVolume& volume, bool closed) {
   }
 }
 
-EventLog events_of(const BitVolume& volume, Border border, const Capacities& capacities, bool wide,
-                   bool takes_fragments = true) {
+EventLog events_of(const BitVolume& volume, Border border, const Capacities& capacities,
+                   bool wide) {
   EventLog log;
-  const Plan plan{border, takes_fragments, 0};
+  const Plan plan{border};
   if (wide)
     scan_into<uint32_t>(log, volume, plan, capacities);
   else
@@ -203,9 +203,8 @@ TEST_CASE("the events depend on no index width under pressure either") {
     const auto extra = static_cast<uint32_t>(seed % 50);
     const Capacities few{minimum_capacities().records + 3 * extra, extra / 5};
     const Border border = seed % 2 == 0 ? Border::closed : Border::open;
-    for (const bool takes_fragments : {true, false})
-      CHECK(events_of(volume, border, few, true, takes_fragments).events ==
-            events_of(volume, border, few, false, takes_fragments).events);
+    CHECK(events_of(volume, border, few, true).events ==
+          events_of(volume, border, few, false).events);
   }
 }
 
@@ -220,10 +219,6 @@ TEST_CASE("a region is delivered before the first layer mark that it does not re
       const bool reaches = top >= 2 * static_cast<int32_t>(mark.slice);
       CHECK((i < mark.regions || reaches));
     }
-}
-
-TEST_CASE("a sink takes fragments unless it says that it does not") {
-  CHECK(Sink{}.takes_fragments());
 }
 
 TEST_CASE("the events of a volume are these, on every machine") {

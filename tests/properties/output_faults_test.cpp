@@ -2,7 +2,6 @@
 // waits, and what leaves in the end is byte for byte what leaves without a fault.
 #include <doctest/doctest.h>
 
-#include "oracle/sink.hpp"
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
 
@@ -50,7 +49,6 @@ class Stopping {
 struct Scenario {
   BitVolume volume;
   Capacities capacities;
-  bool takes_fragments = true;
   uint32_t refused_in = 0;  // of so many offers one is refused before the encoder sees it
 };
 
@@ -77,8 +75,7 @@ class Device {
         limits_(limits_of(scenario.volume, Border::closed)),
         block_(bytes_for<uint16_t>(limits_, scenario.capacities)) {
     begin_stream(output);
-    require_ok(extractor_.start(limits_, scenario.capacities, 1, block_.memory(),
-                                sink_to(gate_, scenario.takes_fragments)));
+    require_ok(extractor_.start(limits_, scenario.capacities, 1, block_.memory(), sink_to(gate_)));
   }
 
   /// Goes on until `patience` calls in a row have come to nothing. True at the end.
@@ -132,9 +129,8 @@ std::vector<Scenario> scenarios() {
   const BitVolume noise = random({6, 5, 4}, 110, 1);
   const Capacities few{60, 4};
   return {{noise, few},
-          {noise, few, true, 3},
+          {noise, few, 3},
           {noise, minimum_capacities()},
-          {noise, few, false, 4},
           {ball({12, 12, 12}, {11, 11, 11}, 30), minimum_capacities()}};
 }
 

@@ -1,10 +1,9 @@
 // Under pressure: a shortage costs loose fragments, never regions. At every capacity what comes out
-// joins to the reference's rings; a sink that takes no fragments gets the same surface.
+// joins to the reference's rings.
 #include <doctest/doctest.h>
 
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
-#include "oracle/sink.hpp"
 #include "oracle/thinned.hpp"
 
 using namespace discmc;
@@ -12,24 +11,23 @@ using namespace discmc::reference;
 
 namespace {
 
-// One volume with one border and one sort of sink, and what must come out of it.
+// One volume with one border, and what must come out of it.
 class Pressed {
  public:
-  Pressed(BitVolume volume, Border border, bool takes_fragments)
+  Pressed(BitVolume volume, Border border)
       : volume_(std::move(volume)),
-        plan_{border, takes_fragments, 0},
+        plan_{border},
         closed_(border == Border::closed),
         merged_(canonical(merge(volume_, closed_))) {}
 
   Limits limits() const { return limits_of(volume_, plan_.border); }
-  bool takes_fragments() const { return plan_.takes_fragments; }
 
   /// What is wrong with a scan in this memory, or nothing. Alternates between blocks whose end
   /// address sanitizers watch and blocks between guards.
   template <class Index, class Room>
   std::string fault(const Room& room) const {
     try {
-      Collector collector(plan_.takes_fragments);
+      Collector collector;
       scan_into<Index>(collector, volume_, plan_, room, next_kind());
       return fault_of(collector);
     } catch (const std::exception& error) {
@@ -39,7 +37,7 @@ class Pressed {
 
   /// The high-water marks of a scan that lacks nothing.
   HighWater needed() const {
-    Collector collector(plan_.takes_fragments);
+    Collector collector;
     Block block(bytes_for<uint16_t>(limits(), ample));
     Extractor16 extractor;
     require_ok(extractor.start(limits(), ample, 1, block.memory(), collector.sink()));
@@ -55,13 +53,12 @@ class Pressed {
       Answer take(const Event& event) { return collector->take(event); }
     };
     try {
-      Collector collector(plan_.takes_fragments);
-      Collector broken_off(plan_.takes_fragments);
+      Collector collector;
+      Collector broken_off;
       Switch receiver{&broken_off};
       Block block(bytes_for<uint16_t>(limits(), capacities), next_kind());
       Extractor16 extractor;
-      require_ok(extractor.start(limits(), capacities, 1, block.memory(),
-                                 sink_to(receiver, plan_.takes_fragments)));
+      require_ok(extractor.start(limits(), capacities, 1, block.memory(), sink_to(receiver)));
       const std::vector<uint8_t>& on = volume_.on;
       push_all(extractor, std::vector<uint8_t>(on.data(), on.data() + scans_ % on.size()));
       require_ok(extractor.reset());
@@ -83,8 +80,7 @@ class Pressed {
     if (collector.split_sides() != 0) return "a straight side in more runs than it needs";
     const std::string miscount = miscounted(collector, volume_, closed_);
     if (!miscount.empty()) return miscount;
-    return plan_.takes_fragments ? unlike_joined({collector}, merged_)
-                                 : unlike_surface(collector.regions(), volume_, closed_);
+    return unlike_joined({collector}, merged_);
   }
 
   BitVolume volume_;
@@ -105,18 +101,16 @@ std::vector<BitVolume> small_volumes() {
   return volumes;
 }
 
-// Calls check(pressed) for every volume, border and sort of sink.
+// Calls check(pressed) for every volume and border.
 template <class Check>
 void for_each_case(Check check) {
   size_t number = 0;
   for (const BitVolume& volume : small_volumes()) {
     CAPTURE(number);
-    for (const Border border : {Border::closed, Border::open})
-      for (const bool takes_fragments : {true, false}) {
-        CAPTURE(border == Border::closed);
-        CAPTURE(takes_fragments);
-        check(Pressed(volume, border, takes_fragments));
-      }
+    for (const Border border : {Border::closed, Border::open}) {
+      CAPTURE(border == Border::closed);
+      check(Pressed(volume, border));
+    }
     ++number;
   }
 }
@@ -143,16 +137,15 @@ TEST_CASE("whatever number of holes may wait, the rings are the same") {
   BitVolume sieve({15, 15, 3});
   for (uint32_t y = 0; y < 15; ++y)
     for (uint32_t x = 0; x < 15; ++x) sieve.on[sieve.index(x, y, 1)] = x % 4 != 2 || y % 3 != 1;
-  for (const BitVolume& volume : {sieve, grid, random({15, 15, 2}, 235, 3)})
-    for (const bool takes_fragments : {true, false}) {
-      const Pressed pressed(volume, Border::closed, takes_fragments);
-      for (uint32_t holes = 0; holes < 30; ++holes)
-        for (const uint32_t records : {least, 40U, 200U, ample.records}) {
-          CAPTURE(holes);
-          CAPTURE(records);
-          CHECK(pressed.fault<uint16_t>(Capacities{records, holes}) == "");
-        }
-    }
+  for (const BitVolume& volume : {sieve, grid, random({15, 15, 2}, 235, 3)}) {
+    const Pressed pressed(volume, Border::closed);
+    for (uint32_t holes = 0; holes < 30; ++holes)
+      for (const uint32_t records : {least, 40U, 200U, ample.records}) {
+        CAPTURE(holes);
+        CAPTURE(records);
+        CHECK(pressed.fault<uint16_t>(Capacities{records, holes}) == "");
+      }
+  }
 }
 
 TEST_CASE("every arena from the minimum to more than enough keeps the rings") {
@@ -169,7 +162,7 @@ TEST_CASE("every arena from the minimum to more than enough keeps the rings") {
 }
 
 TEST_CASE("every single byte more than the minimum keeps the rings") {
-  const Pressed pressed(random({7, 6, 5}, 120, 3), Border::closed, true);
+  const Pressed pressed(random({7, 6, 5}, 120, 3), Border::closed);
   const uint64_t minimum = minimum_bytes<uint16_t>(pressed.limits());
   for (uint64_t bytes = minimum; bytes < minimum + 3000; bytes += step(17))
     CHECK(pressed.fault<uint16_t>(bytes) == "");
@@ -178,7 +171,7 @@ TEST_CASE("every single byte more than the minimum keeps the rings") {
 TEST_CASE("as many records as a scan has used are all that it needs") {
   for (const BitVolume& volume : small_volumes())
     for (const Border border : {Border::closed, Border::open}) {
-      const HighWater needed = Pressed(volume, border, true).needed();
+      const HighWater needed = Pressed(volume, border).needed();
       // Nothing is sent while a few are left.
       const Capacities capacities{2 * needed.records + 64, needed.holes};
       Collector collector;
@@ -187,18 +180,16 @@ TEST_CASE("as many records as a scan has used are all that it needs") {
     }
 }
 
-TEST_CASE("in the memory of the worst case nothing is loose and nothing is sealed") {
+TEST_CASE("in the memory of the worst case nothing is loose") {
   for (uint64_t seed = 0; seed < 200; seed += step(7)) {
     const BitVolume volume = random({1 + static_cast<uint32_t>(seed % 6), 4, 3}, 150, seed);
     for (const Border border : {Border::closed, Border::open}) {
       const Limits limits = limits_of(volume, border);
       const Capacities worst = worst_case_capacities(limits, volume.depth);
-      for (const bool takes_fragments : {true, false}) {
-        Collector collector(takes_fragments);
-        scan_into<uint16_t>(collector, volume, {border, takes_fragments}, worst);
-        CHECK(collector.loose().empty());
-        CHECK(unlike_merge(collector.regions(), volume, border == Border::closed) == "");
-      }
+      Collector collector;
+      scan_into<uint16_t>(collector, volume, {border}, worst);
+      CHECK(collector.loose().empty());
+      CHECK(unlike_merge(collector.regions(), volume, border == Border::closed) == "");
     }
   }
 }
@@ -246,8 +237,8 @@ TEST_CASE("a thousand layers need no more memory than the first ones: nothing le
     for (size_t i = 0; i < longer.voxels(); ++i) longer.on[i] = period.on[i % period.voxels()];
     BitVolume shorter({7, 8, 40});
     std::copy_n(longer.on.begin(), shorter.voxels(), shorter.on.begin());
-    const HighWater of_shorter = Pressed(shorter, Border::closed, true).needed();
-    const HighWater of_longer = Pressed(longer, Border::closed, true).needed();
+    const HighWater of_shorter = Pressed(shorter, Border::closed).needed();
+    const HighWater of_longer = Pressed(longer, Border::closed).needed();
     CHECK(of_longer.records == of_shorter.records);
     CHECK(of_longer.holes == of_shorter.holes);
   }

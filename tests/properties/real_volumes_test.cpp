@@ -18,19 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<host::DescribedVolume> scans() {
+std::vector<command::DescribedVolume> scans() {
   const char* folder = std::getenv("DISCMC_DATA");
   if (folder == nullptr || *folder == 0) {
     MESSAGE("skipped: DISCMC_DATA names no folder with volumes");
     return {};
   }
-  const auto scans = host::described_volumes(folder);
+  const auto scans = command::described_volumes(folder);
   CHECK_MESSAGE(!scans.empty(), "no description of a volume in ", folder);
   return scans;
 }
 
 template <class Sample>
-void threshold_slices(host::VolumeReader& reader, int32_t threshold, BitVolume& volume) {
+void threshold_slices(command::VolumeReader& reader, int32_t threshold, BitVolume& volume) {
   std::vector<Sample> slice(size_t{volume.width} * volume.height);
   auto voxel = volume.on.begin();
   for (uint32_t z = 0; z < volume.depth; ++z) {
@@ -40,17 +40,17 @@ void threshold_slices(host::VolumeReader& reader, int32_t threshold, BitVolume& 
 }
 
 BitVolume read(const fs::path& file, int32_t threshold) {
-  const auto reader = host::open_volume(file);
-  const host::VolumeInfo& info = reader->info();
+  const auto reader = command::open_volume(file);
+  const command::VolumeInfo& info = reader->info();
   BitVolume volume({info.dims[0], info.dims[1], info.dims[2]});
-  host::with_scanner_type(
+  command::with_scanner_type(
       info.type, [&](auto type) { threshold_slices<decltype(type)>(*reader, threshold, volume); });
   return volume;
 }
 
 // Feeds the samples themselves, slice by slice, as they come from the file.
 template <class Index, class Sample>
-void push_slices(Extractor<Index>& extractor, host::VolumeReader& reader) {
+void push_slices(Extractor<Index>& extractor, command::VolumeReader& reader) {
   std::vector<Sample> slice(size_t{extractor.limits().width} * extractor.limits().height);
   for (uint32_t z = 0; z < reader.info().dims[2]; ++z) {
     reader.read_slice(slice.data());
@@ -60,14 +60,14 @@ void push_slices(Extractor<Index>& extractor, host::VolumeReader& reader) {
 
 template <class Index>
 Collector sweep(const fs::path& file, int32_t threshold, Border border, uint64_t bytes) {
-  const auto reader = host::open_volume(file);
-  const host::VolumeInfo& info = reader->info();
+  const auto reader = command::open_volume(file);
+  const command::VolumeInfo& info = reader->info();
   Collector collector;
   Block block(bytes);
   Extractor<Index> extractor;
   require_ok(extractor.start({info.dims[0], info.dims[1], border}, threshold, block.memory(),
                              collector.sink()));
-  host::with_scanner_type(
+  command::with_scanner_type(
       info.type, [&](auto type) { push_slices<Index, decltype(type)>(extractor, *reader); });
   finish_all(extractor);
   CHECK(block.is_intact());
@@ -97,7 +97,7 @@ StreamSize stream_size(const BitVolume& volume, uint64_t memory_bytes) {
 
 // The CT head of the known answers, or an empty path.
 fs::path ct_head() {
-  for (const host::DescribedVolume& scan : scans())
+  for (const command::DescribedVolume& scan : scans())
     if (scan.file.stem() == "cthead") return scan.file;
   MESSAGE("skipped: no volume named cthead");
   return {};
@@ -110,7 +110,7 @@ constexpr Border borders[] = {Border::closed, Border::open};
 }  // namespace
 
 TEST_CASE("real volumes are swept as the paper merges them, at every threshold") {
-  for (const host::DescribedVolume& scan : scans())
+  for (const command::DescribedVolume& scan : scans())
     for (const int32_t threshold : scan.thresholds) {
       const BitVolume volume = read(scan.file, threshold);
       for (const Border border : borders) {
@@ -159,7 +159,7 @@ TEST_CASE("the CT head's skin takes few more bytes in little memory") {
 }
 
 TEST_CASE("real volumes come out the same in any memory, once loose fragments are joined") {
-  for (const host::DescribedVolume& scan : scans()) {
+  for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
     const std::vector<Region> merged = merge(volume, true);
@@ -167,19 +167,16 @@ TEST_CASE("real volumes come out the same in any memory, once loose fragments ar
     for (const uint64_t extra : {0U, 1000U, 10000U, 40000U}) {
       CAPTURE(scan.file.string());
       CAPTURE(extra);
-      Collector loose, sealed(false);
+      Collector loose;
       scan_into<uint16_t>(loose, volume, {}, least + extra);
       CHECK(unlike_joined({loose}, merged) == "");
       CHECK(miscounted(loose, volume, true) == "");
-      scan_into<uint16_t>(sealed, volume, {Border::closed, false}, least + extra);
-      CHECK(unlike_surface(sealed.regions(), volume, true) == "");
-      CHECK(miscounted(sealed, volume, true) == "");
     }
   }
 }
 
 TEST_CASE("slabs of real volumes join to the whole") {
-  for (const host::DescribedVolume& scan : scans()) {
+  for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
     for (const Border border : borders) {
@@ -195,7 +192,7 @@ TEST_CASE("slabs of real volumes join to the whole") {
 }
 
 TEST_CASE("more memory never makes more loose fragments or bytes of a real volume") {
-  for (const host::DescribedVolume& scan : scans()) {
+  for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
     uint64_t bytes = minimum_bytes<uint16_t>(limits_of(volume, Border::closed));

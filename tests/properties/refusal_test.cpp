@@ -5,7 +5,6 @@
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
-#include "oracle/sink.hpp"
 #include "oracle/thinned.hpp"
 
 using namespace discmc;
@@ -26,7 +25,6 @@ struct Scenario {
   BitVolume volume;
   Border border = Border::closed;
   Capacities capacities = ample;
-  bool takes_fragments = true;
   Ending ending = Ending::finish;
   uint32_t samples = 0;  ///< that are pushed; all, or as many as come before abandon()
 };
@@ -85,12 +83,11 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses = {}, Way way =
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(bytes_for<Index>(limits, scenario.capacities));
   Extractor<Index> extractor;
-  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(),
-                             sink_to(log, scenario.takes_fragments)));
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), sink_to(log)));
   push_samples(extractor, scenario, way);
   end(extractor, scenario.ending, way);
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
-  if (!collected(log.events, scenario.takes_fragments).is_finished())
+  if (!collected(log.events).is_finished())
     throw std::runtime_error("ended without a finish event");
   return log;
 }
@@ -203,8 +200,7 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(bytes_for<uint16_t>(limits, scenario.capacities));
   Extractor16 extractor;
-  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(),
-                             sink_to(receiver, scenario.takes_fragments)));
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), sink_to(receiver)));
   uint32_t at = 0;
   if (push_until_refused(extractor, scenario, at) != Status::more) return "not refused";
   for (int i = 0; i < 3; ++i)
@@ -230,13 +226,12 @@ Scenario loose(uint64_t seed, Border border) {
   return scenario;
 }
 
-// The same with chance at work, and for a sink that takes none: cells are sealed.
-Scenario pressed(uint64_t seed, bool takes_fragments) {
+// The same with more of chance at work.
+Scenario pressed(uint64_t seed) {
   const auto density = static_cast<uint32_t>(60 + 30 * (seed % 6));
   Scenario scenario = scenario_of(random({5, 6, 5}, density, seed), Border::closed);
   const auto extra = static_cast<uint32_t>(seed % 40);
   scenario.capacities = {minimum_capacities().records + 4 * extra, extra / 8};
-  scenario.takes_fragments = takes_fragments;
   return scenario;
 }
 
@@ -263,13 +258,9 @@ TEST_CASE("any one refusal while fragments go out loose changes nothing") {
     CAPTURE(seed);
     check_every_single_refusal(scenario);
   }
-}
-
-TEST_CASE("any one refusal while cells are sealed, or fragments loose, changes nothing") {
-  for (uint64_t seed = 0; seed < 12; ++seed) {
-    const Scenario scenario = pressed(3 * seed, seed % 2 == 0);
+  for (uint64_t seed = 0; seed < 36; seed += 6) {
     CAPTURE(seed);
-    check_every_single_refusal(scenario);
+    check_every_single_refusal(pressed(seed));
   }
 }
 
@@ -278,14 +269,14 @@ TEST_CASE("refusing everything once, again and again, or at random changes nothi
     for (uint64_t seed = 0; seed < 6; ++seed) {
       CAPTURE(seed);
       check_many_refusals(loose(seed, border));
-      check_many_refusals(pressed(7 * seed, seed % 2 == 0));
+      check_many_refusals(pressed(7 * seed));
       check_many_refusals(scenario_of(random({8, 7, 6}, 128, seed), border));
     }
 }
 
 TEST_CASE("a reset forgets whatever the sink has not taken") {
   for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
-                                   loose(4, Border::closed), pressed(7, true)}) {
+                                   loose(4, Border::closed), pressed(7)}) {
     const EventLog plain = run<uint16_t>(scenario);
     for (uint64_t taken = 0; taken < plain.events.size(); taken += 7)
       for (const bool skips : {false, true})
@@ -340,8 +331,8 @@ TEST_CASE("an ending that was refused goes on with resume() alone, whatever was 
 TEST_CASE(
     "a sink that dies at any event is waited for, and nothing is lost; or the scan begins anew") {
   for (uint64_t seed = 0; seed < 6; ++seed)
-    for (const Scenario& scenario : {loose(seed, seed % 2 == 0 ? Border::closed : Border::open),
-                                     pressed(5 * seed, seed % 2 == 0)}) {
+    for (const Scenario& scenario :
+         {loose(seed, seed % 2 == 0 ? Border::closed : Border::open), pressed(5 * seed)}) {
       CAPTURE(seed);
       const EventLog plain = run<uint16_t>(scenario);
       for (uint64_t k = 0; k < plain.events.size(); k += step(11)) {

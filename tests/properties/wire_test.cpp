@@ -130,7 +130,6 @@ TEST_CASE("random volumes in random memory come through") {
                           chance.below(257), chance.next());
     reference::Plan plan;
     plan.border = chance.below(2) == 0 ? Border::open : Border::closed;
-    plan.takes_fragments = chance.below(3) != 0;
     const Capacities capacities{minimum_capacities().records + chance.below(1000),
                                 chance.below(20)};
     const Events events = events_of(volume, capacities, plan);

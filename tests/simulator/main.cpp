@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "device.hpp"
+#include "files/output_file.hpp"
 #include "options.hpp"
-#include "output_file.hpp"
 #include "simulation.hpp"
 #include "verdict.hpp"
 
@@ -80,14 +80,14 @@ void print_summary(const Rows& rows, const Options& options, const Simulation& s
 }
 
 void write_stream(const ReceivedStream& stream, const std::string& path) {
-  host::OutputFile file(path);
+  command::OutputFile file(path);
   file.stream().write(reinterpret_cast<const char*>(stream.bytes().data()),
                       static_cast<std::streamsize>(stream.bytes().size()));
   file.commit();
 }
 
 int simulate(const Options& options) {
-  const auto volume = host::open_volume(options.volume, {options.layout});
+  const auto volume = command::open_volume(options.volume, {options.layout});
   const Rows rows(*volume);
   require_in_scan(options, rows.count());
   const Device device(options);

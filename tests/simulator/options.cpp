@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "command_line/option_checks.hpp"
+#include "cli/options/option_checks.hpp"
 
 namespace discmc::simulator {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 
 void add_volume(CLI::App& app, Options& options) {
-  const auto layout = [&options]() -> host::RawLayout& {
+  const auto layout = [&options]() -> command::RawLayout& {
     if (!options.layout) options.layout.emplace();
     return *options.layout;
   };
@@ -28,17 +28,18 @@ void add_volume(CLI::App& app, Options& options) {
                           ->delimiter(',')
                           ->expected(3)
                           ->option_text("X,Y,Z");
-  CLI::Option* type =
-      app.add_option_function<std::string>(
-             "--type",
-             [layout](const std::string& name) { layout().type = *host::sample_type_called(name); },
-             "samples of a headerless file")
-          ->check(CLI::IsMember({"u8", "u16", "i16"}))
-          ->option_text("u8|u16|i16");
+  CLI::Option* type = app.add_option_function<std::string>(
+                             "--type",
+                             [layout](const std::string& name) {
+                               layout().type = *command::sample_type_called(name);
+                             },
+                             "samples of a headerless file")
+                          ->check(CLI::IsMember({"u8", "u16", "i16"}))
+                          ->option_text("u8|u16|i16");
   dims->needs(type);
   type->needs(dims);
-  host::add_memory_option(app, options.memory,
-                          "the arena_bytes of the firmware's scan.hpp; K for 1024 (required)")
+  command::add_memory_option(app, options.memory,
+                             "the arena_bytes of the firmware's scan.hpp; K for 1024 (required)")
       ->required();
 }
 

@@ -19,7 +19,7 @@ namespace discmc::simulator {
 
 struct Options {
   std::string volume;
-  std::optional<host::RawLayout> layout;
+  std::optional<command::RawLayout> layout;
   std::uint64_t memory = 0;
 
   std::string firmware;

@@ -28,8 +28,8 @@ void push(Extractor16& extractor, const Rows& rows, std::uint32_t number) {
 }
 
 void push_row(Extractor16& extractor, const Rows& rows, std::uint32_t number) {
-  host::with_scanner_type(rows.info().type,
-                          [&](auto type) { push<decltype(type)>(extractor, rows, number); });
+  command::with_scanner_type(rows.info().type,
+                             [&](auto type) { push<decltype(type)>(extractor, rows, number); });
 }
 
 }  // namespace

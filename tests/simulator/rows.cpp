@@ -1,12 +1,12 @@
 #include "rows.hpp"
 
-#include <row_frame.hpp>
+#include <rows/row_frame.hpp>
 #include <stdexcept>
 #include <string>
 
 namespace discmc::simulator {
 
-Rows::Rows(host::VolumeReader& volume) : info_(volume.info()) {
+Rows::Rows(command::VolumeReader& volume) : info_(volume.info()) {
   if (bytes() > row_frame::max_samples)
     throw std::invalid_argument(
         "a row of the volume has " + std::to_string(bytes()) + " bytes and a frame takes " +

@@ -12,16 +12,16 @@ namespace discmc::simulator {
 class Rows {
  public:
   /// Reads the volume to its end. Throws VolumeError.
-  explicit Rows(host::VolumeReader& volume);
+  explicit Rows(command::VolumeReader& volume);
 
-  const host::VolumeInfo& info() const { return info_; }
+  const command::VolumeInfo& info() const { return info_; }
   std::uint32_t count() const { return info_.dims[1] * info_.dims[2]; }
   /// Units: bytes of a row.
-  std::size_t bytes() const { return info_.dims[0] * host::sample_bytes(info_.type); }
+  std::size_t bytes() const { return info_.dims[0] * command::sample_bytes(info_.type); }
   const std::uint8_t* row(std::uint32_t number) const { return &samples_[number * bytes()]; }
 
  private:
-  host::VolumeInfo info_;
+  command::VolumeInfo info_;
   std::vector<std::uint8_t> samples_;
 };
 

@@ -12,8 +12,8 @@
 
 #include <discmc/extractor.hpp>
 
-#include "number_text.hpp"
 #include "streams/spacing.hpp"
+#include "text/number_text.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::simulator {
@@ -22,13 +22,13 @@ namespace {
 // What the board netduinoplus2 has for the arena and two rows of samples. Units: bytes.
 constexpr std::uint64_t memory = std::uint64_t{186} << 10;
 
-const char* sample_of(host::SampleType type) {
+const char* sample_of(command::SampleType type) {
   switch (type) {
-    case host::SampleType::u8:
+    case command::SampleType::u8:
       return "uint8_t";
-    case host::SampleType::u16:
+    case command::SampleType::u16:
       return "uint16_t";
-    case host::SampleType::i16:
+    case command::SampleType::i16:
       return "int16_t";
     default:
       throw std::invalid_argument("its samples are " + std::string(name(type)) +
@@ -36,8 +36,8 @@ const char* sample_of(host::SampleType type) {
   }
 }
 
-std::uint64_t arena_bytes(const host::VolumeInfo& info) {
-  const std::uint64_t rows = 2 * (info.dims[0] * host::sample_bytes(info.type) + 4);
+std::uint64_t arena_bytes(const command::VolumeInfo& info) {
+  const std::uint64_t rows = 2 * (info.dims[0] * command::sample_bytes(info.type) + 4);
   const std::uint64_t least = minimum_bytes<std::uint16_t>({info.dims[0], info.dims[1]});
   if (rows + least > memory)
     throw std::invalid_argument("its slices of " + std::to_string(info.dims[0]) + "x" +
@@ -46,8 +46,8 @@ std::uint64_t arena_bytes(const host::VolumeInfo& info) {
   return memory - rows;
 }
 
-void write_header(const host::VolumeInfo& info, double iso, std::ostream& out) {
-  const auto spacing = host::spacing_nm(info.spacing_mm);
+void write_header(const command::VolumeInfo& info, double iso, std::ostream& out) {
+  const auto spacing = command::spacing_nm(info.spacing_mm);
   out << "// Written by scan_files.\n"
          "#include <stddef.h>\n\n"
          "#include <discmc/limits.hpp>\n\n"
@@ -57,13 +57,13 @@ void write_header(const host::VolumeInfo& info, double iso, std::ostream& out) {
       << "constexpr uint32_t depth = " << info.dims[2] << ";\n"
       << "constexpr int32_t spacing_nm[] = {" << spacing[0] << ", " << spacing[1] << ", "
       << spacing[2] << "};\n"
-      << "constexpr int32_t threshold = " << host::stored_threshold(info, iso) << ";\n"
+      << "constexpr int32_t threshold = " << command::stored_threshold(info, iso) << ";\n"
       << "constexpr size_t arena_bytes = " << arena_bytes(info) << ";\n\n"
       << "}  // namespace scan\n";
 }
 
-void write_samples(host::VolumeReader& volume, std::ostream& out) {
-  const host::VolumeInfo& info = volume.info();
+void write_samples(command::VolumeReader& volume, std::ostream& out) {
+  const command::VolumeInfo& info = volume.info();
   std::vector<char> slice(info.slice_bytes());
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
@@ -72,7 +72,7 @@ void write_samples(host::VolumeReader& volume, std::ostream& out) {
 }
 
 void write_files(const std::string& path, double iso, const std::filesystem::path& folder) {
-  const auto volume = host::open_volume(path);
+  const auto volume = command::open_volume(path);
   std::filesystem::create_directories(folder);
   std::ofstream header(folder / "scan.hpp"), samples(folder / "volume.raw", std::ios::binary);
   write_header(volume->info(), iso, header);
@@ -84,7 +84,7 @@ void write_files(const std::string& path, double iso, const std::filesystem::pat
 }
 
 int run(int count, char** arguments) {
-  const auto iso = count == 4 ? host::finite_number(arguments[2]) : std::nullopt;
+  const auto iso = count == 4 ? command::finite_number(arguments[2]) : std::nullopt;
   if (!iso) {
     std::cerr << "usage: scan_files VOLUME ISO FOLDER\n";
     return 2;

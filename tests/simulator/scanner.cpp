@@ -1,7 +1,7 @@
 #include "scanner.hpp"
 
 #include <algorithm>
-#include <row_frame.hpp>
+#include <rows/row_frame.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -65,8 +65,6 @@ void check_refused_starts() {
     CHECK(extractor.start(good, {records, 0}, 1, memory, sink) == Status::bad_capacities);
   for (const Slab& slab : {Slab{1, false, false}, Slab{0, true, false}})
     CHECK(extractor.start({8, 8, {}, slab}, 1, memory, sink) == Status::bad_limits);
-  const Limits slab{8, 8, {}, {0, false, true}};
-  CHECK(extractor.start(slab, 1, memory, region_sink_to(log)) == Status::bad_sink);
   CHECK(extractor.start({32766, 32766}, 1, memory, sink) == Status::too_little_memory);
   // The memory is as it was.
   Block untouched(1 << 16);
@@ -239,7 +237,7 @@ TEST_CASE("with an open border one voxel, row, column or slice has no surface") 
   for (const Size size : {Size{1, 1, 1}, Size{1, 1, 6}, Size{1, 6, 1}, Size{6, 1, 1}, Size{1, 5, 6},
                           Size{5, 1, 6}, Size{5, 6, 1}}) {
     const BitVolume volume = random(size, 128, 3);
-    const Collector collector = scan<uint16_t>(volume, {Border::open, true, 1});
+    const Collector collector = scan<uint16_t>(volume, {Border::open, 1});
     CHECK(collector.regions().empty());
     CHECK(collector.layers().size() == size.depth);
     CHECK(collector.statistics().cells == 0);

@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "oracle/agreement.hpp"
 #include "oracle/scan.hpp"
 
 using namespace discmc;
@@ -13,10 +12,9 @@ using namespace discmc::reference;
 
 namespace {
 
-Statistics scanned(const BitVolume& volume, uint32_t records, bool takes_fragments = true) {
-  Collector collector(takes_fragments);
-  scan_into<uint16_t>(collector, volume, {Border::closed, takes_fragments},
-                      Capacities{records, records});
+Statistics scanned(const BitVolume& volume, uint32_t records) {
+  Collector collector;
+  scan_into<uint16_t>(collector, volume, {}, Capacities{records, records});
   return collector.statistics();
 }
 
@@ -36,30 +34,6 @@ TEST_CASE("while a thousand records are left nothing goes out loose, however lon
   CHECK(scanned(spiral({200, 200, 1}), 2700).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1778).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1777).fragments > 0);
-}
-
-TEST_CASE("a sink that takes no fragments gets none of a long ring either") {
-  for (const uint32_t records : {20U, 300U, 600U, 1000U, 3000U})
-    CHECK(scanned(comb({200, 5, 1}), records, false).fragments == 0);
-}
-
-TEST_CASE("nor where hardly a record is to spare") {
-  struct Known {
-    Size size;
-    uint32_t density;
-    uint64_t seed;
-    uint32_t records;
-  };
-  for (const Known& known : {Known{{2, 4, 2}, 121, 4073, 40}, Known{{2, 14, 3}, 63, 1688, 52},
-                             Known{{2, 10, 2}, 58, 3319, 48}}) {
-    BitVolume volume = random(known.size, known.density, known.seed);
-    for (uint8_t& voxel : volume.on) voxel ^= 1;
-    Collector collector(false);
-    scan_into<uint16_t>(collector, volume, {Border::open, false},
-                        Capacities{known.records, known.records});
-    CHECK(collector.statistics().fragments == 0);
-    CHECK(unlike_surface(collector.regions(), volume, false) == "");
-  }
 }
 
 TEST_CASE("with so few records so many regions stay whole") {

@@ -10,7 +10,6 @@
 
 #include "oracle/normal_events.hpp"
 #include "oracle/scan.hpp"
-#include "oracle/sink.hpp"
 #include "oracle/stream.hpp"
 
 using namespace discmc;
@@ -26,7 +25,6 @@ struct Setting {
   int32_t threshold;
   Border border;
   Capacities capacities;
-  bool takes_fragments = true;
   bool refuses = false;
   uint32_t chunk = 1000000;
   Slab slab = {};
@@ -39,8 +37,8 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
   EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Extractor<Index, Normals> extractor;
   if constexpr (Normals::holds_samples) extractor.set_spacing(uneven_spacing);
-  require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
-                             sink_to(log, setting.takes_fragments)));
+  require_ok(
+      extractor.start(limits, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
   push_all(extractor, volume.samples, setting.chunk);
   finish_all(extractor);
   REQUIRE(block.is_intact());

@@ -211,13 +211,13 @@ TEST_CASE("a hole whose ring has gone out loose before it follows at the end of 
   BitVolume upper({15, 11, 2});
   std::copy_n(&volume.on[volume.index(0, 0, 2)], upper.voxels(), upper.on.begin());
   const Slab below{0, false, true}, above{3, true, false};
-  const Collector above_it = collected(slab_events(upper, above, ample), true, above);
+  const Collector above_it = collected(slab_events(upper, above, ample), above);
   const std::vector<Region> merged = merge(volume, true);
   for (const uint32_t records : {202U, 218U, 241U, 250U}) {
     CAPTURE(records);
     const Capacities few{records, 30};
     const Events events = slab_events(volume, below, few);
-    const Collector below_it = collected(events, true, below);
+    const Collector below_it = collected(events, below);
     CHECK(unlike_joined({below_it, above_it}, merged) == "");
     // All of a ring, where all that came before it ends at the seam.
     const Fragment& last = below_it.loose().back();

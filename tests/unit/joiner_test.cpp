@@ -467,12 +467,12 @@ TEST_CASE("fragments that are lost leave no runs behind") {
   CHECK(joined.report.regions == 1);
 }
 
-TEST_CASE("a sink that takes no fragments is given none") {
+TEST_CASE("what cannot be joined may be left out") {
   Chance chance(9);
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
     JoinPlan plan;
-    plan.takes_fragments = false;
+    plan.unjoined = Unjoined::left_out;
     CHECK(unlike(join(events, plan).events, surface.regions) == "");
     plan.capacities = {5, 30};
     const Joined joined = join(events, plan);
@@ -482,19 +482,72 @@ TEST_CASE("a sink that takes no fragments is given none") {
   }
 }
 
+// ---- a sink for whole regions ----
+
+namespace {
+
+// What a sink for whole regions gets of an extractor with the least memory. bytes: of the joiner's.
+struct WholeRegions {
+  WholeRegions(const BitVolume& volume, size_t bytes, const EventLog::Refuses& refuses = {})
+      : log(refuses) {
+    const Limits limits = limits_of(volume, Border::closed);
+    Block block(minimum_bytes<uint16_t>(limits)), room(bytes);
+    Extractor16 extractor;
+    require_ok(
+        extractor.start(limits, 1, block.memory(), region_sink_to(log, joiner, room.memory())));
+    push_all(extractor, volume.on);
+    finish_all(extractor);
+    CHECK(extractor.statistics().fragments > 100);
+    CHECK(room.is_intact());
+    CHECK(count(log.events, Kind::fragment) == 0);
+    CHECK(log.events.back().is(Kind::finish));
+  }
+
+  Joiner joiner;
+  EventLog log;
+};
+
+}  // namespace
+
+TEST_CASE("a sink for whole regions gets those of the volume from an extractor short of memory") {
+  for (const BitVolume& volume : {plate(13), random({9, 8, 7}, 128, 1), spiral({13, 13, 5})})
+    for (const EventLog::Refuses& refuses : {EventLog::Refuses(), {refuses_first}}) {
+      const WholeRegions got(volume, 100000, refuses);
+      const std::vector<Region> regions = simple_rings(collected(got.log.events).regions());
+      CHECK(describe_difference(canonical(regions), canonical(merge(volume, true))) == "");
+      CHECK(got.log.starts.size() == 1);
+      CHECK(got.joiner.report().unmatched + got.joiner.report().passed == 0);
+    }
+}
+
+TEST_CASE("what does not fit its joiner such a sink lacks, and the report counts it") {
+  const BitVolume volume = random({9, 8, 7}, 128, 1);
+  const WholeRegions got(volume, Joiner::minimum_bytes());
+  CHECK(count(got.log.events, Kind::region) < merge(volume, true).size());
+  CHECK(got.joiner.report().passed > 0);
+}
+
+TEST_CASE("such a sink has no function when its joiner has too little memory") {
+  EventLog log;
+  Joiner joiner;
+  Block room(Joiner::minimum_bytes() - 1);
+  const bool has_function = region_sink_to(log, joiner, room.memory()).take != nullptr;
+  CHECK_FALSE(has_function);
+}
+
 // ---- refusals ----
 
 TEST_CASE("a sink may refuse any event, and it does not show") {
   Chance chance(10);
   const Surface& surface = surfaces()[0];
   for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
-    for (const bool takes_fragments : {true, false})
+    for (const Unjoined unjoined : {Unjoined::passed_on, Unjoined::left_out})
       for (const JoinCapacities& capacities :
            {JoinCapacities{500, 5000}, {12, 100}, {3, 1000}, {1, 1}}) {
         JoinPlan plan;
         plan.order = order;
         plan.capacities = capacities;
-        plan.takes_fragments = takes_fragments;
+        plan.unjoined = unjoined;
         Pieces pieces = cut(surface.regions, cuts_of(chance));
         pieces.erase(pieces.begin() + 7, pieces.begin() + 9);
         Events events = events_of(pieces);
@@ -607,8 +660,7 @@ TEST_CASE("what is lost in the middle is forgotten, and the sink is told where i
   CHECK(joined.events == events);
 }
 
-TEST_CASE(
-    "what is lost of a fragment that is passed on, the sink is told, when it takes fragments") {
+TEST_CASE("what is lost of a fragment that is passed on, the sink is told") {
   // Room for one run: everything is passed on.
   Events events = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
   const Events lost = fragment_of(test::up, {7, 0, 0}, 6, {Run::straight(0, 3)});
@@ -619,7 +671,7 @@ TEST_CASE(
   CHECK(join(events, plan).events == events);
   plan.refuses = [](uint64_t offer) { return offer % 2 == 0; };
   CHECK(join(events, plan).events == events);
-  plan.takes_fragments = false;
+  plan.unjoined = Unjoined::left_out;
   CHECK(join(events, plan).events.empty());
 }
 
@@ -666,7 +718,7 @@ TEST_CASE("the finish event counts what was delivered") {
   for (const JoinPlan& plan : {JoinPlan{InputOrder::sweep, {500, 5000}},
                                {InputOrder::sweep, {20, 100}},
                                {InputOrder::sweep, {1, 1}},
-                               {InputOrder::sweep, {5, 30}, false}}) {
+                               {InputOrder::sweep, {5, 30}, Unjoined::left_out}}) {
     const Pieces pieces = cut(surface.regions, cuts_of(chance));
     Events events = events_of(pieces);
     Statistics sent{};
@@ -974,7 +1026,7 @@ TEST_CASE("events in no order that the grammar has do no harm") {
     JoinPlan plan;
     plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
     if (round % 3 == 0) plan.capacities = {1 + chance.below(50), 1 + chance.below(200)};
-    plan.takes_fragments = round % 5 != 0;
+    plan.unjoined = round % 5 != 0 ? Unjoined::passed_on : Unjoined::left_out;
     (void)join(events, plan);
   }
 }

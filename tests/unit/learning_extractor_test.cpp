@@ -55,8 +55,7 @@ EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan
   EventLog log(refuses);
   const Limits limits = limits_of(volume, plan.border);
   Block block(bytes_for<uint32_t>(limits, capacities));
-  require_ok(
-      extractor.start(limits, capacities, 1, block.memory(), sink_to(log, plan.takes_fragments)));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
   push_all(extractor, volume.on);
   finish_all(extractor);
   CHECK(block.is_intact());
@@ -75,15 +74,13 @@ void check_like_others(size_t bytes, const Capacities& capacities = much,
   LearningExtractor extractor;
   extractor.learn_in(learnt.memory());
   for (const Border border : {Border::closed, Border::open})
-    for (const bool takes_fragments : {true, false})
-      for (const BitVolume& volume : volumes()) {
-        Plan plan;
-        plan.border = border;
-        plan.takes_fragments = takes_fragments;
-        Extractor32 other;
-        const EventLog expected = scanned(other, volume, plan, capacities);
-        CHECK(scanned(extractor, volume, plan, capacities, refuses).events == expected.events);
-      }
+    for (const BitVolume& volume : volumes()) {
+      Plan plan;
+      plan.border = border;
+      Extractor32 other;
+      const EventLog expected = scanned(other, volume, plan, capacities);
+      CHECK(scanned(extractor, volume, plan, capacities, refuses).events == expected.events);
+    }
   CHECK(learnt.is_intact());
 }
 
@@ -172,7 +169,7 @@ struct SlabScan {
 
 // What a slab sends, in an order of its own: regions, loose fragments and counts, as numbers.
 std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan& scan) {
-  (void)collected(log.events, true, scan.limits().slab);  // checks the grammar
+  (void)collected(log.events, scan.limits().slab);  // checks the grammar
   std::vector<std::vector<uint64_t>> parts(1);
   for (const RecordedEvent& event : log.events) {
     for_each_number(event.event(), [&](uint64_t number) { parts.back().push_back(number); });
@@ -326,7 +323,7 @@ TEST_CASE("slabs join to the whole wherever their fragments are handed over, by 
       Plan plan;
       plan.border = border;
       const EventLog whole = expected_of(volume, plan);
-      const std::vector<Region> regions = collected(whole.events, true).regions();
+      const std::vector<Region> regions = collected(whole.events).regions();
       const std::vector<Region> expected = canonical(regions);
       for (size_t i = 0; i < std::size(records); i += step(2)) {
         const uint32_t capacity = records[i];
@@ -340,7 +337,7 @@ TEST_CASE("slabs join to the whole wherever their fragments are handed over, by 
             const EventLog::Refuses refuses = ++turn % 2 == 0 ? refuses_first : nullptr;
             const EventLog log = turn % 5 == 0 ? scan.by(other, {capacity, 100}, refuses)
                                                : scan.by(extractor, {capacity, 100}, refuses);
-            slabs.push_back(collected(log.events, true, scan.limits().slab));
+            slabs.push_back(collected(log.events, scan.limits().slab));
             std::copy_if(log.events.begin(), log.events.end(), std::back_inserter(events),
                          is_piece);
           });
@@ -389,14 +386,14 @@ TEST_CASE("slabs behind the slices that a corner's place has room for join to th
   BitVolume column({4, 3, depth});
   const BitVolume noise = random({4, 3, 60}, 90, 7);
   std::copy(noise.on.begin(), noise.on.end(), &column.on[column.index(0, 0, depth - 60)]);
-  const std::vector<Region> regions = collected(expected_of(column).events, true).regions();
+  const std::vector<Region> regions = collected(expected_of(column).events).regions();
   LearningExtractor extractor;
   for (uint32_t cut = 32755; cut < 32775; ++cut) {
     CAPTURE(cut);
     std::vector<Collector> slabs;
     for_each_slab(column, {cut, 2, depth}, [&](uint32_t first, uint32_t end) {
       const SlabScan scan{column, Border::closed, first, end};
-      slabs.push_back(collected(scan.by(extractor, much).events, true, scan.limits().slab));
+      slabs.push_back(collected(scan.by(extractor, much).events, scan.limits().slab));
     });
     CHECK(unlike_joined(slabs, regions) == "");
   }

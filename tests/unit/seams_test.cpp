@@ -63,7 +63,7 @@ TEST_CASE("a slab without a slice of its own has no surface, however full its co
       require_ok(extractor.start(limits, ample, 1, block.memory(), sink_to(log)));
       require_ok(extractor.push(volume->on.data(), continues_below ? 40 : 20).status);
       finish_all(extractor);
-      const Collector slab = collected(log.events, true, limits.slab);
+      const Collector slab = collected(log.events, limits.slab);
       CHECK(slab.regions().empty());
       CHECK(slab.statistics().cells == 0);
       CHECK(slab.statistics().links == 0);

@@ -146,18 +146,6 @@ test('a stream tells which way is up, as its volume does', async () => {
   }
 });
 
-test('streams of version 1 are read', async () => {
-  const golden = new URL('../golden/version1/', import.meta.url).pathname;
-  for (const name of ['ball', 'fragments', 'normals', 'skipped'].map((stem) => `${stem}.dmc`)) {
-    const module = await startModule();
-    module.newStream();
-    module.pushStream(readFileSync(join(golden, name)));
-    assert.ok(module.endStream().isComplete, name);
-    assert.equal(await polygonsOf(module),
-      polygonsByCommand(folder, 'decode', join(golden, name)), name);
-  }
-});
-
 test('of a damaged stream what is missing is told, and what is whole is there', async () => {
   for (const wire of ['regions', 'slices']) {
     const path = join(folder, 'damaged.dmc');

@@ -21,10 +21,10 @@ TEST_CASE("a file that needs a library is refused by the name of the library") {
   check_refusal(refusal(files / "nrrd/i16-big-bzip2.nrrd"), "bzip2");
   const Folder folder;
   check_refusal(refusal(folder.write("series.zip", "PK\3\4")), "built without libarchive");
-  CHECK_THROWS_WITH(discmc::host::read_mesh("a.stl"),
+  CHECK_THROWS_WITH(discmc::command::read_mesh("a.stl"),
                     doctest::Contains("built without Assimp, which reads meshes: install it"));
   CHECK_THROWS_WITH(
-      discmc::host::serve_page({}, 0, {}),
+      discmc::command::serve_page({}, 0, {}),
       doctest::Contains("built without cpp-httplib, which --serve needs: install it"));
 }
 

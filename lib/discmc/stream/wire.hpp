@@ -44,8 +44,8 @@ constexpr int cut_tail = 4 + 2;
 
 // A packet before stuffing: kind, number modulo 256, complete pieces (regions and fragments) before
 // it modulo 65,536, or of slices two more bytes of the number; payload; scan and channel; CRC-32 of
-// all before. What names the stream stands behind the payload, so that a header's version is where
-// it has been since version 1.
+// all before. What names the stream stands behind the payload: a header's version is at the same
+// place in every version of the stream.
 constexpr size_t packet_head = 4;
 constexpr size_t packet_tag = 2 + 1;
 constexpr size_t packet_crc = 4;

@@ -29,7 +29,7 @@ void CornerSweep::clear() {
   plain_.clear();
   passes_beyond_.clear();
   is_suspended_ = false;
-  keeps_corners_ = fragments().sends() && corners_.start(fragments().records());
+  keeps_corners_ = corners_.start(fragments().records());
 }
 
 void CornerSweep::forget() {

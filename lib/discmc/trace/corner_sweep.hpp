@@ -1,8 +1,7 @@
 // The sweep of a host: faster, and with the same events, while there is memory to spare.
 //
 // Then fragments are lists of corners (corners.hpp). When too many records would be in use they are
-// handed over to the sweep that firmware has, which goes on. It does everything from the start for
-// sinks that take no fragments.
+// handed over to the sweep that firmware has, which goes on.
 #ifndef DISCMC_TRACE_CORNER_SWEEP_HPP
 #define DISCMC_TRACE_CORNER_SWEEP_HPP
 

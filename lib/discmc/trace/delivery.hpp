@@ -22,10 +22,9 @@ class Delivery {
   using Chains = Fragments<Index, Normal>;
 
   /// heads: see Holes. most_holes: with as many waiting, further ones go out loose.
-  void start(Index* heads, uint32_t most_holes, bool sends) {
+  void start(Index* heads, uint32_t most_holes) {
     holes_.start(heads);
     most_holes_ = most_holes;
-    sends_ = sends;
   }
   void clear() {
     holes_.clear();
@@ -63,7 +62,6 @@ class Delivery {
   void next_run(const Records& records);
   void go_on(Chains& chains, Statistics& statistics);
 
-  bool sends_ = false;
   bool is_delivering_ = false;
   bool is_fragment_ = false;
   uint32_t most_holes_ = 0;
@@ -117,7 +115,9 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
   begin_ring(records);
   constexpr uint32_t least_spare =
       minimum_capacities().records + Holes<Index, Normal>::records_each;
-  if (event_.hole && (!sends_ || (holes_.count() < most_holes_ && chains.spare() >= least_spare))) {
+  if (event_.hole && holes_.count() < most_holes_ &&
+      // True for all that is known: pieces go out loose before.
+      chains.spare() >= least_spare) {
     holes_.keep(records, out);
     out.kind = Out::Kind::none;
     return;

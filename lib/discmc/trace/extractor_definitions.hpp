@@ -16,8 +16,7 @@ Status Extractor<Index, Normals, Sweep>::start(const Limits& limits, const Capac
                 "what is said of the size of a record is true");
   if (!limits.is_valid()) return Status::bad_limits;
   if (!is_valid<Index>(capacities)) return Status::bad_capacities;
-  if (sink.take == nullptr || (at_seam != nullptr && !sink.takes_fragments()))
-    return Status::bad_sink;
+  if (sink.take == nullptr) return Status::bad_sink;
   state_ = State::idle;
   // Member by member: what lies between them in the caller's is not for a checkpoint.
   limits_.width = limits.width;
@@ -28,7 +27,6 @@ Status Extractor<Index, Normals, Sweep>::start(const Limits& limits, const Capac
   limits_.slab.continues_above = limits.slab.continues_above;
   capacities_ = capacities;
   sink_ = sink;
-  sends_fragments_ = sink.takes_fragments();
   threshold_ = threshold;
   sweep_.fragments().set_at_seam(at_seam);
   if (!lay_out(memory)) return Status::too_little_memory;
@@ -44,12 +42,11 @@ bool Extractor<Index, Normals, Sweep>::lay_out(Memory memory) {
   Arena arena(memory);
   intake_.start(arena, limits_);
   rows_.start(arena, limits_, trace::swept_rows(limits_.height));
-  sealed_.bits = arena.take<uint32_t>(sizing::sealed_words(limits_));
   auto* const queues = arena.take<trace::Queue<Index>>(trace::queue_count);
   auto* const holes = arena.take<Index>(sizing::hole_lists);
   auto* const records = arena.take<trace::Record<Index, Normal>>(capacities_.records);
-  sweep_.fragments().start(records, capacities_.records, queues, sends_fragments_);
-  sweep_.delivery().start(holes, capacities_.holes, sends_fragments_);
+  sweep_.fragments().start(records, capacities_.records, queues);
+  sweep_.delivery().start(holes, capacities_.holes);
   memory_ = memory;
   return !arena.is_exhausted();
 }
@@ -66,7 +63,6 @@ template <class Index, class Normals, class Sweep>
 void Extractor<Index, Normals, Sweep>::clear() {
   intake_.clear();
   rows_.clear();
-  if (sink_.sealing != nullptr) sink_.sealing->clear(sealed_, limits_);
   sweep_.clear();
   statistics_ = Statistics{};
   state_ = State::scanning;
@@ -192,8 +188,7 @@ Status Extractor<Index, Normals, Sweep>::restore(const Checkpoint<Extractor>& ch
   const Extractor& image = checkpoint.object;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
-  if (sink.take == nullptr || sink.takes_fragments() != image.sends_fragments_)
-    return Status::bad_sink;
+  if (sink.take == nullptr) return Status::bad_sink;
   if (memory.bytes < bytes_for<Index, Normals>(image.limits_, image.capacities_))
     return Status::too_little_memory;
   *this = image;
@@ -294,7 +289,6 @@ bool Extractor<Index, Normals, Sweep>::sweep_row() {
              : !is_above_slab    ? trace::RowWork::take_passes
              : chains_are_ended_ ? trace::RowWork::begin_chains
                                  : trace::RowWork::end_chains;
-  if (sink_.sealing != nullptr && !seal(row)) return false;
   row.set_missing();
   sweep_.fragments().set_below_is_lost(!Sweep::opens_seams && limits_.slab.continues_below &&
                                        middle_slice() == 1);
@@ -306,14 +300,7 @@ bool Extractor<Index, Normals, Sweep>::sweep_row() {
     if (!chains_are_ended_) break;
     row.work = trace::RowWork::begin_chains;
   }
-  if (sink_.sealing != nullptr) sink_.sealing->end_row(sealed_, row);
   return true;
-}
-
-// Apart, so that its arguments take no stack below a sink.
-template <class Index, class Normals, class Sweep>
-DISCMC_NOINLINE bool Extractor<Index, Normals, Sweep>::seal(trace::SweptRow& row) {
-  return sink_.sealing->begin_row(sealed_, row, sweep_.fragments().spare(), sink_, statistics_);
 }
 
 // Without those of context.

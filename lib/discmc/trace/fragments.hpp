@@ -82,13 +82,11 @@ class Fragments {
   /// So many records more, or half of all, are kept from ends that wait for the next slice.
   static constexpr uint32_t most_kept = 80;
 
-  /// sends: the sink takes loose fragments. Else records must never run short (Sealing sees to it).
-  void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues, bool sends) {
+  void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues) {
     records_.start(records, capacity);
     queues_.start(queues);
-    plenty_ = sends ? plenty : 0;
     kept_for_slice_ = capacity / 2 < most_kept ? capacity / 2 : most_kept;
-    enough_for_ends_ = sends ? records_a_pass + 2 * kept_for_slice_ : 0;
+    enough_for_ends_ = records_a_pass + 2 * kept_for_slice_;
   }
   void clear() {
     records_.clear();
@@ -126,8 +124,6 @@ class Fragments {
     queues_.lose_from(is_lost ? first_rising_queue : queue_count);
   }
 
-  /// Whether the sink takes loose fragments.
-  bool sends() const { return plenty_ != 0; }
   /// For fragments that have been kept in another way (corners.hpp), while there is room: adds an
   /// end that waits, or is lost, then makes two ends a fragment with its runs.
   Index wait_in(uint8_t queue, Side side);
@@ -197,7 +193,7 @@ class Fragments {
   uint32_t least_spare(uint8_t queue, Index mate) const;
   // Whether fragments have to be sent early, and this one is long enough.
   bool should_send(Index list, Index other = no_record) const {
-    return spare() < plenty_ && is_long(list, other);
+    return spare() < plenty && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
@@ -210,8 +206,7 @@ class Fragments {
   }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  Records records_;  // first, so that its address is at hand
-  uint32_t plenty_ = 0;
+  Records records_;               // first, so that its address is at hand
   uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;

@@ -27,13 +27,6 @@ struct LoopFacets {
   }
   constexpr Vertex at(int i) const { return position(loop.point[wrap(i)]); }
   constexpr Incidence behind(int link) const { return incidence[wrap(link)]; }
-  constexpr bool is_flat() const {
-    for (int i = 1; i < loop.count; ++i)
-      if (incidence[i] != incidence[0]) return false;
-    return true;
-  }
-  /// Whether a chain turns to, or from, the centroid at a point.
-  constexpr bool has_spoke(int point) const { return behind(point) != behind(point - 1); }
 };
 
 constexpr LoopFacets facets_of(const Loop& loop) {

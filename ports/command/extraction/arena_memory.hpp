@@ -7,7 +7,7 @@
 
 #include <discmc/extractor.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
 /// half a MiB. A scan on the host then is one on a device.
@@ -25,6 +25,6 @@ inline std::string too_little_memory(std::uint64_t bytes, const Limits& limits,
          std::to_string(least) + " bytes";
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

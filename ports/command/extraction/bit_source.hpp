@@ -16,7 +16,7 @@
 #include "selection.hpp"
 #include "slab_spans.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Rows of bits from samples: those of all surfaces side by side, as SurfaceGroup and SliceEncoder
 /// take them.
@@ -123,6 +123,6 @@ class BitSource {
   std::uint64_t not_numbers_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

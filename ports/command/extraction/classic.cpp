@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // The diagonals of a fan stay off the faces of the cell: there the neighbour may have the same one.
@@ -182,4 +182,4 @@ Mesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options) {
   return cubes.take();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

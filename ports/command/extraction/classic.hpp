@@ -6,7 +6,7 @@
 #include "meshes/mesh.hpp"
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Reads the volume to its end and makes triangles of the same topology as extract(): every loop of
 /// a cell is a fan over its edge crossings, which are interpolated between the two samples, at half
@@ -15,6 +15,6 @@ namespace discmc::host {
 /// Throws VolumeError as the reader does.
 Mesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

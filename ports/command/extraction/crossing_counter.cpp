@@ -6,7 +6,7 @@
 
 #include "selection.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 std::uint64_t ones(std::uint64_t word) {
@@ -85,4 +85,4 @@ std::uint64_t CrossingCounter::count() const {
   return count;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

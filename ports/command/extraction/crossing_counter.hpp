@@ -8,7 +8,7 @@
 
 #include <discmc/limits.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Counts the lattice edges between an on and an off voxel: classic Marching Cubes puts a vertex on
 /// each of them. Of a slab: those in its own slices, and between the first one and that below.
@@ -43,6 +43,6 @@ class CrossingCounter {
   std::uint64_t count_at_slice_ = 0, count_before_slice_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "mask_bits.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Of every configuration the loop that is a fan about the centroid; no points where there is none.
@@ -248,4 +248,4 @@ const Crossings& CrossingFinder::crossings() const {
   return slices_->crossings();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -14,7 +14,7 @@
 #include "selection.hpp"
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The crossings of a volume. Memory: eight bytes for each, and four for a row of an axis.
 class Crossings {
@@ -77,6 +77,6 @@ class CrossingFinder {
   std::unique_ptr<Slices> slices_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "surface/event_words.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 Answer EventRecord::take(const Event& event) {
   if (event.kind == Event::Kind::layer) return Answer::taken;
@@ -27,4 +27,4 @@ void EventRecord::tell(const Sink& sink) const {
   }
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -7,7 +7,7 @@
 
 #include <discmc/sink.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Keeps what an extractor tells, but for layer marks: they are true in the order of a single sweep
 /// alone. Limit: a scan at once, without skipped rows.
@@ -28,6 +28,6 @@ class EventRecord {
   std::uint32_t slices_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -16,7 +16,7 @@
 #include "scan.hpp"
 #include "streams/spacing.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 template <class Normals>
@@ -179,4 +179,4 @@ std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& o
   });
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

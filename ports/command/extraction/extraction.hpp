@@ -18,7 +18,7 @@
 #include "surface/surface_builder.hpp"
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct ExtractionOptions {
   Selection selection;  ///< the voxels that are on
@@ -101,6 +101,6 @@ Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const
 std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
                                 const std::vector<SurfaceRequest>& surfaces);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

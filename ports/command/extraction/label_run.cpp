@@ -6,7 +6,7 @@
 #include "require.hpp"
 #include "selection.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Slices without a voxel that go before the first one with any. A run that does not begin at the
@@ -84,4 +84,4 @@ void LabelRun::push(const std::uint8_t* row) {
   if (row != nullptr) require(extractor_.push_bits(row).status);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

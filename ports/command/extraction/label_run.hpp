@@ -13,7 +13,7 @@
 #include "own_filter.hpp"
 #include "surface/growing_joiner.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Scans the voxels of one label from the first slice that has one to the last. So a label costs
 /// nothing in slices where it is not; one that comes back is scanned by a further run.
@@ -53,6 +53,6 @@ class LabelRun {
   Extractor32 extractor_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

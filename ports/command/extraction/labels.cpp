@@ -14,7 +14,7 @@
 #include "label_run.hpp"
 #include "surface/surface_builder.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 struct Label {
@@ -171,4 +171,4 @@ LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& option
   });
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -11,7 +11,7 @@
 #include "surface/surface.hpp"
 #include "volumes/volume.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct LabelOptions {
   Border border = Border::closed;
@@ -49,6 +49,6 @@ constexpr std::uint32_t most_scattered_labels = 1024;
 /// GiB of those at most; time of a scan a label, of the slices that have it.
 LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& options);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

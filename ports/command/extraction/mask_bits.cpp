@@ -1,6 +1,6 @@
 #include "mask_bits.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 MaskBits::MaskBits(VolumeReader& mask)
     : mask_(mask),
@@ -14,4 +14,4 @@ const std::uint8_t* MaskBits::next_slice() {
   return bits_.data();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

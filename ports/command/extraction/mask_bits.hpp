@@ -9,7 +9,7 @@
 #include "selection.hpp"
 #include "volumes/volume.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Reads a mask of open_mask(), slice by slice. Holds one.
 class MaskBits {
@@ -34,6 +34,6 @@ void keep_masked(std::uint8_t* bits, Mask mask, std::size_t bytes) {
     bits[i] = static_cast<std::uint8_t>(bits[i] & *mask);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

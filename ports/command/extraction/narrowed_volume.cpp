@@ -8,7 +8,7 @@
 
 #include "selection.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 class NarrowedVolume final : public VolumeReader {
@@ -61,4 +61,4 @@ std::unique_ptr<VolumeReader> narrowed(std::unique_ptr<VolumeReader> volume,
   return std::make_unique<NarrowedVolume>(std::move(volume), bounds, iso);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -7,7 +7,7 @@
 #include "statistics/sample_bounds.hpp"
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The volume as 16-bit samples with sign, whose values are counted from iso: below zero exactly
 /// where the value is below iso, else zero or more, and in proportion as far as 16 bits tell it.
@@ -16,6 +16,6 @@ namespace discmc::host {
 std::unique_ptr<VolumeReader> narrowed(std::unique_ptr<VolumeReader> volume,
                                        const SampleBounds& bounds, double iso);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "require.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Started, in memory of its own.
 struct OwnFilter {
@@ -20,6 +20,6 @@ struct OwnFilter {
   MajorityFilter filter;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -12,14 +12,14 @@
 
 #include "bit_source.hpp"
 #include "event_record.hpp"
+#include "jobs/ordered_pipeline.hpp"
 #include "mask_bits.hpp"
-#include "ordered_pipeline.hpp"
 #include "require.hpp"
 #include "scan.hpp"
 #include "streams/encoded_part.hpp"
 #include "surface/growing_joiner.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // What a part gives to a surface: regions, as polygons, as packets or as events, and what is to be
@@ -336,4 +336,4 @@ std::vector<Extraction> extract_in_parts(VolumeReader& volume, const ExtractionO
   return Parts(volume, options, surfaces).extract();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -8,7 +8,7 @@
 #include "extraction.hpp"
 #include "slab_spans.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The parts that slices of a volume are divided into: 16 to 32 slices each, fewer where these are
 /// large. They do not depend on the jobs, and neither does the surface.
@@ -21,6 +21,6 @@ std::vector<SliceSpan> parts_of(const VolumeInfo& info, const SliceSpan& slices)
 std::vector<Extraction> extract_in_parts(VolumeReader& volume, const ExtractionOptions& options,
                                          const std::vector<SurfaceRequest>& surfaces);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -18,7 +18,7 @@
 #include "extraction.hpp"
 #include "streams/spacing.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The memory of one extractor, and what fits in it.
 struct Arena {
@@ -126,6 +126,6 @@ class Scan {
   std::vector<AnyExtractor> extractors_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

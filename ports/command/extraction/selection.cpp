@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // The least sample for which a condition holds that then holds for all above; the greatest where
@@ -145,4 +145,4 @@ SliceSelector::SliceSelector(const VolumeInfo& info, const Selection& selection)
   });
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

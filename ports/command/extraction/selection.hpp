@@ -9,7 +9,7 @@
 
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The values that are on: from low to high, both of them too. A sample that is not a number is
 /// off. Units: those that the file declares.
@@ -64,6 +64,6 @@ class SliceSelector {
   std::function<std::uint64_t(const void*, std::uint8_t*, std::size_t)> select_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

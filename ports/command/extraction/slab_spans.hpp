@@ -9,7 +9,7 @@
 #include <discmc/limits.hpp>
 #include <discmc/slab_range.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Slices of a volume that follow each other.
 struct SliceSpan {
@@ -45,6 +45,6 @@ inline Slab slab_limits(const SlabRange& slab, std::uint32_t depth) {
   return {slab.first, slab.first > 0, slab.end() < depth};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

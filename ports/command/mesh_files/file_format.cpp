@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr FormatTraits all_formats[] = {
@@ -42,4 +42,4 @@ std::string extensions(bool FormatTraits::*holds) {
   return list;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

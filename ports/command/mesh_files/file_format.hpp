@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace discmc::host {
+namespace discmc::command {
 
 enum class Format { stream, stl, ply, obj, glb, three_mf, vtp, jsonl };
 
@@ -27,6 +27,6 @@ const FormatTraits& traits_of(Format format);
 /// The extensions of all formats, as ".obj, .ply or .stl"; or only of those that hold something.
 std::string extensions(bool FormatTraits::*holds = nullptr);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

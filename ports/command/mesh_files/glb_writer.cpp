@@ -6,10 +6,10 @@
 #include <string>
 
 #include "mesh_files.hpp"
-#include "name_text.hpp"
+#include "text/name_text.hpp"
 #include "writer.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Names of the format.
@@ -163,4 +163,4 @@ void write_glb(const Meshes& meshes, std::ostream& out) {
   writer.finish();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -1,7 +1,7 @@
 #include "mesh_files.hpp"
 #include "writer.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 void write_vertex(const Vertex& vertex, Writer& writer) {
@@ -44,4 +44,4 @@ void write_jsonl(const Surface& surface, std::ostream& out) {
   writer.finish();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 
 void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned jobs) {
   switch (format) {
@@ -32,4 +32,4 @@ void write_meshes(const Meshes& meshes, Format format, std::ostream& out) {
   write_mesh(*meshes[0], format, out);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

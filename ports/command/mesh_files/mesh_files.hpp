@@ -11,7 +11,7 @@
 #include "file_format.hpp"
 #include "meshes/mesh.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// What goes into one file.
 using Meshes = std::vector<const Mesh*>;
@@ -57,6 +57,6 @@ void write_vtp(const Mesh& mesh, std::ostream& out);
 /// rings, the outer one first. Units: half-steps.
 void write_jsonl(const Surface& surface, std::ostream& out);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

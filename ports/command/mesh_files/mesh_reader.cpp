@@ -11,7 +11,7 @@
 
 #include "volumes/volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 std::string extension_of(const std::string& file) {
@@ -67,4 +67,4 @@ Mesh read_mesh(const std::string& file) {
   return mesh;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

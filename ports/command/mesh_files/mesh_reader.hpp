@@ -6,7 +6,7 @@
 
 #include "meshes/mesh.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Reads a mesh of any format that Assimp knows: vertices and triangles, coordinates as they are in
 /// the file; of glTF, which is in metres with y upwards, in millimetres with z upwards.
@@ -14,6 +14,6 @@ namespace discmc::host {
 /// triangle or a vertex that is not finite, and always where the program was built without Assimp.
 Mesh read_mesh(const std::string& file);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

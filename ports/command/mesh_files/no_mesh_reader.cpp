@@ -3,7 +3,7 @@
 
 #include "mesh_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 Mesh read_mesh(const std::string& file) {
   throw std::runtime_error(file +
@@ -11,4 +11,4 @@ Mesh read_mesh(const std::string& file) {
                            "(Debian: libassimp-dev) and build anew");
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

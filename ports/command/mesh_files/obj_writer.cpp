@@ -3,7 +3,7 @@
 #include "mesh_files.hpp"
 #include "writer.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // A line of OBJ.
@@ -48,4 +48,4 @@ void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   writer.finish();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -4,7 +4,7 @@
 #include "mesh_files.hpp"
 #include "writer.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
@@ -35,4 +35,4 @@ void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   writer.finish();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -7,7 +7,7 @@
 #include "mesh_files.hpp"
 #include "writer.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Of each incidence.
@@ -38,4 +38,4 @@ void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   writer.finish();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

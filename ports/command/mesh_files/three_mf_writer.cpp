@@ -4,11 +4,11 @@
 #include <string_view>
 
 #include "mesh_files.hpp"
-#include "name_text.hpp"
+#include "text/name_text.hpp"
 #include "writer.hpp"
 #include "zip_file.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr const char* content_types =
@@ -117,4 +117,4 @@ void write_3mf(const Meshes& meshes, std::ostream& out) {
   Writer(out).finish();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -1,11 +1,11 @@
 #include <cstdint>
 #include <string>
 
-#include "base64.hpp"
 #include "mesh_files.hpp"
+#include "text/base64.hpp"
 #include "writer.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // write: gives a Writer so many bytes.
@@ -77,4 +77,4 @@ void write_vtp(const Mesh& mesh, std::ostream& out) {
   Writer(out).finish();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 
 void require_triangles(const Mesh& mesh, const std::string& format) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
@@ -50,4 +50,4 @@ void Writer::flush() {
   used_ = 0;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

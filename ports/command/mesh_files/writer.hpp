@@ -14,11 +14,11 @@
 #include <string_view>
 #include <vector>
 
+#include "jobs/ordered_pipeline.hpp"
 #include "mesh_files.hpp"
 #include "meshes/mesh.hpp"
-#include "ordered_pipeline.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// What every file says of itself, in a comment or where its format has a place for such text; the
 /// frame as 3D Slicer reads and writes it.
@@ -56,7 +56,7 @@ class Writer {
 
   template <typename Number>
   void decimal(Number value) {
-    text(host::decimal(value));
+    text(command::decimal(value));
   }
 
   /// The lowest bytes of a value, little endian.
@@ -120,6 +120,6 @@ class Writer {
   std::size_t used_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

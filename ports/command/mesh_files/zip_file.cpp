@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <streambuf>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 la_ssize_t write_to_stream(archive*, void* out, const void* bytes, std::size_t count) {
@@ -64,4 +64,4 @@ void ZipFile::finish() {
   require_ok(archive_write_close(archive_.get()));
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,7 +10,7 @@
 
 struct archive;
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// All that can fail throws std::runtime_error.
 class ZipFile {
@@ -29,6 +29,6 @@ class ZipFile {
   std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

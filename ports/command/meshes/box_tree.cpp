@@ -1,6 +1,6 @@
 #include "box_tree.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // The place of a box on a curve through space on which neighbours are mostly near: the bits of its
@@ -79,4 +79,4 @@ bool BoxTree::is_near(const Box& box) const {
   return false;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -13,7 +13,7 @@
 
 #include "point.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Of a triangle.
 using Corners = std::array<Point, 3>;
@@ -153,6 +153,6 @@ class BoxTree {
   std::uint32_t last_ = 0;  // what distance() found
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // A triangle, in the mean.
@@ -145,4 +145,4 @@ void DelaunayFlips::flip(std::vector<Triangle>& triangles, Side side) {
   changed_.insert(changed_.end(), {first / 3, second / 3});
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// A point of a polygon in its plane. Limit: magnitude up to max_plane_coordinate.
 struct PlanePoint {
@@ -70,6 +70,6 @@ class DelaunayFlips {
   std::vector<std::uint32_t> changed_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

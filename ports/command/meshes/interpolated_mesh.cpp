@@ -10,7 +10,7 @@
 #include "outline.hpp"
 #include "refinement.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 class InterpolatedMesh {
@@ -51,7 +51,7 @@ class InterpolatedMesh {
   template <class Call>
   void for_each_polygon(Call call) {
     for (std::size_t block = 0; block < block_count(surface_.polygons); ++block)
-      host::for_each_polygon(surface_, corners_, block, outline_, call);
+      command::for_each_polygon(surface_, corners_, block, outline_, call);
   }
 
   // Where two sheets are near to each other, triangles that leave out crossings may go through each
@@ -188,4 +188,4 @@ Mesh interpolated_mesh(const Surface& surface, NumberedCorners corners,
   return InterpolatedMesh(surface, std::move(corners), options).build();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -5,7 +5,7 @@
 
 #include "box_tree.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Of a triangle.
@@ -147,4 +147,4 @@ FaceList near_faces(const Mesh& mesh, const FaceList& faces) {
   return near;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

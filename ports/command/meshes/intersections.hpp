@@ -8,7 +8,7 @@
 
 #include "mesh.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Places of faces.
 using FaceList = std::vector<std::uint32_t>;
@@ -23,6 +23,6 @@ std::vector<std::array<std::uint32_t, 2>> intersecting_faces(const Mesh& mesh,
 /// triangles.
 FaceList near_faces(const Mesh& mesh, const FaceList& faces);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

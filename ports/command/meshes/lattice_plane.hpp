@@ -11,7 +11,7 @@
 
 #include "delaunay.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Two coordinates of a plane, chosen and ordered so that counter-clockwise seen from the tip of
 /// the normal stays so. Leaving a coordinate out changes shapes but neither order nor sides.
@@ -50,6 +50,6 @@ class LatticePlane {
   std::size_t u_, v_, left_out_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -8,7 +8,7 @@
 #include "numbered_corners.hpp"
 #include "plane_mesh.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 Mesh build_mesh(const Surface& surface, const MeshOptions& options) {
   for (const double spacing : surface.spacing_mm)
@@ -47,4 +47,4 @@ Point face_normal(const Mesh& mesh, std::size_t face) {
                                  : outward_normal(mesh.incidences[face], mesh.spacing_mm);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,11 +10,11 @@
 
 #include <discmc/placement.hpp>
 
+#include "pictures/srgb.hpp"
 #include "point.hpp"
-#include "srgb.hpp"
 #include "surface/surface.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 class Crossings;
 
@@ -103,6 +103,6 @@ MeshReport check_mesh(const Mesh& mesh);
 /// time n for n faces: by sums of hashes, which a mesh that is not closed passes once in 2^64.
 bool is_closed(const Mesh& mesh);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

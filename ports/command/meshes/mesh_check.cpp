@@ -3,7 +3,7 @@
 
 #include "mesh.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 struct DirectedEdge {
@@ -102,4 +102,4 @@ MeshReport check_mesh(const Mesh& mesh) {
   return report;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

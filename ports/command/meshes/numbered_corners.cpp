@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr std::size_t polygons_a_block = 1 << 14;
@@ -24,4 +24,4 @@ NumberedCorners number_corners(const Polygons& polygons, unsigned jobs) {
   return all;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

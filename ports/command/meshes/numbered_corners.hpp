@@ -9,7 +9,7 @@
 #include "surface/polygons.hpp"
 #include "vertex_numbers.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Places in Surface::polygons.
 struct PolygonSpan {
@@ -28,6 +28,6 @@ struct NumberedCorners {
 /// Numbers vertices in the order of their first corners. The jobs do not change it.
 NumberedCorners number_corners(const Polygons& polygons, unsigned jobs);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

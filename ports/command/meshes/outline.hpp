@@ -13,7 +13,7 @@
 #include "numbered_corners.hpp"
 #include "triangulate.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The corners and junctions of a polygon, ring after ring.
 class Outline {
@@ -123,6 +123,6 @@ inline void reserve_faces(Mesh& mesh, std::size_t vertices) {
   mesh.polygons.reserve(faces);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // v[0] columns[0] + v[1] columns[1] + v[2] columns[2].
@@ -41,4 +41,4 @@ void place(Mesh& mesh, const VolumePlacement& placement) {
   mesh.frame = placement.frame;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -5,7 +5,7 @@
 #include "mesh.hpp"
 #include "volumes/volume_placement.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Moves a mesh of build_mesh(), once, from where its spacing has it: vertices, normals (as planes
 /// go, so also by oblique axes), and the order of corners where the placement mirrors. A vertex
@@ -13,6 +13,6 @@ namespace discmc::host {
 /// Limit: is_usable(placement).
 void place(Mesh& mesh, const VolumePlacement& placement);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

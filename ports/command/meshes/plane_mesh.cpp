@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ordered_pipeline.hpp"
+#include "jobs/ordered_pipeline.hpp"
 #include "outline.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 template <class Values>
@@ -116,4 +116,4 @@ Mesh plane_mesh(const Surface& surface, NumberedCorners corners, const MeshOptio
   return mesh;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

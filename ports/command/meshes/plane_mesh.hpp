@@ -5,11 +5,11 @@
 #include "mesh.hpp"
 #include "numbered_corners.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// As build_mesh(). corners: of the surface. Limit: nothing is interpolated.
 Mesh plane_mesh(const Surface& surface, NumberedCorners corners, const MeshOptions& options);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

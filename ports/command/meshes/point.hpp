@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace discmc::host {
+namespace discmc::command {
 
 using Point = std::array<double, 3>;
 
@@ -28,6 +28,6 @@ inline Point unit_or_zero(const Point& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

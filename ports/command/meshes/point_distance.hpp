@@ -9,7 +9,7 @@
 
 #include "point.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 inline double squared_distance(const Point& point, const std::array<Point, 2>& segment) {
   const Point along = difference(segment[1], segment[0]);
@@ -38,6 +38,6 @@ inline double squared_distance(const Point& point, const std::array<Point, 3>& t
   return height * height / squared_area;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

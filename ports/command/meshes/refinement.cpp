@@ -7,7 +7,7 @@
 
 #include "point_distance.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // The mean of crossings that is at a centroid tells nothing that they do not.
@@ -154,4 +154,4 @@ void Refinement::add_crossings(const LatticePlane& plane, const std::array<Plane
                     [&vertices](const PlanePoint&, const Vertex& vertex) { vertices.add(vertex); });
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

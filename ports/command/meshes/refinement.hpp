@@ -14,7 +14,7 @@
 #include "point.hpp"
 #include "vertex_numbers.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The triangles of a polygon, and where their corners are moved to.
 struct MovedTriangles {
@@ -67,6 +67,6 @@ class Refinement {
   std::vector<bool> waits_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -10,7 +10,7 @@
 #include "box_tree.hpp"
 #include "point_distance.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 Point divided(const Point& point, const Point& unit) {
@@ -112,4 +112,4 @@ Distances distances(const Mesh& from, const Mesh& to, const Point& unit,
   return result;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -7,7 +7,7 @@
 
 #include "mesh.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Whether any face is more than a line or a point.
 bool has_area(const Mesh& mesh);
@@ -32,6 +32,6 @@ Distances distances(const Mesh& from, const Mesh& to, const Point& unit = {1, 1,
                     const std::function<void(std::size_t, std::size_t)>& progress = {},
                     std::size_t samples = default_distance_samples);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // For every vertex the first one at its position.
@@ -60,4 +60,4 @@ std::vector<Point> surface_normals(const Mesh& mesh) {
   return normals;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -6,7 +6,7 @@
 
 #include "mesh.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Unit normals, one a vertex: the mean of the polygons that meet there, each by the root of its
 /// area. So large walls stay plain and the narrow facets between them are rounded, and still no
@@ -16,6 +16,6 @@ namespace discmc::host {
 /// other out.
 std::vector<Point> surface_normals(const Mesh& mesh);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

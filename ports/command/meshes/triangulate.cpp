@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // The sweep is slanted against all sides that are usual on a lattice. Along them it would meet many
@@ -228,4 +228,4 @@ Triangulator::Chain Triangulator::joined(const Chain& lower, const Chain& upper)
   return {lower.bottom, upper.top, lower.top};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

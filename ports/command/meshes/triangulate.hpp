@@ -8,7 +8,7 @@
 
 #include "delaunay.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Triangulates one polygon after the other, in memory that it keeps.
 ///
@@ -86,6 +86,6 @@ class Triangulator {
   DelaunayFlips flips_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -11,7 +11,7 @@
 
 #include "streams/spacing.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 AxisWeights weights_of(const Mesh& mesh) {
@@ -117,4 +117,4 @@ void set_gradient_normals(VolumeReader& volume, Mesh& mesh,
                     [&](auto type) { set_from_samples<decltype(type)>(volume, mesh, progress); });
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

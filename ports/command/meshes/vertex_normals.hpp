@@ -9,7 +9,7 @@
 #include "surface/surface.hpp"
 #include "volumes/volume.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Gives every vertex the mean of the polygons that have it for a corner or a junction, each by its
 /// area; zero where they cancel each other out. mesh: build_mesh() of the surface.
@@ -30,6 +30,6 @@ void set_told_normals(const Surface& surface, Mesh& mesh);
 void set_gradient_normals(VolumeReader& volume, Mesh& mesh,
                           const std::function<void(std::uint32_t)>& progress = {});
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

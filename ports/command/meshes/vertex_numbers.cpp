@@ -1,8 +1,8 @@
 #include "vertex_numbers.hpp"
 
-#include "ordered_pipeline.hpp"
+#include "jobs/ordered_pipeline.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 // Each job numbers a share of its own; then the shares are joined.
 std::vector<std::uint32_t> VertexNumbers::add_all(const std::vector<Vertex>& positions,
@@ -54,4 +54,4 @@ std::vector<std::uint32_t> VertexNumbers::join(VertexNumbers&& other) {
   return numbers_here;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,7 +10,7 @@
 
 #include <discmc/lattice.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Gives positions numbers from zero on, in the order in which they come. Hash tables with open
 /// addressing, half full at most, one for every few slices: polygons come by slices, and what is
@@ -106,6 +106,6 @@ class VertexNumbers {
   std::vector<Vertex> positions_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 bool is_set(const char* variable) {
@@ -51,4 +51,4 @@ bool open_in_browser(const std::string& page) {
   return error == 0;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -4,13 +4,13 @@
 
 #include <string>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Opens a file or an address with the program that the environment variable BROWSER names, or else
 /// with the one that the desktop has for such files. Does not wait for it. Returns whether it was
 /// started.
 bool open_in_browser(const std::string& page);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

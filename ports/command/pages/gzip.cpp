@@ -8,7 +8,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 
 Gzip::Gzip(std::streambuf& out) : out_(out), stream_(std::make_unique<z_stream>()) {
   constexpr int window_bits = 15, with_gzip_header = 16, memory_level = 9;
@@ -50,4 +50,4 @@ void Gzip::finish() {
   if (!deflate(Z_FINISH)) throw std::runtime_error("the output took not everything: free space");
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

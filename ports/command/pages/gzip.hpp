@@ -7,7 +7,7 @@
 
 struct z_stream_s;
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Takes bytes as the buffer of a stream, and writes them compressed to another one.
 class Gzip : public std::streambuf {
@@ -30,6 +30,6 @@ class Gzip : public std::streambuf {
   bool has_failed_ = false;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

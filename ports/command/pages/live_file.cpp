@@ -13,7 +13,7 @@
 #include <iostream>
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 16;
@@ -86,4 +86,4 @@ void LiveFile::copy_to(std::ostream& out) {
   }
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Reads a pipe from its construction on, in a thread of its own, and keeps all that came.
 class LiveFile {
@@ -46,6 +46,6 @@ class LiveFile {
   std::thread reader_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "page_server.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 void serve_page(const ServedFile&, std::uint16_t, const std::function<void(const std::string&)>&) {
   throw std::runtime_error(
@@ -10,4 +10,4 @@ void serve_page(const ServedFile&, std::uint16_t, const std::function<void(const
       "libcpp-httplib-dev), and build discmc again");
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

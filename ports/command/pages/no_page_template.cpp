@@ -1,9 +1,9 @@
 #include "page_template.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 std::string_view page_template() {
   return {};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

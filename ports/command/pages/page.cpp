@@ -3,12 +3,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "base64.hpp"
 #include "gzip.hpp"
-#include "name_text.hpp"
 #include "page_template.hpp"
+#include "text/base64.hpp"
+#include "text/name_text.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // What the data comes before: all that looks for it.
@@ -62,4 +62,4 @@ std::string served_page(const std::string& name, const std::string& source, bool
   return text.append(end_data).append(page.scripts);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Writes the page with a file in it, which it shows when it is opened. name: of the file, with the
 /// extension of its format. write: called once, writes the content of the file.
@@ -19,6 +19,6 @@ void write_page(const std::string& name, const std::function<void(std::ostream&)
 /// Throws std::runtime_error as write_page().
 std::string served_page(const std::string& name, const std::string& source, bool is_live);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

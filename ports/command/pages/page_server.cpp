@@ -14,7 +14,7 @@
 
 #include "page.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr const char* own_address = "127.0.0.1";
@@ -161,4 +161,4 @@ void serve_page(const ServedFile& file, std::uint16_t port,
   server.serve_until_signal(signals);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <string>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// What the page shows.
 struct ServedFile {
@@ -29,6 +29,6 @@ struct ServedFile {
 void serve_page(const ServedFile& file, std::uint16_t port,
                 const std::function<void(const std::string& address)>& started);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -12,7 +12,7 @@ ${bytes}};
 
 }  // namespace
 
-std::string_view discmc::host::page_template() {
+std::string_view discmc::command::page_template() {
   return {reinterpret_cast<const char*>(bytes), sizeof(bytes)};
 }
 ")

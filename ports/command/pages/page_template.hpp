@@ -4,11 +4,11 @@
 
 #include <string_view>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Returns its text; none where it was not built.
 std::string_view page_template();
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

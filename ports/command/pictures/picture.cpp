@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "output_file.hpp"
+#include "files/output_file.hpp"
 #include "shading.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr int samples_per_side = 2;     // of a pixel
@@ -308,4 +308,4 @@ void write_picture(const Mesh& mesh, const PictureOptions& options,
   file.commit();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -11,7 +11,7 @@
 #include "meshes/mesh.hpp"
 #include "srgb.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 enum class Projection { orthographic, perspective };
 
@@ -53,6 +53,6 @@ Picture draw(const Mesh& mesh, const PictureOptions& options = {});
 void write_picture(const Mesh& mesh, const PictureOptions& options,
                    const std::filesystem::path& path);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

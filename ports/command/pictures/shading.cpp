@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Between the normal of a face and that of a vertex. Facets lean up to 55 degrees away from the
@@ -71,4 +71,4 @@ Colour Shader::light(const Point& normal, bool inside) const {
   return colour;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

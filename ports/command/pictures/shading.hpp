@@ -9,7 +9,7 @@
 #include "meshes/mesh.hpp"
 #include "picture.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 using Colour = std::array<float, 3>;  // linear light
 
@@ -53,6 +53,6 @@ class Shader {
   std::array<Point, 3> normals_{};  // of the corners, as the face has them
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr unsigned slot_bits = 17;
@@ -146,4 +146,4 @@ double Histogram::mean() const {
   return std::isfinite(sum_) ? sum_ / count : small_sum_ / count / small_unit;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -8,7 +8,7 @@
 
 #include "volumes/sample_type.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Counts samples of one type. As long as no more than most_bins different ones have come, each
 /// has a bin of its own: always, where they are of 8 or 16 bits. Beyond, samples share a bin that
@@ -72,6 +72,6 @@ class Histogram {
   std::uint64_t infinite_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

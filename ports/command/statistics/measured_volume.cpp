@@ -1,6 +1,6 @@
 #include "measured_volume.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 void MeasuredVolume::read_slice(void* samples) {
   volume_->read_slice(samples);
@@ -23,4 +23,4 @@ ValueRange MeasuredVolume::range_with_infinities() const {
   return all;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

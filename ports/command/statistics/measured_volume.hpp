@@ -9,7 +9,7 @@
 #include "sample_bounds.hpp"
 #include "volumes/volume.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Units: those that the file declares.
 struct ValueRange {
@@ -38,6 +38,6 @@ class MeasuredVolume final : public VolumeReader {
   SampleBounds bounds_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

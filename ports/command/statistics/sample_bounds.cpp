@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 template <class Sample>
@@ -66,4 +66,4 @@ SampleBounds sample_bounds(VolumeReader& volume) {
   return bounds;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -7,7 +7,7 @@
 
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Of the finite samples that have come, and whether infinite ones have. Units: as stored.
 struct SampleBounds {
@@ -28,6 +28,6 @@ struct SampleBounds {
 /// Reads the volume to its end.
 SampleBounds sample_bounds(VolumeReader& volume);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "value_text.hpp"
+#include "text/value_text.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 std::string range_text(const VolumeStatistics& statistics) {
@@ -48,4 +48,4 @@ RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
   return {rule == ThresholdRule::bone ? bone_threshold : skin_threshold, rule};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -8,7 +8,7 @@
 #include "volume_statistics.hpp"
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Otsu's threshold, or that of a tissue in CT. Automatic is bone where values are in Hounsfield
 /// units and some reach it, Otsu elsewhere.
@@ -46,6 +46,6 @@ struct RuledThreshold {
 RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
                             const VolumeStatistics& statistics);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "histogram.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 double rounded(double value, int digits) {
@@ -87,4 +87,4 @@ std::optional<double> otsu_threshold(const VolumeStatistics& statistics) {
   return short_number_between(counts[best - 1].value, counts[best].value);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

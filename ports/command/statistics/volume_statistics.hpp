@@ -9,7 +9,7 @@
 
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Values that are alike, or all but alike, as Histogram counts them.
 struct ValueCount {
@@ -44,6 +44,6 @@ double percentile(const VolumeStatistics& statistics, double percent);
 /// where there are no two values.
 std::optional<double> otsu_threshold(const VolumeStatistics& statistics);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -3,7 +3,7 @@
 #include <discmc/placement.hpp>
 #include <discmc/slab_range.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // 1500000 as 1.5: nanometres as millimetres, all of them.
@@ -68,4 +68,4 @@ std::string text(const ApplicationRecord& record) {
          hexadecimal(record.bytes, record.count);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

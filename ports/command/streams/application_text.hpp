@@ -6,11 +6,11 @@
 
 #include <discmc/application_record.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// A record in one line: its kind, where it was told, and its bytes; of a placement what it says.
 std::string text(const ApplicationRecord& record);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

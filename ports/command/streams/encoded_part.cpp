@@ -9,7 +9,7 @@
 
 #include "require.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 struct Coder {
@@ -69,4 +69,4 @@ void EncodedPart::append_to(NormalEncoder& encoder) {
   }
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -8,7 +8,7 @@
 
 #include <discmc/encoder.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// A sink that keeps packets of records, for the encoder of the whole volume to send.
 class EncodedPart {
@@ -39,6 +39,6 @@ class EncodedPart {
   std::uint16_t pieces_ = 0;  // taken, modulo 2^16
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <discmc/stream/wire.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 class Frames {
  public:
@@ -28,6 +28,6 @@ class Frames {
   std::vector<std::uint8_t> frame_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

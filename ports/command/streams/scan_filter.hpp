@@ -8,7 +8,7 @@
 
 #include "frames.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 class ScanFilter {
  public:
@@ -24,6 +24,6 @@ class ScanFilter {
   Frames frames_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace discmc::host {
+namespace discmc::command {
 
 std::optional<SlabRange> SlabRanges::add(const SlabRange& range) {
   const auto next = std::find_if(ranges_.begin(), ranges_.end(), [&range](const SlabRange& each) {
@@ -50,4 +50,4 @@ std::string text(const std::vector<SlabRange>& ranges) {
   return text;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -9,7 +9,7 @@
 
 #include <discmc/slab_range.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 class SlabRanges {
  public:
@@ -28,6 +28,6 @@ class SlabRanges {
 /// "slices 10 to 19 and 30 to 30", for people.
 std::string text(const std::vector<SlabRange>& ranges);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

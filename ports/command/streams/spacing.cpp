@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 std::int32_t nanometres(double millimetres) {
@@ -30,4 +30,4 @@ std::array<double, 3> spacing_mm(const StreamHeader& header) {
   return spacing;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

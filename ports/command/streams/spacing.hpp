@@ -7,7 +7,7 @@
 
 #include <discmc/stream_header.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
 std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
@@ -15,6 +15,6 @@ std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
 /// The header's spacing, 1 where the stream does not say. Units: millimetres.
 std::array<double, 3> spacing_mm(const StreamHeader& header);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

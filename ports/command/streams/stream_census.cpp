@@ -2,7 +2,7 @@
 
 #include <discmc/stream/packet_reader.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
   frames_.push(bytes, count, [this](const std::vector<std::uint8_t>& frame) { look_at(frame); });
@@ -15,10 +15,14 @@ void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   PacketReader reader;
   reader.start(any_channel);
   for (const std::uint8_t byte : frame) static_cast<void>(reader.take(byte));
+  if (reader.is_refused()) {
+    wire::ByteReader fields(reader.payload(), reader.payload_bytes());
+    other_version_ = static_cast<std::uint8_t>(fields.get(3 + 1) >> 24);  // behind the magic
+  }
   if (!reader.report().has_header) return;
   const StreamHeader& header = reader.header();
   const bool is_new = known_.insert(wire::tag_of(header)).second;
   if (is_new) headers_.push_back(header);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

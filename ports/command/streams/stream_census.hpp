@@ -11,7 +11,7 @@
 
 #include "frames.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Finds the headers among the frames of a link.
 class StreamCensus {
@@ -19,6 +19,8 @@ class StreamCensus {
   void take(const std::uint8_t* bytes, std::size_t count);
   /// One of each stream, in the order in which they came.
   const std::vector<StreamHeader>& headers() const { return headers_; }
+  /// The version of the last header whose version is not wire::version.
+  std::uint8_t other_version() const { return other_version_; }
 
  private:
   void look_at(const std::vector<std::uint8_t>& frame);
@@ -26,8 +28,9 @@ class StreamCensus {
   Frames frames_;
   std::unordered_set<std::uint32_t> known_;  // by what names them
   std::vector<StreamHeader> headers_;
+  std::uint8_t other_version_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 
-StreamReader::StreamReader(const Sink& sink, const StreamChoice& choice)
-    : sink_(sink), choice_(choice) {
+StreamReader::StreamReader(const Sink& sink, const StreamChoice& choice) : choice_(choice) {
   if (choice.scan) filter_.emplace(*choice.scan);
   status_ = decoder_.start({}, sink, choice.channel);
 }
@@ -23,59 +22,32 @@ void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t
   finish();
 }
 
-// Nothing is decoded before the version is known, but nothing is lost.
 void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
   census_.take(bytes, count);
-  if (search_.is_over()) {
-    pass(bytes, count);
+  if (filter_) {
+    const std::vector<std::uint8_t> chosen = filter_->take(bytes, count);
+    decode(chosen.data(), chosen.size());
   } else {
-    held_.insert(held_.end(), bytes, bytes + count);
-    for (std::size_t i = 0; i < count && !search_.is_over(); ++i) search_.take(bytes[i]);
-    if (search_.is_over()) choose_decoder();
+    decode(bytes, count);
   }
   require_ok();
 }
 
-void StreamReader::choose_decoder() {
-  if (search_.is_version1()) {
-    if (!choice_.is_any())
-      throw std::runtime_error(
-          "the stream is of version 1, which has neither scans nor channels: leave --scan and "
-          "--channel out");
-    version1_.emplace(sink_);
-  }
-  pass(held_.data(), held_.size());
-  held_ = {};
-}
-
 void StreamReader::finish() {
-  if (!search_.is_over()) choose_decoder();
-  if (version1_)
-    version1_->finish();
-  else if (status_ == Status::ok)
-    status_ = decoder_.finish();
+  if (status_ == Status::ok) status_ = decoder_.finish();
   require_ok();
 }
 
 void StreamReader::require_ok() const {
   if (status_ == Status::wrong_version)
-    throw std::runtime_error(
-        "the stream is of a version that this program does not know (it knows 1 to " +
-        std::to_string(wire::version) + "): use a newer discmc");
+    throw std::runtime_error("stream version " + std::to_string(census_.other_version()) +
+                             " is unknown; this discmc reads version " +
+                             std::to_string(wire::version) +
+                             ": use the release of discmc that wrote the stream");
   if (status_ != Status::ok) throw std::runtime_error(text(status_));
 }
 
-void StreamReader::pass(const std::uint8_t* bytes, std::size_t count) {
-  if (!filter_) return decode(bytes, count);
-  const std::vector<std::uint8_t> chosen = filter_->take(bytes, count);
-  decode(chosen.data(), chosen.size());
-}
-
 void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
-  if (version1_) {
-    status_ = version1_->push(bytes, count);
-    return;
-  }
   Decoded decoded;
   do {
     decoded = decoder_.push(bytes, count);
@@ -114,4 +86,4 @@ Status StreamReader::give_memory() {
   return decoder_.give_memory({memory_.get(), bytes});
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -13,12 +13,10 @@
 
 #include "scan_filter.hpp"
 #include "stream_census.hpp"
-#include "streams/version1/decoder.hpp"
-#include "version_search.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
-/// Which stream of a link, and which surface of it. Version 1 has neither scans nor channels.
+/// Which stream of a link, and which surface of it.
 struct StreamChoice {
   std::uint8_t channel = any_channel;  ///< as of the SurfaceDecoder
   std::optional<std::uint16_t> scan;   ///< else the first
@@ -26,54 +24,48 @@ struct StreamChoice {
   bool is_any() const { return channel == any_channel && !scan; }
 };
 
-/// A stream of either kind and of any version.
+/// A stream of either kind.
 class StreamReader {
  public:
   /// sink: it must not say "not now".
   explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
-  /// As of the Decoder; of version 1 nothing goes there.
+  /// As of the Decoder.
   void pass_whole_regions_to(const RecordsPacketSink& sink) {
     decoder_.pass_whole_regions_to(sink);
   }
   /// Any number of bytes; a sink gets what they complete. Throws std::runtime_error when the
-  /// stream's version is not known, has not what was chosen, or it claims that more was lost than
-  /// anybody can wait for. Limit: not after that.
+  /// stream's version is not known, or when it claims that more was lost than anybody can wait for.
+  /// Limit: not after that.
   void push(const std::uint8_t* bytes, std::size_t count);
   /// Tells that no bytes follow. Throws as push().
   void finish();
   /// All of a stream. progress: called now and then with the bytes read so far. Throws as push().
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
 
-  const StreamHeader& header() const { return version1_ ? version1_->header() : decoder_.header(); }
-  const StreamReport& report() const { return version1_ ? version1_->report() : decoder_.report(); }
+  const StreamHeader& header() const { return decoder_.header(); }
+  const StreamReport& report() const { return decoder_.report(); }
   /// The channel that was read.
   std::uint8_t channel() const {
     return choice_.channel == any_channel ? header().channel : choice_.channel;
   }
-  /// The headers of all streams of the link, of version 2.
+  /// The headers of all streams of the link.
   const std::vector<StreamHeader>& headers() const { return census_.headers(); }
 
  private:
-  void choose_decoder();
-  void pass(const std::uint8_t* bytes, std::size_t count);
   void decode(const std::uint8_t* bytes, std::size_t count);
   void require_ok() const;
   Status give_memory();
   Status go_on_skipping();
 
-  Sink sink_;
   StreamChoice choice_;
   std::optional<ScanFilter> filter_;
   StreamCensus census_;
-  VersionSearch search_;
-  std::vector<std::uint8_t> held_;  // until the version is known
   SurfaceDecoder decoder_{};
-  std::optional<version1::Decoder> version1_;  // instead, for a stream of this version
-  std::unique_ptr<std::uint8_t[]> memory_;     // for a stream of bits
+  std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of bits
   Status status_ = Status::ok;
   std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

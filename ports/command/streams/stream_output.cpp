@@ -1,6 +1,6 @@
 #include "stream_output.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 ByteOutput StreamOutput::byte_output() {
   return {this, [](void* context, const std::uint8_t* bytes, std::size_t count) {
@@ -12,4 +12,4 @@ ByteOutput StreamOutput::byte_output() {
           }};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

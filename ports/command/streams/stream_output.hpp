@@ -7,7 +7,7 @@
 
 #include <discmc/encoder.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// An output that counts what an encoder gives it and passes it on to a stream.
 /// Owner: `out` belongs to the caller and outlives the output.
@@ -22,6 +22,6 @@ class StreamOutput {
   std::uint64_t bytes_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

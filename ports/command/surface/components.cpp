@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // A link of whichever direction, and a polygon that has it: twice its middle, and on which of the
@@ -145,4 +145,4 @@ ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice)
   return {found, kept.size()};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -7,7 +7,7 @@
 
 #include "surface.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Polygons that hang together by links. A solid with a cavity has two.
 struct Component {
@@ -35,6 +35,6 @@ struct ComponentCounts {
 /// Takes away what is not chosen; what is kept stays in its order. Limit: a closed surface.
 ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

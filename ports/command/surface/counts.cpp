@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace discmc::host {
+namespace discmc::command {
 
 Counts count(const Surface& surface) {
   Counts counts;
@@ -24,4 +24,4 @@ Counts count(const Surface& surface) {
   return counts;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -6,7 +6,7 @@
 
 #include "surface.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Counts of simple rings and their corners, and of the vertices that have a normal.
 struct Counts {
@@ -23,6 +23,6 @@ struct Counts {
 
 Counts count(const Surface& surface);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -1,6 +1,6 @@
 #include "event_words.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // What tells other words from a run without a normal, whose length is never as great.
@@ -61,4 +61,4 @@ bool EventWords::next(Event& event) {
   return true;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -8,7 +8,7 @@
 
 #include <discmc/sink.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Appends an event: a run takes a word, two with a normal; what has a vertex takes four; else one.
 /// Of `start`, `application` and `finish` the kind alone, not what they point to.
@@ -28,6 +28,6 @@ class EventWords {
   std::size_t at_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 bool is_of_region(Event::Kind kind) {
@@ -62,4 +62,4 @@ bool GrowingJoiner::is_unmatched() {
   return unmatched_ > before;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -9,7 +9,7 @@
 
 #include <discmc/joiner.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// A sink before another: takes the events of scans and makes regions of the loose fragments
 /// among them. What finds no partner reaches the sink loose. A joiner that runs short of memory
@@ -57,6 +57,6 @@ class GrowingJoiner {
   bool is_beyond_limit_ = false;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

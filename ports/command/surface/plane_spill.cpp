@@ -8,7 +8,7 @@
 #include "event_words.hpp"
 #include "growing_joiner.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 Answer PlaneSpill::take(const Event& event) {
   switch (event.kind) {
@@ -115,4 +115,4 @@ Answer PlaneSpill::pass(const Event& event) {
   return is_end ? Answer::taken : sink_.take(sink_.context, event);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

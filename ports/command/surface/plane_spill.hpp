@@ -10,9 +10,9 @@
 
 #include <discmc/sink.hpp>
 
-#include "temporary_file.hpp"
+#include "files/temporary_file.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 class GrowingJoiner;
 
@@ -64,6 +64,6 @@ class PlaneSpill {
   bool has_finish_ = false;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <discmc/lattice.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// A simple ring by its corners: from each a straight side of links leads to the next, and from the
 /// last to the first. No vertex of a link is there twice. Units: half-steps. Owner: who has the
@@ -145,6 +145,6 @@ class Polygons {
   std::vector<Vertex> corners_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -9,7 +9,7 @@
 #include "growing_joiner.hpp"
 #include "plane_spill.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// A GrowingJoiner for streams in any order that goes on in a temporary file when it has so much
 /// memory.
@@ -36,6 +36,6 @@ class SpillingJoiner {
   std::optional<GrowingJoiner> joiner_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -1,4 +1,4 @@
-// The surface as the host holds it: merged polygons on the half-step lattice.
+// The surface as the command holds it: merged polygons on the half-step lattice.
 #ifndef DISCMC_COMMAND_SURFACE_SURFACE_HPP
 #define DISCMC_COMMAND_SURFACE_SURFACE_HPP
 
@@ -13,7 +13,7 @@
 
 #include "polygons.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct VertexHash {
   std::size_t operator()(const discmc::Vertex& vertex) const {
@@ -52,6 +52,6 @@ struct Surface {
   std::unordered_map<discmc::Vertex, discmc::OctahedralNormal, VertexHash> normals{};
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <discmc/polygon.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 Answer SurfaceBuilder::take(const Event& event) {
   switch (event.kind) {
@@ -206,4 +206,4 @@ void SurfaceBuilder::end_region() {
   for (const Span& span : simple_rings_) surface_.polygons.add_ring(simple_ring(span));
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,7 +10,7 @@
 
 #include "surface.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
 /// joined before.
@@ -82,6 +82,6 @@ class SurfaceBuilder {
   std::vector<std::uint32_t> scratch_;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

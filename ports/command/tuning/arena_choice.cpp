@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr std::uint64_t step = 256;
@@ -63,4 +63,4 @@ std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end) 
   return sizes;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

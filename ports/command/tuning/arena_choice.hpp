@@ -9,7 +9,7 @@
 
 #include "trial.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The most that 16-bit indices make use of. Units: bytes.
 std::uint64_t most_arena_bytes(const Limits& limits);
@@ -24,6 +24,6 @@ std::optional<Trial> least_without_loose_pieces(const VolumeBits& volume, const 
 /// that does not matter: below `end`. Units: bytes.
 std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -1,6 +1,6 @@
 #include "cycle_costs.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // scripts/cycles writes the lines between the marks.
@@ -33,4 +33,4 @@ double cycles_of(const DeviceWork& work, std::uint32_t sample_bytes, const Cycle
          times(work.bytes, costs.byte);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -6,7 +6,7 @@
 
 #include "device_work.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Of the library compiled with -Os. scripts/cycles measures and writes them, and says how far off
 /// they are (docs/measure.md).
@@ -26,6 +26,6 @@ const CycleCosts& cycle_costs(Core core, Payload payload);
 /// Units: processor cycles. sample_bytes: 1 or 2.
 double cycles_of(const DeviceWork& work, std::uint32_t sample_bytes, const CycleCosts& costs);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

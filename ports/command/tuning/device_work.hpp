@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct DeviceWork {
   std::uint64_t voxels = 0;  ///< compared with the threshold
@@ -21,6 +21,6 @@ struct DeviceWork {
   }
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

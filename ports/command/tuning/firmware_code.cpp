@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 bool is_of_slices(const FirmwareChoice& choice) {
@@ -77,4 +77,4 @@ std::string c_code(const FirmwareChoice& choice) {
   return out.str();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,7 +10,7 @@
 #include <discmc/capacities.hpp>
 #include <discmc/limits.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct FirmwareChoice {
   Limits limits;
@@ -25,6 +25,6 @@ struct FirmwareChoice {
 std::string cpp_code(const FirmwareChoice& choice);
 std::string c_code(const FirmwareChoice& choice);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

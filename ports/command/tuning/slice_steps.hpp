@@ -6,7 +6,7 @@
 
 #include <discmc/key_slices.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 class SliceSteps {
  public:
@@ -57,6 +57,6 @@ class SliceSteps {
   uint64_t count_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -7,7 +7,7 @@
 #include "require.hpp"
 #include "slice_steps.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr ByteOutput nowhere{nullptr,
@@ -101,4 +101,4 @@ Trial try_slices(const VolumeBits& volume, KeySlices key_slices) {
   return trial;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -11,7 +11,7 @@
 #include "device_work.hpp"
 #include "volume_bits.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct Trial {
   std::uint64_t memory = 0;  ///< that the arena or the slice encoder had; Units: bytes
@@ -34,6 +34,6 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities);
 /// Slices, in the memory that their encoder takes.
 Trial try_slices(const VolumeBits& volume, KeySlices key_slices);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

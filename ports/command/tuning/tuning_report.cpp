@@ -5,9 +5,9 @@
 #include <iomanip>
 #include <sstream>
 
-#include "grouped_number.hpp"
+#include "text/grouped_number.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr double bits_a_byte = 10;  // 8N1
@@ -83,4 +83,4 @@ const char* name(Core core) {
   return "Cortex-M4";
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,7 +10,7 @@
 #include "cycle_costs.hpp"
 #include "trial.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The device and its line.
 struct Device {
@@ -38,6 +38,6 @@ void write_trials(const std::vector<TriedRow>& rows, Payload payload, const Devi
 
 const char* name(Core core);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

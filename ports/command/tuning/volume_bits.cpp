@@ -7,7 +7,7 @@
 #include "extraction/bit_source.hpp"
 #include "extraction/mask_bits.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 template <class Iterator>
@@ -23,8 +23,8 @@ VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
     : limits_{volume.info().dims[0], volume.info().dims[1], options.border},
       header_(stream_header(volume.info(), options)),
       // A scanner's converter has 8 bits or up to 16; a file may have more of them.
-      sample_bytes_(host::sample_bytes(volume.info().type) == 1 ? 1 : 2),
-      is_floating_(host::is_floating(volume.info().type)),
+      sample_bytes_(command::sample_bytes(volume.info().type) == 1 ? 1 : 2),
+      is_floating_(command::is_floating(volume.info().type)),
       row_bytes_(bit_row_bytes(limits_.width)) {
   const SlabSpans all = slab_spans({0, slices()}, slices(), options.takes_majority);
   BitSource source(volume.info(), limits_, all, options.takes_majority, {{options.selection, {}}});
@@ -48,4 +48,4 @@ VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
   is_full_ = source.is_full(0);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

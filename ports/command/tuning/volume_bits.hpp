@@ -12,7 +12,7 @@
 #include "extraction/extraction.hpp"
 #include "volumes/volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// An eighth of a byte a voxel.
 class VolumeBits {
@@ -47,6 +47,6 @@ class VolumeBits {
   bool is_full_ = false;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -4,7 +4,7 @@
 #include "byte_source.hpp"
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Characters in fours stand for bytes in threes; the last of a part are filled up with '='. Parts
@@ -87,4 +87,4 @@ std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in) {
   return std::make_unique<Base64>(std::move(in));
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,7 +10,7 @@
 #include <array>
 #endif
 
-namespace discmc::host {
+namespace discmc::command {
 
 #ifdef DISCMC_WITH_BZIP2
 namespace {
@@ -101,4 +101,4 @@ std::unique_ptr<ByteSource> bunzipped(std::unique_ptr<ByteSource> in) {
 }
 #endif
 
-}  // namespace discmc::host
+}  // namespace discmc::command

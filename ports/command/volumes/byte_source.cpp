@@ -8,7 +8,7 @@
 
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 std::size_t read_from(std::istream& in, void* bytes, std::size_t count) {
@@ -93,4 +93,4 @@ std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file) {
   return std::make_unique<Pipe>(std::move(in));
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

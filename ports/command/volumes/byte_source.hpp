@@ -12,7 +12,7 @@
 
 #include "sample_type.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 class ByteSource {
  public:
@@ -66,6 +66,6 @@ std::unique_ptr<ByteSource> bunzipped(std::unique_ptr<ByteSource> in);
 /// '<'.
 std::unique_ptr<ByteSource> samples_of_text(std::unique_ptr<ByteSource> in, SampleType type);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

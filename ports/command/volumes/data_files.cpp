@@ -9,7 +9,7 @@
 
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // The pattern of printf for one whole number, as it stands in headers: "%d", "%03d". printf itself
@@ -135,4 +135,4 @@ ByteStream joined(const std::filesystem::path& header, const DataFiles& files, s
   return {header, std::make_unique<JoinedFiles>(files, bytes / files.count, std::move(open))};
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -9,7 +9,7 @@
 
 #include "volume_stream.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Files beside a header, in the order of their samples.
 struct DataFiles {
@@ -30,6 +30,6 @@ DataFiles data_files(ByteStream& header, std::string_view field, std::string_vie
 ByteStream joined(const std::filesystem::path& header, const DataFiles& files, std::uint64_t bytes,
                   std::function<ByteStream(const std::filesystem::path&)> open);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

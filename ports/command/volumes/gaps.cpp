@@ -5,7 +5,7 @@
 
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 std::string are_missing(const std::vector<Gap>& gaps) {
@@ -33,4 +33,4 @@ std::string note_of_filling(const std::filesystem::path& source, const std::vect
   return what + ", filled with the nearest ones";
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// More than that are no more of a gap.
 constexpr std::uint64_t most_missing = 1000000000;
@@ -48,6 +48,6 @@ void fill_gaps(std::vector<Slice>& stack, const std::vector<Gap>& gaps) {
   stack = std::move(filled);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -7,7 +7,7 @@
 #include "byte_source.hpp"
 #include "volume.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 class Inflater final : public ByteSource {
@@ -96,4 +96,4 @@ std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std:
   return std::make_unique<Inflater>(std::move(in), count);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -5,7 +5,7 @@
 
 #include "volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 double lowered_by_rounding(const VolumeInfo& info, double iso) {
   // iso, slope and intercept are decimal numbers, each rounded once.
@@ -33,4 +33,4 @@ std::int32_t stored_threshold(const VolumeInfo& info, double iso) {
   return static_cast<std::int32_t>(low);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

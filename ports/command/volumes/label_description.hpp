@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "srgb.hpp"
+#include "pictures/srgb.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 struct LabelDescription {
   std::string name;
@@ -19,6 +19,6 @@ struct LabelDescription {
 /// What is known of labels, by their values.
 using LabelTable = std::map<std::int64_t, LabelDescription>;
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -6,10 +6,10 @@
 #include <system_error>
 #include <vector>
 
-#include "number_text.hpp"
+#include "text/number_text.hpp"
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -148,4 +148,4 @@ LabelTable read_label_table(const std::filesystem::path& file) {
   return table;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

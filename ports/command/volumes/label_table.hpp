@@ -6,7 +6,7 @@
 
 #include "label_description.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Reads a table of labels, as programs write them: lines of "INDEX NAME RED GREEN BLUE" (3D
 /// Slicer, FreeSurfer), of "INDEX RED GREEN BLUE ALPHA VISIBLE MESH "NAME"" (ITK-SNAP), or columns
@@ -14,6 +14,6 @@ namespace discmc::host {
 /// are skipped. Throws VolumeError with the number of a line that is none of that.
 LabelTable read_label_table(const std::filesystem::path& file);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -1,6 +1,6 @@
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 struct Magic {
@@ -56,4 +56,4 @@ bool is_volume_head(std::string_view head) {
   return format_of_head(head).has_value();
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -7,7 +7,7 @@
 
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 bool is_stream_name(const std::filesystem::path& file) {
   return lower(file.extension().string()) == ".dmc";
@@ -19,4 +19,4 @@ bool is_mesh_name(const std::filesystem::path& file) {
   return std::find(std::begin(meshes), std::end(meshes), extension) != std::end(meshes);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace discmc::host {
+namespace discmc::command {
 
 bool is_stream_name(const std::filesystem::path& file);
 bool is_mesh_name(const std::filesystem::path& file);
@@ -13,6 +13,6 @@ bool is_mesh_name(const std::filesystem::path& file);
 constexpr const char* who_takes_meshes =
     "only discmc compare takes meshes: .stl, .ply, .obj, .glb or .3mf";
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

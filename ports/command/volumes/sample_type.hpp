@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Whole numbers without and with sign, and IEEE 754 floating point, by their bits.
 enum class SampleType : std::uint8_t { u8, i8, u16, i16, u32, i32, u64, i64, f32, f64 };
@@ -96,6 +96,6 @@ constexpr bool is_floating(SampleType type) {
   return type == SampleType::f32 || type == SampleType::f64;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

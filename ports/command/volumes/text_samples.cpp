@@ -12,7 +12,7 @@
 #include "byte_source.hpp"
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 class TextSamples final : public ByteSource {
@@ -125,4 +125,4 @@ std::unique_ptr<ByteSource> samples_of_text(std::unique_ptr<ByteSource> in, Samp
   return std::make_unique<TextSamples>(std::move(in), type);
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -10,15 +10,15 @@
 #include <system_error>
 #include <utility>
 
-#include "cropped_volume.hpp"
-#include "dicom/files.hpp"
-#include "hdf5/name.hpp"
 #include "other_kinds.hpp"
-#include "pictures/picture_names.hpp"
-#include "shrunk_volume.hpp"
 #include "volume_format.hpp"
+#include "volumes/filters/cropped_volume.hpp"
+#include "volumes/filters/shrunk_volume.hpp"
+#include "volumes/formats/dicom/files.hpp"
+#include "volumes/formats/hdf5/name.hpp"
+#include "volumes/formats/pictures/picture_names.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 using Ends = std::initializer_list<std::string_view>;
@@ -199,4 +199,4 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
   return volume;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

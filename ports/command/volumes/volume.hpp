@@ -18,7 +18,7 @@
 #include "sample_type.hpp"
 #include "volume_reader.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The layout of a file that does not tell its own.
 struct RawLayout {
@@ -87,6 +87,6 @@ constexpr std::size_t magic_bytes = 348;
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options = {});
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -6,10 +6,10 @@
 #include <locale>
 #include <sstream>
 
-#include "control_character.hpp"
-#include "number_text.hpp"
+#include "text/control_character.hpp"
+#include "text/number_text.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
@@ -262,4 +262,4 @@ void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope
   info.intercept = slope == 0 ? 0 : intercept;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -15,7 +15,7 @@
 #include "volume.hpp"
 #include "volume_stream.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions& options);
@@ -141,6 +141,6 @@ void set_part(VolumeInfo& info, const std::filesystem::path& file,
 /// slope is negative or either not finite.
 void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope, double intercept);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 VolumePlacement by_spacing(const VolumeInfo& info) {
@@ -49,4 +49,4 @@ double offset_mm(const VolumeInfo& a, const VolumeInfo& b) {
   return apart > voxel / 10 ? apart : 0;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

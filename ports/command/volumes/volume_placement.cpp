@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace discmc::host {
+namespace discmc::command {
 
 double determinant(const Axes& a) {
   return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
@@ -73,4 +73,4 @@ VolumePlacement in_millimetres(const Placement& placement) {
   return result;
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

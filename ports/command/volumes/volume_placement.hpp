@@ -6,7 +6,7 @@
 
 #include <discmc/placement.hpp>
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// Of voxels.
 constexpr double least_spacing_mm = 1e-6;
@@ -48,6 +48,6 @@ VolumePlacement in_frame(VolumePlacement placement, Frame frame);
 Placement in_nanometres(const VolumePlacement& placement);
 VolumePlacement in_millimetres(const Placement& placement);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

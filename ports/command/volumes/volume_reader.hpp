@@ -14,7 +14,7 @@
 #include "sample_type.hpp"
 #include "volume_placement.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// What cannot be read, and why.
 class VolumeError : public std::runtime_error {
@@ -95,6 +95,6 @@ double lowered_by_rounding(const VolumeInfo& info, double iso);
 /// Of samples that are not whole numbers it is the first whole one.
 std::int32_t stored_threshold(const VolumeInfo& info, double iso);
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

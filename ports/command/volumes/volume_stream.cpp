@@ -6,7 +6,7 @@
 
 #include "volume_format.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 namespace {
 
 // Samples arrive in the file's byte order and leave in the machine's.
@@ -46,7 +46,7 @@ class ByteStream::Rest final : public ByteSource {
 
 ByteStream::ByteStream(const std::filesystem::path& file)
     : ByteStream(file == "-" ? "standard input" : file, bytes_of_file(file)) {
-  is_read_once_ = host::is_read_once(file);
+  is_read_once_ = command::is_read_once(file);
 }
 
 ByteStream::ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> source)
@@ -208,4 +208,4 @@ void SliceStream::fail_in_slice(std::uint64_t missing) const {
   fail(stream_.file(), what + damage, "copy or export the file again");
 }
 
-}  // namespace discmc::host
+}  // namespace discmc::command

@@ -14,7 +14,7 @@
 #include "byte_source.hpp"
 #include "volume.hpp"
 
-namespace discmc::host {
+namespace discmc::command {
 
 /// The byte order of this machine.
 bool is_native_big_endian();
@@ -109,6 +109,6 @@ class SliceStream final : public VolumeReader {
   std::uint32_t slice_ = 0;
 };
 
-}  // namespace discmc::host
+}  // namespace discmc::command
 
 #endif

@@ -28,13 +28,13 @@ DeviceScan scan(const VoxelBits& bits, const StreamHeader& header, std::uint64_t
   DeviceScan result;
   std::vector<std::uint8_t> memory(bytes);
   Encoder encoder;
-  host::require(encoder.start(header.label(), output_to(result.stream)));
+  command::require(encoder.start(header.label(), output_to(result.stream)));
   Extractor<Index> extractor;
-  host::require(extractor.start(limits_of(header), header.threshold, {memory.data(), memory.size()},
-                                sink_to(encoder)));
+  command::require(extractor.start(limits_of(header), header.threshold,
+                                   {memory.data(), memory.size()}, sink_to(encoder)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
-    host::require(extractor.push_bits(bits.row(row)).status);
-  host::require(extractor.finish());
+    command::require(extractor.push_bits(bits.row(row)).status);
+  command::require(extractor.finish());
   const Statistics statistics = extractor.statistics();
   result.regions = statistics.regions;
   result.fragments = statistics.fragments;
@@ -49,7 +49,7 @@ std::uint64_t least_memory(const StreamHeader& header) {
 }
 
 DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::uint64_t memory) {
-  return host::takes_narrow_indices(limits_of(header), memory)
+  return command::takes_narrow_indices(limits_of(header), memory)
              ? scan<std::uint16_t>(bits, header, memory)
              : scan<std::uint32_t>(bits, header, memory);
 }
@@ -59,11 +59,11 @@ DeviceScan scan_slices(const VoxelBits& bits, const StreamHeader& header) {
   constexpr KeySlices first_only{};
   std::vector<std::uint8_t> memory(slice_encoder_bytes(limits_of(header), first_only));
   SliceEncoder encoder;
-  host::require(
+  command::require(
       encoder.start(header, first_only, {memory.data(), memory.size()}, output_to(result.stream)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
-    host::require(encoder.push_bits(bits.row(row)).status);
-  host::require(encoder.finish());
+    command::require(encoder.push_bits(bits.row(row)).status);
+  command::require(encoder.finish());
   result.memory_used = memory.size();
   return result;
 }

@@ -14,10 +14,10 @@ namespace discmc::web {
 
 class MemoryVolume {
  public:
-  explicit MemoryVolume(host::VolumeInfo info)
+  explicit MemoryVolume(command::VolumeInfo info)
       : info_(std::move(info)), samples_(info_.slice_bytes() * info_.dims[2]) {}
 
-  const host::VolumeInfo& info() const { return info_; }
+  const command::VolumeInfo& info() const { return info_; }
   /// Slice after slice, rows of x from y = 0, in the byte order of the machine.
   std::uint8_t* samples() { return samples_.data(); }
   const std::uint8_t* slice(std::uint32_t z) const {
@@ -25,16 +25,16 @@ class MemoryVolume {
   }
 
  private:
-  host::VolumeInfo info_;
+  command::VolumeInfo info_;
   std::vector<std::uint8_t> samples_;
 };
 
 /// One pass over it. Owner: the volume is the caller's.
-class MemoryReader final : public host::VolumeReader {
+class MemoryReader final : public command::VolumeReader {
  public:
   explicit MemoryReader(const MemoryVolume& volume) : volume_(volume) {}
 
-  const host::VolumeInfo& info() const override { return volume_.info(); }
+  const command::VolumeInfo& info() const override { return volume_.info(); }
   /// Limit: as many calls as slices.
   void read_slice(void* samples) override {
     std::memcpy(samples, volume_.slice(next_++), info().slice_bytes());

@@ -58,7 +58,7 @@ struct State {
   DrawnSurface drawn;
   std::vector<OctahedralNormal> normals;
   std::vector<std::int32_t> polygons;
-  host::Mesh classic;
+  command::Mesh classic;
   std::vector<float> classic_vertices;
   DeviceScan scan;
   std::vector<std::int32_t> surfaces;
@@ -71,18 +71,18 @@ State& state() {
 }
 
 StreamHeader header() {
-  const host::VolumeInfo& info = state().volume->info();
+  const command::VolumeInfo& info = state().volume->info();
   StreamHeader header;
   header.width = info.dims[0];
   header.height = info.dims[1];
   header.depth = info.dims[2];
-  const auto spacing = host::spacing_nm(info.spacing_mm);
+  const auto spacing = command::spacing_nm(info.spacing_mm);
   for (std::size_t axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = spacing[axis];
-  header.threshold = host::stored_threshold(info, state().iso);
+  header.threshold = command::stored_threshold(info, state().iso);
   return header;
 }
 
-const host::Polygons& polygons() {
+const command::Polygons& polygons() {
   return state().stream ? state().stream->polygons() : state().swept.polygons;
 }
 
@@ -100,8 +100,8 @@ EXPORT(new_volume)
 std::uint8_t* new_volume(std::uint32_t type, std::uint32_t width, std::uint32_t height,
                          std::uint32_t depth, double x_mm, double y_mm, double z_mm, double slope,
                          double intercept, std::uint32_t is_in_hounsfield) {
-  host::VolumeInfo info;
-  info.type = static_cast<host::SampleType>(type);
+  command::VolumeInfo info;
+  info.type = static_cast<command::SampleType>(type);
   info.dims = {width, height, depth};
   info.spacing_mm = {x_mm, y_mm, z_mm};
   info.slope = slope;
@@ -121,7 +121,7 @@ EXPORT(measure) const Measured* measure() {
 /// Cubes, polygons, rings.
 EXPORT(extract) const double* extract(double iso, std::uint32_t is_filtered) {
   State& all = state();
-  const host::VolumeInfo& info = all.volume->info();
+  const command::VolumeInfo& info = all.volume->info();
   all.iso = iso;
   all.bits.select(*all.volume, iso);
   if (is_filtered != 0) all.bits.filter();
@@ -158,10 +158,10 @@ EXPORT(normals) const Bytes* normals() {
 EXPORT(polygons) const Bytes* polygons_as_numbers() {
   std::vector<std::int32_t>& list = state().polygons;
   list.clear();
-  for (const host::Polygon& polygon : polygons()) {
+  for (const command::Polygon& polygon : polygons()) {
     list.push_back(polygon.incidence);
     list.push_back(static_cast<std::int32_t>(polygon.rings.size()));
-    for (const host::Ring& ring : polygon.rings) {
+    for (const command::Ring& ring : polygon.rings) {
       list.push_back(static_cast<std::int32_t>(ring.size()));
       for (const Vertex& corner : ring)
         for (const std::int32_t coordinate : {corner.x, corner.y, corner.z})
@@ -175,11 +175,11 @@ EXPORT(polygons) const Bytes* polygons_as_numbers() {
 EXPORT(classic) void classic() {
   State& all = state();
   MemoryReader reader(*all.volume);
-  host::ExtractionOptions options;
+  command::ExtractionOptions options;
   options.selection = all.iso;
-  all.classic = host::classic_mesh(reader, options);
+  all.classic = command::classic_mesh(reader, options);
   all.classic_vertices.clear();
-  for (const host::Point& vertex : all.classic.vertices_mm)
+  for (const command::Point& vertex : all.classic.vertices_mm)
     for (const double coordinate : vertex)
       all.classic_vertices.push_back(static_cast<float>(coordinate));
   all.classic.vertices_mm = {};
@@ -212,14 +212,14 @@ EXPORT(stream) const Bytes* stream() {
 EXPORT(picture)
 const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, double bright) {
   const MemoryVolume& volume = *state().volume;
-  const host::VolumeInfo& info = volume.info();
+  const command::VolumeInfo& info = volume.info();
   const std::uint32_t along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2;
   std::vector<std::uint8_t>& picture = state().picture;
   picture.clear();
   constexpr double steps = 127;
   const double scale = bright > dark ? steps / (bright - dark) : 0;
   std::uint32_t at[3] = {place, place, place};
-  host::with_sample_type(info.type, [&](auto type) {
+  command::with_sample_type(info.type, [&](auto type) {
     using Sample = decltype(type);
     for (at[across] = 0; at[across] < info.dims[across]; ++at[across])
       for (at[along] = 0; at[along] < info.dims[along]; ++at[along]) {
@@ -236,7 +236,7 @@ const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, doubl
 
 /// Of a link with several surfaces that one; negative: the first.
 EXPORT(new_stream) void new_stream(std::int32_t scan, std::int32_t channel) {
-  host::StreamChoice choice;
+  command::StreamChoice choice;
   if (scan >= 0) choice.scan = static_cast<std::uint16_t>(scan);
   if (channel >= 0) choice.channel = static_cast<std::uint8_t>(channel);
   state().stream = std::make_unique<StreamSurface>(choice);
@@ -264,7 +264,7 @@ EXPORT(stream_state) const double* stream_state() {
   const StreamSurface& stream = *state().stream;
   const StreamHeader& header = stream.reader().header();
   const StreamReport report = stream.report();
-  const auto spacing = host::spacing_mm(header);
+  const auto spacing = command::spacing_mm(header);
   const auto surface = static_cast<std::uint32_t>(stream.reader().channel() - header.channel);
   const std::int32_t threshold = header.threshold_of(surface < header.surfaces() ? surface : 0);
   return numbers(report.has_header, header.width, header.height,

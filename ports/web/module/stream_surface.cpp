@@ -2,7 +2,7 @@
 
 namespace discmc::web {
 
-StreamSurface::StreamSurface(const host::StreamChoice& choice)
+StreamSurface::StreamSurface(const command::StreamChoice& choice)
     : joiner_(sink_to(builder_)), reader_(sink_to(*this), choice) {}
 
 Answer StreamSurface::take(const Event& event) {

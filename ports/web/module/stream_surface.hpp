@@ -16,10 +16,10 @@
 
 namespace discmc::web {
 
-/// Of a stream of either kind and of any version; of a link with several, one surface.
+/// Of a stream of either kind; of a link with several, one surface.
 class StreamSurface {
  public:
-  explicit StreamSurface(const host::StreamChoice& choice);
+  explicit StreamSurface(const command::StreamChoice& choice);
   StreamSurface(const StreamSurface&) = delete;
   StreamSurface& operator=(const StreamSurface&) = delete;
 
@@ -29,21 +29,21 @@ class StreamSurface {
   /// Limit: the last call. Throws as StreamReader::finish().
   void finish();
 
-  const host::StreamReader& reader() const { return reader_; }
+  const command::StreamReader& reader() const { return reader_; }
   /// Where the volume lies, if that was told.
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
-  const host::Polygons& polygons() const { return builder_.surface().polygons; }
+  const command::Polygons& polygons() const { return builder_.surface().polygons; }
   /// Where rows never came, and at the end, after finish(), where polygons are missing.
   Missing missing(bool is_end) const;
 
  private:
   void note_skipped(std::uint32_t slice, std::uint32_t row);
 
-  host::SurfaceBuilder builder_;
-  host::GrowingJoiner joiner_;
-  host::StreamReader reader_;
+  command::SurfaceBuilder builder_;
+  command::GrowingJoiner joiner_;
+  command::StreamReader reader_;
   std::optional<Placement> placement_;
   std::vector<MissingRows> rows_;  // the first of those that are skipped
 };

@@ -24,12 +24,12 @@ Sweep::Result Sweep::run(const VoxelBits& bits, std::uint32_t width, std::uint32
   }
   if (memory_.size() < bytes) memory_.resize(bytes);
   constexpr std::int32_t threshold = 1;  // of bits
-  host::SurfaceBuilder builder;
-  host::require(
+  command::SurfaceBuilder builder;
+  command::require(
       extractor_.start(limits, threshold, {memory_.data(), memory_.size()}, sink_to(builder)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
-    host::require(extractor_.push_bits(bits.row(row)).status);
-  host::require(extractor_.finish());
+    command::require(extractor_.push_bits(bits.row(row)).status);
+  command::require(extractor_.finish());
   return {std::move(builder.surface().polygons), extractor_.statistics()};
 }
 

@@ -17,7 +17,7 @@ namespace discmc::web {
 class Sweep {
  public:
   struct Result {
-    host::Polygons polygons;
+    command::Polygons polygons;
     Statistics statistics{};
   };
   /// Border::closed. Throws std::runtime_error beyond SurfaceBuilder::max_links.

@@ -19,10 +19,10 @@ class TriangleStore {
   /// As Triangulator::triangulate(). points: the first is at 0, 0. The triples are valid until the
   /// next call.
   struct Triangles {
-    const host::Triangle* begin;
+    const command::Triangle* begin;
     std::size_t count;
   };
-  Triangles triangulate(const std::vector<host::PlanePoint>& points,
+  Triangles triangulate(const std::vector<command::PlanePoint>& points,
                         const std::vector<std::uint32_t>& ring_ends);
 
  private:
@@ -37,13 +37,13 @@ class TriangleStore {
   struct Slot {
     Shape shape;
     std::uint32_t triangles = 0;
-    host::Triangle triangle[most_points - 2];
+    command::Triangle triangle[most_points - 2];
   };
 
-  static bool shape_of(const std::vector<host::PlanePoint>& points, Shape& shape);
+  static bool shape_of(const std::vector<command::PlanePoint>& points, Shape& shape);
   Slot& slot_of(const Shape& shape);
 
-  host::Triangulator triangulator_;
+  command::Triangulator triangulator_;
   std::vector<Slot> slots_;  // one shape each: the last that fell there
 };
 

@@ -56,7 +56,7 @@ std::vector<uint8_t> voxels_on(const Volume& volume);
 uint64_t active_cells(const Volume& volume);
 
 /// Every volume of the folder that has a JSON file beside it, {"file": "head.nrrd", "iso": [500]},
-/// at each of its thresholds. Throws host::VolumeError when one cannot be read.
+/// at each of its thresholds. Throws command::VolumeError when one cannot be read.
 std::vector<Volume> volumes_in(const std::filesystem::path& folder);
 
 }  // namespace discmc::bench

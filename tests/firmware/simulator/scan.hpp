@@ -1,7 +1,7 @@
 // What the simulator's firmware scans: little, for a UART in QEMU moves some 30 kB a second.
 // Its memory runs short, so that loose fragments come too.
-#ifndef DISCMC_PORTS_SCAN_HPP
-#define DISCMC_PORTS_SCAN_HPP
+#ifndef DISCMC_BOARDS_SCAN_HPP
+#define DISCMC_BOARDS_SCAN_HPP
 
 #include <stddef.h>
 

@@ -10,7 +10,7 @@
 #include <semihosting.hpp>
 
 #include "../footprint/scans.hpp"
-#include "command/tuning/slice_steps.hpp"
+#include "tuning/slice_steps.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -107,7 +107,7 @@ template <class Sample, class Source>
 static Rows count_rows(const Volume& volume, Source source) {
   static Sample row[256];
   Rows rows;
-  host::SliceSteps steps;
+  command::SliceSteps steps;
   steps.start(volume.limits, key_slices, memory_of(memory));
   for (uint32_t i = 0; i < volume.limits.height * volume.slices; ++i) {
     source.read(row);

@@ -8,8 +8,8 @@
 #include <discmc/slice_encoder.hpp>
 #include <semihosting.hpp>
 
-#include "command/tuning/slice_steps.hpp"
 #include "scans.hpp"
+#include "tuning/slice_steps.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -96,7 +96,7 @@ static bool tell_both(const char* name, const Volume& volume) {
 // The voxels and runs that are told of a volume.
 template <class Rows>
 static uint32_t steps(const Volume& volume, Rows samples) {
-  host::SliceSteps steps;
+  command::SliceSteps steps;
   steps.start(volume.limits, {0}, memory_of(memory));
   for (uint32_t row = 0; row < volume.limits.height * volume.slices; ++row) {
     uint8_t samples_of_row[64];

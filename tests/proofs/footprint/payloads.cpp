@@ -100,7 +100,7 @@ void print_losses(const std::string& name, const BitVolume& volume) {
 template <class Sample>
 BitVolume read(const std::string& file, int32_t threshold,
                const std::function<void(const std::vector<Sample>&)>& pass_on = {}) {
-  const auto reader = host::open_volume(file);
+  const auto reader = command::open_volume(file);
   const auto [width, height, depth] = reader->info().dims;
   BitVolume volume({width, height, depth});
   std::vector<Sample> slice(size_t{width} * height);

@@ -1,5 +1,5 @@
-// The counted work on a board of ports/: its start-up and console serve, its UART and source of
-// rows have nothing to do.
+// The counted work on a board of ports/boards/: its start-up and console serve, its UART and source
+// of rows have nothing to do.
 #include <port.hpp>
 
 #include "marks.hpp"

@@ -239,7 +239,7 @@ def arguments():
         f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
         'most of it for those that survive.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
-                        help='of lib/discmc, as sealing.cpp or "*.hpp"; all when none is named')
+                        help='of lib/discmc, as holes.hpp or "*.hpp"; all when none is named')
     parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
     parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
                         help='test cases that take longer are left out (1)')

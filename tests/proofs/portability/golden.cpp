@@ -208,29 +208,22 @@ class Wire {
 
 // ---- scans ----
 
-struct Setting {
-  Capacities capacities;
-  bool takes_fragments;
-};
-// The least; memory for a part, which is answered by loose fragments, or cell by cell; and for most
-// of it.
-constexpr Setting settings[] = {
-    {minimum_capacities(), true}, {{100, 4}, true}, {{200, 0}, false}, {{400, 30}, true}};
+// The least; memory for a part, which is answered by loose fragments; and for most of it.
+constexpr Capacities rooms[] = {minimum_capacities(), {100, 4}, {200, 0}, {400, 30}};
 constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
 
-alignas(8) uint8_t memory[bytes_for<uint32_t>(sizes[0], settings[3].capacities)];
+alignas(8) uint8_t memory[bytes_for<uint32_t>(sizes[0], rooms[3])];
 Wire wire_between;
 
 template <class Index, class Sample, class Normals = NoNormals>
 class Scan {
  public:
-  bool start(const Limits& limits, const Setting& setting) {
+  bool start(const Limits& limits, const Capacities& capacities) {
     if constexpr (Normals::holds_samples) extractor_.set_spacing({1, -2, 3});
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
-           is_done(extractor_.start(
-               limits, setting.capacities, on_from, memory_of(memory),
-               setting.takes_fragments ? sink_to(wire_between) : region_sink_to(wire_between)));
+           is_done(extractor_.start(limits, capacities, on_from, memory_of(memory),
+                                    sink_to(wire_between)));
   }
 
   // A row in one of the ways in which rows come.
@@ -296,10 +289,10 @@ class Scan {
 // Scans a volume. The events are `expected`, where that is not 0 as before the first scan.
 // By itself, as all scans in one function take more stack than the smallest board has.
 template <class Index, class Sample, class Normals = NoNormals>
-[[gnu::noinline]] bool scan(Volume volume, const Limits& limits, const Setting& setting,
+[[gnu::noinline]] bool scan(Volume volume, const Limits& limits, const Capacities& capacities,
                             uint64_t& expected) {
   static Scan<Index, Sample, Normals> scan;
-  if (!scan.start(limits, setting)) return false;
+  if (!scan.start(limits, capacities)) return false;
   // Scans of an open volume are broken off in the middle of the last slice.
   const bool abandons = limits.border == Border::open;
   const uint32_t rows = height * depth - (abandons ? height / 2 : 0);
@@ -318,7 +311,7 @@ template <class Index, class Sample, class Normals = NoNormals>
 template <class Index, class Sample>
 bool scan_with_normals(Volume volume, const Limits& limits) {
   uint64_t hash = 0;
-  return scan<Index, Sample, GradientNormals<Sample>>(volume, limits, settings[1], hash);
+  return scan<Index, Sample, GradientNormals<Sample>>(volume, limits, rooms[1], hash);
 }
 
 // ---- slices ----
@@ -396,17 +389,17 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
   return true;
 }
 
-// Every volume in every setting, in turn with either border.
+// Every volume in every memory, in turn with either border.
 bool scan_all() {
   uint32_t turn = 0;
   for (const Volume volume : volumes) {
     ++turn;
-    for (const Setting& setting : settings) {
+    for (const Capacities& capacities : rooms) {
       const Limits limits = sizes[turn++ % 2];
       uint64_t hash = 0;
-      if (!scan<uint16_t, uint8_t>(volume, limits, setting, hash) ||
-          !scan<uint32_t, uint16_t>(volume, limits, setting, hash) ||
-          !scan<uint16_t, int16_t>(volume, limits, setting, hash))
+      if (!scan<uint16_t, uint8_t>(volume, limits, capacities, hash) ||
+          !scan<uint32_t, uint16_t>(volume, limits, capacities, hash) ||
+          !scan<uint16_t, int16_t>(volume, limits, capacities, hash))
         return false;
     }
     if (!scan_with_normals<uint16_t, uint8_t>(volume, sizes[turn % 2]) ||

@@ -25,7 +25,7 @@ declare -A remark=(
 option_sets=(-O0 '-O2 -fsigned-char' '-O2 -funsigned-char' -O3 -Os)
 
 # use_platform COMPILER MACHINE: sets `compile`, the compiler with the options of the machine, and
-# `emulator`, what runs its programs; for firmware also `board`, a folder of ports/, and the bounds
+# `emulator`, what runs its programs; for firmware also `board`, a folder of ports/boards/, and the bounds
 # of its memories.
 use_platform() {
   local family=$1

@@ -12,9 +12,8 @@ struct Asked {
   uint64_t voxels = 0;
   uint64_t rows = 0;       ///< of voxels, swept
   uint64_t vertices = 0;   ///< in these rows
-  uint64_t sealed = 0;     ///< active cells above these rows, where the sink takes no fragments
   uint64_t delivered = 0;  ///< events, and one more for every 680 links of a run
-  bool is_short = false;   ///< of records, and the sink takes fragments
+  bool is_short = false;   ///< of records
 };
 
 /// Units: basic blocks of the code that GCC or Clang make with -O1.
@@ -25,7 +24,6 @@ struct Cost {
   static constexpr uint64_t word = 40;
   static constexpr uint64_t vertex = 400;
   static constexpr uint64_t short_vertex = 700;  ///< more, for looking how long fragments are
-  static constexpr uint64_t sealed = 8000;
   static constexpr uint64_t delivered = 80;
   static constexpr uint64_t hole_run = 20;   ///< of a run of a hole, which may wait to be delivered
   static constexpr uint64_t hole_look = 12;  ///< for a hole that waits and a run of a ring
@@ -36,7 +34,6 @@ inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64
   const uint64_t vertex = Cost::vertex + (asked.is_short ? Cost::short_vertex : 0);
   return Cost::call + asked.voxels * Cost::voxel +
          asked.rows * (Cost::row + trace::row_words(width) * Cost::word) + asked.vertices * vertex +
-         asked.sealed * Cost::sealed +
          asked.delivered * (Cost::delivered + holes * Cost::hole_look) + hole_runs * Cost::hole_run;
 }
 

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "oracle/sink.hpp"
 #include "oracle/volume.hpp"
 #include "proofs/work/bound.hpp"
 
@@ -20,7 +19,6 @@ extern uint64_t blocks;
 struct Room {
   const char* name;
   Capacities capacities;
-  bool takes_fragments;
 };
 
 /// What the calls of a scan came to.
@@ -42,7 +40,7 @@ class CountedScan {
         limits_{volume.width, volume.height, border},
         memory_(bytes_for<uint32_t>(limits_, room.capacities)) {
     require_ok(extractor_.start(limits_, room.capacities, 1, {memory_.data(), memory_.size()},
-                                sink_to(counter_, room.takes_fragments)));
+                                sink_to(counter_)));
   }
 
   Work run() {
@@ -109,8 +107,6 @@ class CountedScan {
         const Vertex here{x, y, slice};
         for (const Vertex& step : {Vertex{1, 0, 0}, Vertex{0, 1, 0}, Vertex{0, 0, 1}})
           if (differ(here, here + step)) ++asked.vertices;
-        const Configuration configuration = volume_.configuration(here);
-        if (!room_.takes_fragments && configuration != 0 && configuration != 255) ++asked.sealed;
       }
     }
     return asked;
@@ -124,8 +120,7 @@ class CountedScan {
     const uint64_t taken = blocks - before;
     require_ok(status);
     asked.delivered = counter_.events - events;
-    asked.is_short = room_.takes_fragments &&
-                     room_.capacities.records < extractor_.high_water().records + plenty;
+    asked.is_short = room_.capacities.records < extractor_.high_water().records + plenty;
     calls_.push_back({asked, taken});
   }
 

@@ -1,0 +1,20 @@
+// What is scanned on this board, and in how much memory.
+#ifndef DISCMC_BOARDS_SCAN_HPP
+#define DISCMC_BOARDS_SCAN_HPP
+
+#include <stddef.h>
+
+#include <discmc/limits.hpp>
+
+namespace scan {
+
+using Sample = uint8_t;
+constexpr discmc::Limits limits{321, 101, discmc::Border::open};
+constexpr uint32_t depth = 60;               // slices; the receiver is told
+constexpr int32_t spacing_nm[] = {0, 0, 0};  // not known
+constexpr int32_t threshold = 100;
+constexpr size_t arena_bytes = 240 * 1024;
+
+}  // namespace scan
+
+#endif

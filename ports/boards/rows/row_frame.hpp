@@ -1,0 +1,104 @@
+// The frames that bring rows over a UART. README.md is the protocol.
+#ifndef DISCMC_BOARDS_ROWS_ROW_FRAME_HPP
+#define DISCMC_BOARDS_ROWS_ROW_FRAME_HPP
+
+#include <discmc/stream/cobs.hpp>
+#include <discmc/stream/crc32.hpp>
+#include <discmc/stream/wire.hpp>
+
+namespace row_frame {
+
+/// What a frame tells. The number that goes with it is below.
+enum class Kind : uint8_t {
+  start,       ///< the scan begins; how many bytes a row has
+  row,         ///< samples follow; the row's number, counted over all slices from 0
+  end,         ///< no row follows; how many there were
+  broken_off,  ///< no row follows, against the plan; how many there were
+};
+
+/// What a device answers.
+enum class Answer : uint8_t {
+  restarted = 'R',  ///< it runs from its beginning, and waits for a start
+  ready = 'S',      ///< it has taken the start; there is room for two rows
+  refused = '?',    ///< it scans already, or rows of another size
+  taken = '+',      ///< a row has left its place in the buffer
+  dropped = '-',    ///< a frame was of no use: damaged, out of order, or without room
+};
+
+constexpr size_t head_bytes = 1 + 4;
+constexpr size_t crc_bytes = 4;
+constexpr size_t max_samples = discmc::cobs::max_plain - head_bytes - crc_bytes;
+/// With the stuffing byte and a zero at either end.
+constexpr size_t max_bytes = discmc::cobs::max_plain + 3;
+
+/// Writes a frame of up to max_samples bytes of samples. Limit: there is room for max_bytes.
+/// Returns its length.
+inline size_t write(uint8_t* frame, Kind kind, uint32_t number, const uint8_t* samples = nullptr,
+                    size_t count = 0) {
+  frame[0] = 0;  // ends whatever is left on the line
+  uint8_t* plain = frame + 2;
+  discmc::wire::ByteWriter head(plain);
+  head.put(static_cast<uint8_t>(kind), 1);
+  head.put(number, 4);
+  for (size_t i = 0; i < count; ++i) plain[head_bytes + i] = samples[i];
+  const size_t checked = head_bytes + count;
+  discmc::wire::ByteWriter(plain + checked).put(discmc::crc32(plain, checked), crc_bytes);
+  return 1 + discmc::cobs::stuff(frame + 1, checked + crc_bytes);
+}
+
+/// Undoes the stuffing of frames, byte by byte, and checks them. Frames are found again after
+/// whatever came between them.
+class Reader {
+ public:
+  enum class Event : uint8_t {
+    nothing,
+    byte,     ///< one more byte of the frame: plain()
+    whole,    ///< the frame was whole; its last crc_bytes were the checksum
+    damaged,  ///< the bytes of this frame mean nothing
+  };
+
+  /// Takes a byte from the line. Cost: the same for every byte.
+  Event take(uint8_t byte) {
+    if (byte == 0) return end();
+    if (to_code_ == 0) {  // the first of a frame
+      to_code_ = byte;
+      return Event::nothing;
+    }
+    const bool is_code = --to_code_ == 0;
+    if (is_code) to_code_ = byte;
+    plain_ = is_code ? 0 : byte;
+    check(plain_);
+    return Event::byte;
+  }
+
+  uint8_t plain() const { return plain_; }
+
+ private:
+  static constexpr uint32_t crc_begin = 0xFFFFFFFF;
+  // What the checksum of any bytes comes to when it goes on over itself.
+  static constexpr uint32_t crc_of_whole = 0xDEBB20E3;
+
+  Event end() {
+    const Event event = to_code_ == 0                           ? Event::nothing
+                        : to_code_ == 1 && crc_ == crc_of_whole ? Event::whole
+                                                                : Event::damaged;
+    to_code_ = 0;
+    crc_ = crc_begin;
+    return event;
+  }
+
+  void check(uint8_t byte) {
+    constexpr discmc::derive::Crc32Table<4> table = discmc::derive::crc32_table<4>();
+    crc_ ^= byte;
+    crc_ = crc_ >> 4 ^ table.remainder[crc_ & 15];
+    crc_ = crc_ >> 4 ^ table.remainder[crc_ & 15];
+  }
+
+  uint32_t crc_ = crc_begin;
+  uint8_t to_code_ = 0;  // bytes up to the next code, which is where the zero that ends it may come
+  uint8_t plain_ = 0;
+};
+
+}  // namespace row_frame
+
+#endif

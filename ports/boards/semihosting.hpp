@@ -1,0 +1,25 @@
+// Semihosting: files, a console and an exit code, lent by the debugger or by QEMU.
+//
+// Without either a request is a fault. A port to a board that has to run alone replaces what uses
+// this: board.cpp, and the file as the source of rows.
+#ifndef DISCMC_BOARDS_SEMIHOSTING_HPP
+#define DISCMC_BOARDS_SEMIHOSTING_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace semihosting {
+
+void print(const char* text);
+
+/// The number of a file to read; negative when it cannot be opened.
+intptr_t open_to_read(const char* name);
+
+/// Reads up to `count` bytes; fewer at the end of the file. Returns their number.
+size_t read(intptr_t file, void* bytes, size_t count);
+
+[[noreturn]] void exit(int code);
+
+}  // namespace semihosting
+
+#endif

@@ -1,0 +1,187 @@
+// The arguments of the commands, as they are after the command line was read.
+#ifndef DISCMC_COMMAND_CLI_ARGUMENTS_HPP
+#define DISCMC_COMMAND_CLI_ARGUMENTS_HPP
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <discmc/limits.hpp>
+
+#include "extraction/selection.hpp"
+#include "meshes/mesh.hpp"
+#include "pictures/srgb.hpp"
+#include "statistics/threshold_rule.hpp"
+#include "streams/stream_file.hpp"
+#include "surface/components.hpp"
+#include "tuning/cycle_costs.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// How a file is read, a headerless one by its dims, which others have none of; and what of it.
+struct LayoutArguments {
+  std::vector<std::uint32_t> dims;
+  std::optional<SampleType> type;
+  bool big_endian = false;
+  std::vector<double> spacing;
+  std::uint64_t skipped_bytes = 0;
+  std::string series;
+  bool allow_gaps = false;
+  std::optional<std::uint32_t> frame;
+  std::optional<Crop> crop;
+  std::uint32_t shrink = 1;
+};
+
+/// What is on in a surface, and what the user calls it.
+struct NamedSelection {
+  Selection selection;
+  std::string name;  ///< as it was given, "300"; of a label in the table, its name there
+  std::optional<Srgb> colour{};         ///< of a label in the table, if it has one there
+  std::optional<ThresholdRule> rule{};  ///< by which the selection is still to be found
+};
+
+/// How a volume is read and its surface taken: of every command that takes one.
+struct VolumeArguments {
+  std::vector<NamedSelection> selections;  ///< one a surface
+  Border border = Border::closed;
+  std::uint32_t median = 0;   ///< voxels across the filter of bits; 0: none
+  std::string mask;           ///< the file of a volume, or none
+  bool allows_empty = false;  ///< surfaces
+  std::uint64_t memory = 0;
+  std::vector<std::uint32_t> capacities;  ///< records and holes, or none
+  LayoutArguments layout;
+
+  /// Whether some surface is that of one value.
+  bool selects_labels() const {
+    return std::any_of(selections.begin(), selections.end(),
+                       [](const NamedSelection& each) { return each.selection.is_one_value(); });
+  }
+};
+
+/// Where the normals of a mesh's vertices come from: its polygons, or the samples.
+enum class Normals { none, surface, gradient };
+
+/// The coordinates of a mesh: of the patient, or index times spacing.
+enum class MeshSpace { lps, ras, voxel };
+
+/// What a stream holds.
+enum class Wire { regions, slices };
+
+/// One of so many slabs of a volume, counted from 1 at its first slice.
+struct SlabChoice {
+  std::uint32_t number, count;
+};
+
+/// Of `extract`.
+struct ExtractArguments {
+  std::string volume;
+  VolumeArguments reading;
+  bool takes_all_labels = false;  ///< in place of selections
+  std::string label_table;        ///< file of the names of labels, or none
+  std::string output = "-";
+  Normals normals = Normals::none;
+  Wire wire = Wire::regions;
+  std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
+  std::uint16_t scan = 0;        ///< the number in a stream
+  std::optional<SlabChoice> slab;
+  std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
+  MeshOptions mesh{true, Faces::triangles};
+  ComponentChoice components;
+  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+  bool interpolates = false;       ///< the vertices of a mesh
+  bool quiet = false;
+};
+
+/// Whether the volume may be extracted in parts.
+inline bool is_divisible(const ExtractArguments& arguments) {
+  return !arguments.interpolates && !arguments.takes_all_labels && arguments.reading.memory == 0 &&
+         arguments.reading.capacities.empty();
+}
+
+/// Of `info`.
+struct InfoArguments {
+  std::string input;
+  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  StreamChoice choice;
+  LayoutArguments layout;
+};
+
+/// Of `decode`.
+struct StreamArguments {
+  std::string stream;
+  StreamChoice choice;
+  std::string output;
+  Normals normals = Normals::none;
+  std::string volume;  ///< whose gradient it is
+  LayoutArguments layout;
+  MeshOptions mesh{true, Faces::triangles};
+  ComponentChoice components;
+  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+};
+
+/// Of `join`.
+struct JoinArguments {
+  std::vector<std::string> streams;
+  std::string output;
+  std::uint64_t memory = std::uint64_t{1} << 30;  ///< what outgrows it goes to a temporary file
+  bool quiet = false;
+};
+
+/// Of `render`.
+struct RenderArguments {
+  std::string input;
+  bool is_volume = false;  ///< or a stream
+  StreamChoice choice;
+  VolumeArguments reading;
+  bool classic = false;
+  std::string output;
+  std::vector<double> view = {-0.9, -1.6, 0.8};
+  std::vector<int> size = {1024, 1024};
+  double zoom = 1;
+  std::vector<double> at;
+  bool smooth = false;
+  bool outlines = false;
+};
+
+/// Of `view`.
+struct ViewArguments {
+  std::string input;
+  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  VolumeArguments reading;        ///< without a selection the samples are shown
+  std::string output;             ///< none where it is served
+  bool opens = true;
+  bool serves = false;
+  std::uint16_t port = 0;  ///< 0: any that is free
+};
+
+/// Of `tune`.
+struct TuneArguments {
+  std::string volume;
+  VolumeArguments reading;
+  double baud = 921600;
+  double clock_hz = 48e6;
+  Core core = Core::cortex_m4;
+  std::vector<Payload> payloads;  ///< none stands for all
+};
+
+/// A surface of `compare`.
+struct ComparedInput {
+  enum class Kind { mesh, stream, volume };
+  std::string name;
+  Kind kind = Kind::mesh;
+};
+
+/// Of `compare`.
+struct CompareArguments {
+  std::array<ComparedInput, 2> inputs;
+  StreamChoice choice;
+  VolumeArguments reading;
+};
+
+}  // namespace discmc::command
+
+#endif

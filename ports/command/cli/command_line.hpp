@@ -1,0 +1,35 @@
+// The command line: which commands there are, and how their arguments are told and checked.
+#ifndef DISCMC_COMMAND_CLI_COMMAND_LINE_HPP
+#define DISCMC_COMMAND_CLI_COMMAND_LINE_HPP
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <vector>
+
+namespace discmc::command {
+
+struct Command {
+  CLI::App* app;             ///< Owner: the command line
+  std::function<int()> run;  ///< with the arguments that were parsed; returns the exit code
+};
+
+/// Adds all commands to a command line.
+std::vector<Command> add_commands(CLI::App& app);
+
+// One command each, in a file of its name; the last two, which tell of all commands, in
+// documents.cpp.
+
+Command add_extract(CLI::App& app);
+Command add_decode(CLI::App& app);
+Command add_join(CLI::App& app);
+Command add_info(CLI::App& app);
+Command add_render(CLI::App& app);
+Command add_view(CLI::App& app);
+Command add_compare(CLI::App& app);
+Command add_tune(CLI::App& app);
+Command add_completions(CLI::App& app);
+Command add_manual(CLI::App& app);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,21 @@
+// The commands. Each takes its arguments, does all, and returns the exit code of the program.
+// They throw std::exception with a text for people when they have failed.
+#ifndef DISCMC_COMMAND_CLI_COMMANDS_HPP
+#define DISCMC_COMMAND_CLI_COMMANDS_HPP
+
+#include "arguments.hpp"
+
+namespace discmc::command {
+
+int run_extract(const ExtractArguments& arguments);
+int run_decode(const StreamArguments& arguments);
+int run_join(const JoinArguments& arguments);
+int run_info(const InfoArguments& arguments);
+int run_render(const RenderArguments& arguments);
+int run_compare(const CompareArguments& arguments);
+int run_view(const ViewArguments& arguments);
+int run_tune(const TuneArguments& arguments);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,57 @@
+// The arguments of discmc compare.
+#include <filesystem>
+#include <memory>
+
+#include "cli/options/selection_options.hpp"
+#include "cli/options/stream_options.hpp"
+#include "cli/options/volume_options.hpp"
+#include "command_line.hpp"
+#include "commands.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+namespace {
+
+ComparedInput input_called(const std::string& name) {
+  const bool is_stream = std::filesystem::path(name).extension() == ".dmc";
+  return {name, is_stream              ? ComparedInput::Kind::stream
+                : is_volume_name(name) ? ComparedInput::Kind::volume
+                                       : ComparedInput::Kind::mesh};
+}
+
+void check(const CompareArguments& arguments) {
+  for (const ComparedInput& input : arguments.inputs)
+    if (input.kind == ComparedInput::Kind::volume && arguments.reading.selections.empty())
+      throw CLI::ValidationError(input.name,
+                                 "a volume is compared at a threshold: give --iso VALUE");
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& app) {
+  const auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* compare =
+      app.add_subcommand("compare", "Tell how far two surfaces are from each other");
+  const char* const names[] = {"A", "B"};
+  for (std::size_t i = 0; i < arguments->inputs.size(); ++i)
+    compare
+        ->add_option_function<std::string>(
+            names[i],
+            [arguments, i](const std::string& name) { arguments->inputs[i] = input_called(name); },
+            "a mesh, a .dmc stream, or a volume: the surface of Marching Cubes at --iso")
+        ->required();
+  add_choice_options(*compare, arguments->choice);
+  add_volume_options(*compare, arguments->reading.layout);
+  add_selection_options(*compare, arguments->reading.selections);
+  // Marching Cubes crosses one threshold.
+  for (const char* option : {"--range", "--label"})
+    compare->remove_option(compare->get_option(option));
+  compare->footer(
+      "Examples:\n"
+      "  discmc compare head.stl head.nii.gz --iso 300\n"
+      "  discmc compare before.ply after.ply");
+  compare->callback([arguments] { check(*arguments); });
+  return {compare, [arguments] { return run_compare(*arguments); }};
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,133 @@
+// discmc decode: a stream to a mesh, or to another stream.
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "extraction/extraction.hpp"
+#include "files/output_file.hpp"
+#include "mesh_output.hpp"
+#include "meshes/vertex_normals.hpp"
+#include "require.hpp"
+#include "stream_input.hpp"
+#include "streams/spacing.hpp"
+#include "streams/stream_output.hpp"
+#include "surface/growing_joiner.hpp"
+#include "volume_input.hpp"
+#include "volumes/volume_offset.hpp"
+
+namespace discmc::command {
+namespace {
+
+// A stream from a stream: what was whole, or is now that it is joined, packed anew.
+class Recoder {
+ public:
+  explicit Recoder(const ByteOutput& output) : output_(output) {}
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::start) {
+      require(encoder_.start(event.header->label(), output_));
+      encoder_.take(event);
+      for (const Event& early : early_) encoder_.take(early);  // a file takes all
+      is_started_ = true;
+    } else if (is_started_) {
+      encoder_.take(event);
+    } else if (event.kind != Event::Kind::application) {  // what that points to will be gone
+      early_.push_back(event);  // its first header is lost: wait for the next
+    }
+    return Answer::taken;
+  }
+  void flush() {
+    if (is_started_ && !encoder_.flush()) throw std::runtime_error("the output takes no more");
+  }
+
+ private:
+  ByteOutput output_;
+  NormalEncoder encoder_;
+  std::vector<Event> early_;  // before any header
+  bool is_started_ = false;
+};
+
+// A part of the right size may still be another one than that of the stream.
+void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
+  if (!volume.whole_dims || !decoded.placement) return;
+  VolumeInfo told = volume;
+  told.placement = decoded.placement;
+  const double apart = offset_mm(volume, told);
+  if (apart == 0) return;
+  std::ostringstream text;
+  text << "the part of the volume lies " << apart
+       << " mm from that of the stream: give the --crop and --shrink that it was made with";
+  throw std::invalid_argument(text.str());
+}
+
+// Opens the volume that a stream was made of. A headerless one has the stream's spacing, less what
+// it is shrunk by, unless another is given.
+std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
+                                             const StreamArguments& arguments) {
+  const StreamHeader& header = decoded.header;
+  VolumeOptions options = volume_options(arguments.layout);
+  if (options.layout && !options.spacing_mm) {
+    options.spacing_mm = spacing_mm(header);
+    for (double& spacing : *options.spacing_mm) spacing /= options.shrink;
+  }
+  // Where the values are counted from makes no difference to the directions that they fall in.
+  auto volume = open_for_gradient(arguments.volume, options, header.threshold).reader;
+  try {
+    require_same_volume(volume->info(), header);
+    require_same_part(volume->info(), decoded);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(arguments.volume + ": " + error.what());
+  }
+  return volume;
+}
+
+void add_normals(const StreamArguments& arguments, const DecodedStream& decoded, Mesh& mesh) {
+  if (arguments.normals == Normals::none) return;
+  set_polygon_normals(decoded.surface, mesh);
+  if (arguments.normals == Normals::surface || mesh.vertices_mm.empty()) return;
+  if (!arguments.volume.empty())
+    add_gradient_normals(*open_volume_of(decoded, arguments), mesh);
+  else if (!decoded.surface.normals.empty())
+    set_told_normals(decoded.surface, mesh);
+  else
+    throw std::invalid_argument(arguments.stream +
+                                ": the stream holds no normals: name the volume that it was made "
+                                "of with --volume FILE, or take --normals surface");
+}
+
+}  // namespace
+
+int run_decode(const StreamArguments& arguments) {
+  const Format format = format_of(arguments.output);
+  OutputFile file(arguments.output);
+  StreamReport report;
+  if (format == Format::stream) {
+    StreamOutput output(&file.stream());
+    Recoder recoder(output.byte_output());
+    GrowingJoiner joiner(sink_to(recoder));
+    StreamReader reader(sink_to(joiner), arguments.choice);
+    read_file(arguments.stream, reader);
+    note_others(arguments.stream, arguments.choice, reader);
+    joiner.finish();
+    recoder.flush();
+    report = reader.report();
+  } else {
+    DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
+    keep_chosen(arguments.stream, arguments.components, decoded.surface);
+    const auto placement = mesh_placement(arguments.stream, decoded.placement, arguments.space);
+    write_surface(
+        decoded.surface, format, arguments.mesh,
+        [&](Mesh& mesh) {
+          note_left_out(arguments.stream, decoded.surface, mesh);
+          add_normals(arguments, decoded, mesh);
+        },
+        placement, file);
+    report = decoded.report;
+  }
+  file.commit();
+  return completeness(arguments.stream, report);
+}
+
+}  // namespace discmc::command

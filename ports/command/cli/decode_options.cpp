@@ -1,0 +1,56 @@
+// The arguments of discmc decode.
+#include <memory>
+
+#include "cli/options/mesh_options.hpp"
+#include "cli/options/option_checks.hpp"
+#include "cli/options/stream_options.hpp"
+#include "cli/options/volume_options.hpp"
+#include "command_line.hpp"
+#include "commands.hpp"
+
+namespace discmc::command {
+namespace {
+
+void check(const StreamArguments& arguments) {
+  check_faces(arguments.mesh.faces, arguments.output);
+  check_components(arguments.components, arguments.output);
+  check_space(arguments.space, arguments.output);
+  check_normals(arguments.normals, arguments.output, false);
+  if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
+    throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
+}
+
+}  // namespace
+
+Command add_decode(CLI::App& app) {
+  const auto arguments = std::make_shared<StreamArguments>();
+  CLI::App* decode = app.add_subcommand("decode", "Turn a stream into a mesh, or pack it anew");
+  decode->add_option("STREAM", arguments->stream, "a .dmc file; - reads standard input")
+      ->required();
+  add_output_option(*decode, arguments->output, "a stream on standard output")
+      ->check(without_braces())
+      ->required();
+  add_choice_options(*decode, arguments->choice);
+  add_normals_option(*decode, arguments->normals,
+                     "those that the stream tells, or from the samples of --volume");
+  add_mesh_options(*decode, arguments->mesh);
+  add_component_options(*decode, arguments->components);
+  add_space_option(*decode, arguments->space);
+  add_volume_options(*decode, arguments->layout);
+  CLI::Option* volume = decode->add_option("--volume", arguments->volume,
+                                           "the file that the stream was made of, for --normals "
+                                           "gradient (default: the normals in the stream)");
+  const auto tells_volume = [](const CLI::Option* option) {
+    return option->get_group() == volume_group;
+  };
+  for (CLI::Option* option : decode->get_options(tells_volume))
+    if (option != volume) option->needs(volume);
+  decode->footer(
+      "Examples:\n"
+      "  discmc decode head.dmc -o head.ply\n"
+      "  discmc decode head.dmc --normals gradient --volume head.nii.gz -o head.obj");
+  decode->callback([arguments] { check(*arguments); });
+  return {decode, [arguments] { return run_decode(*arguments); }};
+}
+
+}  // namespace discmc::command

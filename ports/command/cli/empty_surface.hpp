@@ -1,0 +1,32 @@
+// What is said where a threshold leaves no surface, or takes the whole volume.
+#ifndef DISCMC_COMMAND_CLI_EMPTY_SURFACE_HPP
+#define DISCMC_COMMAND_CLI_EMPTY_SURFACE_HPP
+
+#include <string>
+
+#include "arguments.hpp"
+#include "extraction/extraction.hpp"
+#include "statistics/measured_volume.hpp"
+
+namespace discmc::command {
+
+/// Says why the surface of the volume is empty, with the range of the values. volume: has been
+/// read. is_full: whether every voxel is known to be on.
+std::string why_empty(const std::string& path, const VolumeArguments& arguments,
+                      const Selection& selection, const MeasuredVolume& volume,
+                      bool is_full = false);
+
+/// Throws a VolumeError that says so, where there is --allow-empty.
+[[noreturn]] void fail_empty(const std::string& path, const VolumeArguments& arguments,
+                             const Selection& selection, const MeasuredVolume& volume,
+                             bool is_full = false);
+
+/// Throws as fail_empty() where the surface is empty and must not be, and says if it is the box of
+/// the volume, with the range of the values. extraction: of the volume, which has been read.
+void check_surface(const std::string& path, const VolumeArguments& arguments,
+                   const Selection& selection, const MeasuredVolume& volume,
+                   const Extraction& extraction);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,285 @@
+// The arguments of discmc extract.
+#include <memory>
+
+#include "cli/options/mesh_options.hpp"
+#include "cli/options/named_values.hpp"
+#include "cli/options/stream_options.hpp"
+#include "cli/options/surface_options.hpp"
+#include "cli/options/volume_options.hpp"
+#include "command_line.hpp"
+#include "commands.hpp"
+#include "files/file_pattern.hpp"
+#include "mesh_files/file_format.hpp"
+#include "text/number_text.hpp"
+
+namespace discmc::command {
+namespace {
+
+constexpr unsigned most_jobs = 1024;
+
+// Whether a file of this name can hold no more than a mesh.
+bool is_one_mesh(const std::string& output) {
+  return !FilePattern(output).has_name() && format_of(output) != Format::stream &&
+         !traits_of(format_of(output)).holds_several;
+}
+
+void check_labels(const ExtractArguments& arguments) {
+  if (is_one_mesh(arguments.output))
+    throw CLI::ValidationError("--labels",
+                               "every label is a mesh of its own: give -o 'FOLDER/{name}.stl', or "
+                               "a " +
+                                   extensions(&FormatTraits::holds_several) +
+                                   " name, which holds them all");
+  if (format_of(arguments.output) == Format::stream)
+    throw CLI::ValidationError("--labels", "a stream holds " +
+                                               std::to_string(StreamHeader::max_surfaces) +
+                                               " surfaces at most: write meshes, or give --label");
+  if (arguments.normals == Normals::gradient || arguments.interpolates)
+    throw CLI::ValidationError("--labels",
+                               "there is nothing between labels: leave out --normals gradient and "
+                               "--surface interpolated");
+}
+
+void check_selections(const ExtractArguments& arguments) {
+  if (arguments.takes_all_labels) return check_labels(arguments);
+  if (!arguments.label_table.empty() && format_of(arguments.output) == Format::stream)
+    throw CLI::ValidationError("--label-table", "a stream has no names: write meshes");
+  if (!arguments.label_table.empty() && !arguments.reading.selects_labels())
+    throw CLI::ValidationError("--label-table", "it is of labels: add --label N or --labels all");
+  const std::vector<NamedSelection>& selections = arguments.reading.selections;
+  const std::size_t surfaces = selections.size();
+  if (surfaces == 0)
+    throw CLI::ValidationError("--iso",
+                               "is missing: give --iso ISO, --range LOW..HIGH, --label N "
+                               "or --labels all");
+  const bool is_stream = format_of(arguments.output) == Format::stream;
+  if (is_stream && surfaces > StreamHeader::max_surfaces)
+    throw CLI::ValidationError(
+        "--iso", std::to_string(surfaces) + " surfaces are too many for a stream: give " +
+                     std::to_string(StreamHeader::max_surfaces) + " at most");
+  if (surfaces > 1 && is_one_mesh(arguments.output))
+    throw CLI::ValidationError("--output",
+                               "several surfaces are as many meshes: write {name} in the name, as "
+                               "in -o 'surface-{name}.stl', or give a " +
+                                   extensions(&FormatTraits::holds_several) +
+                                   " name, which holds them all");
+  for (const NamedSelection& each : selections)
+    if (each.selection.has_upper_end() && arguments.normals == Normals::gradient)
+      throw CLI::ValidationError("--normals",
+                                 "the gradient points from on to off only where --iso divides "
+                                 "them: give --normals surface");
+}
+
+void check_cleaning(const ExtractArguments& arguments) {
+  if (!arguments.components.is_any() && arguments.reading.border == Border::open)
+    throw CLI::ValidationError("--border",
+                               "an open surface encloses nothing: leave out --largest "
+                               "and --min-volume, or --border open");
+  const bool is_stream = format_of(arguments.output) == Format::stream;
+  if (arguments.reading.median > 0 && is_stream && arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--median",
+                               "a stream's normals are those of the samples, which are not "
+                               "filtered: leave out --normals");
+}
+
+void check_mask(const ExtractArguments& arguments) {
+  if (!arguments.reading.mask.empty() && arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--mask",
+                               "where the mask ends the samples have no gradient that points out: "
+                               "give --normals surface, or leave it out");
+  if (!arguments.reading.mask.empty() && arguments.takes_all_labels && arguments.reading.median > 0)
+    throw CLI::ValidationError("--mask",
+                               "labels are masked before they are filtered, and would grow over "
+                               "the mask again: leave out --median, or give each --label");
+}
+
+void check_surface(const ExtractArguments& arguments) {
+  if (!arguments.interpolates) return;
+  check_interpolation(arguments.mesh, arguments.output);
+  if (arguments.reading.median > 0)
+    throw CLI::ValidationError("--median",
+                               "the crossings are those of the samples, which are not filtered: "
+                               "leave out --surface interpolated");
+  if (arguments.reading.selects_labels())
+    throw CLI::ValidationError("--surface",
+                               "there is nothing to interpolate between labels: leave it out");
+}
+
+void check_tolerance(const ExtractArguments& arguments, const CLI::Option& tolerance) {
+  if (tolerance.count() > 0 && !arguments.interpolates)
+    throw CLI::ValidationError("--tolerance",
+                               "it is of interpolated surfaces: add --surface interpolated");
+}
+
+void check_output(const std::string& output) {
+  const std::string unknown = FilePattern(output).unknown_placeholder();
+  if (!unknown.empty())
+    throw CLI::ValidationError("--output", unknown +
+                                               " stands for nothing: the name of a surface "
+                                               "is {name}, and nothing else is in braces");
+}
+
+void check_wire(const ExtractArguments& arguments) {
+  const bool is_of_slices = arguments.wire == Wire::slices;
+  if (is_of_slices && format_of(arguments.output) != Format::stream)
+    throw CLI::ValidationError("--wire", "slices are a stream: give -o FILE.dmc");
+  if (is_of_slices && arguments.normals != Normals::none)
+    throw CLI::ValidationError("--wire",
+                               "a stream of slices holds no normals: leave out --normals");
+  if (is_of_slices && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
+    throw CLI::ValidationError("--wire",
+                               "a slice encoder takes the memory that it needs, and no more: leave "
+                               "out --memory and --capacities");
+  if (!is_of_slices && arguments.key_slices > 0)
+    throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
+}
+
+void check_slab(const ExtractArguments& arguments) {
+  if (!arguments.slab) return;
+  if (format_of(arguments.output) != Format::stream || arguments.wire == Wire::slices)
+    throw CLI::ValidationError("--slab",
+                               "what crosses its seams is joined by discmc join, from streams of "
+                               "regions: give -o FILE.dmc, without --wire slices");
+  if (arguments.reading.selections.size() > 1)
+    throw CLI::ValidationError("--slab",
+                               "discmc join takes one surface of each stream: give one --iso, "
+                               "--range or --label, and the others in runs of their own");
+  if (arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--slab",
+                               "the gradient at its seams would not be that of the whole volume: "
+                               "leave out --normals, and give decode --normals gradient --volume");
+}
+
+void check_jobs(const ExtractArguments& arguments) {
+  if (!arguments.jobs) return;
+  const bool is_stream = format_of(arguments.output) == Format::stream;
+  if (!is_divisible(arguments))
+    throw CLI::ValidationError("--jobs",
+                               "of --memory, --capacities, --labels and --surface interpolated "
+                               "the volume is taken as a whole: leave out one or the other");
+  if (is_stream && (arguments.wire == Wire::slices || arguments.normals == Normals::gradient))
+    throw CLI::ValidationError("--jobs",
+                               "a stream of slices or with normals is that of one sweep: leave out "
+                               "one or the other");
+}
+
+void check(const ExtractArguments& arguments, const CLI::App& app) {
+  check_output(arguments.output);
+  check_faces(arguments.mesh.faces, arguments.output);
+  check_components(arguments.components, arguments.output);
+  check_cleaning(arguments);
+  check_mask(arguments);
+  check_space(arguments.space, arguments.output);
+  check_normals(arguments.normals, arguments.output, true);
+  check_selections(arguments);
+  check_surface(arguments);
+  check_tolerance(arguments, *app.get_option("--tolerance"));
+  check_wire(arguments);
+  check_slab(arguments);
+  check_jobs(arguments);
+}
+
+// "2/7". Throws where it is none.
+SlabChoice slab_choice(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = whole_number<std::uint32_t>(text.substr(0, slash));
+  const auto count = slash == std::string::npos
+                         ? std::nullopt
+                         : whole_number<std::uint32_t>(text.substr(slash + 1));
+  if (!number || !count || *number == 0 || *number > *count)
+    throw CLI::ValidationError(
+        "--slab", text + ": give the number of the slab and how many there are, as in 2/7");
+  return {*number, *count};
+}
+
+void add_label_options(CLI::App& app, ExtractArguments& arguments) {
+  app.option_defaults()->group(surface_group);
+  CLI::Option* labels =
+      app.add_option_function<std::string>(
+             "--labels", [&arguments](const std::string&) { arguments.takes_all_labels = true; },
+             "a surface of every value but 0, in one pass: a mesh each, in a file each or in "
+             "one " +
+                 extensions(&FormatTraits::holds_several) + " file")
+          ->check(CLI::IsMember({"all"}))
+          ->option_text("all");
+  for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
+    labels->excludes(app.get_option(other));
+  app.add_option("--label-table", arguments.label_table,
+                 "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "
+                 ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS (default: with "
+                 "--labels what a .seg.nrrd of 3D Slicer tells itself)")
+      ->option_text("FILE");
+}
+
+// What a stream holds, where that is what is written.
+void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
+  app.option_defaults()->group(stream_group);
+  add_named_option(
+      app, "--wire", arguments.wire,
+      NamedValues<Wire>{{"regions", Wire::regions}, {"slices", Wire::slices}},
+      "what a .dmc stream holds; regions: polygons, final as they come; slices: the bits of the "
+      "volume, in a tenth of the bytes");
+  app.add_option("--key-slices", arguments.key_slices,
+                 "with --wire slices: every N slices one that is read without those before it, "
+                 "where some are lost (default: the first alone)")
+      ->check(CLI::Range(std::uint32_t{1}, Limits::max_slices))
+      ->option_text("N");
+  app.add_option("--scan", arguments.scan,
+                 "number of the scan, by which streams on one link are told apart")
+      ->option_text("N")
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--slab", [&arguments](const std::string& text) { arguments.slab = slab_choice(text); },
+         "one part of the slices, the K-th of N, as a .dmc stream; discmc join makes of all of "
+         "them the surface of the volume")
+      ->option_text("K/N");
+}
+
+}  // namespace
+
+Command add_extract(CLI::App& app) {
+  const auto arguments = std::make_shared<ExtractArguments>();
+  CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
+  extract
+      ->add_option(
+          "VOLUME", arguments->volume,
+          "file of NRRD, NIfTI, Analyze, MetaImage, VTK, NumPy, HDF5 or InVesalius, a folder or "
+          "file of DICOM, a folder, 'pattern' or file of PNG or TIFF slices, or headerless "
+          "samples with --dims and --type; - reads standard input")
+      ->required();
+  add_output_option(*extract, arguments->output, "the stream on standard output (default)");
+  extract->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");
+  add_volume_options(*extract, arguments->reading.layout);
+  add_surface_options(*extract, arguments->reading);
+  for (const char* option : {"--iso", "--range", "--label"})
+    extract->get_option(option)->expected(1, -1)->allow_extra_args(false);
+  CLI::Option* iso = extract->get_option("--iso");
+  iso->description(iso->get_description() +
+                   "; given several times, as the next two: a surface each, up to 4 in a stream");
+  add_label_options(*extract, *arguments);
+  add_normals_option(*extract, arguments->normals,
+                     "from the samples of the volume, and what a .dmc stream can hold");
+  extract
+      ->add_option("-j,--jobs", arguments->jobs,
+                   "parts of the volume that are worked on at once (default: as many as there are "
+                   "cores for a mesh, which is the same whatever the number; a stream is that of "
+                   "one sweep unless this is given)")
+      ->check(CLI::Range(1U, most_jobs))
+      ->option_text("N");
+  add_mesh_options(*extract, arguments->mesh);
+  add_component_options(*extract, arguments->components);
+  add_space_option(*extract, arguments->space);
+  add_interpolation_options(*extract, arguments->interpolates, arguments->mesh.tolerance);
+  add_wire_options(*extract, *arguments);
+  extract->footer(
+      "Examples:\n"
+      "  discmc extract head.nii.gz --iso 300 -o head.stl\n"
+      "  discmc extract head.nii.gz --iso 300 --iso=-300 -o 'head-{name}.stl'\n"
+      "  discmc extract labels.nii.gz --labels all -o 'out/{name}.stl'\n"
+      "  discmc extract series/ --iso 300 -o head.stl\n"
+      "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
+  extract->callback([arguments, extract] { check(*arguments, *extract); });
+  return {extract, [arguments] { return run_extract(*arguments); }};
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,153 @@
+// discmc extract -o FILE.dmc: a volume to a stream of its surfaces, or of its slices.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <discmc/shared_output.hpp>
+#include <discmc/slice_encoder.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "exit_codes.hpp"
+#include "extract.hpp"
+#include "files/output_file.hpp"
+#include "progress.hpp"
+#include "streams/stream_output.hpp"
+#include "summary.hpp"
+#include "surface/counts.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::command {
+namespace {
+
+// Tells the bits of a volume, in memory of its own.
+class SliceWriter {
+ public:
+  void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
+    memory_.resize(
+        slice_encoder_bytes({header.width, header.height}, key_slices, header.surfaces()));
+    require(encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output));
+  }
+  SliceEncoder& encoder() { return encoder_; }
+  /// Units: bytes; 0 before a start.
+  std::size_t memory() const { return memory_.size(); }
+
+ private:
+  std::vector<std::uint8_t> memory_;
+  SliceEncoder encoder_;
+};
+
+// The header of a stream of slices that holds all surfaces. header: that of the first.
+StreamHeader header_of_all(StreamHeader header, const VolumeInfo& info,
+                           const std::vector<NamedSelection>& selections) {
+  header.further_surfaces = static_cast<std::uint8_t>(selections.size() - 1);
+  std::transform(selections.begin() + 1, selections.end(), header.further_thresholds,
+                 [&info](const NamedSelection& further) {
+                   return stored_threshold(info, further.selection.low);
+                 });
+  return header;
+}
+
+// Of slabs that are as thick as can be: no two differ by more than a slice.
+std::optional<SlabRange> slab_of(const ExtractArguments& arguments, std::uint32_t depth) {
+  if (!arguments.slab || arguments.slab->count == 1) return std::nullopt;
+  const auto [number, count] = *arguments.slab;
+  if (count > depth)
+    throw std::invalid_argument("--slab " + std::to_string(number) + "/" + std::to_string(count) +
+                                ": the volume has " + std::to_string(depth) +
+                                " slices: give that many slabs at most");
+  const auto end_of = [depth, slabs = count](std::uint32_t slab) {
+    return static_cast<std::uint32_t>(std::uint64_t{depth} * slab / slabs);
+  };
+  return SlabRange{end_of(number - 1), end_of(number) - end_of(number - 1), depth};
+}
+
+// Samples that are narrowed for the gradient are counted from one threshold.
+void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& info) {
+  if (arguments.selections.size() > 1)
+    throw std::invalid_argument(
+        "--normals gradient of several surfaces takes samples of u8, u16 or i16, and these are " +
+        std::string(name(info.type)) + ": give one --iso");
+}
+
+}  // namespace
+
+ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out) {
+  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const VolumeInfo info = volume->info();
+  const auto mask = open_noted_mask(arguments.reading, info);
+  StreamOutput output(&out);
+  Progress progress("extracting", info.dims[2]);
+  ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
+  StreamHeader header = stream_header(info, options);
+  header.scan = arguments.scan;
+  std::vector<NamedSelection> selections = arguments.reading.selections;
+  options.slab = slab_of(arguments, info.dims[2]);
+  options.normals = arguments.normals == Normals::gradient;
+  options.jobs = arguments.jobs;
+  // A slab in parts is faster to join.
+  if (options.slab && is_divisible(arguments)) options.jobs = arguments.jobs.value_or(1);
+  options.measures_memory = !arguments.quiet && !options.jobs;
+  std::unique_ptr<VolumeReader> narrow;
+  if (options.normals && !is_scanner_type(info.type)) {
+    require_one_surface(arguments.reading, info);
+    narrow = narrowed_again(arguments.volume, volume_options(arguments.reading.layout),
+                            selections[0].selection.low, *volume);
+    selections[0].selection = 0;
+  }
+
+  ExtractedStream stream;
+  stream.receivers = receivers_for(selections);
+  SliceWriter slices;
+  SharedOutput link;
+  if (arguments.wire == Wire::slices) {
+    slices.start(header_of_all(header, info, selections), {arguments.key_slices},
+                 output.byte_output());
+    tell_placement(info.placement, slices.encoder());
+    options.slices = &slices.encoder();
+  } else {
+    link.start(output.byte_output());
+    StreamLabel label = header.label();
+    for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
+      label.channel = static_cast<std::uint8_t>(i);
+      stream.receivers[i]->start_stream(label, info.placement, options.slab, link.output());
+    }
+  }
+  if (!arguments.quiet)
+    for (const auto& receiver : stream.receivers) receiver->start_surface();
+
+  stream.extractions =
+      extract(narrow ? *narrow : *volume, options, requests_of(selections, stream.receivers));
+  stream.slice_bytes = output.bytes();
+  stream.slice_memory = slices.memory();
+  note_not_numbers(arguments, stream.extractions[0].not_numbers);
+  if (!options.slab) check_surfaces(arguments, stream.extractions, *volume);
+  return stream;
+}
+
+int extract_stream(const ExtractArguments& arguments) {
+  if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
+    throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
+  OutputFile file(arguments.output);
+  const ExtractedStream stream = write_stream(arguments, file.stream());
+  file.commit();
+  if (arguments.quiet) return exit_ok;
+  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  if (arguments.output != "-") write_file(arguments.output, out);
+  for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
+    SurfaceReceiver& receiver = *stream.receivers[i];
+    if (stream.receivers.size() > 1)
+      out << "channel " << i << ", at " << arguments.reading.selections[i].name << '\n';
+    write_table(stream.extractions[i], count(receiver.surface()),
+                arguments.wire == Wire::slices ? stream.slice_bytes : receiver.stream_bytes(),
+                stream.slice_memory, out);
+  }
+  require_written(out);
+  return exit_ok;
+}
+
+}  // namespace discmc::command

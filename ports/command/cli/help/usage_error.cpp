@@ -1,0 +1,145 @@
+#include "usage_error.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace discmc::command {
+namespace {
+
+// Letters put in, left out, replaced, or swapped with the next.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> distance(a.size() + 1,
+                                                 std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        distance[i][j] = i + j;
+        continue;
+      }
+      distance[i][j] = std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1,
+                                 distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
+    }
+  return distance[a.size()][b.size()];
+}
+
+// The one that a name was most likely meant for; empty where none is near.
+std::string nearest(const std::string& name, const std::vector<std::string>& names) {
+  std::string best;
+  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (const std::string& candidate : names) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance >= least) continue;
+    least = distance;
+    best = candidate;
+  }
+  return best;
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  return names;
+}
+
+// Without their dashes.
+std::vector<std::string> names_of_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  return names;
+}
+
+bool is_option(const std::string& argument) {
+  return argument.size() > 1 && argument[0] == '-';
+}
+
+// The first option that an app does not know, or else the first argument; empty where all are
+// known.
+std::string first_unknown(const CLI::App& app) {
+  std::vector<std::string> unknown = app.remaining();
+  unknown.erase(std::remove(unknown.begin(), unknown.end(), "--"), unknown.end());
+  if (unknown.empty()) return "";
+  const auto option = std::find_if(unknown.begin(), unknown.end(), is_option);
+  return option != unknown.end() ? *option : unknown.front();
+}
+
+// What other programs call an option.
+std::string meant(const std::string& name) {
+  const std::vector<std::string> thresholds = {"threshold", "isovalue", "iso-value", "isolevel",
+                                               "level"};
+  const bool is_threshold =
+      std::find(thresholds.begin(), thresholds.end(), name) != thresholds.end();
+  return is_threshold ? "iso" : name;
+}
+
+std::string unknown_option(const std::string& argument, const CLI::App& app) {
+  const std::string option = argument.substr(0, argument.find('='));
+  const std::string name = option.substr(std::min(option.size(), option.find_first_not_of('-')));
+  const std::string near = nearest(meant(name), names_of_options(app));
+  const std::string remedy = !near.empty() ? "did you mean --" + near + "?"
+                             : app.get_parent() == nullptr
+                                 ? "options of a command are given after its name"
+                                 : "leave it out";
+  return "'" + option + "' is not an option of " + app.get_name() + "; " + remedy;
+}
+
+std::string unknown_command(const std::string& argument, const CLI::App& app) {
+  const std::vector<std::string> commands = names_of_commands(app);
+  const std::string near = nearest(argument, commands);
+  return "'" + argument + "' is not a command; " +
+         (near.empty() ? "give one of " + CLI::detail::join(commands, ", ")
+                       : "did you mean " + near + "?");
+}
+
+// Empty where an app knows all its arguments.
+std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
+  const std::string argument = first_unknown(app);
+  if (argument.empty()) return "";
+  if (is_option(argument)) return unknown_option(argument, app);
+  if (app.get_parent() == nullptr) return unknown_command(argument, app);
+  // Any other error comes before a surplus: often the value of an option is missing, and it has
+  // taken the next argument.
+  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return "";
+  return "'" + argument + "' is one argument too many; leave it out";
+}
+
+// The option whose value is missing, one too many, or of another kind; else none.
+const CLI::Option* mistaken_option(const CLI::App& command, const CLI::Error& error) {
+  if (error.get_name() != "ArgumentMismatch" && error.get_name() != "ConversionError")
+    return nullptr;
+  const std::string what = error.what();
+  const std::size_t start = std::min(what.size(), what.find("--"));
+  return command.get_option_no_throw(what.substr(start, what.find_first_of(": ", start) - start));
+}
+
+std::string wrong_value(const CLI::App& command, const CLI::Error& error) {
+  const CLI::Option* option = mistaken_option(command, error);
+  if (option == nullptr || option->get_option_text().empty()) return error.what();
+  if (option->get_items_expected_max() == 1 && option->results().size() > 1)
+    return option->get_name() + " is given more than once; give it once";
+  return error.what() + ("; give " + option->get_name() + " " + option->get_option_text());
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App* app, const CLI::Error& error) {
+  const std::vector<CLI::App*> commands = app->get_subcommands();
+  std::string what = unknown_argument(*app, error);
+  std::string help = app->get_name();
+  if (commands.empty()) {
+    if (what.empty())
+      what = "no command is given; give one of " + CLI::detail::join(names_of_commands(*app), ", ");
+  } else {
+    const CLI::App& command = *commands.front();
+    if (what.empty()) what = unknown_argument(command, error);
+    if (what.empty()) what = wrong_value(command, error);
+    help += " " + command.get_name();
+  }
+  return app->get_name() + ": " + what + "\nSee " + help + " --help.\n";
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,33 @@
+// The arguments of discmc info.
+#include <memory>
+
+#include "cli/options/input_kind.hpp"
+#include "cli/options/stream_options.hpp"
+#include "cli/options/volume_options.hpp"
+#include "command_line.hpp"
+#include "commands.hpp"
+
+namespace discmc::command {
+
+Command add_info(CLI::App& app) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* info =
+      app.add_subcommand("info", "Tell what a stream or a volume holds, one key and value a line");
+  info->add_option("INPUT", arguments->input,
+                   "a .dmc stream, or a volume as extract takes it: its values, how often they "
+                   "are, and which --iso they suggest; - reads standard input")
+      ->required();
+  add_choice_options(*info, arguments->choice);
+  add_volume_options(*info, arguments->layout);
+  info->footer(
+      "Examples:\n"
+      "  discmc info head.dmc\n"
+      "  discmc info head.nii.gz");
+  info->callback([arguments, info] {
+    arguments->is_volume = is_volume_input(*info, arguments->input);
+    if (arguments->is_volume) check_kind(*info, arguments->input, *arguments->is_volume);
+  });
+  return {info, [arguments] { return run_info(*arguments); }};
+}
+
+}  // namespace discmc::command

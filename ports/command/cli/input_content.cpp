@@ -1,0 +1,32 @@
+#include "input_content.hpp"
+
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+namespace {
+
+std::string head_of(std::istream& in) {
+  std::string head(magic_bytes, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  return head;
+}
+
+}  // namespace
+
+bool begins_like_volume(const std::string& input, std::optional<ReplayedInput>& replayed) {
+  if (input == "-") {
+    const std::string head = head_of(std::cin);
+    replayed.emplace(head);
+    return is_volume_head(head);
+  }
+  if (is_read_once(input)) return false;
+  std::ifstream file(input, std::ios::binary);
+  return !file || is_volume_head(head_of(file));
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,170 @@
+// discmc join: the streams of slabs to that of the volume.
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "commands.hpp"
+#include "exit_codes.hpp"
+#include "files/output_file.hpp"
+#include "require.hpp"
+#include "stream_input.hpp"
+#include "streams/slab_ranges.hpp"
+#include "streams/stream_output.hpp"
+#include "summary.hpp"
+#include "surface/spilling_joiner.hpp"
+#include "surface_receiver.hpp"
+
+namespace discmc::command {
+namespace {
+
+std::string described(const StreamHeader& header) {
+  std::ostringstream text;
+  text << header.width << "x" << header.height << "x" << header.depth << " voxels of "
+       << header.spacing_nm[0] / 1e6 << "," << header.spacing_nm[1] / 1e6 << ","
+       << header.spacing_nm[2] / 1e6 << " mm at threshold " << header.threshold
+       << (header.border == Border::open ? ", border open" : "");
+  return text.str();
+}
+
+// Of scans whose surfaces can meet. The number of the scan may be another on each device.
+bool is_same_volume(const StreamHeader& a, const StreamHeader& b) {
+  return a.width == b.width && a.height == b.height && a.depth == b.depth &&
+         a.threshold == b.threshold && a.border == b.border &&
+         std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm);
+}
+
+// Takes the events of all streams, one after another, and joins them to one.
+class Join {
+ public:
+  /// memory: for pieces that wait. Units: bytes.
+  Join(std::ostream& out, std::uint64_t memory)
+      : output_(&out), joiner_(sink_to(encoded_), memory) {}
+
+  /// Throws std::runtime_error where the streams do not belong together.
+  int add(const std::string& path) {
+    path_ = path;
+    is_begun_ = has_range_ = false;
+    StreamReader reader(sink_to(*this));
+    reader.pass_whole_regions_to({&encoded_, [](void* encoded, const RecordsPacket& packet) {
+                                    static_cast<Encoded*>(encoded)->append(packet);
+                                  }});
+    read_file(path, reader);
+    require_one_surface(path, reader);
+    if (is_begun_ && !has_range_ && depth_ > 0) add_range({0, depth_, depth_});
+    return completeness(path, reader.report());
+  }
+  /// Limit: after the last stream.
+  void finish() {
+    if (!slabs_.missing().empty())
+      for (const SlabRange& range : slabs_.ranges()) tell_slab(range, encoder_);
+    joiner_.finish();
+    if (!encoder_.flush()) throw std::runtime_error("the output takes no more");
+  }
+
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::start) begin(*event.header);
+    if (event.kind != Event::Kind::application) return joiner_.take(event);
+    SlabRange range;
+    Placement placement;
+    if (read_slab_range(*event.application, range)) {
+      add_range(range);
+    } else if (!read_placement(*event.application, placement) || is_first_) {
+      return joiner_.take(event);  // a placement once: all are the same
+    }
+    return Answer::taken;
+  }
+
+  const SlabRanges& slabs() const { return slabs_; }
+  // What was written of them.
+  std::uint64_t regions() const { return encoded_.regions; }
+  std::uint64_t fragments() const { return encoded_.fragments; }
+
+ private:
+  // What comes out of the joiner, and what need not be joined. It is counted here: a stream that
+  // broke off tells no totals.
+  struct Encoded {
+    NormalEncoder& encoder;
+    std::uint64_t regions = 0;
+    std::uint64_t fragments = 0;
+    Answer take(const Event& event) {
+      const Answer answer = encoder.take(event);
+      if (answer != Answer::taken) return answer;
+      if (event.kind == Event::Kind::region_end) ++regions;
+      if (event.kind == Event::Kind::fragment_end) ++fragments;
+      return answer;
+    }
+    void append(const RecordsPacket& packet) {
+      require(encoder.append(packet));
+      regions += packet.pieces;
+    }
+  };
+
+  void begin(const StreamHeader& header) {
+    if (is_begun_) return;  // headers come again and again
+    is_begun_ = true;
+    is_first_ = first_path_.empty();
+    if (is_first_) {
+      header_ = header;
+      depth_ = header.depth;
+      first_path_ = path_;
+      require(encoder_.start(header.label(), output_.byte_output()));
+    } else if (!is_same_volume(header, header_)) {
+      throw std::runtime_error(path_ + ": this is of " + described(header) + ", and " +
+                               first_path_ + " of " + described(header_) +
+                               ": give the slabs of one volume");
+    }
+  }
+
+  void add_range(const SlabRange& range) {
+    has_range_ = true;
+    if (depth_ == 0) depth_ = range.depth;
+    if (range.depth != depth_)
+      throw std::runtime_error(path_ + ": its slab is one of " + std::to_string(range.depth) +
+                               " slices, and the volume has " + std::to_string(depth_) +
+                               ": make it again");
+    if (const auto twice = slabs_.add(range))
+      throw std::runtime_error(path_ + ": the " + text({*twice}) +
+                               " are there already: give every slab once");
+  }
+
+  StreamOutput output_;
+  NormalEncoder encoder_;
+  Encoded encoded_{encoder_};
+  SpillingJoiner joiner_;
+  SlabRanges slabs_;
+  std::uint32_t depth_ = 0;  // of the volume; where headers do not tell it, of the first range
+  StreamHeader header_;
+  std::string first_path_;
+  // Of the stream that is read.
+  std::string path_;
+  bool is_first_ = false;
+  bool is_begun_ = false;
+  bool has_range_ = false;
+};
+
+}  // namespace
+
+int run_join(const JoinArguments& arguments) {
+  OutputFile file(arguments.output);
+  Join join(file.stream(), arguments.memory);
+  int code = exit_ok;
+  for (const std::string& stream : arguments.streams) code = std::max(code, join.add(stream));
+  join.finish();
+  file.commit();
+  const std::vector<SlabRange> missing = join.slabs().missing();
+  if (!missing.empty()) {
+    std::cerr << "discmc: " << arguments.output << ": the " << text(missing) << " are missing, and "
+              << join.fragments() << " pieces are open: join it with the slabs of these slices\n";
+    code = exit_incomplete;
+  }
+  if (arguments.quiet) return code;
+  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  if (arguments.output != "-") write_file(arguments.output, out);
+  out << join.regions() << " polygons\n";
+  require_written(out);
+  return code;
+}
+
+}  // namespace discmc::command

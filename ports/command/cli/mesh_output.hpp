@@ -1,0 +1,53 @@
+// The surface of a command as the mesh that it writes.
+#ifndef DISCMC_COMMAND_CLI_MESH_OUTPUT_HPP
+#define DISCMC_COMMAND_CLI_MESH_OUTPUT_HPP
+
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "arguments.hpp"
+#include "files/output_file.hpp"
+#include "mesh_files/file_format.hpp"
+#include "meshes/mesh.hpp"
+#include "surface/components.hpp"
+#include "surface/surface.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// Where the mesh of an input is to lie, which tells of its volume what `told` says; nothing:
+/// at index times spacing. Throws std::invalid_argument where a patient's space is asked for and
+/// none is known.
+std::optional<VolumePlacement> mesh_placement(const std::string& input,
+                                              const std::optional<VolumePlacement>& told,
+                                              const std::optional<MeshSpace>& asked);
+
+/// The mesh of a surface. add_normals: called with it before it is placed.
+Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
+                 const std::function<void(Mesh&)>& add_normals,
+                 const std::optional<VolumePlacement>& placement);
+
+/// Calls write with the stream of the file; what goes wrong is told with the file's name.
+void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write);
+
+/// Writes a surface to the file, as a mesh or as lines of polygons, with both of the above.
+/// Limit: not Format::stream.
+void write_surface(const Surface& surface, Format format, const MeshOptions& options,
+                   const std::function<void(Mesh&)>& add_normals,
+                   const std::optional<VolumePlacement>& placement, OutputFile& file);
+
+/// Says which polygons of the surface of this input the mesh has not, if there are any.
+void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);
+
+/// Takes away what is not chosen, and says how much is left, where that is not all. name: of the
+/// volume or stream, and of the surface where it has several.
+void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface);
+
+/// A second pass over the volume of a mesh.
+void add_gradient_normals(VolumeReader& volume, Mesh& mesh);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,45 @@
+#include "input_kind.hpp"
+
+#include <filesystem>
+
+#include "stream_options.hpp"
+#include "surface_options.hpp"
+#include "volume_options.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+namespace {
+
+bool is_for_volumes(const CLI::Option& option) {
+  return option.get_group() == volume_group || option.get_group() == surface_group;
+}
+
+bool is_for_streams(const CLI::Option& option) {
+  return option.get_group() == stream_group;
+}
+
+const CLI::Option* given_option(const CLI::App& app, bool (*is_meant)(const CLI::Option&)) {
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0 && is_meant(*option)) return option;
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<bool> is_volume_input(const CLI::App& app, const std::string& input) {
+  if (std::filesystem::path(input).extension() == ".dmc") return false;
+  if (is_volume_name(input) || given_option(app, is_for_volumes) != nullptr) return true;
+  if (given_option(app, is_for_streams) != nullptr) return false;
+  return std::nullopt;
+}
+
+void check_kind(const CLI::App& app, const std::string& input, bool is_volume) {
+  const CLI::Option* option = given_option(app, is_volume ? is_for_streams : is_for_volumes);
+  if (option != nullptr)
+    throw CLI::ValidationError(option->get_name(),
+                               (is_volume ? "is for streams, and " + input + " is a volume"
+                                          : "is for volumes, and " + input + " is a stream") +
+                                   ": leave it out");
+}
+
+}  // namespace discmc::command

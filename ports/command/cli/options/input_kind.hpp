@@ -1,0 +1,20 @@
+// Inputs that may be a stream or a volume.
+#ifndef DISCMC_COMMAND_CLI_OPTIONS_INPUT_KIND_HPP
+#define DISCMC_COMMAND_CLI_OPTIONS_INPUT_KIND_HPP
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+namespace discmc::command {
+
+/// Whether the input is a volume, or a stream, by its name, or else by the options that are given
+/// for it. Nothing where neither tells.
+std::optional<bool> is_volume_input(const CLI::App& app, const std::string& input);
+
+/// Throws CLI::ValidationError when an option is given that is for the other kind of input.
+void check_kind(const CLI::App& app, const std::string& input, bool is_volume);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,148 @@
+#include "mesh_options.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "mesh_files/file_format.hpp"
+#include "named_values.hpp"
+#include "option_checks.hpp"
+
+namespace discmc::command {
+namespace {
+
+CLI::Validator known_format() {
+  return CLI::Validator(
+      [](std::string& text) {
+        try {
+          format_of(text);
+        } catch (const std::invalid_argument& error) {
+          return std::string(error.what());
+        }
+        return std::string();
+      },
+      "");
+}
+
+}  // namespace
+
+CLI::Option* add_output_option(CLI::App& app, std::string& output,
+                               const std::string& standard_output) {
+  return app
+      .add_option("-o,--output", output,
+                  "the file to write, by extension " + extensions() + "; - is " + standard_output)
+      ->check(known_format());
+}
+
+void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient) {
+  app.option_defaults()->group(mesh_group);
+  add_named_option(
+      app, "--normals", normals,
+      NamedValues<Normals>{
+          {"none", Normals::none}, {"surface", Normals::surface}, {"gradient", Normals::gradient}},
+      "at the vertices of a mesh (" + extensions(&FormatTraits::holds_normals) +
+          "); surface: from the polygons that meet there, by area; gradient: " + gradient);
+}
+
+void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
+  app.option_defaults()->group(mesh_group);
+  add_named_option(
+      app, "--faces", mesh.faces,
+      NamedValues<Faces>{{"triangles", Faces::triangles}, {"polygons", Faces::polygons}},
+      "triangles, which every program reads; polygons: the merged ones, of up to " +
+          std::to_string(max_face_corners) + " corners, for programs that take them as they are");
+  app.add_flag("--conforming,!--no-conforming", mesh.conforming,
+               "a mesh without T-junctions (default), or with corners alone");
+}
+
+void add_component_options(CLI::App& app, ComponentChoice& components) {
+  app.option_defaults()->group(mesh_group);
+  app.add_option("--largest", components.largest,
+                 "keep the N bodies and cavities that enclose most (default: all)")
+      ->check(accepted([](double count) { return count >= 1 && count == std::floor(count); },
+                       "whole number from 1 on"))
+      ->option_text("N");
+  app.add_option("--min-volume", components.min_volume_mm3,
+                 "drop bodies and cavities that enclose less, in cubic millimetres")
+      ->check(accepted([](double volume) { return volume >= 0; }, "number of cubic millimetres"))
+      ->option_text("MM3");
+}
+
+void check_components(const ComponentChoice& components, const std::string& output) {
+  if (components.is_any() || format_of(output) != Format::stream) return;
+  throw CLI::ValidationError(components.largest > 0 ? "--largest" : "--min-volume",
+                             "a stream is written before its surface is whole: give the name of a "
+                             "mesh, or leave it out");
+}
+
+void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
+  app.option_defaults()->group(mesh_group);
+  add_named_option(
+      app, "--space", space,
+      NamedValues<MeshSpace>{
+          {"lps", MeshSpace::lps}, {"ras", MeshSpace::ras}, {"voxel", MeshSpace::voxel}},
+      "the coordinates of a mesh; lps, ras: the patient's, from the origin and directions of the "
+      "volume; voxel: index times spacing (default: lps where the frame is known, else those of "
+      "the volume)");
+}
+
+void check_space(const std::optional<MeshSpace>& space, const std::string& output) {
+  const Format format = format_of(output);
+  if (!space || (format != Format::stream && format != Format::jsonl)) return;
+  throw CLI::ValidationError(
+      "--space",
+      output +
+          (format == Format::stream ? " is a stream, which holds the placement beside the surface"
+                                    : " has half-steps of voxels") +
+          ": leave it out, or give the name of a mesh");
+}
+
+void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance) {
+  app.option_defaults()->group(mesh_group);
+  add_named_option(
+      app, "--surface", interpolates, NamedValues<bool>{{"merged", false}, {"interpolated", true}},
+      "merged: flat polygons halfway between voxels; interpolated: where the samples cross the "
+      "threshold, as Marching Cubes has it");
+  app.add_option("--tolerance", tolerance,
+                 "how far these crossings may be from an interpolated surface, in voxels: less "
+                 "takes more triangles")
+      ->check(finite())
+      ->check(not_negative())
+      ->option_text("VOXELS")
+      ->capture_default_str();
+}
+
+void check_interpolation(const MeshOptions& mesh, const std::string& output) {
+  const Format format = format_of(output);
+  if (format == Format::stream || format == Format::jsonl)
+    throw CLI::ValidationError("--surface", output +
+                                                " has its vertices halfway between voxels: leave "
+                                                "out --surface interpolated, or name a mesh");
+  if (mesh.faces == Faces::polygons)
+    throw CLI::ValidationError("--faces",
+                               "polygons of an interpolated surface are not flat: leave it out");
+  if (!mesh.conforming)
+    throw CLI::ValidationError("--no-conforming",
+                               "an interpolated surface has no T-junctions: leave it out");
+}
+
+void check_faces(Faces faces, const std::string& output) {
+  if (faces == Faces::triangles || traits_of(format_of(output)).holds_polygons) return;
+  throw CLI::ValidationError("--faces", output + " cannot hold polygons: leave it out, or give a " +
+                                            extensions(&FormatTraits::holds_polygons) + " name");
+}
+
+void check_normals(Normals normals, const std::string& output, bool has_samples) {
+  if (normals == Normals::none) return;
+  const Format format = format_of(output);
+  if (traits_of(format).holds_normals) return;
+  if (format == Format::stream && normals == Normals::gradient && has_samples) return;
+  const std::string name = "a " + extensions(&FormatTraits::holds_normals) + " name";
+  throw CLI::ValidationError(
+      "--normals",
+      (format != Format::stream ? output + " cannot hold normals of vertices: give "
+       : has_samples ? "a stream holds normals of the gradient alone: give --normals gradient, or "
+                     : "a stream keeps the normals that it has: leave it out, or give ") +
+          name);
+}
+
+}  // namespace discmc::command

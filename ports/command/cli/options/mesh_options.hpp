@@ -1,0 +1,52 @@
+// Options under "Mesh": what a mesh holds; and the file that it is written to.
+#ifndef DISCMC_COMMAND_CLI_OPTIONS_MESH_OPTIONS_HPP
+#define DISCMC_COMMAND_CLI_OPTIONS_MESH_OPTIONS_HPP
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/arguments.hpp"
+
+namespace discmc::command {
+
+constexpr const char* mesh_group = "Mesh";
+
+/// -o, of a stream or a mesh by its extension. standard_output: what "-" is.
+CLI::Option* add_output_option(CLI::App& app, std::string& output,
+                               const std::string& standard_output);
+
+/// --normals. gradient: where those of the gradient come from.
+void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient);
+
+/// --faces and --conforming.
+void add_mesh_options(CLI::App& app, MeshOptions& mesh);
+
+/// --largest and --min-volume: what of the surface is kept.
+void add_component_options(CLI::App& app, ComponentChoice& components);
+
+/// Only what is written whole can be chosen from. Throws: CLI::ValidationError.
+void check_components(const ComponentChoice& components, const std::string& output);
+
+/// --space.
+void add_space_option(CLI::App& app, std::optional<MeshSpace>& space);
+
+/// Only meshes have coordinates to choose. Throws: CLI::ValidationError.
+void check_space(const std::optional<MeshSpace>& space, const std::string& output);
+
+/// --surface and --tolerance.
+void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance);
+
+/// Interpolated vertices are those of conforming triangles, in a mesh. Throws:
+/// CLI::ValidationError.
+void check_interpolation(const MeshOptions& mesh, const std::string& output);
+
+/// Only some formats hold polygons. Throws: CLI::ValidationError.
+void check_faces(Faces faces, const std::string& output);
+
+/// Only some formats hold normals of vertices. Throws: CLI::ValidationError.
+void check_normals(Normals normals, const std::string& output, bool has_samples);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,42 @@
+// Options whose value is one of several names.
+#ifndef DISCMC_COMMAND_CLI_OPTIONS_NAMED_VALUES_HPP
+#define DISCMC_COMMAND_CLI_OPTIONS_NAMED_VALUES_HPP
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace discmc::command {
+
+template <typename T>
+using NamedValues = std::vector<std::pair<std::string, T>>;
+
+/// Adds an option that takes one of the names. value: optional<T>, or T, which is the default; must
+/// outlive the parsing.
+template <typename Value, typename T>
+CLI::Option* add_named_option(CLI::App& app, const std::string& option, Value& value,
+                              const NamedValues<T>& values, const std::string& description) {
+  std::vector<std::string> names;
+  names.reserve(values.size());
+  for (const auto& named : values) names.push_back(named.first);
+  CLI::Option* added =
+      app.add_option_function<std::string>(
+             option,
+             [&value, values](const std::string& name) {
+               value = std::find_if(values.begin(), values.end(), [&name](const auto& named) {
+                         return named.first == name;
+                       })->second;
+             },
+             description)
+          ->check(CLI::IsMember(names))
+          ->option_text(CLI::detail::join(names, "|"));
+  for (const auto& named : values)
+    if (value == named.second) added->default_str(named.first);
+  return added;
+}
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,111 @@
+// Checks of option values that several commands share; what they return is an error, and wrong
+// usage.
+#ifndef DISCMC_COMMAND_CLI_OPTIONS_OPTION_CHECKS_HPP
+#define DISCMC_COMMAND_CLI_OPTIONS_OPTION_CHECKS_HPP
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "files/file_pattern.hpp"
+#include "text/number_text.hpp"
+
+namespace discmc::command {
+
+/// A finite number for which the condition holds. wanted: what it is called, as CLI11 would name
+/// the largest number there is.
+template <class Condition>
+CLI::Validator accepted(Condition holds, const std::string& wanted) {
+  return CLI::Validator(
+      [holds, wanted](std::string& text) {
+        const auto value = finite_number(text);
+        return value && holds(*value) ? std::string() : "'" + text + "' is no " + wanted;
+      },
+      "");
+}
+
+inline CLI::Validator finite() {
+  return accepted([](double) { return true; }, "finite number");
+}
+
+/// The spacing of a stream is a count of nanometres in 32 bits.
+inline CLI::Validator usable_spacing() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const double size = std::fabs(std::strtod(text.c_str(), nullptr));
+        return size >= 1e-6 && size <= 2147 ? std::string()
+                                            : "'" + text + "' is not within 1e-6 to 2147 mm";
+      },
+      "");
+}
+
+inline CLI::Validator not_negative() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
+      },
+      "");
+}
+
+/// A file whose name ends in one of these, which begin with a dot, or standard output by the name
+/// "-". what: is told where it does not.
+inline CLI::Validator named_with(const std::vector<std::string>& extensions,
+                                 const std::string& what) {
+  return CLI::Validator(
+      [extensions, what](std::string& text) {
+        const std::string own = std::filesystem::path(text).extension().string();
+        const bool is_right =
+            text == "-" || std::find(extensions.begin(), extensions.end(), own) != extensions.end();
+        return is_right ? std::string()
+                        : text + ": " + what + ": give a name that ends in " + extensions[0];
+      },
+      "");
+}
+
+/// For commands that write one surface, where no name stands in braces.
+inline CLI::Validator without_braces() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const std::string found = FilePattern(text).first_placeholder();
+        return found.empty() ? std::string()
+                             : text + ": " + found +
+                                   " stands for nothing, as there is one surface: leave it out";
+      },
+      "");
+}
+
+/// Bytes as CLI::AsSizeValue takes them, of the units that memory has.
+inline CLI::Validator count_of_bytes() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const std::vector<std::string> units = {"",   "b",   "k", "kb", "kib", "m",
+                                                "mb", "mib", "g", "gb", "gib"};
+        const std::size_t digits = std::min(text.size(), text.find_first_not_of("0123456789"));
+        const std::string unit = CLI::detail::to_lower(text.substr(digits));
+        const bool is_right =
+            digits > 0 && std::find(units.begin(), units.end(), unit) != units.end();
+        return is_right ? std::string()
+                        : "'" + text + "' is no count of bytes: give a whole number, as in 24K";
+      },
+      "");
+}
+
+/// --memory: bytes, with K, M or G for powers of 1024.
+inline CLI::Option* add_memory_option(CLI::App& app, std::uint64_t& memory,
+                                      const std::string& description) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 60;  // more than there is anywhere
+  return app.add_option("--memory", memory, description)
+      ->transform(CLI::AsSizeValue(false))
+      ->transform(count_of_bytes())  // which comes before the other
+      ->check(CLI::Range(std::uint64_t{1}, most))
+      ->option_text("BYTES");
+}
+
+}  // namespace discmc::command
+
+#endif

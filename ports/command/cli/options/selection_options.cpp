@@ -1,0 +1,84 @@
+#include "selection_options.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "extraction/labels.hpp"
+#include "surface_options.hpp"
+#include "text/number_text.hpp"
+
+namespace discmc::command {
+namespace {
+
+std::optional<NamedSelection> threshold(const std::string& text) {
+  for (const auto& [called, rule] : threshold_rules)
+    if (called == text) return NamedSelection{{}, text, {}, rule};
+  const auto low = finite_number(text);
+  return low ? std::optional(NamedSelection{*low, text}) : std::nullopt;
+}
+
+// An end that is left out is infinite.
+std::optional<NamedSelection> range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos || text.size() == 2) return std::nullopt;
+  const std::string low = text.substr(0, dots);
+  const std::string high = text.substr(dots + 2);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto lowest = low.empty() ? -infinity : finite_number(low);
+  const auto highest = high.empty() ? infinity : finite_number(high);
+  if (!lowest || !highest || *lowest > *highest) return std::nullopt;
+  return NamedSelection{{*lowest, *highest}, text};
+}
+
+std::optional<NamedSelection> label(const std::string& text) {
+  const auto value = finite_number(text);
+  if (!value || *value != std::floor(*value) || std::fabs(*value) >= end_of_labels)
+    return std::nullopt;
+  return NamedSelection{{*value, *value}, text};
+}
+
+using Parse = std::optional<NamedSelection> (*)(const std::string&);
+
+CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse parse,
+                                  const std::string& form, const std::string& wanted,
+                                  std::vector<NamedSelection>& selections,
+                                  const std::string& description) {
+  return app
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [&selections, parse](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) selections.push_back(*parse(text));
+          },
+          description)
+      ->check(CLI::Validator(
+          [parse, wanted](std::string& text) {
+            return parse(text) ? std::string() : "'" + text + "' is no " + wanted;
+          },
+          ""))
+      ->expected(1)
+      ->option_text(form);
+}
+
+}  // namespace
+
+void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections) {
+  app.option_defaults()->group(surface_group);
+  CLI::Option* iso = add_selection_option(
+      app, "--iso", threshold, "ISO|auto|otsu|bone|skin", "finite number, auto, otsu, bone or skin",
+      selections,
+      "the threshold, in the units of the file: a voxel is on if its value is >= ISO; otsu: that "
+      "which divides the values best; bone, skin: of CT, 300 and -300; auto: bone of CT, else "
+      "otsu");
+  CLI::Option* between = add_selection_option(
+      app, "--range", range, "LOW..HIGH", "range: give LOW..HIGH, one of which may be left out",
+      selections, "in place of --iso: a voxel is on if LOW <= value <= HIGH");
+  CLI::Option* label_option = add_selection_option(
+      app, "--label", label, "N", "whole number of up to 53 bits", selections,
+      "in place of --iso: a voxel is on if its value is N, as in a segmentation");
+  iso->excludes(between)->excludes(label_option);
+  between->excludes(label_option);
+}
+
+}  // namespace discmc::command

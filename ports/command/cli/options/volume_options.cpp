@@ -1,0 +1,110 @@
+#include "volume_options.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "named_values.hpp"
+#include "option_checks.hpp"
+#include "text/number_text.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+namespace {
+
+std::optional<VoxelRange> voxel_range(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string_view::npos) return std::nullopt;
+  const std::string_view first = text.substr(0, dots), last = text.substr(dots + 2);
+  VoxelRange range;
+  if (!first.empty()) {
+    const auto value = whole_number<std::uint32_t>(first);
+    if (!value) return std::nullopt;
+    range.first = *value;
+  }
+  if (!last.empty()) {
+    range.last = whole_number<std::uint32_t>(last);
+    if (!range.last || *range.last < range.first) return std::nullopt;
+  }
+  return range;
+}
+
+std::optional<Crop> crop_of(std::string_view text) {
+  Crop crop;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    const bool is_last = axis == 2;
+    const auto range = voxel_range(text.substr(0, end));
+    if (!range || (end == text.size()) != is_last) return std::nullopt;
+    crop[axis] = *range;
+    if (!is_last) text.remove_prefix(end + 1);
+  }
+  return crop;
+}
+
+void add_part_options(CLI::App& app, LayoutArguments& arguments) {
+  app.add_option_function<std::string>(
+         "--crop", [&arguments](const std::string& text) { arguments.crop = crop_of(text); },
+         "the part to take: voxels A to B along x, C to D along y, E to F along z, the first is 0; "
+         "an end left out is the volume's, as in ..,..,100..; it stays where it is in space")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return crop_of(text) ? std::string()
+                                 : "'" + text +
+                                       "' is no part: give A..B,C..D,E..F, each from less "
+                                       "to more; any of them may be left out";
+          },
+          ""))
+      ->option_text("A..B,C..D,E..F");
+  app.add_option("--shrink", arguments.shrink,
+                 "make one voxel of N x N x N, after --crop: their mean, of labels the one that "
+                 "most of them have; the last along an axis are of those that are left")
+      ->check(CLI::Range(2, 16))
+      ->option_text("N");
+}
+
+}  // namespace
+
+void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
+  app.option_defaults()->group(volume_group);
+  CLI::Option* dims =
+      app.add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
+          ->delimiter(',')
+          ->expected(3)
+          ->option_text("X,Y,Z");
+  CLI::Option* type = add_named_option(
+      app, "--type", arguments.type,
+      NamedValues<SampleType>(std::begin(sample_types), std::end(sample_types)),
+      "samples of a headerless file: whole numbers without or with sign, or floating point");
+  dims->needs(type);
+  type->needs(dims);
+  app.add_flag("--big-endian", arguments.big_endian,
+               "a headerless file has the high byte of a sample first")
+      ->needs(dims);
+  app.add_option("--skip-bytes", arguments.skipped_bytes,
+                 "what stands before the samples of a headerless file")
+      ->option_text("N")
+      ->needs(dims);
+  app.add_option("--frame", arguments.frame,
+                 "the volume to read of a file that holds several (4D), the first is 0")
+      ->option_text("N");
+  app.add_option("--spacing", arguments.spacing,
+                 "distances of voxels in millimetres, in place of those of the file (default: "
+                 "those of the file, or 1 where it tells none)")
+      ->delimiter(',')
+      ->expected(3)
+      ->option_text("X,Y,Z")
+      ->check(usable_spacing());
+  app.add_option("--series", arguments.series,
+                 "of a folder of DICOM with several: its UID, or its number in the list that is "
+                 "shown without this")
+      ->option_text("SERIES");
+  app.add_flag("--allow-gaps", arguments.allow_gaps,
+               "repeat the nearest slice where slices are missing, of DICOM or pictures (default: "
+               "refuse them)");
+  add_part_options(app, arguments);
+}
+
+}  // namespace discmc::command

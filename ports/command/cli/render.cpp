@@ -1,0 +1,107 @@
+// discmc render: a picture of a stream or a volume.
+#include <utility>
+
+#include "commands.hpp"
+#include "empty_surface.hpp"
+#include "exit_codes.hpp"
+#include "extraction/classic.hpp"
+#include "extraction/extraction.hpp"
+#include "mesh_output.hpp"
+#include "meshes/mesh.hpp"
+#include "meshes/surface_normals.hpp"
+#include "meshes/vertex_normals.hpp"
+#include "pictures/picture.hpp"
+#include "progress.hpp"
+#include "stream_input.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+#include "thresholds.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::command {
+namespace {
+
+// A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
+Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
+  const bool smooth = arguments.smooth;
+  Mesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+  note_left_out(arguments.input, surface, mesh);
+  if (!smooth || surface.normals.empty()) return mesh;
+  mesh.normals = surface_normals(mesh);
+  set_told_normals(surface, mesh);
+  return mesh;
+}
+
+// The gradient is that of the surface only where a threshold alone divides the samples.
+bool has_gradient(const VolumeArguments& arguments) {
+  return arguments.median == 0 && arguments.mask.empty() &&
+         !arguments.selections[0].selection.has_upper_end();
+}
+
+// options: of the extraction. volume: not yet read; is at the end.
+Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
+                 ExtractionOptions options) {
+  options.normals = arguments.smooth && has_gradient(arguments.reading);
+  std::unique_ptr<VolumeReader> narrow;
+  if (options.normals && !is_scanner_type(volume.info().type)) {
+    narrow = narrowed_again(arguments.input, volume_options(arguments.reading.layout),
+                            options.selection.low, volume);
+    options.selection = 0;
+  }
+  SurfaceBuilder builder;
+  GrowingJoiner joiner(sink_to(builder));
+  const Selection& asked = arguments.reading.selections[0].selection;
+  const Extraction extraction = extract(narrow ? *narrow : volume, options, sink_to(joiner));
+  check_surface(arguments.input, arguments.reading, asked, volume, extraction);
+  builder.surface().spacing_mm = volume.info().spacing_mm;
+  return mesh_to_draw(arguments, builder.surface());
+}
+
+Mesh volume_to_draw(const RenderArguments& arguments) {
+  if (arguments.smooth && has_gradient(arguments.reading))
+    require_second_pass(arguments.input, gradient_pass);
+  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  Progress progress("extracting", volume->info().dims[2]);
+  const auto mask = open_noted_mask(arguments.reading, volume->info());
+  const auto options = extraction_options(arguments.reading, progress, mask.get());
+  if (!arguments.classic) return merged_mesh(arguments, *volume, options);
+  Mesh mesh = classic_mesh(*volume, options);
+  if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
+    fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0].selection,
+               *volume);
+  return mesh;
+}
+
+PictureOptions picture_options(const RenderArguments& arguments) {
+  PictureOptions options;
+  options.width = arguments.size[0];
+  options.height = arguments.size[1];
+  options.from = {arguments.view[0], arguments.view[1], arguments.view[2]};
+  options.zoom = arguments.zoom;
+  if (!arguments.at.empty()) options.at = {arguments.at[0], arguments.at[1], arguments.at[2]};
+  options.shading = arguments.smooth ? Shading::smooth : Shading::flat;
+  options.outlines = arguments.outlines;
+  return options;
+}
+
+}  // namespace
+
+int run_render(const RenderArguments& arguments) {
+  Mesh mesh;
+  int code = exit_ok;
+  if (arguments.is_volume) {
+    RenderArguments found = arguments;
+    found.reading.selections = with_thresholds(arguments.input, arguments.reading);
+    mesh = volume_to_draw(found);
+  } else {
+    const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
+    mesh = mesh_to_draw(arguments, decoded.surface);
+    code = completeness(arguments.input, decoded.report);
+  }
+  if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
+  const Progress drawing("drawing");
+  write_picture(mesh, picture_options(arguments), arguments.output);
+  return code;
+}
+
+}  // namespace discmc::command

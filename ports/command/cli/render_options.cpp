@@ -1,0 +1,100 @@
+// The arguments of discmc render.
+#include <memory>
+
+#include "cli/options/input_kind.hpp"
+#include "cli/options/named_values.hpp"
+#include "cli/options/option_checks.hpp"
+#include "cli/options/stream_options.hpp"
+#include "cli/options/surface_options.hpp"
+#include "cli/options/volume_options.hpp"
+#include "command_line.hpp"
+#include "commands.hpp"
+
+namespace discmc::command {
+namespace {
+
+void check(const CLI::App& render, const RenderArguments& arguments) {
+  check_kind(render, arguments.input, arguments.is_volume);
+  if (arguments.is_volume && arguments.reading.selections.empty())
+    throw CLI::ValidationError(arguments.input,
+                               "a volume is drawn at a threshold: give --iso VALUE");
+  if (arguments.view == std::vector<double>{0, 0, 0})
+    throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
+}
+
+void add_picture_options(CLI::App& app, RenderArguments& arguments) {
+  app.option_defaults()->group("Picture");
+  app.add_option("--view", arguments.view, "direction from the surface to the viewer")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->option_text("X,Y,Z")
+      ->capture_default_str();
+  app.add_option("--size", arguments.size, "of the picture, in pixels")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(1, 8192))
+      ->option_text("W,H")
+      ->capture_default_str();
+  app.add_option("--zoom", arguments.zoom, "times nearer than what shows all")
+      ->check(finite())
+      ->check(CLI::Range(1e-3, 1e3))
+      ->option_text("FACTOR")
+      ->capture_default_str();
+  app.add_option(
+         "--at", arguments.at,
+         "point in the middle of the picture, in millimetres as in meshes (default: the middle of "
+         "the surface)")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->option_text("X,Y,Z");
+  add_named_option(app, "--shade", arguments.smooth,
+                   NamedValues<bool>{{"flat", false}, {"smooth", true}},
+                   "flat: every face in one colour; smooth: by the normals of vertices");
+  app.add_flag("--edges", arguments.outlines, "outline the faces: the merged polygons");
+}
+
+void add_classic_option(CLI::App& app, bool& classic) {
+  app.option_defaults()->group(surface_group);
+  app.add_flag("--classic", classic,
+               "triangles of classic Marching Cubes, with interpolated vertices, to compare")
+      ->excludes("--memory")
+      ->excludes("--capacities")
+      ->excludes("--median")
+      ->excludes("--mask")
+      ->excludes("--range")
+      ->excludes("--label");
+}
+
+}  // namespace
+
+Command add_render(CLI::App& app) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* render = app.add_subcommand("render", "Draw a stream or a volume as a PNG picture");
+  render
+      ->add_option("INPUT", arguments->input,
+                   "a .dmc stream, or a volume as extract takes it; - reads standard input")
+      ->required();
+  render
+      ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")
+      ->check(named_with({".png", ".PNG"}, "pictures are PNG files"))
+      ->check(without_braces())
+      ->required();
+  add_picture_options(*render, *arguments);
+  add_choice_options(*render, arguments->choice);
+  add_volume_options(*render, arguments->reading.layout);
+  add_surface_options(*render, arguments->reading);
+  add_classic_option(*render, arguments->classic);
+  render->footer(
+      "Examples:\n"
+      "  discmc render head.dmc --edges -o head.png\n"
+      "  discmc render head.nii.gz --iso 300 --shade smooth -o head.png");
+  render->callback([arguments, render] {
+    arguments->is_volume = is_volume_input(*render, arguments->input).value_or(false);
+    check(*render, *arguments);
+  });
+  return {render, [arguments] { return run_render(*arguments); }};
+}
+
+}  // namespace discmc::command

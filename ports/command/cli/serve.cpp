@@ -1,0 +1,102 @@
+// discmc view --serve: the page, and the data beside it.
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "exit_codes.hpp"
+#include "input_content.hpp"
+#include "pages/browser.hpp"
+#include "pages/live_file.hpp"
+#include "pages/page_server.hpp"
+#include "require.hpp"
+#include "view.hpp"
+#include "volume_input.hpp"
+#include "volumes/formats/nifti/writer.hpp"
+
+namespace discmc::command {
+namespace {
+
+// Slices are read in turn, as not every library does so in two threads. Whoever is slow to take
+// what was read holds nobody up.
+class ReadInTurn final : public VolumeReader {
+ public:
+  ReadInTurn(std::unique_ptr<VolumeReader> volume, std::mutex& turn)
+      : volume_(std::move(volume)), turn_(turn) {}
+  const VolumeInfo& info() const override { return volume_->info(); }
+  void read_slice(void* samples) override {
+    const std::lock_guard<std::mutex> lock(turn_);
+    volume_->read_slice(samples);
+  }
+
+ private:
+  std::unique_ptr<VolumeReader> volume_;
+  std::mutex& turn_;
+};
+
+void serve(const ViewArguments& arguments, const ServedFile& file) {
+  serve_page(file, arguments.port, [&](const std::string& address) {
+    std::cout << file.name << ": " << address << " (Ctrl-C ends it)" << std::endl;
+    require_written(std::cout);
+    if (arguments.opens && !open_in_browser(address))
+      std::cerr << "discmc: no browser was found: open " << address << " in one\n";
+  });
+}
+
+// Samples are read anew for every page: none waits in memory.
+void serve_samples(const ViewArguments& arguments) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 30;
+  require_second_pass(arguments.input, "every page that is served takes a pass");
+  std::mutex turn;
+  const auto open = [&] {
+    const std::lock_guard<std::mutex> lock(turn);
+    return open_volume(arguments.input, volume_options(arguments.reading.layout));
+  };
+  const VolumeInfo info = open()->info();
+  require_size(arguments.input, info, most);
+  const auto write = [&](std::ostream& out) {
+    ReadInTurn volume(open(), turn);
+    write_nifti(
+        volume, [](std::uint32_t) {}, out);
+  };
+  serve(arguments, {name_of(arguments.input), false, nifti_bytes(info), write});
+}
+
+void serve_stream(const ViewArguments& arguments, const NamedStream& stream) {
+  serve(arguments, {stream.name, false, stream.bytes.size(),
+                    [&stream](std::ostream& out) { out << stream.bytes; }});
+}
+
+void serve_live(const ViewArguments& arguments) {
+  LiveFile live(arguments.input);
+  serve(arguments, {name_of(arguments.input), true, std::nullopt,
+                    [&live](std::ostream& out) { live.copy_to(out); }});
+}
+
+// What comes from a pipe is a stream, unless an option is for volumes alone: its first bytes may
+// be long in coming.
+bool is_volume(const ViewArguments& arguments) {
+  if (arguments.is_volume) return *arguments.is_volume;
+  std::optional<ReplayedInput> replayed;
+  return !is_read_once(arguments.input) && begins_like_volume(arguments.input, replayed);
+}
+
+}  // namespace
+
+int serve_view(const ViewArguments& arguments) {
+  if (!is_volume(arguments) && is_read_once(arguments.input))
+    serve_live(arguments);
+  else if (!is_volume(arguments))
+    serve_stream(arguments, stream_in_file(arguments));
+  else if (arguments.reading.selections.empty())
+    serve_samples(arguments);
+  else
+    serve_stream(arguments, stream_of_threshold(arguments));
+  return exit_ok;
+}
+
+}  // namespace discmc::command

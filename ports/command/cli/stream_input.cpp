@@ -1,0 +1,181 @@
+#include "stream_input.hpp"
+
+#include <discmc/placement.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "exit_codes.hpp"
+#include "progress.hpp"
+#include "streams/application_text.hpp"
+#include "streams/slab_ranges.hpp"
+#include "streams/spacing.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+#include "volumes/other_kinds.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+namespace {
+
+// The surfaces of a link by scan, channel and threshold.
+std::vector<std::string> list_of_surfaces(const StreamReader& reader) {
+  std::vector<std::string> list;
+  for (const StreamHeader& header : reader.headers())
+    for (std::uint32_t surface = 0; surface < header.surfaces(); ++surface)
+      list.push_back("scan " + std::to_string(header.scan) + " channel " +
+                     std::to_string(header.channel + surface) + " (threshold " +
+                     std::to_string(header.threshold_of(surface)) + ")");
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& list) {
+  std::string text;
+  for (const std::string& item : list) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
+// Notes the application records of a stream, the placement of its volume among them, and passes on
+// what it is given.
+struct RecordNotes {
+  GrowingJoiner& to;
+  std::vector<std::string> records{};
+  std::optional<VolumePlacement> placement{};
+  SlabRanges slabs{};
+  Answer take(const Event& event) {
+    if (event.kind == Event::Kind::application) {
+      records.push_back(text(*event.application));
+      Placement told;
+      if (read_placement(*event.application, told)) placement = in_millimetres(told);
+      SlabRange range;
+      if (read_slab_range(*event.application, range)) slabs.add(range);
+    }
+    return to.take(event);
+  }
+};
+
+// Says which command takes what is no stream.
+void refuse_other_kinds(const std::string& path) {
+  if (is_volume_name(path))
+    throw std::runtime_error(
+        path + ": this is a volume, not a stream; give it to discmc extract, info or render");
+  if (is_mesh_name(path))
+    throw std::runtime_error(path + ": this is a mesh, not a stream; " + who_takes_meshes);
+}
+
+// Not of standard input.
+std::ifstream opened(const std::string& path) {
+  std::ifstream file;
+  if (!std::filesystem::is_directory(path))
+    file.open(path, std::ios::binary);
+  else
+    refuse_other_kinds(path);
+  if (!file.is_open())
+    throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
+  return file;
+}
+
+// size: of the stream, or 0 where it is not known.
+void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
+                 StreamReader& reader) {
+  Progress progress(size > 0 ? "reading" : "reading byte", size);
+  try {
+    reader.read(in, [&progress](std::uint64_t bytes) { progress.show(bytes); });
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+  if (reader.report().has_header) return;
+  if (!reader.headers().empty())
+    throw std::runtime_error(path + ": no such surface: it has " +
+                             joined(list_of_surfaces(reader)));
+  refuse_other_kinds(path);
+  throw std::runtime_error(path + ": no header of a discmc stream in " +
+                           std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
+}
+
+// read: called with the reader.
+template <class Read>
+DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice) {
+  SurfaceBuilder builder;
+  GrowingJoiner joiner(sink_to(builder));
+  RecordNotes notes{joiner};
+  StreamReader reader(sink_to(notes), choice);
+  read(reader);
+  note_others(path, choice, reader);
+  if (!notes.slabs.missing().empty())
+    std::cerr << "discmc: " << path << ": it holds the " << text(notes.slabs.ranges()) << " of "
+              << notes.slabs.ranges()[0].depth
+              << " alone: discmc join makes the whole surface of it and the other slabs\n";
+  joiner.finish();
+  builder.surface().spacing_mm = spacing_mm(reader.header());
+  if (notes.placement && !is_usable(*notes.placement)) {
+    std::cerr << "discmc: " << path << ": its placement is unusable, and dropped\n";
+    notes.placement.reset();
+  }
+  StreamReport report = reader.report();
+  report.lost_pieces += builder.incomplete_regions();
+  return {reader.header(),
+          reader.channel(),
+          reader.headers(),
+          report,
+          std::move(builder.surface()),
+          std::move(notes.records),
+          notes.placement};
+}
+
+}  // namespace
+
+void read_file(const std::string& path, StreamReader& reader) {
+  if (path == "-") return read_stream(path, std::cin, 0, reader);
+  std::ifstream file = opened(path);
+  const bool has_size = std::filesystem::is_regular_file(path);
+  read_stream(path, file, has_size ? std::filesystem::file_size(path) : 0, reader);
+}
+
+std::string stream_bytes(const std::string& path) {
+  std::ifstream file;
+  if (path != "-") file = opened(path);
+  std::istream& in = path == "-" ? std::cin : file;
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
+  const std::vector<std::string> surfaces = list_of_surfaces(reader);
+  if (surfaces.size() < 2 || !choice.is_any()) return;
+  std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
+            << int{reader.channel()} << " of " << joined(surfaces)
+            << ": choose with --scan N and --channel N\n";
+}
+
+void require_one_surface(const std::string& path, const StreamReader& reader) {
+  const std::vector<std::string> surfaces = list_of_surfaces(reader);
+  if (surfaces.size() > 1)
+    throw std::runtime_error(path + ": it holds " + joined(surfaces) +
+                             ", and one surface is joined: give streams of one each");
+}
+
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
+  return decoded_by([&](StreamReader& reader) { read_file(path, reader); }, path, choice);
+}
+
+DecodedStream decode_surface(const std::string& path, std::istream& in,
+                             const StreamChoice& choice) {
+  return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice);
+}
+
+int completeness(const std::string& path, const StreamReport& report) {
+  if (report.is_complete()) return exit_ok;
+  if (report.is_mixed)
+    std::cerr << "discmc: " << path
+              << ": two scans of one number are mixed in it: give every scan a number of its own\n";
+  std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
+            << " packets and " << (report.holds_slices ? report.lost_rows : report.lost_pieces)
+            << (report.holds_slices ? " rows" : " regions or fragments") << " are missing"
+            << (report.has_trailer ? "" : ", and its end") << '\n';
+  return exit_incomplete;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,51 @@
+// The stream of a command: read and decoded, and what of it is missing.
+#ifndef DISCMC_COMMAND_CLI_STREAM_INPUT_HPP
+#define DISCMC_COMMAND_CLI_STREAM_INPUT_HPP
+
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <discmc/stream_header.hpp>
+
+#include "streams/stream_file.hpp"
+#include "surface/surface.hpp"
+#include "volumes/volume_placement.hpp"
+
+namespace discmc::command {
+
+/// Reads the named stream; "-" is standard input.
+void read_file(const std::string& path, StreamReader& reader);
+
+/// Where there are several surfaces and none was asked for, the others are worth a word.
+void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader);
+
+/// Throws where there are several surfaces, in what takes one.
+void require_one_surface(const std::string& path, const StreamReader& reader);
+
+/// What a stream tells of its surface.
+struct DecodedStream {
+  StreamHeader header;
+  std::uint8_t channel;
+  std::vector<StreamHeader> streams;  ///< all of the link
+  StreamReport report;
+  Surface surface;
+  std::vector<std::string> records;          ///< the user's own, in words
+  std::optional<VolumePlacement> placement;  ///< if it is told, and of use
+};
+
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice);
+/// The same of bytes that come from elsewhere. path: what they are called.
+DecodedStream decode_surface(const std::string& path, std::istream& in, const StreamChoice& choice);
+
+/// All bytes of the named stream, or of standard input by the name "-"; what is no stream, too.
+std::string stream_bytes(const std::string& path);
+
+/// What is missing is said, and told by the exit code, but what is there is used.
+int completeness(const std::string& path, const StreamReport& report);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,159 @@
+#include "summary.hpp"
+
+#include <filesystem>
+#include <iomanip>
+#include <string>
+#include <system_error>
+
+#include "streams/spacing.hpp"
+#include "text/grouped_number.hpp"
+
+namespace discmc::command {
+namespace {
+
+void row(std::ostream& out, const char* name, const std::string& value,
+         const std::string& note = {}) {
+  out << "  " << std::left << std::setw(26) << name << std::right << std::setw(14) << value;
+  if (!note.empty()) out << "  " << note;
+  out << '\n';
+}
+
+std::string ratio(std::uint64_t a, std::uint64_t b) {
+  if (b == 0) return "-";
+  const std::uint64_t tenths = (10 * a + b / 2) / b;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
+// What there was too little of, if anything.
+std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
+  if (extraction.statistics.fragments == 0) return {};
+  if (extraction.is_of_slab) return "at the seams, or as memory ran short";
+  const bool lacked_holes = memory.high_water.holes == memory.capacities.holes;
+  return std::string("memory ran short of records") + (lacked_holes ? " or holes" : "");
+}
+
+// In the words of --space where they fit.
+const char* space_name(Frame frame) {
+  switch (frame) {
+    case Frame::none:
+      break;
+    case Frame::lps:
+      return "lps";
+    case Frame::ras:
+      return "ras";
+  }
+  return "scanner";
+}
+
+void write_memory(const Extraction& extraction, std::ostream& out) {
+  if (!extraction.memory) return;
+  const MemoryUse& memory = *extraction.memory;
+  row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
+      "of " + grouped(memory.arena_bytes));
+  row(out, "  records at most in use", grouped(memory.high_water.records),
+      "of " + grouped(memory.capacities.records));
+  row(out, "  holes at most waiting", grouped(memory.high_water.holes),
+      "of " + grouped(memory.capacities.holes));
+  row(out, "loose fragments", grouped(extraction.statistics.fragments),
+      shortage(extraction, memory));
+}
+
+void write_vector(const char* name, const std::array<double, 3>& vector, std::ostream& out) {
+  out << name << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2] << '\n';
+}
+
+}  // namespace
+
+void write_place(const std::array<double, 3>& spacing_mm,
+                 const std::optional<VolumePlacement>& placement, std::ostream& out) {
+  const auto digits = out.precision(10);  // a nanometre of the largest spacing
+  write_vector("spacing", spacing_mm, out);
+  out.precision(15);  // a nanometre of an origin as far away as can be
+  const VolumePlacement place = placement ? *placement : along_coordinates(spacing_mm);
+  out << "space " << (placement ? space_name(place.frame) : "voxel") << '\n';
+  write_vector("origin", place.origin_mm, out);
+  write_vector("axis_x", place.axes_mm[0], out);
+  write_vector("axis_y", place.axes_mm[1], out);
+  write_vector("axis_z", place.axes_mm[2], out);
+  out.precision(digits);
+}
+
+void write_file(const std::string& file, std::ostream& out) {
+  std::error_code error;
+  const std::uint64_t bytes = std::filesystem::file_size(file, error);
+  out << file;
+  if (!error) out << ": " << grouped(bytes) << " bytes";
+  out << '\n';
+}
+
+void write_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std::ostream& out) {
+  row(out, mesh.faces.c_str(), grouped(mesh.face_count),
+      "classic Marching Cubes: " + grouped(extraction.statistics.classic_triangles) + " triangles");
+  if (mesh.vertex_count > 0) row(out, "vertices", grouped(mesh.vertex_count));
+  if (mesh.is_closed) row(out, "closed", *mesh.is_closed ? "yes" : "no");
+  write_memory(extraction, out);
+}
+
+void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
+                 std::uint64_t slice_encoder_bytes, std::ostream& out) {
+  const Statistics& statistics = extraction.statistics;
+  row(out, "voxels", grouped(extraction.voxels));
+  row(out, "classic MC triangles", grouped(statistics.classic_triangles));
+  row(out, "classic MC vertices", grouped(extraction.classic_vertices));
+  row(out, "facets", grouped(statistics.facets));
+  row(out, "regions", grouped(counts.regions));
+  row(out, "  with 3 corners", grouped(counts.three));
+  row(out, "  with 4 corners", grouped(counts.four));
+  row(out, "  with more", grouped(counts.more));
+  row(out, "holes", grouped(counts.holes));
+  row(out, "reduction", ratio(statistics.classic_triangles, counts.regions), "triangles a region");
+  row(out, "bytes of stream", grouped(stream_bytes),
+      ratio(stream_bytes, counts.regions) + " a region");
+  if (slice_encoder_bytes > 0) {
+    row(out, "bytes of slice encoder", grouped(slice_encoder_bytes));
+    return;
+  }
+  write_memory(extraction, out);
+}
+
+void write_info(const StreamHeader& header, std::uint8_t channel,
+                const std::vector<StreamHeader>& streams, const StreamReport& report,
+                const Counts& counts, const std::optional<VolumePlacement>& placement,
+                std::ostream& out) {
+  out << "dimensions " << header.width << ' ' << header.height << ' '
+      << (report.has_trailer ? report.slices : header.depth) << '\n';
+  write_place(spacing_mm(header), placement, out);
+  out << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
+      << "scan " << header.scan << '\n'
+      << "channel " << int{channel} << '\n'
+      << "threshold " << header.threshold_of(static_cast<std::uint32_t>(channel - header.channel))
+      << '\n'
+      << "border " << (header.border == Border::closed ? "closed" : "open") << '\n'
+      << "regions " << counts.regions << '\n'
+      << "rings " << counts.rings << '\n'
+      << "holes " << counts.holes << '\n'
+      << "links " << counts.links << '\n'
+      << "corners " << counts.corners << '\n'
+      << "three " << counts.three << '\n'
+      << "four " << counts.four << '\n'
+      << "more " << counts.more << '\n'
+      << "normals " << counts.normals << '\n'
+      << "fragments " << report.totals.fragments << '\n'
+      << "skipped_rows " << report.totals.skipped_rows << '\n'
+      << "lost_packets " << report.lost_packets << '\n'
+      << "damaged_packets " << report.damaged_packets << '\n'
+      << "lost_pieces " << report.lost_pieces << '\n'
+      << "lost_rows " << report.lost_rows << '\n'
+      << "repeated_packets " << report.repeated_packets << '\n'
+      << "foreign_packets " << report.foreign_packets << '\n'
+      << "mixed " << (report.is_mixed ? "yes" : "no") << '\n'
+      << "bytes " << report.bytes << '\n'
+      << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
+      << "complete " << (report.is_complete() ? "yes" : "no") << '\n';
+  for (const StreamHeader& stream : streams)
+    for (std::uint32_t surface = 0; surface < stream.surfaces(); ++surface)
+      out << "surface scan " << stream.scan << " channel " << stream.channel + surface
+          << " threshold " << stream.threshold_of(surface) << '\n';
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,80 @@
+// Where the events of a surface go while it is extracted.
+#ifndef DISCMC_COMMAND_CLI_SURFACE_RECEIVER_HPP
+#define DISCMC_COMMAND_CLI_SURFACE_RECEIVER_HPP
+
+#include <cstdint>
+#include <discmc/encoder.hpp>
+#include <discmc/placement.hpp>
+#include <discmc/sink.hpp>
+#include <discmc/slab_range.hpp>
+#include <optional>
+
+#include "require.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+#include "volumes/volume_placement.hpp"
+
+namespace discmc::command {
+
+/// Tells a stream where its volume lies, if that is known. encoder: started; its output must take
+/// all.
+template <class Encoder>
+void tell_placement(const std::optional<VolumePlacement>& placement, Encoder& encoder) {
+  if (!placement) return;
+  std::uint8_t bytes[Placement::record_bytes];
+  require(encoder.tell(record_of(in_nanometres(*placement), bytes)));
+}
+
+/// Tells a stream that it is of a part of the slices, if it is. encoder: as above.
+template <class Encoder>
+void tell_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
+  if (!slab) return;
+  std::uint8_t bytes[SlabRange::record_bytes];
+  require(encoder.tell(record_of(*slab, bytes)));
+}
+
+/// Gives every event to an encoder and, joined, to a surface: to either or both, as they are begun.
+class SurfaceReceiver {
+ public:
+  /// Begins a stream. output: must take all; Owner: the caller.
+  void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,
+                    const std::optional<SlabRange>& slab, const ByteOutput& output) {
+    require(encoder_.start(label, output));
+    placement_ = placement;
+    slab_ = slab;
+    encodes_ = true;
+  }
+  /// Begins to keep polygons.
+  void start_surface() { builds_ = true; }
+
+  Answer take(const Event& event) {
+    if (encodes_ && encoder_.take(event) != Answer::taken) return Answer::not_now;
+    if (encodes_ && event.kind == Event::Kind::start) {
+      tell_placement(placement_, encoder_);
+      tell_slab(slab_, encoder_);
+    }
+    return builds_ ? joiner_.take(event) : Answer::taken;
+  }
+
+  /// Of the stream; 0 without one.
+  std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
+  /// Where polygons may go in place of their events, or null where none are kept.
+  SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
+  /// Likewise packets, or null without a stream.
+  NormalEncoder* encoder() { return encodes_ ? &encoder_ : nullptr; }
+  /// Empty unless begun. The spacing is for the caller to set.
+  Surface& surface() { return builder_.surface(); }
+
+ private:
+  NormalEncoder encoder_;
+  std::optional<VolumePlacement> placement_;
+  std::optional<SlabRange> slab_;
+  SurfaceBuilder builder_;
+  GrowingJoiner joiner_{sink_to(builder_)};
+  bool encodes_ = false;
+  bool builds_ = false;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,62 @@
+#include "thresholds.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include "progress.hpp"
+#include "statistics/volume_statistics.hpp"
+#include "text/value_text.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::command {
+namespace {
+
+bool has_rule(const NamedSelection& surface) {
+  return surface.rule.has_value();
+}
+
+bool needs_values(const NamedSelection& surface) {
+  return surface.rule == ThresholdRule::otsu || surface.rule == ThresholdRule::automatic;
+}
+
+RuledThreshold found(const std::string& path, const NamedSelection& surface, bool is_in_hounsfield,
+                     const VolumeStatistics& statistics) {
+  try {
+    return threshold_by(*surface.rule, is_in_hounsfield, statistics);
+  } catch (const std::invalid_argument& error) {
+    throw VolumeError(path + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+std::vector<NamedSelection> with_thresholds(const std::string& path,
+                                            const VolumeArguments& arguments) {
+  std::vector<NamedSelection> surfaces = arguments.selections;
+  const auto first = std::find_if(surfaces.begin(), surfaces.end(), has_rule);
+  if (first == surfaces.end()) return surfaces;
+  require_second_pass(path, "--iso " + first->name + " takes a pass of its own");
+
+  const auto volume = open_volume(path, volume_options(arguments));
+  const VolumeInfo& info = volume->info();
+  VolumeStatistics statistics;
+  if (!info.is_in_hounsfield || std::any_of(surfaces.begin(), surfaces.end(), needs_values)) {
+    Progress progress("measuring", info.dims[2]);
+    statistics =
+        volume_statistics(*volume, [&progress](std::uint32_t slices) { progress.show(slices); });
+  }
+  for (NamedSelection& surface : surfaces) {
+    if (!has_rule(surface)) continue;
+    const RuledThreshold threshold =
+        found(path, surface, is_in_hounsfield(info, statistics), statistics);
+    surface.selection = threshold.iso;
+    std::cerr << "discmc: " << path << ": --iso " << surface.name << ": "
+              << value_text(threshold.iso);
+    if (threshold.rule != surface.rule) std::cerr << " (" << name(threshold.rule) << ')';
+    std::cerr << '\n';
+  }
+  return surfaces;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,21 @@
+// Thresholds that a command is to find by itself: --iso auto, otsu, bone, skin.
+#ifndef DISCMC_COMMAND_CLI_THRESHOLDS_HPP
+#define DISCMC_COMMAND_CLI_THRESHOLDS_HPP
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+
+namespace discmc::command {
+
+/// The surfaces that are asked for of the volume, each with its threshold. What is found by a rule
+/// is said; it takes a pass over the volume, unless the file tells that it is in Hounsfield units
+/// and no more is asked. Throws VolumeError where a rule does not fit the values, and as
+/// require_second_pass().
+std::vector<NamedSelection> with_thresholds(const std::string& path,
+                                            const VolumeArguments& arguments);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,273 @@
+// discmc tune: what a device makes of a volume, by its memory, line and processor.
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "empty_surface.hpp"
+#include "exit_codes.hpp"
+#include "extraction/arena_memory.hpp"
+#include "extraction/scan.hpp"
+#include "progress.hpp"
+#include "require.hpp"
+#include "text/grouped_number.hpp"
+#include "text/value_text.hpp"
+#include "thresholds.hpp"
+#include "tuning/arena_choice.hpp"
+#include "tuning/firmware_code.hpp"
+#include "tuning/tuning_report.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::command {
+namespace {
+
+constexpr std::uint32_t key_slice_intervals[] = {16, 1};
+
+// What was tried of a volume.
+struct Trials {
+  Trial plenty;                   // with memory for everything
+  std::optional<Trial> no_loose;  // the least with nothing loose
+  std::vector<Trial> regions;     // by the size of the arena
+  std::size_t chosen = 0;         // of them
+  std::vector<Trial> slices;      // by key_slice_intervals
+};
+
+bool shows(const TuneArguments& arguments, Payload payload) {
+  const auto& asked = arguments.payloads;
+  return asked.empty() || std::find(asked.begin(), asked.end(), payload) != asked.end();
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+  return grouped(bytes) + " bytes";
+}
+
+// What was given as memory or capacities. Throws where the device would refuse it.
+std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const Limits& limits) {
+  if (!arguments.capacities.empty()) {
+    const Capacities capacities{arguments.capacities[0], arguments.capacities[1]};
+    if (!is_valid<std::uint16_t>(capacities))
+      throw std::invalid_argument("--capacities " + std::to_string(capacities.records) + "," +
+                                  std::to_string(capacities.holes) +
+                                  ": give 4 to 32759 records, which 16-bit indices can count");
+    return bytes_for<std::uint16_t>(limits, capacities);
+  }
+  if (arguments.memory == 0) return std::nullopt;
+  const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
+  if (arguments.memory < least)
+    throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
+                                ", or send slices, which take " +
+                                std::to_string(slice_encoder_bytes(limits, {1})) +
+                                " where each is a key slice: --payload slices");
+  const std::uint64_t most = most_arena_bytes(limits);
+  if (arguments.memory > most)
+    throw std::invalid_argument("--memory " + std::to_string(arguments.memory) + ": give at most " +
+                                std::to_string(most) +
+                                " bytes, which is all that 16-bit indices make use of");
+  return arguments.memory;
+}
+
+Trial try_given(const VolumeBits& volume, const VolumeArguments& arguments, std::uint64_t bytes) {
+  if (arguments.capacities.empty()) return try_regions(volume, bytes);
+  return try_regions<std::uint16_t>(volume, {arguments.capacities[0], arguments.capacities[1]});
+}
+
+void try_all_regions(const VolumeBits& volume, const TuneArguments& arguments,
+                     std::optional<std::uint64_t> given, Progress& progress, Trials& trials) {
+  std::uint64_t done = 0;
+  const auto step = [&] { progress.show(++done); };
+  const Limits& limits = volume.limits();
+  trials.no_loose = least_without_loose_pieces(volume, trials.plenty, step);
+  const std::uint64_t most = trials.no_loose ? trials.no_loose->memory : most_arena_bytes(limits);
+  for (const std::uint64_t size : arena_sizes(limits, most)) {
+    trials.regions.push_back(try_regions(volume, size));
+    step();
+  }
+  trials.regions.push_back(trials.no_loose ? *trials.no_loose : try_regions(volume, most));
+  const std::uint64_t chosen = given.value_or(most);
+  const auto place = std::lower_bound(
+      trials.regions.begin(), trials.regions.end(), chosen,
+      [](const Trial& trial, std::uint64_t bytes) { return trial.memory < bytes; });
+  trials.chosen = static_cast<std::size_t>(place - trials.regions.begin());
+  if (!given) return;
+  const Trial trial = try_given(volume, arguments.reading, chosen);
+  if (place != trials.regions.end() && place->memory == chosen)
+    *place = trial;
+  else
+    trials.regions.insert(place, trial);
+}
+
+Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
+               std::optional<std::uint64_t> given) {
+  constexpr std::uint64_t usual_count = 16;
+  Progress progress("trying arenas", usual_count);
+  Trials trials;
+  const std::uint64_t plenty = generous_bytes_for<NoNormals>(volume.limits());
+  trials.plenty = try_regions<std::uint32_t>(
+      volume, default_capacities<std::uint32_t>(volume.limits(), plenty));
+  if (trials.plenty.work.cells == 0) return trials;
+  if (shows(arguments, Payload::regions))
+    try_all_regions(volume, arguments, given, progress, trials);
+  if (shows(arguments, Payload::slices))
+    for (const std::uint32_t interval : key_slice_intervals)
+      trials.slices.push_back(try_slices(volume, {interval}));
+  return trials;
+}
+
+void write_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
+  const HighWater& most = trials.plenty.high_water;
+  out << "  at most in use      " << grouped(most.records) << " records of 8 bytes, "
+      << grouped(most.holes) << " holes\n"
+      << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
+      << '\n'
+      << "  nothing loose from  ";
+  if (trials.no_loose)
+    out << bytes_text(trials.no_loose->memory) << '\n';
+  else
+    out << "more than the " << bytes_text(most_arena_bytes(volume.limits()))
+        << " that 16-bit indices address\n";
+}
+
+void write_regions(const Trials& trials, const Device& device, std::ostream& out) {
+  out << "\nRegions: the arena of the extractor\n";
+  std::vector<TriedRow> rows;
+  for (std::size_t i = 0; i < trials.regions.size(); ++i)
+    rows.push_back({grouped(trials.regions[i].memory), &trials.regions[i], i == trials.chosen});
+  write_trials(rows, Payload::regions, device, out);
+}
+
+void write_slices(const Trials& trials, const Device& device, std::ostream& out) {
+  out << "\nSlices: the memory of the slice encoder\n";
+  std::vector<TriedRow> rows;
+  for (std::size_t i = 0; i < trials.slices.size(); ++i)
+    rows.push_back(
+        {(key_slice_intervals[i] == 1 ? std::string("all key slices")
+                                      : "1 in " + std::to_string(key_slice_intervals[i])) +
+             "  " + grouped(trials.slices[i].memory),
+         &trials.slices[i], i == 0});
+  write_trials(rows, Payload::slices, device, out);
+}
+
+std::string comment_of(const Trial& trial, Payload payload, const Device& device) {
+  std::string text =
+      payload == Payload::slices
+          ? bytes_text(trial.memory)
+          : grouped(trial.loose_pieces) + " loose pieces in " + bytes_text(trial.memory);
+  return text + ": a stream of " + bytes_text(trial.stream_bytes()) + ", " +
+         seconds_text(seconds_on_line(trial, device)) + " s on the line.";
+}
+
+// What has made the surface and is not in the code, or empty.
+std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
+  std::vector<std::string> all;
+  const Selection& selection = arguments.selections[0].selection;
+  if (volume.is_floating())
+    all.emplace_back("the threshold in whole numbers, as the device has them");
+  if (selection.has_upper_end())
+    all.push_back("voxels above " + value_text(selection.high) + " are off");
+  if (arguments.median > 0) all.emplace_back("a MajorityFilter and its memory");
+  if (!arguments.mask.empty()) all.emplace_back("the mask");
+  std::string text;
+  for (const std::string& each : all) text += (text.empty() ? "Left to you: " : "; ") + each;
+  return text.empty() ? text : text + ".";
+}
+
+// Where the file's values are not those of its samples, or empty.
+std::string threshold_stands_for(const VolumeBits& volume, const Selection& selection) {
+  const std::int32_t threshold = volume.header().threshold;
+  if (volume.is_floating() || selection.low == threshold) return "";
+  return "The threshold of the samples is " + std::to_string(threshold) + " where the value is " +
+         value_text(selection.low) + ".";
+}
+
+// The comments above the code. trial: what it gives.
+std::vector<std::string> comments(const VolumeBits& volume, const VolumeArguments& arguments,
+                                  const std::string& trial) {
+  std::vector<std::string> all{trial};
+  for (const std::string& more : {threshold_stands_for(volume, arguments.selections[0].selection),
+                                  left_out(volume, arguments)})
+    if (!more.empty()) all.push_back(more);
+  return all;
+}
+
+// As it was given, with the number that a rule has found.
+std::string surface_text(const NamedSelection& surface) {
+  if (!surface.rule) return surface.name;
+  return value_text(surface.selection.low) + " (" + surface.name + ")";
+}
+
+void write_code(const FirmwareChoice& choice, const char* payload, std::ostream& out) {
+  out << "\n---- " << payload << ", C++ ----\n" << cpp_code(choice);
+  out << "\n---- " << payload << ", C ----\n" << c_code(choice);
+}
+
+void write_all_code(const VolumeBits& volume, const TuneArguments& arguments, const Trials& trials,
+                    const Device& device, std::ostream& out) {
+  FirmwareChoice choice;
+  choice.limits = volume.limits();
+  choice.threshold = volume.header().threshold;
+  if (!trials.regions.empty()) {
+    const Trial& chosen = trials.regions[trials.chosen];
+    choice.comments =
+        comments(volume, arguments.reading, comment_of(chosen, Payload::regions, device));
+    choice.arena_bytes = chosen.memory;
+    if (const auto& capacities = arguments.reading.capacities; !capacities.empty())
+      choice.capacities = Capacities{capacities[0], capacities[1]};
+    write_code(choice, "regions", out);
+  }
+  if (!trials.slices.empty()) {
+    choice.comments =
+        comments(volume, arguments.reading, comment_of(trials.slices[0], Payload::slices, device));
+    choice.arena_bytes = 0;
+    choice.capacities.reset();
+    choice.key_slices = key_slice_intervals[0];
+    write_code(choice, "slices", out);
+  }
+}
+
+void write_report(const VolumeBits& volume, const TuneArguments& arguments, const Trials& trials,
+                  std::ostream& out) {
+  const Device device{arguments.baud, arguments.clock_hz, arguments.core, volume.sample_bytes()};
+  const NamedSelection& surface = arguments.reading.selections[0];
+  out << arguments.volume << ", " << volume.limits().width << "x" << volume.limits().height << "x"
+      << volume.slices() << " voxels, at " << surface_text(surface) << "\n"
+      << name(device.core) << " at " << value_text(device.clock_hz / 1e6) << " MHz, UART at "
+      << grouped(static_cast<std::uint64_t>(device.baud)) << " baud\n";
+  if (!trials.regions.empty()) {
+    write_needs(volume, trials, out);
+    write_regions(trials, device, out);
+  }
+  if (!trials.slices.empty()) write_slices(trials, device, out);
+  out << "\n"
+         "line: on the wire, 10 bits a byte. work: of the library alone, estimated within a\n"
+         "fifth, without wait states of the flash: docs/measure.md. rows/s: what both keep\n"
+         "up with on average; at worst: the processor, in the slice that takes it longest.\n";
+  write_all_code(volume, arguments, trials, device, out);
+}
+
+}  // namespace
+
+int run_tune(const TuneArguments& arguments) {
+  TuneArguments found = arguments;
+  found.reading.selections = with_thresholds(arguments.volume, arguments.reading);
+  const auto volume = open_noted_volume(found.volume, found.reading);
+  const VolumeInfo& info = volume->info();
+  const auto given = given_arena(found.reading, {info.dims[0], info.dims[1], found.reading.border});
+  const auto mask = open_noted_mask(found.reading, info);
+  std::optional<VolumeBits> bits;
+  {
+    Progress progress("reading", info.dims[2]);
+    bits.emplace(*volume, extraction_options(found.reading, progress, mask.get()));
+  }
+  const Trials trials = try_all(*bits, found, given);
+  if (trials.plenty.work.cells == 0)
+    throw VolumeError(why_empty(found.volume, found.reading, found.reading.selections[0].selection,
+                                *volume, bits->is_full()));
+  write_report(*bits, found, trials, std::cout);
+  require_written(std::cout);
+  return exit_ok;
+}
+
+}  // namespace discmc::command

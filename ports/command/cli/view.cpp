@@ -1,0 +1,110 @@
+// discmc view: a page that shows a volume or a stream.
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "commands.hpp"
+#include "exit_codes.hpp"
+#include "extract.hpp"
+#include "files/input_name.hpp"
+#include "files/output_file.hpp"
+#include "input_content.hpp"
+#include "mesh_output.hpp"
+#include "pages/browser.hpp"
+#include "pages/page.hpp"
+#include "progress.hpp"
+#include "require.hpp"
+#include "stream_input.hpp"
+#include "summary.hpp"
+#include "thresholds.hpp"
+#include "view.hpp"
+#include "volume_input.hpp"
+#include "volumes/formats/nifti/writer.hpp"
+
+namespace discmc::command {
+namespace {
+
+void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
+  // Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
+  constexpr std::uint64_t most = std::uint64_t{1} << 28;
+  const auto volume = open_volume(arguments.input, volume_options(arguments.reading.layout));
+  require_size(arguments.input, volume->info(), most);
+  Progress progress("writing", volume->info().dims[2]);
+  write_page(
+      name_of(arguments.input),
+      [&](std::ostream& data) {
+        write_nifti(
+            *volume, [&progress](std::uint32_t slices) { progress.show(slices); }, data);
+      },
+      out);
+}
+
+int write_page_of_stream(const NamedStream& stream, std::ostream& out) {
+  const Progress progress("writing");
+  write_page(
+      stream.name, [&stream](std::ostream& data) { data << stream.bytes; }, out);
+  return stream.code;
+}
+
+int write_page_of(const ViewArguments& arguments, std::ostream& out) {
+  std::optional<ReplayedInput> replayed;
+  const bool is_volume =
+      arguments.is_volume ? *arguments.is_volume : begins_like_volume(arguments.input, replayed);
+  if (!is_volume) return write_page_of_stream(stream_in_file(arguments), out);
+  if (!arguments.reading.selections.empty())
+    return write_page_of_stream(stream_of_threshold(arguments), out);
+  write_page_of_samples(arguments, out);
+  return exit_ok;
+}
+
+}  // namespace
+
+std::string name_of(const std::string& input) {
+  return input == "-" ? "standard input" : input_name(input);
+}
+
+NamedStream stream_of_threshold(const ViewArguments& arguments) {
+  ExtractArguments extraction;
+  extraction.volume = arguments.input;
+  extraction.reading = arguments.reading;
+  extraction.reading.selections = with_thresholds(arguments.input, arguments.reading);
+  extraction.wire = Wire::slices;
+  extraction.quiet = true;
+  std::ostringstream bytes;
+  write_stream(extraction, bytes);
+  const std::string& threshold = extraction.reading.selections[0].name;
+  return {name_of(arguments.input) + " at " + threshold + ".dmc", bytes.str(), exit_ok};
+}
+
+NamedStream stream_in_file(const ViewArguments& arguments) {
+  NamedStream stream{name_of(arguments.input), stream_bytes(arguments.input), exit_ok};
+  std::istringstream in(stream.bytes);
+  stream.code = completeness(arguments.input, decode_surface(arguments.input, in, {}).report);
+  return stream;
+}
+
+void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t most) {
+  const std::uint64_t bytes = info.slice_bytes() * info.dims[2];
+  if (bytes > most)
+    throw std::runtime_error(input + ": its samples are " + std::to_string(bytes >> 20) +
+                             " MiB, and a page holds " + std::to_string(most >> 20) +
+                             ": give --iso VALUE, --shrink N or --crop");
+}
+
+int run_view(const ViewArguments& arguments) {
+  if (arguments.serves) return serve_view(arguments);
+  OutputFile file(arguments.output);
+  const int code = write_page_of(arguments, file.stream());
+  file.commit();
+  if (arguments.output == "-") return code;
+  write_file(arguments.output, std::cout);
+  require_written(std::cout);
+  if (arguments.opens && !open_in_browser(arguments.output))
+    std::cerr << "discmc: no browser was found: open " << arguments.output << " in one\n";
+  return code;
+}
+
+}  // namespace discmc::command

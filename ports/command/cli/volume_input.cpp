@@ -1,0 +1,103 @@
+#include "volume_input.hpp"
+
+#include <iostream>
+#include <utility>
+
+#include "extraction/narrowed_volume.hpp"
+#include "volumes/filters/mask_volume.hpp"
+#include "volumes/volume_offset.hpp"
+
+namespace discmc::command {
+namespace {
+
+void write_notes(const std::string& path, const VolumeInfo& info) {
+  for (const std::string& note : info.notes)
+    std::cerr << "discmc: " << path << ": " << note << '\n';
+}
+
+}  // namespace
+
+VolumeOptions volume_options(const LayoutArguments& arguments) {
+  VolumeOptions options;
+  if (!arguments.dims.empty()) {
+    RawLayout& layout = options.layout.emplace();
+    std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
+    layout.type = *arguments.type;
+    layout.big_endian = arguments.big_endian;
+    layout.skipped_bytes = arguments.skipped_bytes;
+  }
+  if (!arguments.spacing.empty())
+    std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
+  options.series = arguments.series;
+  options.allow_gaps = arguments.allow_gaps;
+  options.frame = arguments.frame;
+  options.crop = arguments.crop;
+  options.shrink = arguments.shrink;
+  return options;
+}
+
+VolumeOptions volume_options(const VolumeArguments& arguments) {
+  VolumeOptions options = volume_options(arguments.layout);
+  // Labels have no mean.
+  if (arguments.selects_labels()) options.block_value = BlockValue::most_frequent;
+  return options;
+}
+
+void require_second_pass(const std::string& path, const std::string& purpose) {
+  if (is_read_once(path))
+    throw VolumeError((path == "-" ? "standard input" : path) + ": " + purpose +
+                      ", and this can be read once; store the volume in a file first");
+}
+
+std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
+                                                  const VolumeArguments& arguments,
+                                                  bool holds_labels) {
+  VolumeOptions options = volume_options(arguments);
+  if (holds_labels) options.block_value = BlockValue::most_frequent;
+  auto volume = std::make_unique<MeasuredVolume>(open_volume(path, options));
+  write_notes(path, volume->info());
+  return volume;
+}
+
+std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
+                                              const VolumeInfo& volume) {
+  if (arguments.mask.empty()) return nullptr;
+  auto mask = open_mask(arguments.mask, volume_options(arguments.layout), volume);
+  write_notes(arguments.mask, mask->info());
+  const double apart = offset_mm(mask->info(), volume);
+  if (apart > 0)
+    std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart
+              << " mm from those of the volume, and are taken for them one by one\n";
+  return mask;
+}
+
+std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const VolumeOptions& options,
+                                             double iso, VolumeReader& volume) {
+  require_second_pass(path, gradient_pass);
+  const SampleBounds bounds = sample_bounds(volume);
+  return narrowed(open_volume(path, options), bounds, iso);
+}
+
+GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
+                                 double iso) {
+  require_second_pass(path, gradient_pass);
+  auto volume = open_volume(path, options);
+  if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
+  return {narrowed_again(path, options, iso, *volume), 0};
+}
+
+ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,
+                                     VolumeReader* mask) {
+  ExtractionOptions options;
+  options.selection = arguments.selections[0].selection;
+  options.border = arguments.border;
+  options.takes_majority = arguments.median > 0;
+  options.memory = arguments.memory;
+  if (!arguments.capacities.empty())
+    options.capacities = Capacities{arguments.capacities[0], arguments.capacities[1]};
+  options.mask = mask;
+  options.progress = [&progress](std::uint32_t slices) { progress.show(slices); };
+  return options;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,56 @@
+// The volume of a command: opened as its arguments say, and how its surface is taken.
+#ifndef DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
+#define DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
+
+#include <memory>
+#include <string>
+
+#include "arguments.hpp"
+#include "extraction/extraction.hpp"
+#include "extraction/selection.hpp"
+#include "progress.hpp"
+#include "statistics/measured_volume.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// Of volume arguments with labels: blocks of voxels become one of theirs.
+VolumeOptions volume_options(const LayoutArguments& arguments);
+VolumeOptions volume_options(const VolumeArguments& arguments);
+
+/// Throws when the file can be read once only. purpose: what takes the pass.
+void require_second_pass(const std::string& path, const std::string& purpose);
+
+constexpr const char* gradient_pass = "normals of the gradient take a second pass";
+
+/// Opens the volume, and says what of its file is dropped. holds_labels: whatever is selected.
+std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
+                                                  const VolumeArguments& arguments,
+                                                  bool holds_labels = false);
+
+/// Opens the mask of the volume, if there is one, and says where it is not what it should be.
+std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
+                                              const VolumeInfo& volume);
+
+/// A volume that gradients can be made of, and what is on in it.
+struct GradientVolume {
+  std::unique_ptr<VolumeReader> reader;
+  Selection selection;
+};
+
+/// The volume from its first slice on, narrowed for gradients. volume: not yet read; is read to its
+/// end, and so measured.
+std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const VolumeOptions& options,
+                                             double iso, VolumeReader& volume);
+
+/// The volume once more, in samples that the library takes (is_scanner_type()): itself, or else
+/// narrowed, which takes a pass over it. Throws as require_second_pass().
+GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options, double iso);
+
+/// At the first threshold. progress, mask: have to live as long as the options are in use.
+ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,
+                                     VolumeReader* mask = nullptr);
+
+}  // namespace discmc::command
+
+#endif

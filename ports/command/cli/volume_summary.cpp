@@ -1,0 +1,165 @@
+#include "volume_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <string>
+#include <vector>
+
+#include "extraction/labels.hpp"
+#include "statistics/threshold_rule.hpp"
+#include "summary.hpp"
+#include "text/value_text.hpp"
+
+namespace discmc::command {
+namespace {
+
+// ---- histogram ----
+
+// Values from low up to, but without, high; of the last line with it.
+struct Line {
+  double low;
+  double high;
+  std::uint64_t count;
+};
+
+std::vector<Line> lines_of_values(const VolumeStatistics& statistics) {
+  std::vector<Line> lines;
+  for (const ValueCount& each : statistics.counts)
+    lines.push_back({each.value, each.value, each.count});
+  return lines;
+}
+
+// 1, 2 or 5 times a power of ten.
+double round_step(double least) {
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
+
+std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int most) {
+  double low = percentile(statistics, 0.5);
+  double high = percentile(statistics, 99.5);
+  if (low == high) {
+    low = statistics.least;
+    high = statistics.greatest;
+  }
+  const double step = round_step(high / most - low / most);
+  constexpr double most_steps = 1e15;  // that are still told apart
+  if (!(std::fabs(low) / step < most_steps))
+    return {{statistics.least, statistics.greatest, statistics.numbers}};
+  const double begin = std::floor(low / step);
+  const auto count = static_cast<std::size_t>(std::floor(high / step) - begin) + 1;
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place = begin + static_cast<double>(i);
+    lines.push_back({place * step, (place + 1) * step, 0});
+  }
+  auto line = lines.begin();
+  for (const ValueCount& each : statistics.counts) {
+    while (line + 1 != lines.end() && each.value >= line->high) ++line;
+    line->count += each.count;
+  }
+  lines.front().low = statistics.least;
+  lines.back().high = statistics.greatest;
+  return lines;
+}
+
+void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
+  constexpr int most_lines = 16;
+  constexpr double bar = 34;  // 80 columns in all
+  const bool has_few_values = statistics.is_exact && statistics.counts.size() <= most_lines;
+  const std::vector<Line> lines =
+      has_few_values ? lines_of_values(statistics) : lines_of_intervals(statistics, most_lines);
+  std::uint64_t most = 0;
+  for (const Line& line : lines) most = std::max(most, line.count);
+  for (const Line& line : lines) {
+    // The square root: what is rare is seen beside what is not.
+    const double share = std::sqrt(static_cast<double>(line.count) / static_cast<double>(most));
+    out << "histogram " << std::setw(10) << value_text(line.low) << ' ' << std::setw(10)
+        << value_text(line.high) << ' ' << std::setw(11) << line.count;
+    const auto length = static_cast<std::size_t>(std::ceil(share * bar));
+    if (length > 0) out << ' ' << std::string(length, '#');
+    out << '\n';
+  }
+}
+
+// ---- what to give to extract ----
+
+// Of a segmentation, without its background.
+std::vector<double> labels(const VolumeStatistics& statistics) {
+  constexpr std::size_t most = 64;
+  std::vector<double> labels;
+  if (!statistics.is_exact || statistics.infinite > 0 || statistics.counts.size() > most) return {};
+  for (const ValueCount& each : statistics.counts) {
+    if (each.value != std::floor(each.value) || std::fabs(each.value) >= end_of_labels) return {};
+    if (each.value != 0) labels.push_back(each.value);
+  }
+  return labels;
+}
+
+void propose_labels(const std::vector<double>& labels, std::ostream& out) {
+  if (labels.empty()) return;
+  out << "proposal --labels all: the values are few and whole, as labels are; a mesh each\n"
+      << "proposal --label N: one of";
+  for (const double label : labels) out << ' ' << value_text(label);
+  out << '\n';
+}
+
+void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistics,
+                        std::ostream& out) {
+  if (const auto iso = otsu_threshold(statistics))
+    out << "proposal --iso=" << value_text(*iso)
+        << " otsu: divides the values in two groups that differ most\n";
+  if (is_in_hounsfield && divides(bone_threshold, statistics))
+    out << "proposal --iso=" << value_text(bone_threshold)
+        << " bone: these are Hounsfield units, soft tissue has less\n";
+  if (is_in_hounsfield && divides(skin_threshold, statistics))
+    out << "proposal --iso=" << value_text(skin_threshold)
+        << " skin: these are Hounsfield units, air has less\n";
+}
+
+// What is most likely comes first.
+void write_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
+                     std::ostream& out) {
+  const bool is_hounsfield = is_in_hounsfield(info, statistics);
+  if (!is_hounsfield) propose_labels(labels(statistics), out);
+  propose_thresholds(is_hounsfield, statistics, out);
+}
+
+}  // namespace
+
+void write_volume_info(const VolumeInfo& info, std::ostream& out) {
+  out << "format " << info.format << '\n'
+      << "type " << name(info.type) << '\n'
+      << "slope " << value_text(info.slope) << '\n'
+      << "intercept " << value_text(info.intercept) << '\n'
+      << "frames " << info.frames << '\n'
+      << "dimensions " << info.dims[0] << ' ' << info.dims[1] << ' ' << info.dims[2] << '\n'
+      << "extent";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << ' ' << value_text(info.dims[axis] * std::fabs(info.spacing_mm[axis]));
+  out << '\n';
+  write_place(info.spacing_mm, info.placement, out);
+  for (const std::string& note : info.notes) out << "note " << note << '\n';
+}
+
+void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
+                             std::ostream& out) {
+  out << "voxels " << std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2] << '\n'
+      << "not_numbers " << statistics.not_numbers << '\n'
+      << "infinite " << statistics.infinite << '\n';
+  if (statistics.numbers == 0) {
+    out << "note no value is a finite number: check the file\n";
+    return;
+  }
+  out << "range " << value_text(statistics.least) << ' ' << value_text(statistics.greatest) << '\n'
+      << "mean " << value_text(statistics.mean) << '\n';
+  for (const int percent : {1, 5, 25, 50, 75, 95, 99})
+    out << "percentile_" << percent << ' ' << value_text(percentile(statistics, percent)) << '\n';
+  write_histogram(statistics, out);
+  write_proposals(info, statistics, out);
+}
+
+}  // namespace discmc::command

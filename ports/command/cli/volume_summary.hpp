@@ -1,0 +1,23 @@
+// What `info` says of a volume.
+#ifndef DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
+#define DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
+
+#include <ostream>
+
+#include "statistics/volume_statistics.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// What its file tells, one `key value` a line, for people and programs.
+void write_volume_info(const VolumeInfo& info, std::ostream& out);
+
+/// What its values are, in the same way: range, mean, percentiles; a histogram, a line for every
+/// value where they are few, else for intervals, of which the first and the last also hold
+/// outliers; and what to give to extract.
+void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
+                             std::ostream& out);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,72 @@
+#include "file_pattern.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "text/control_character.hpp"
+
+namespace discmc::command {
+namespace {
+
+// Cut, between two characters of UTF-8, so that a name of a file still holds it and what is around.
+std::string shortened(std::string name) {
+  constexpr std::size_t most = 100;  // of the 255 bytes that file systems give a name
+  if (name.size() <= most) return name;
+  const auto continues = [&name](std::size_t at) {
+    return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80;
+  };
+  std::size_t end = most;
+  while (end > most - 4 && continues(end)) --end;
+  return name.substr(0, end);
+}
+
+// Without what would be a path or a control character.
+std::string as_file_name(const std::string& name) {
+  constexpr std::string_view forbidden = "/\\:*?\"<>|";
+  std::string result;
+  for (const char c : name) {
+    const bool is_usable = !is_control(c) && forbidden.find(c) == std::string_view::npos;
+    result += is_usable ? c : '_';
+  }
+  if (result.empty() || result.front() == '.') result.insert(0, "_");
+  return shortened(std::move(result));
+}
+
+}  // namespace
+
+std::string FilePattern::first_in_braces(std::string_view but_for) const {
+  for (std::size_t at = pattern_.find('{'); at != std::string::npos;
+       at = pattern_.find('{', at + 1)) {
+    const std::size_t end = pattern_.find('}', at);
+    if (end == std::string::npos) break;
+    const std::string_view found = std::string_view(pattern_).substr(at, end + 1 - at);
+    if (found != but_for) return std::string(found);
+  }
+  return {};
+}
+
+std::string FilePattern::file_for(const std::string& name, const std::string& addition) const {
+  const std::string_view mark = placeholder;
+  std::string file = pattern_;
+  const std::string text = as_file_name(name) + addition;
+  for (std::size_t at = file.find(mark); at != std::string::npos;
+       at = file.find(mark, at + text.size()))
+    file.replace(at, mark.size(), text);
+  return file;
+}
+
+void FilePattern::require_folder() const {
+  if (std::filesystem::path(pattern_).parent_path().string().find(placeholder) != std::string::npos)
+    throw std::invalid_argument(pattern_ +
+                                ": {name} is of files, not of folders: write it behind "
+                                "the last /");
+  const std::filesystem::path folder = std::filesystem::path(file_for("name")).parent_path();
+  std::error_code ignored;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    throw std::invalid_argument(folder.string() + ": there is no such folder; make it first");
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,41 @@
+// Names of the files that a command writes where it writes several.
+#ifndef DISCMC_COMMAND_FILES_FILE_PATTERN_HPP
+#define DISCMC_COMMAND_FILES_FILE_PATTERN_HPP
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace discmc::command {
+
+/// The name of an output in which {name} stands for a surface's own: "out/{name}.stl".
+class FilePattern {
+ public:
+  explicit FilePattern(std::string pattern) : pattern_(std::move(pattern)) {}
+
+  bool has_name() const { return pattern_.find(placeholder) != std::string::npos; }
+
+  /// The first text in braces, with them; empty where there is none.
+  std::string first_placeholder() const { return first_in_braces({}); }
+
+  /// The first text in braces that is not {name}, with them; empty where there is none.
+  std::string unknown_placeholder() const { return first_in_braces(placeholder); }
+
+  /// What no name of a file can have becomes an underscore; a long name is cut, but not the
+  /// addition that tells it from others.
+  std::string file_for(const std::string& name, const std::string& addition = {}) const;
+
+  /// Throws std::invalid_argument, before work is done, when there is no folder for the files.
+  void require_folder() const;
+
+ private:
+  static constexpr const char* placeholder = "{name}";
+
+  std::string first_in_braces(std::string_view but_for) const;
+
+  std::string pattern_;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,38 @@
+// The file that a command writes.
+#ifndef DISCMC_COMMAND_FILES_OUTPUT_FILE_HPP
+#define DISCMC_COMMAND_FILES_OUTPUT_FILE_HPP
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+
+namespace discmc::command {
+
+/// A file that appears under its name only when commit() is reached: whatever fails before, and a
+/// signal that ends the program, leaves no half-written file behind. A link stays, and its target
+/// is written; a file that is replaced keeps its permissions. "-" is standard output; pipes and
+/// devices are written in place. Limit: one at a time.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::filesystem::path& path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  std::ostream& stream();
+  /// Throws std::runtime_error when not everything could be written.
+  void commit();
+
+ private:
+  bool is_standard_output() const { return path_ == "-"; }
+  bool is_in_place() const { return temporary_.empty(); }
+  std::filesystem::path path_;       // as given
+  std::filesystem::path target_;     // of links
+  std::filesystem::path temporary_;  // beside it
+  std::ofstream file_;
+  bool is_committed_ = false;
+};
+
+}  // namespace discmc::command
+
+#endif

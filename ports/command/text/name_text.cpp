@@ -1,0 +1,98 @@
+#include "name_text.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "control_character.hpp"
+
+namespace discmc::command {
+namespace {
+
+constexpr std::string_view replacement = "\xEF\xBF\xBD";
+
+// 0: none begins with it.
+std::size_t length_by_first_byte(unsigned char first) {
+  if (first < 0x80) return 1;
+  if (first < 0xC0 || first >= 0xF8) return 0;
+  if (first >= 0xF0) return 4;
+  return first >= 0xE0 ? 3 : 2;
+}
+
+// The bytes of the character that the text begins with; 0 where that is none.
+std::size_t character_length(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text[0]);
+  const std::size_t length = length_by_first_byte(first);
+  if (length <= 1) return length;
+  if (length > text.size()) return 0;
+  std::uint32_t code = first & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    const auto next = static_cast<unsigned char>(text[i]);
+    if ((next & 0xC0U) != 0x80) return 0;
+    code = code << 6 | (next & 0x3FU);
+  }
+  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = code >= 0xD800 && code < 0xE000;
+  const bool is_none = (code & 0xFFFEU) == 0xFFFE;
+  return code < least[length] || code > 0x10FFFF || is_surrogate || is_none ? 0 : length;
+}
+
+// add: called with every character, and U+FFFD for bytes that are none.
+template <class Add>
+void for_each_character(std::string_view text, Add add) {
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    add(length > 0 ? text.substr(0, length) : replacement);
+    text.remove_prefix(std::max<std::size_t>(1, length));
+  }
+}
+
+std::string unicode_escape(char control) {
+  constexpr const char* digits = "0123456789abcdef";
+  const auto code = static_cast<unsigned char>(control);
+  return std::string("\\u00") + digits[code >> 4U] + digits[code & 0xFU];
+}
+
+std::string_view xml_escape(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::string json_string(std::string_view name) {
+  std::string text = "\"";
+  for_each_character(name, [&text](std::string_view character) {
+    if (is_control(character[0])) {
+      text += unicode_escape(character[0]);
+      return;
+    }
+    if (character == "\"" || character == "\\") text += '\\';
+    text += character;
+  });
+  return text + "\"";
+}
+
+std::string xml_attribute(std::string_view name) {
+  std::string text;
+  for_each_character(name, [&text](std::string_view character) {
+    const std::string_view escape = xml_escape(character[0]);
+    if (is_control(character[0]))
+      text += replacement;
+    else
+      text += escape.empty() ? character : escape;
+  });
+  return text;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,19 @@
+// Names of any bytes as the text of files.
+#ifndef DISCMC_COMMAND_TEXT_NAME_TEXT_HPP
+#define DISCMC_COMMAND_TEXT_NAME_TEXT_HPP
+
+#include <string>
+#include <string_view>
+
+namespace discmc::command {
+
+/// A string of JSON, in quotes. What is no UTF-8 becomes the replacement character, U+FFFD.
+std::string json_string(std::string_view name);
+
+/// The value of an attribute of XML, without quotes. What XML cannot hold, control characters too,
+/// becomes U+FFFD.
+std::string xml_attribute(std::string_view name);
+
+}  // namespace discmc::command
+
+#endif

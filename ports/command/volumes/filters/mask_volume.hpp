@@ -1,0 +1,27 @@
+// Volumes that say which voxels of another one count.
+#ifndef DISCMC_COMMAND_VOLUMES_FILTERS_MASK_VOLUME_HPP
+#define DISCMC_COMMAND_VOLUMES_FILTERS_MASK_VOLUME_HPP
+
+#include <filesystem>
+#include <memory>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// Opens the mask of a volume: samples of u8, 0 where the file's value is 0 or not a number,
+/// else 1. options: those of the volume, for its spacing, crop and shrink; of a block the mask has
+/// what most of its voxels have. volume: as it is after them. Throws VolumeError as open_volume(),
+/// and where the mask has other extents than the whole volume. Where it lies does not matter.
+std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
+                                        const VolumeOptions& options, const VolumeInfo& volume);
+
+/// The volume with the value 0 where the mask is 0. file: its own. mask: of open_mask(). Throws
+/// VolumeError where no sample has the value 0.
+std::unique_ptr<VolumeReader> masked(const std::filesystem::path& file,
+                                     std::unique_ptr<VolumeReader> volume,
+                                     std::unique_ptr<VolumeReader> mask);
+
+}  // namespace discmc::command
+
+#endif

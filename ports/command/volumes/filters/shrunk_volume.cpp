@@ -1,0 +1,225 @@
+#include "shrunk_volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+namespace {
+
+// The slices of a layer of blocks are added, and their values taken, again and again.
+class Blocks {
+ public:
+  Blocks() = default;
+  Blocks(const Blocks&) = delete;
+  Blocks& operator=(const Blocks&) = delete;
+  virtual ~Blocks() = default;
+
+  virtual void add_slice(const void* samples) = 0;
+  virtual void take_values(void* samples) = 0;
+};
+
+// How blocks divide a slice.
+struct Division {
+  std::uint32_t extent;
+  std::array<std::uint32_t, 2> voxels, blocks;
+
+  // From the first voxel of a block to that behind it.
+  std::uint32_t end_of(std::uint32_t first, std::size_t axis) const {
+    return std::min(first + extent, voxels[axis]);
+  }
+};
+
+// Of whole numbers, exactly: counted from the least one, which makes all of them positive, and
+// added in halves of 32 bits, whose sums fit 64.
+template <class Sample, bool = std::is_floating_point_v<Sample>>
+class Mean {
+ public:
+  void add(Sample sample) {
+    const std::uint64_t above = static_cast<Unsigned>(static_cast<Unsigned>(sample) - least);
+    high_ += above >> 32;
+    low_ += above & 0xFFFFFFFF;
+    ++count_;
+  }
+  Sample value() const {
+    const std::uint64_t rest = (high_ % count_) << 32;
+    const std::uint64_t above = ((high_ / count_) << 32) + (rest + low_ + count_ / 2) / count_;
+    return static_cast<Sample>(above + least);
+  }
+
+ private:
+  using Unsigned = std::make_unsigned_t<Sample>;
+  static constexpr auto least = static_cast<Unsigned>(std::numeric_limits<Sample>::min());
+  std::uint64_t high_ = 0, low_ = 0, count_ = 0;
+};
+
+template <class Sample>
+class Mean<Sample, true> {
+ public:
+  void add(Sample sample) {
+    if (std::isnan(sample)) return;
+    sum_ += static_cast<double>(sample);
+    ++count_;
+  }
+  Sample value() const {
+    if (count_ == 0) return std::numeric_limits<Sample>::quiet_NaN();
+    return static_cast<Sample>(sum_ / static_cast<double>(count_));
+  }
+
+ private:
+  double sum_ = 0;
+  std::uint64_t count_ = 0;
+};
+
+template <class Sample>
+class Means final : public Blocks {
+ public:
+  explicit Means(const Division& division)
+      : division_(division), means_(std::size_t{division.blocks[0]} * division.blocks[1]) {}
+
+  void add_slice(const void* samples) override {
+    const auto* sample = static_cast<const Sample*>(samples);
+    for (std::uint32_t y = 0; y < division_.voxels[1]; ++y) {
+      auto* mean = means_.data() + std::size_t{y / division_.extent} * division_.blocks[0];
+      for (std::uint32_t x = 0; x < division_.voxels[0]; ++mean)
+        for (const std::uint32_t end = division_.end_of(x, 0); x < end; ++x) mean->add(*sample++);
+    }
+  }
+  void take_values(void* samples) override {
+    auto* value = static_cast<Sample*>(samples);
+    for (auto& mean : means_) *value++ = std::exchange(mean, {}).value();
+  }
+
+ private:
+  Division division_;
+  std::vector<Mean<Sample>> means_;
+};
+
+template <class Sample>
+class MostFrequent final : public Blocks {
+ public:
+  explicit MostFrequent(const Division& division) : division_(division) {}
+
+  // As they come: no more is held than the file has.
+  void add_slice(const void* samples) override {
+    const auto* first = static_cast<const Sample*>(samples);
+    slices_.insert(slices_.end(), first, first + slice_samples());
+  }
+  void take_values(void* samples) override {
+    auto* value = static_cast<Sample*>(samples);
+    for (std::uint32_t y = 0; y < division_.voxels[1]; y += division_.extent)
+      for (std::uint32_t x = 0; x < division_.voxels[0]; x += division_.extent) {
+        collect(x, y);
+        *value++ = most_frequent();
+      }
+    slices_.clear();
+  }
+
+ private:
+  std::size_t slice_samples() const {
+    return std::size_t{division_.voxels[0]} * division_.voxels[1];
+  }
+
+  void collect(std::uint32_t first_x, std::uint32_t first_y) {
+    block_.clear();
+    for (std::size_t slice = 0; slice < slices_.size(); slice += slice_samples())
+      for (std::uint32_t y = first_y; y < division_.end_of(first_y, 1); ++y) {
+        const Sample* const row = slices_.data() + slice + std::size_t{y} * division_.voxels[0];
+        std::copy(row + first_x, row + division_.end_of(first_x, 0), std::back_inserter(block_));
+      }
+    if constexpr (std::is_floating_point_v<Sample>)
+      block_.erase(std::remove_if(block_.begin(), block_.end(),
+                                  [](Sample sample) { return std::isnan(sample); }),
+                   block_.end());
+  }
+
+  Sample most_frequent() {
+    if (block_.empty()) return std::numeric_limits<Sample>::quiet_NaN();
+    const auto is_other = std::not_equal_to<>();
+    if (std::adjacent_find(block_.begin(), block_.end(), is_other) == block_.end())
+      return block_[0];
+    sorted_ = block_;
+    std::sort(sorted_.begin(), sorted_.end());
+    Sample result = block_[0];
+    std::ptrdiff_t most = 0;
+    for (const Sample sample : block_) {
+      const auto [begin, end] = std::equal_range(sorted_.begin(), sorted_.end(), sample);
+      if (end - begin <= most) continue;
+      most = end - begin;
+      result = sample;
+    }
+    return result;
+  }
+
+  Division division_;
+  std::vector<Sample> slices_;          // of the layer
+  std::vector<Sample> block_, sorted_;  // the one under way
+};
+
+std::unique_ptr<Blocks> blocks_of(SampleType type, const Division& division, BlockValue value) {
+  return with_sample_type(type, [&](auto typed) -> std::unique_ptr<Blocks> {
+    using Sample = decltype(typed);
+    if (value == BlockValue::mean) return std::make_unique<Means<Sample>>(division);
+    return std::make_unique<MostFrequent<Sample>>(division);
+  });
+}
+
+class ShrunkVolume final : public VolumeReader {
+ public:
+  /// info: of the larger voxels.
+  ShrunkVolume(std::unique_ptr<VolumeReader> volume, VolumeInfo info, std::uint32_t extent,
+               std::unique_ptr<Blocks> blocks)
+      : volume_(std::move(volume)),
+        info_(std::move(info)),
+        extent_(extent),
+        blocks_(std::move(blocks)),
+        slice_(volume_->info().slice_bytes()) {}
+
+  const VolumeInfo& info() const override { return info_; }
+
+  void read_slice(void* samples) override {
+    // At the end the volume is asked for one too many, and says so.
+    const std::uint32_t left = volume_->info().dims[2] - read_;
+    const std::uint32_t layer = std::clamp(left, 1U, extent_);
+    for (std::uint32_t z = 0; z < layer; ++z) {
+      volume_->read_slice(slice_.data());
+      blocks_->add_slice(slice_.data());
+    }
+    read_ += layer;
+    blocks_->take_values(samples);
+  }
+
+ private:
+  std::unique_ptr<VolumeReader> volume_;
+  VolumeInfo info_;
+  std::uint32_t extent_;
+  std::unique_ptr<Blocks> blocks_;
+  std::vector<std::uint8_t> slice_;
+  std::uint32_t read_ = 0;  // slices of the volume
+};
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> shrunk(const std::filesystem::path& file,
+                                     std::unique_ptr<VolumeReader> volume, std::uint32_t extent,
+                                     BlockValue value) {
+  VolumeInfo info = volume->info();
+  const std::array<std::uint32_t, 3> voxels = info.dims;
+  std::array<std::uint32_t, 3> blocks{};
+  for (std::size_t axis = 0; axis < 3; ++axis) blocks[axis] = (voxels[axis] + extent - 1) / extent;
+  const double middle = (extent - 1) / 2.0;
+  set_part(info, file, blocks, {middle, middle, middle}, extent);
+  const Division division{extent, {voxels[0], voxels[1]}, {blocks[0], blocks[1]}};
+  auto layer = blocks_of(info.type, division, value);
+  return std::make_unique<ShrunkVolume>(std::move(volume), std::move(info), extent,
+                                        std::move(layer));
+}
+
+}  // namespace discmc::command

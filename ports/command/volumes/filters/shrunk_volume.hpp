@@ -1,0 +1,30 @@
+// A volume of fewer, larger voxels, one for a block each.
+#ifndef DISCMC_COMMAND_VOLUMES_FILTERS_SHRUNK_VOLUME_HPP
+#define DISCMC_COMMAND_VOLUMES_FILTERS_SHRUNK_VOLUME_HPP
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// Every block of extent x extent x extent voxels becomes a voxel in the middle of where it lies;
+/// the last blocks along an axis may hold fewer, and lie as if they were whole. Of those that are
+/// not a number (NaN) a block takes no account, unless all are: then it is NaN.
+///
+/// mean: of the block, in the samples' own type. Of whole numbers it is exact and rounded to the
+/// nearest one, a half to the greater. Holds the sums of a slice of blocks.
+/// most_frequent: of labels, which have no mean; of equally frequent ones that which comes first in
+/// the block, x fastest, then y, then z. Holds the slices of a block.
+///
+/// Limit: extent 2 to 16. Throws a VolumeError where the voxels would be too large. file: for
+/// errors.
+std::unique_ptr<VolumeReader> shrunk(const std::filesystem::path& file,
+                                     std::unique_ptr<VolumeReader> volume, std::uint32_t extent,
+                                     BlockValue value);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,25 @@
+// Which files are DICOM.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FILES_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FILES_HPP
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace discmc::command {
+
+/// Units: bytes from the beginning of a file that tell whether it is DICOM.
+constexpr std::size_t dicom_magic_bytes = 132;
+
+/// Whether a file that begins so is DICOM.
+bool has_dicom_magic(std::string_view head);
+
+/// Whether a file is named as DICOM files are: old ones have no magic.
+bool has_dicom_name(const std::filesystem::path& file);
+
+/// Returns the DICOM files of a folder and of all folders in it, by their names.
+std::vector<std::filesystem::path> dicom_files(const std::filesystem::path& folder);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,76 @@
+// What the headers of DICOM files tell of their images.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "volumes/sample_type.hpp"
+
+namespace discmc::command {
+
+/// An image object: the whole of a file, with one frame or more.
+struct DicomImage {
+  std::filesystem::path file;
+  std::string series;    ///< SeriesInstanceUID
+  std::string instance;  ///< SOPInstanceUID
+  std::string description;
+  std::string modality;
+  std::int32_t series_number = 0;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  /// As wide as a sample is stored.
+  SampleType type = SampleType::u8;
+  /// Of a whole number: its bits, and the place of the highest. Limit: those of the type.
+  std::uint32_t bits = 8;
+  std::uint32_t high_bit = 7;
+  /// Whether low values are the bright ones: MONOCHROME1.
+  bool is_inverted = false;
+  /// How the pixel data is compressed; empty if it is not.
+  std::string compression;
+};
+
+/// Where a frame lies in the patient. Units: millimetres; directions of length 1.
+struct DicomPlace {
+  std::array<double, 3> position{};  ///< of the centre of the first voxel
+  std::array<double, 3> along_row{};
+  std::array<double, 3> along_column{};
+};
+
+/// The direction across a frame, right-handed with those in it.
+std::array<double, 3> normal_of(const DicomPlace& place);
+
+/// A slice of a volume.
+struct DicomFrame {
+  std::shared_ptr<const DicomImage> image;
+  /// In the file, from 0.
+  std::uint32_t number = 0;
+  std::optional<DicomPlace> place;
+  /// Distances of neighbouring voxels along a row and along a column. Units: millimetres, 0 where
+  /// the file does not tell them.
+  std::array<double, 2> spacing_mm{};
+  /// What the file says of the distance of slices, which counts where there are no places.
+  /// Units: millimetres, 0 where the file does not tell it.
+  double slice_spacing_mm = 0;
+  double slope = 1;
+  double intercept = 0;
+};
+
+/// What a file holds.
+struct DicomContent {
+  std::vector<DicomFrame> frames;
+  /// Where there are none: what is there instead, "a colour image".
+  std::string instead;
+};
+
+/// Reads the header of a file, not its pixels. Any bytes have a content.
+DicomContent dicom_content(const std::filesystem::path& file);
+
+}  // namespace discmc::command
+
+#endif

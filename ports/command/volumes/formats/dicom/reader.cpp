@@ -1,0 +1,135 @@
+// DICOM: a file, or the files of a folder, whatever their names.
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "image.hpp"
+#include "pixels.hpp"
+#include "stack.hpp"
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+namespace {
+
+class DicomVolume final : public VolumeReader {
+ public:
+  DicomVolume(const std::filesystem::path& source, VolumeInfo info, DicomStack stack)
+      : source_(source),
+        info_(std::move(info)),
+        stack_(std::move(stack)),
+        is_stored_(have_one_scale(stack_)) {}
+
+  const VolumeInfo& info() const override { return info_; }
+
+  void read_slice(void* samples) override {
+    require_slice_left(source_, slice_, stack_.size());
+    const DicomFrame& frame = stack_[slice_];
+    if (is_stored_)
+      pixels_.read(frame, samples);
+    else
+      read_values(frame, samples);
+    ++slice_;
+  }
+
+  void skip_slice() override {
+    require_slice_left(source_, slice_, stack_.size());
+    ++slice_;
+  }
+
+ private:
+  // Where every slice has a scale of its own.
+  void read_values(const DicomFrame& frame, void* values) {
+    const SampleType type = frame.image->type;
+    const std::size_t count = std::size_t{info_.dims[0]} * info_.dims[1];
+    stored_.resize(count * sample_bytes(type));
+    pixels_.read(frame, stored_.data());
+    with_sample_type(type, [&](auto sample) {
+      for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(&sample, stored_.data() + i * sizeof sample, sizeof sample);
+        const auto value =
+            static_cast<float>(frame.slope * static_cast<double>(sample) + frame.intercept);
+        std::memcpy(static_cast<unsigned char*>(values) + i * sizeof value, &value, sizeof value);
+      }
+    });
+  }
+
+  std::filesystem::path source_;
+  VolumeInfo info_;
+  DicomStack stack_;
+  bool is_stored_;  ///< what is read is what is stored
+  DicomPixels pixels_;
+  std::vector<unsigned char> stored_;
+  std::size_t slice_ = 0;
+};
+
+// Small files may claim large pictures: what is decoded of a byte has a limit.
+void require_possible(const DicomImage& image) {
+  constexpr std::uint64_t most_of_a_byte = 16384;
+  std::error_code error;
+  const std::uint64_t file = std::filesystem::file_size(image.file, error);
+  const std::uint64_t frame = std::uint64_t{image.columns} * image.rows * sample_bytes(image.type);
+  if (!error && frame > file * (image.compression.empty() ? 1 : most_of_a_byte))
+    fail(image.file,
+         "an image of " + std::to_string(frame) + " bytes cannot be in a file of " +
+             std::to_string(file),
+         "export or copy the file again");
+}
+
+struct Found {
+  std::vector<DicomFrame> frames;
+  std::size_t skipped = 0;
+  std::string instead;  ///< of one that was skipped
+};
+
+Found find_frames(const std::vector<std::filesystem::path>& files) {
+  Found found;
+  for (const auto& file : files) {
+    DicomContent content = dicom_content(file);
+    found.frames.insert(found.frames.end(), content.frames.begin(), content.frames.end());
+    if (!content.frames.empty()) continue;
+    ++found.skipped;
+    if (found.instead.empty()) found.instead = std::move(content.instead);
+  }
+  return found;
+}
+
+bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
+  const std::size_t bytes =
+      std::size_t{a.image->columns} * a.image->rows * sample_bytes(a.image->type);
+  std::vector<unsigned char> of_a(bytes);
+  std::vector<unsigned char> of_b(bytes);
+  require_possible(*a.image);
+  require_possible(*b.image);
+  DicomPixels().read(a, of_a.data());
+  DicomPixels().read(b, of_b.data());
+  return of_a == of_b && a.slope == b.slope && a.intercept == b.intercept;
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
+                                         const std::vector<std::filesystem::path>& files,
+                                         const VolumeOptions& options,
+                                         const std::vector<std::string>& notes) {
+  const Found found = find_frames(files);
+  if (found.frames.empty())
+    fail(source,
+         files.size() == 1
+             ? "this is " + found.instead
+             : "none of " + std::to_string(files.size()) +
+                   " DICOM files holds an image to read; the first is " + found.instead,
+         "give the images of a CT, an MRI or the like, one grey value a voxel");
+  DicomStack stack = chosen_stack(source, dicom_stacks(found.frames), options.series);
+  VolumeInfo info = order_stack(source, stack, have_same_pixels, options.allow_gaps);
+  info.notes.insert(info.notes.begin(), notes.begin(), notes.end());
+  for (const DicomFrame& frame : stack) require_possible(*frame.image);
+  if (found.skipped > 0)
+    info.notes.push_back(std::to_string(found.skipped) +
+                         " files without a volume's image skipped, such as " + found.instead);
+  if (files.size() == 1 && stack.size() == 1)
+    info.notes.emplace_back("one slice; to take a whole series give its folder");
+  return std::make_unique<DicomVolume>(source, std::move(info), std::move(stack));
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,78 @@
+#include "toolkit.hpp"
+
+#include "nesting.hpp"
+
+#include <dcmtk/dcmdata/dcrledrg.h>
+#include <dcmtk/dcmjpeg/djdecode.h>
+#include <dcmtk/dcmjpls/djdecode.h>
+#include <dcmtk/oflog/oflog.h>
+
+namespace discmc::command {
+namespace {
+
+void set_up() {
+  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  DcmRLEDecoderRegistration::registerCodecs();
+  DJDecoderRegistration::registerCodecs();
+  DJLSDecoderRegistration::registerCodecs();
+}
+
+// What is deflated is not seen by is_nested_within().
+bool is_deflated(const std::filesystem::path& file) {
+  DcmFileFormat header;
+  if (header.loadFile(file.c_str(), EXS_Unknown, EGL_noChange, 0, ERM_metaOnly).bad()) return false;
+  OFString syntax;
+  header.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax);
+  return DcmXfer(syntax.c_str()).getStreamCompression() != ESC_none;
+}
+
+// Each in the newer way where DCMTK has it: an int is preferred as an argument for an int.
+template <class Syntax>
+auto has_fragments(const Syntax& syntax, int) -> decltype(syntax.usesEncapsulatedFormat()) {
+  return syntax.usesEncapsulatedFormat();
+}
+
+template <class Syntax>
+bool has_fragments(const Syntax& syntax, long) {
+  return syntax.isEncapsulated();
+}
+
+template <class Element>
+auto find_frame_bytes(Element& pixels, DcmDataset& dataset, Uint32& bytes, int)
+    -> decltype(pixels.getUncompressedFrameSize(&dataset, bytes, OFBool{})) {
+  return pixels.getUncompressedFrameSize(&dataset, bytes,
+                                         !is_encapsulated(dataset.getOriginalXfer()));
+}
+
+template <class Element>
+OFCondition find_frame_bytes(Element& pixels, DcmDataset& dataset, Uint32& bytes, long) {
+  return pixels.getUncompressedFrameSize(&dataset, bytes);
+}
+
+}  // namespace
+
+bool is_encapsulated(E_TransferSyntax syntax) {
+  return has_fragments(DcmXfer(syntax), 0);
+}
+
+std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& dataset) {
+  Uint32 bytes = 0;
+  if (find_frame_bytes(pixels, dataset, bytes, 0).bad()) return std::nullopt;
+  return bytes;
+}
+
+std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {
+  static const bool is_set_up = (set_up(), true);
+  static_cast<void>(is_set_up);
+  constexpr std::uint32_t most_nested = 64;
+  if (!is_nested_within(most_nested, file) || is_deflated(file)) return nullptr;
+  constexpr Uint32 most_read_at_once = 4096;
+  const DcmTagKey first_of_pixels(0x7fe0, 0);
+  auto opened = std::make_unique<DcmFileFormat>();
+  const OFCondition result = opened->loadFileUntilTag(
+      file.c_str(), EXS_Unknown, EGL_noChange, most_read_at_once, ERM_autoDetect,
+      pixels == Pixels::left_out ? first_of_pixels : DCM_UndefinedTagKey);
+  return result.good() ? std::move(opened) : nullptr;
+}
+
+}  // namespace discmc::command

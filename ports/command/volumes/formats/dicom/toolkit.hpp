@@ -1,0 +1,35 @@
+// DCMTK, set up for the readers: with its decoders, and silent.
+//
+// DCMTK and not GDCM, which is lighter and knows JPEG 2000 itself: GDCM 3.0 allocates what a length
+// in a file claims, up to 4 GiB, and Debian's has assertions that end the program on damaged files.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TOOLKIT_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TOOLKIT_HPP
+
+#include <dcmtk/config/osconfig.h>
+// The first of all DCMTK headers.
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace discmc::command {
+
+enum class Pixels { left_out, included };
+
+/// Opens a file. Values of some size stay in it until they are asked for. Returns nothing where it
+/// is no DICOM file, a damaged one, or deflated as a whole.
+std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels);
+
+// What the versions of DCMTK, 3.6.7 of Debian 12 and 3.6.9 of Debian 13 among them, have under
+// different names or with different parameters.
+
+/// Whether pixel data is in fragments, as compressed data is.
+bool is_encapsulated(E_TransferSyntax syntax);
+
+/// The bytes of a frame, decompressed, by the header of the file. Nothing if the header lacks them.
+std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& dataset);
+
+}  // namespace discmc::command
+
+#endif

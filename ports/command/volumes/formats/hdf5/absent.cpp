@@ -1,0 +1,11 @@
+// In place of the reader, where it was built without its library.
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+
+std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name, const VolumeOptions&) {
+  fail(name, "this is HDF5, and discmc was built without its library",
+       "install libhdf5-dev and build again, or convert, e.g. to NumPy with h5py");
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,261 @@
+#include "dataset.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "sources.hpp"
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+namespace {
+
+#ifdef DISCMC_WITHOUT_HDF5_PLUGINS
+constexpr bool loads_plugins = false;
+#else
+constexpr bool loads_plugins = true;
+#endif
+
+// Errors are told here, not by the library, which has this setting for each thread.
+void be_silent() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  if (!loads_plugins) H5PLset_loading_state(0);
+}
+
+Hdf5Handle type_of(const Hdf5Handle& dataset) {
+  return {H5Dget_type(dataset.id()), H5Tclose};
+}
+
+Hdf5Handle space_of(const Hdf5Handle& dataset) {
+  return {H5Dget_space(dataset.id()), H5Sclose};
+}
+
+Hdf5Handle creation_of(const Hdf5Handle& dataset) {
+  return {H5Dget_create_plist(dataset.id()), H5Pclose};
+}
+
+// Of truth values, which h5py stores as an enumeration, the whole numbers behind it.
+Hdf5Handle number_type_of(const Hdf5Handle& dataset) {
+  Hdf5Handle type = type_of(dataset);
+  if (H5Tget_class(type.id()) == H5T_ENUM) type = {H5Tget_super(type.id()), H5Tclose};
+  return type;
+}
+
+// Floating point of 16 bits is read as that of 32.
+std::optional<SampleType> sample_type_of(const Hdf5Handle& type) {
+  const H5T_class_t kind = H5Tget_class(type.id());
+  const std::size_t bytes = H5Tget_size(type.id());
+  if (kind == H5T_FLOAT && bytes <= 4) return SampleType::f32;
+  if (kind == H5T_FLOAT && bytes == 8) return SampleType::f64;
+  if (kind != H5T_INTEGER) return std::nullopt;
+  const bool has_sign = H5Tget_sign(type.id()) == H5T_SGN_2;
+  switch (bytes) {
+    case 1:
+      return has_sign ? SampleType::i8 : SampleType::u8;
+    case 2:
+      return has_sign ? SampleType::i16 : SampleType::u16;
+    case 4:
+      return has_sign ? SampleType::i32 : SampleType::u32;
+    case 8:
+      return has_sign ? SampleType::i64 : SampleType::u64;
+    default:
+      return std::nullopt;
+  }
+}
+
+// That of whole slots: the native type of the library is a smaller one where a file uses fewer
+// bits.
+hid_t memory_type_of(SampleType type) {
+  switch (type) {
+    case SampleType::u8:
+      return H5T_NATIVE_UINT8;
+    case SampleType::i8:
+      return H5T_NATIVE_INT8;
+    case SampleType::u16:
+      return H5T_NATIVE_UINT16;
+    case SampleType::i16:
+      return H5T_NATIVE_INT16;
+    case SampleType::u32:
+      return H5T_NATIVE_UINT32;
+    case SampleType::i32:
+      return H5T_NATIVE_INT32;
+    case SampleType::u64:
+      return H5T_NATIVE_UINT64;
+    case SampleType::i64:
+      return H5T_NATIVE_INT64;
+    case SampleType::f32:
+      return H5T_NATIVE_FLOAT;
+    case SampleType::f64:
+      return H5T_NATIVE_DOUBLE;
+  }
+  return H5I_INVALID_HID;
+}
+
+std::vector<hsize_t> sizes_of(const Hdf5Handle& dataset) {
+  const Hdf5Handle space = space_of(dataset);
+  std::vector<hsize_t> sizes(
+      static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.id()), 0)));
+  H5Sget_simple_extent_dims(space.id(), sizes.data(), nullptr);
+  return sizes;
+}
+
+Hdf5Description described(const Hdf5Handle& dataset, const std::string& path) {
+  Hdf5Description found{path, {}, sample_type_of(number_type_of(dataset))};
+  for (const hsize_t size : sizes_of(dataset))
+    found.sizes.push_back(static_cast<std::int64_t>(std::min<hsize_t>(size, INT64_MAX)));
+  return found;
+}
+
+herr_t collect_path(hid_t, const char* path, const H5O_info_t* object, void* paths) {
+  if (object->type == H5O_TYPE_DATASET)
+    static_cast<std::vector<std::string>*>(paths)->push_back(std::string("/") + path);
+  return 0;
+}
+
+// Throws where the library cannot unpack what a filter has packed; returns the filters' names.
+std::string filters_of(const std::filesystem::path& name, const Hdf5Handle& creation) {
+  std::string names;
+  for (int i = 0; i < H5Pget_nfilters(creation.id()); ++i) {
+    char text[64] = {};
+    unsigned flags = 0;
+    std::size_t no_values = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(creation.id(), static_cast<unsigned>(i), &flags,
+                                               &no_values, nullptr, sizeof text, text, nullptr);
+    if (H5Zfilter_avail(filter) <= 0)
+      fail(name,
+           "its samples are packed by filter " + std::to_string(filter) +
+               " of HDF5, which is not here",
+           std::string(loads_plugins ? "install it, on Debian hdf5-filter-plugin or "
+                                       "hdf5-filter-plugin-blosc-serial, or "
+                                     : "") +
+               "unpack the file with h5repack -f NONE");
+    names +=
+        (names.empty() ? "" : ", ") + std::string(filter == H5Z_FILTER_DEFLATE ? "gzip" : text);
+  }
+  return names;
+}
+
+std::uint64_t product(const std::vector<hsize_t>& factors) {
+  return std::accumulate(factors.begin(), factors.end(), std::uint64_t{1}, std::multiplies<>());
+}
+
+// A cache for all chunks that a slice goes through. Where these are as small as voxels, and more
+// than there is room to list, that of the library.
+Hdf5Handle cache_of_slice(const Hdf5Handle& dataset) {
+  Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+  const Hdf5Handle creation = creation_of(dataset);
+  if (H5Pget_layout(creation.id()) != H5D_CHUNKED) return access;
+  const std::vector<hsize_t> sizes = sizes_of(dataset);
+  std::vector<hsize_t> chunk(sizes.size());
+  H5Pget_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data());
+  std::vector<hsize_t> counts(chunk.size(), 1);
+  for (std::size_t axis = sizes.size() - 2; axis < sizes.size(); ++axis)
+    counts[axis] = (sizes[axis] + chunk[axis] - 1) / chunk[axis];
+  const std::uint64_t chunks = product(counts);
+  constexpr std::uint64_t most_chunks = std::uint64_t{1} << 20;
+  if (chunks > most_chunks) return access;
+  const std::uint64_t bytes = chunks * product(chunk) * H5Tget_size(type_of(dataset).id());
+  constexpr std::size_t slots_a_chunk = 10;  // so that few chunks want the same place
+  H5Pset_chunk_cache(access.id(), slots_a_chunk * chunks + 1, bytes, 1.0);
+  return access;
+}
+
+// Opened twice: only then is known what to keep, and what is open already keeps its cache.
+Hdf5Handle open_dataset(const Hdf5Handle& file, const std::string& path) {
+  Hdf5Handle access(H5I_INVALID_HID, H5Pclose);
+  {
+    const Hdf5Handle dataset(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!dataset || sizes_of(dataset).size() < 2) return {H5I_INVALID_HID, H5Dclose};
+    access = cache_of_slice(dataset);
+  }
+  return {H5Dopen2(file.id(), path.c_str(), access.id()), H5Dclose};
+}
+
+}  // namespace
+
+Hdf5Handle file_access() {
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+#if H5_VERSION_GE(1, 14, 4)
+  H5Pset_relax_file_integrity_checks(access.id(), H5F_RFIC_UNUSUAL_NUM_UNUSED_NUMERIC_BITS);
+#endif
+  return access;
+}
+
+Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
+  be_silent();
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    fail(file, "there is no such file", "check the name");
+  Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, file_access().id()), H5Fclose);
+  if (!opened)
+    fail(file, "this is no HDF5 file, or it is damaged, locked or not to be read",
+         "copy or export it again; where a program writes it, wait for its end");
+  return opened;
+}
+
+std::vector<Hdf5Description> hdf5_datasets(const Hdf5Handle& file) {
+  std::vector<std::string> paths;
+  H5Ovisit(file.id(), H5_INDEX_NAME, H5_ITER_INC, collect_path, &paths);
+  std::vector<Hdf5Description> found;
+  for (const std::string& path : paths) {
+    const Hdf5Handle dataset(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!dataset) continue;
+    Hdf5Description description = described(dataset, path);
+    if (description.type && description.sizes.size() >= 2) found.push_back(std::move(description));
+  }
+  return found;
+}
+
+Hdf5Dataset::Hdf5Dataset(const std::filesystem::path& name, const Hdf5Handle& file,
+                         const std::string& path)
+    : dataset_(open_dataset(file, path)) {
+  if (!dataset_)
+    fail(name, "there is no dataset " + shown(path) + " of two or more dimensions",
+         "list them with h5ls -r");
+  description_ = described(dataset_, path);
+  if (!description_.type)
+    fail(name, "the dataset holds other things than numbers", "give one of numbers");
+  const Hdf5Handle creation = creation_of(dataset_);
+  const H5D_layout_t layout = H5Pget_layout(creation.id());
+  is_virtual_ = layout == H5D_VIRTUAL || H5Pget_external_count(creation.id()) > 0;
+  file_ = file_of(dataset_);
+  if (const auto missing = missing_source(dataset_))
+    fail(name, "it takes samples from the file " + shown(*missing) + ", which is not there",
+         "copy it to the folder of " + shown(file_.filename().string()));
+  storage_ = filters_of(name, creation);
+  if (storage_.empty())
+    storage_ = is_virtual_ ? "virtual" : layout == H5D_CHUNKED ? "chunks" : "raw";
+}
+
+std::optional<std::array<double, 3>> Hdf5Dataset::element_size_um() const {
+  if (H5Aexists(dataset_.id(), "element_size_um") <= 0) return std::nullopt;
+  const Hdf5Handle attribute(H5Aopen(dataset_.id(), "element_size_um", H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  std::array<double, 3> size{};
+  if (H5Sget_simple_extent_npoints(space.id()) != 3 ||
+      H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, size.data()) < 0)
+    return std::nullopt;
+  return size;
+}
+
+bool Hdf5Dataset::read_slice(std::uint64_t frame, std::uint32_t z, void* samples) const {
+  be_silent();  // slices are read by one thread or another
+  const std::vector<hsize_t> sizes = sizes_of(dataset_);
+  const std::size_t axes = sizes.size();
+  std::vector<hsize_t> first(axes, 0);
+  std::vector<hsize_t> count(axes, 1);
+  std::copy(sizes.end() - 2, sizes.end(), count.end() - 2);
+  if (axes > 2) first[axes - 3] = z;
+  for (std::size_t axis = axes > 3 ? axes - 3 : 0; axis-- > 0;) {
+    first[axis] = frame % sizes[axis];
+    frame /= sizes[axis];
+  }
+  const Hdf5Handle space = space_of(dataset_);
+  const Hdf5Handle slice(H5Screate_simple(2, count.data() + axes - 2, nullptr), H5Sclose);
+  return H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(),
+                             nullptr) >= 0 &&
+         H5Dread(dataset_.id(), memory_type_of(*description_.type), slice.id(), space.id(),
+                 H5P_DEFAULT, samples) >= 0;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,40 @@
+// What the library of HDF5 has opened.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_HANDLE_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_HANDLE_HPP
+
+// Newer versions of the library keep the functions of this one, by this name.
+#define H5_USE_110_API
+#include <hdf5.h>
+
+#include <utility>
+
+namespace discmc::command {
+
+/// An identifier that is given back at the end. What could not be opened is none.
+class Hdf5Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept
+      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Hdf5Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+
+  hid_t id() const { return id_; }
+  explicit operator bool() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,274 @@
+// NIfTI-1 and -2, one file or a pair, after the NIfTI library's own descriptions of the headers.
+// And Analyze 7.5, whose header NIfTI-1 took over, without an orientation and without a magic
+// number.
+//
+// The library does not open the files: it loads data only whole, and given a.nii.gz it reads a.nii
+// where both are there.
+#include <nifti1_io.h>
+#include <nifti2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <locale>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "types.hpp"
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+namespace {
+
+static_assert(sizeof(nifti_1_header) == 348 && sizeof(nifti_2_header) == 540, "as in the file");
+
+std::filesystem::path without_gz(std::filesystem::path file) {
+  return lower(file.extension().string()) == ".gz" ? file.replace_extension() : file;
+}
+
+// Returns the other file of a pair: a.img or a.img.gz for a.hdr, and the other way round.
+std::filesystem::path partner(const std::filesystem::path& asked, const char* extension) {
+  std::filesystem::path file = without_gz(asked).replace_extension(extension);
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored)) return file;
+  file += ".gz";
+  if (std::filesystem::exists(file, ignored)) return file;
+  fail(asked, std::string("there is no ") + extension + " or " + extension + ".gz beside it",
+       "put the other file of the pair there");
+}
+
+// The fields of every version, in those of NIfTI-2, which hold them all.
+struct Header {
+  nifti_2_header fields{};
+  std::string format;
+  bool one_file = false;
+  bool big_endian = false;
+};
+
+template <class Field>
+void turn(Field& field) {
+  auto* bytes = reinterpret_cast<unsigned char*>(&field);
+  std::reverse(bytes, bytes + sizeof field);
+}
+
+template <class Field, std::size_t count>
+void turn(Field (&fields)[count]) {
+  for (Field& field : fields) turn(field);
+}
+
+// Turns the bytes of the fields that are read.
+template <class Fields>
+void turn_fields(Fields& fields) {
+  const auto turn_all = [](auto&... field) { (turn(field), ...); };
+  turn_all(fields.datatype, fields.dim, fields.pixdim, fields.vox_offset, fields.scl_slope,
+           fields.scl_inter, fields.qform_code, fields.sform_code, fields.quatern_b,
+           fields.quatern_c, fields.quatern_d, fields.qoffset_x, fields.qoffset_y, fields.qoffset_z,
+           fields.srow_x, fields.srow_y, fields.srow_z);
+}
+
+// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
+double decimal(float value) {
+  for (int digits = 6; digits <= 9 && std::isfinite(value); ++digits) {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(digits);
+    text << value;
+    double result = 0;
+    if (text >> result && static_cast<float>(result) == value) return result;
+  }
+  return static_cast<double>(value);
+}
+
+std::int64_t whole_offset(const std::filesystem::path& file, float vox_offset) {
+  constexpr float most = 0x1p30F;
+  if (!(vox_offset >= 0 && vox_offset <= most) || std::floor(vox_offset) != vox_offset)
+    fail(file, "vox_offset is " + std::to_string(vox_offset), "correct the header");
+  return static_cast<std::int64_t>(vox_offset);
+}
+
+nifti_2_header widened(const std::filesystem::path& file, const nifti_1_header& one) {
+  nifti_2_header two{};
+  two.datatype = one.datatype;
+  std::copy(std::begin(one.dim), std::end(one.dim), two.dim);
+  std::copy(std::begin(one.pixdim), std::end(one.pixdim), two.pixdim);
+  two.vox_offset = whole_offset(file, one.vox_offset);
+  two.scl_slope = decimal(one.scl_slope);
+  two.scl_inter = decimal(one.scl_inter);
+  two.xyzt_units = static_cast<unsigned char>(one.xyzt_units);
+  two.qform_code = one.qform_code;
+  two.sform_code = one.sform_code;
+  two.quatern_b = static_cast<double>(one.quatern_b);
+  two.quatern_c = static_cast<double>(one.quatern_c);
+  two.quatern_d = static_cast<double>(one.quatern_d);
+  two.qoffset_x = static_cast<double>(one.qoffset_x);
+  two.qoffset_y = static_cast<double>(one.qoffset_y);
+  two.qoffset_z = static_cast<double>(one.qoffset_z);
+  std::copy(std::begin(one.srow_x), std::end(one.srow_x), two.srow_x);
+  std::copy(std::begin(one.srow_y), std::end(one.srow_y), two.srow_y);
+  std::copy(std::begin(one.srow_z), std::end(one.srow_z), two.srow_z);
+  return two;
+}
+
+// What Analyze has in the fields of its own that NIfTI-1 gave another meaning is dropped. Only SPM
+// writes a slope, and where NIfTI-1 has it.
+void drop_what_analyze_has_not(nifti_2_header& fields) {
+  fields.qform_code = 0;
+  fields.sform_code = 0;
+  fields.xyzt_units = NIFTI_UNITS_MM;
+  fields.scl_inter = 0;
+  if (!std::isfinite(fields.scl_slope) || fields.scl_slope < 0) fields.scl_slope = 0;
+}
+
+template <class Fields>
+Fields taken(ByteStream& stream, bool is_turned) {
+  Fields fields{};
+  if (stream.read(&fields, sizeof fields) < sizeof fields)
+    fail(stream.file(), "the header of " + std::to_string(sizeof fields) + " bytes is not whole",
+         "copy or export the file again");
+  if (is_turned) turn_fields(fields);
+  return fields;
+}
+
+Header read_header(ByteStream& stream) {
+  std::int32_t size = 0;
+  const std::string_view start = stream.peek(sizeof size);
+  std::memcpy(&size, start.data(), start.size());
+  constexpr std::int32_t size_of_1 = sizeof(nifti_1_header);
+  constexpr std::int32_t size_of_2 = sizeof(nifti_2_header);
+  std::int32_t other_order = size;
+  turn(other_order);
+  const bool is_turned = other_order == size_of_1 || other_order == size_of_2;
+  if (is_turned) size = other_order;
+  if (size != size_of_1 && size != size_of_2)
+    fail(stream.file(),
+         "the header has size " + std::to_string(size) + ", which is not that of NIfTI",
+         "check that it is a NIfTI or Analyze file");
+  Header header;
+  header.big_endian = is_native_big_endian() != is_turned;
+  if (size == size_of_2) {
+    header.fields = taken<nifti_2_header>(stream, is_turned);
+    if (is_turned) turn(header.fields.xyzt_units);
+    const std::string_view magic(header.fields.magic, 4);
+    header.one_file = magic == std::string_view("n+2\0", 4);
+    header.format = "NIfTI-2";
+    if (!header.one_file && magic != std::string_view("ni2\0", 4))
+      fail(stream.file(), "the magic of NIfTI-2 is " + shown(magic), "copy the file again");
+    return header;
+  }
+  const auto fields = taken<nifti_1_header>(stream, is_turned);
+  header.fields = widened(stream.file(), fields);
+  header.one_file = NIFTI_ONEFILE(fields);
+  const bool is_analyze = NIFTI_VERSION(fields) != 1;
+  header.format = is_analyze ? "Analyze 7.5" : "NIfTI-1";
+  if (is_analyze) drop_what_analyze_has_not(header.fields);
+  return header;
+}
+
+SampleType sample_type(const std::filesystem::path& file, int datatype) {
+  if (const auto type = type_of_nifti(datatype)) return *type;
+  fail_type(file, std::string(nifti_datatype_to_string(datatype)) + " (datatype " +
+                      std::to_string(datatype) + ")");
+}
+
+void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const std::int64_t (&dim)[8],
+               const VolumeOptions& options) {
+  if (dim[0] < 1 || dim[0] > 7)
+    fail(file, "the header gives " + std::to_string(dim[0]) + " dimensions", "correct dim[0]");
+  set_dims(info, file, std::vector<std::int64_t>(dim + 1, dim + 1 + dim[0]), options);
+}
+
+// The sform needs no pixdim, and some programs leave it at 1.
+void prefer_sform(VolumeInfo& info, const Axes& axes_mm) {
+  constexpr double rounding = 1e-3;
+  std::array<double, 3> lengths{};
+  bool is_same = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
+    is_same =
+        is_same && std::fabs(lengths[axis] - info.spacing_mm[axis]) <= rounding * lengths[axis];
+  }
+  if (is_same || !is_usable(axes_mm)) return;
+  info.notes.emplace_back("pixdim contradicts the sform, whose spacing is taken");
+  set_spacing(info, lengths);
+}
+
+void set_geometry(VolumeInfo& info, const nifti_2_header& header) {
+  const int unit = XYZT_TO_SPACE(header.xyzt_units);
+  const double unit_mm = unit == NIFTI_UNITS_METER    ? 1000.0
+                         : unit == NIFTI_UNITS_MICRON ? 1e-3
+                                                      : 1.0;
+  std::array<double, 3> spacing{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    spacing[axis] = unit_mm * std::fabs(header.pixdim[axis + 1]);
+  set_spacing(info, spacing);
+
+  std::array<std::array<double, 4>, 3> to_space{};
+  if (header.sform_code > 0) {
+    std::copy(std::begin(header.srow_x), std::end(header.srow_x), to_space[0].begin());
+    std::copy(std::begin(header.srow_y), std::end(header.srow_y), to_space[1].begin());
+    std::copy(std::begin(header.srow_z), std::end(header.srow_z), to_space[2].begin());
+  } else if (header.qform_code > 0) {
+    const auto real = [](double value) { return static_cast<float>(value); };
+    const auto length = [&](int axis) { return real(std::fabs(header.pixdim[axis])); };
+    const mat44 matrix = nifti_quatern_to_mat44(
+        real(header.quatern_b), real(header.quatern_c), real(header.quatern_d),
+        real(header.qoffset_x), real(header.qoffset_y), real(header.qoffset_z), length(1),
+        length(2), length(3), real(header.pixdim[0]));
+    for (std::size_t row = 0; row < 3; ++row)
+      std::copy(std::begin(matrix.m[row]), std::end(matrix.m[row]), to_space[row].begin());
+  } else {
+    return;
+  }
+  VolumePlacement placement;
+  placement.frame = Frame::ras;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      placement.axes_mm[axis][row] = unit_mm * to_space[row][axis];
+    placement.origin_mm[row] = unit_mm * to_space[row][3];
+  }
+  if (header.sform_code > 0) prefer_sform(info, placement.axes_mm);
+  set_placement(info, placement);
+}
+
+std::uint64_t data_offset(const std::filesystem::path& file, const Header& header) {
+  if (header.fields.vox_offset < 0)
+    fail(file, "vox_offset is " + std::to_string(header.fields.vox_offset), "correct the header");
+  const auto offset = static_cast<std::uint64_t>(header.fields.vox_offset);
+  // Some programs leave 0 for "right after the header".
+  const std::uint64_t least = header.format == "NIfTI-2" ? 544 : 352;
+  return header.one_file && offset < least ? least : offset;
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
+  const bool is_data = lower(without_gz(file).extension().string()) == ".img";
+  if (is_data) stream = open_content(partner(file, ".hdr"));
+  const Header header = read_header(stream);
+  const nifti_2_header& fields = header.fields;
+  VolumeInfo info;
+  info.type = sample_type(file, fields.datatype);
+  set_sizes(info, file, fields.dim, options);
+  set_geometry(info, fields);
+  set_scale(info, file, fields.scl_slope, fields.scl_inter);
+  info.format = header.format;
+  if (header.format == "Analyze 7.5")
+    info.notes.emplace_back("Analyze 7.5 does not tell which side is left");
+
+  const std::uint64_t offset = data_offset(file, header);
+  if (header.one_file) {
+    stream.skip(offset - stream.position());
+  } else {
+    info.format += " pair";
+    stream = open_content(is_data ? file : partner(file, ".img"));
+    stream.skip(offset);
+  }
+  skip_to_frame(stream, info, options);
+  if (stream.is_decoded()) info.format += ", gzip";
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian);
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,362 @@
+// NRRD0001 to NRRD0005, https://teem.sourceforge.net/nrrd/format.html.
+//
+// The header is parsed here and not by libteem, whose parser (1.12) hands the name in "data file:"
+// to sprintf as a format: "%99999d" writes past its heap block before any check could help.
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <map>
+#include <utility>
+
+#include "segment_labels.hpp"
+#include "volumes/data_files.hpp"
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+namespace {
+
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+struct Header {
+  Fields fields;
+  SegmentLabels segments{};
+  bool closed = false;  // by the empty line that data may follow
+};
+
+bool one_of(std::string_view text, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), text) != names.end();
+}
+
+// The specification's fields and its second spellings; anything else may be a misspelt one that
+// matters.
+std::string field_name(const std::filesystem::path& file, std::string_view text) {
+  std::string name = lower(trimmed(text));
+  if (name == "datafile") return "data file";
+  if (name == "lineskip") return "line skip";
+  if (name == "byteskip") return "byte skip";
+  if (!one_of(name, {"dimension", "type",       "sizes",     "spacings",    "space directions",
+                     "space",     "units",      "encoding",  "space units", "space dimension",
+                     "endian",    "data file",  "line skip", "byte skip",   "space origin",
+                     "kinds",     "axis mins",  "axis maxs", "axismins",    "axismaxs",
+                     "labels",    "content",    "number",    "thicknesses", "measurement frame",
+                     "centers",   "centerings", "min",       "max",         "sample units",
+                     "old min",   "oldmin",     "old max",   "oldmax",      "sampleunits",
+                     "blocksize", "block size"}))
+    fail(file, "the header field " + shown(name) + " is not known", "correct or delete the line");
+  return name;
+}
+
+Header parse(const std::filesystem::path& file, ByteStream& stream) {
+  const std::string magic = stream.read_line().value_or("");
+  if (magic.size() != 8 || magic.substr(0, 7) != "NRRD000" || magic[7] < '1' || magic[7] > '5')
+    fail(file, "the file begins with " + shown(magic) + " and not with NRRD0001 to NRRD0005",
+         "check that it is an NRRD file");
+  Header header;
+  while (const auto line = stream.read_line()) {
+    header.closed = line->empty();
+    if (header.closed) break;
+    if (line->front() == '#') continue;
+    const std::size_t colon = line->find(':');
+    if (colon == std::string::npos)
+      fail(file, "the header line " + shown(*line) + " has no colon",
+           "end the header with an empty line");
+    const std::string_view text = *line;
+    if (text.substr(colon, 2) == ":=") {  // a key of some program, with its value
+      header.segments.take(text.substr(0, colon), text.substr(colon + 2));
+      continue;
+    }
+    const std::string name = field_name(file, text.substr(0, colon));
+    const auto [entry, is_new] = header.fields.emplace(name, trimmed(text.substr(colon + 1)));
+    if (!is_new)
+      fail(file, "the header field " + shown(name) + " is there twice", "delete one of the lines");
+    // The rest of the header is the list.
+    if (name == "data file" && entry->second.rfind("LIST", 0) == 0) break;
+  }
+  return header;
+}
+
+std::string_view field(const Fields& fields, std::string_view name) {
+  const auto found = fields.find(name);
+  return found == fields.end() ? std::string_view() : std::string_view(found->second);
+}
+
+std::string_view needed(const std::filesystem::path& file, const Fields& fields,
+                        std::string_view name) {
+  const std::string_view text = field(fields, name);
+  if (text.empty())
+    fail(file, "the header field " + shown(name) + " is missing", "add it to the header");
+  return text;
+}
+
+SampleType sample_type(const std::filesystem::path& file, std::string_view text) {
+  const std::string type = lower(text);
+  if (one_of(type, {"uchar", "unsigned char", "uint8", "uint8_t"})) return SampleType::u8;
+  if (one_of(type, {"signed char", "int8", "int8_t"})) return SampleType::i8;
+  if (one_of(type, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}))
+    return SampleType::u16;
+  if (one_of(type, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}))
+    return SampleType::i16;
+  if (one_of(type, {"uint", "unsigned int", "uint32", "uint32_t"})) return SampleType::u32;
+  if (one_of(type, {"int", "signed int", "int32", "int32_t"})) return SampleType::i32;
+  if (one_of(type,
+             {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}))
+    return SampleType::u64;
+  if (one_of(type, {"longlong", "long long", "long long int", "signed long long",
+                    "signed long long int", "int64", "int64_t"}))
+    return SampleType::i64;
+  if (type == "float") return SampleType::f32;
+  if (type == "double") return SampleType::f64;
+  fail_type(file, text);
+}
+
+void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
+               const VolumeOptions& options) {
+  const auto dimension = integer(file, "dimension", needed(file, fields, "dimension"));
+  std::vector<std::int64_t> sizes;
+  for (const auto word : words(needed(file, fields, "sizes")))
+    sizes.push_back(integer(file, "sizes", word));
+  if (dimension != static_cast<std::int64_t>(sizes.size()))
+    fail(file,
+         "dimension is " + std::to_string(dimension) + " but there are " +
+             std::to_string(sizes.size()) + " sizes",
+         "correct the header");
+  set_dims(info, file, sizes, options);
+
+  const auto kinds = words(field(fields, "kinds"));
+  for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
+    if (!one_of(lower(kinds[axis]), {"domain", "space", "time", "none", "???"}))
+      fail(file, "axis " + std::to_string(axis + 1) + " is of kind " + shown(kinds[axis]),
+           "extract one component, e.g. with: unu slice");
+}
+
+// Returns the length of each axis's unit in millimetres. The units are strings in double quotes.
+std::array<double, 3> unit_lengths(VolumeInfo& info, std::string_view text) {
+  std::array<double, 3> lengths{1, 1, 1};
+  for (double& length : lengths) {
+    const std::size_t open = text.find('"');
+    if (open == std::string_view::npos) break;
+    text.remove_prefix(open + 1);
+    const std::size_t close = std::min(text.find('"'), text.size());
+    const std::string unit = lower(text.substr(0, close));
+    text.remove_prefix(std::min(close + 1, text.size()));
+    if (one_of(unit, {"m", "meter", "meters", "metre", "metres"})) length = 1000;
+    if (unit == "cm") length = 10;
+    if (one_of(unit, {"um", "\u00b5m", "\u03bcm", "micron", "microns"})) length = 1e-3;
+    if (unit == "nm") length = 1e-6;
+    if (length == 1 && !one_of(unit, {"", "mm", "millimeter", "millimeters", "millimetre"}))
+      info.notes.push_back("unit " + shown(unit) + " taken as mm");
+  }
+  return lengths;
+}
+
+// Parses "(x,y,z)", at most three numbers.
+std::vector<double> vector_of(const std::filesystem::path& file, std::string_view name,
+                              std::string_view text) {
+  std::vector<double> numbers;
+  const bool bracketed = text.size() >= 2 && text.front() == '(' && text.back() == ')';
+  while (bracketed && numbers.size() <= 3) {
+    text.remove_prefix(1);
+    const std::size_t end = text.find_first_of(",)");
+    numbers.push_back(real(file, name, trimmed(text.substr(0, end))));
+    text.remove_prefix(end);
+    if (text.size() == 1) break;
+  }
+  if (numbers.empty() || numbers.size() > 3)
+    fail(file, std::string(name) + " holds " + shown(text) + ", which is no vector of up to three",
+         "correct the header");
+  return numbers;
+}
+
+// What is given for each axis must be there for all of them.
+void expect_per_axis(const std::filesystem::path& file, const Fields& fields, std::string_view name,
+                     std::size_t found) {
+  const std::size_t axes = words(field(fields, "sizes")).size();
+  if (found < std::min<std::size_t>(axes, 3))
+    fail(file,
+         std::string(name) + " holds " + std::to_string(found) + " entries for " +
+             std::to_string(axes) + " dimensions",
+         "correct the header");
+}
+
+Axes directions_of(const std::filesystem::path& file, const Fields& fields) {
+  std::string_view text = field(fields, "space directions");
+  Axes directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::size_t axis = 0;
+  for (; axis < 3 && !trimmed(text).empty(); ++axis) {
+    text = trimmed(text);
+    const std::size_t end = text.front() == '(' ? text.find(')') : text.find_first_of(" \t");
+    const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
+    text.remove_prefix(word.size());
+    if (lower(trimmed(word)) == "none")
+      fail(file, "axis " + std::to_string(axis + 1) + " has no direction in space",
+           "extract one component, e.g. with: unu slice");
+    const auto numbers = vector_of(file, "space directions", trimmed(word));
+    directions[axis] = {0, 0, 0};
+    std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
+  }
+  expect_per_axis(file, fields, "space directions", axis);
+  return directions;
+}
+
+std::array<double, 3> spacings_of(VolumeInfo& info, const std::filesystem::path& file,
+                                  const Fields& fields) {
+  const auto units = unit_lengths(info, field(fields, "units"));
+  const auto spacings = words(field(fields, "spacings"));
+  std::array<double, 3> spacing{1, 1, 1};
+  for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
+    spacing[axis] = units[axis] * real(file, "spacings", spacings[axis]);
+  if (spacings.empty())
+    info.notes.emplace_back(no_spacing_note);
+  else
+    expect_per_axis(file, fields, "spacings", spacings.size());
+  return spacing;
+}
+
+// What the coordinates of the file are. Left-handed ones are made right-handed by negating x.
+struct Space {
+  Frame frame = Frame::none;
+  bool is_left_handed = false;
+};
+
+Space space_of(VolumeInfo& info, std::string_view text) {
+  std::string name = lower(text);
+  constexpr std::string_view time = "-time";
+  if (name.size() > time.size() && name.substr(name.size() - time.size()) == time)
+    name.resize(name.size() - time.size());
+  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) return {Frame::lps, false};
+  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) return {Frame::ras, false};
+  if (one_of(name, {"left-anterior-superior", "las", "last"})) return {Frame::ras, true};
+  if (name != "3d-left-handed") return {};
+  info.notes.push_back("x of the left-handed space " + shown(text) + " negated");
+  return {Frame::none, true};
+}
+
+// Units belong to the coordinates of space, not to the axes.
+void multiply(std::array<double, 3>& vector, const std::array<double, 3>& units) {
+  for (std::size_t i = 0; i < 3; ++i) vector[i] *= units[i];
+}
+
+void set_axes(VolumeInfo& info, Axes& axes_mm, const std::filesystem::path& file,
+              const Fields& fields, const std::array<double, 3>& units) {
+  if (field(fields, "space directions").empty()) {
+    set_spacing(info, spacings_of(info, file, fields));
+    axes_mm = along_coordinates(info.spacing_mm).axes_mm;
+    return;
+  }
+  axes_mm = directions_of(file, fields);
+  std::array<double, 3> lengths{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    multiply(axes_mm[axis], units);
+    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
+  }
+  set_spacing(info, lengths);
+}
+
+void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
+  const auto units = unit_lengths(info, field(fields, "space units"));
+  const Space space = space_of(info, field(fields, "space"));
+  VolumePlacement placement;
+  placement.frame = space.frame;
+  set_axes(info, placement.axes_mm, file, fields, units);
+  const std::string_view origin = field(fields, "space origin");
+  if (!origin.empty()) {
+    const auto numbers = vector_of(file, "space origin", origin);
+    std::copy(numbers.begin(), numbers.end(), placement.origin_mm.begin());
+    multiply(placement.origin_mm, units);
+  }
+  if (space.is_left_handed) {
+    for (auto& axis : placement.axes_mm) axis[0] = -axis[0];
+    placement.origin_mm[0] = -placement.origin_mm[0];
+  }
+  set_placement(info, placement);
+  if (fields.count("old min") + fields.count("oldmin") > 0)
+    info.notes.emplace_back("old min and old max dropped: values are the stored ones");
+}
+
+// Returns the encoding by the first of its names.
+std::string encoding_of(const std::filesystem::path& file, const Fields& fields) {
+  std::string encoding = lower(needed(file, fields, "encoding"));
+  if (encoding == "raw") return encoding;
+  if (one_of(encoding, {"gzip", "gz"})) return "gzip";
+  if (one_of(encoding, {"bzip2", "bz2"})) return "bzip2";
+  if (one_of(encoding, {"text", "txt", "ascii"})) return "text";
+  fail(file, "encoding " + shown(encoding) + " is not read",
+       "use raw, gzip, bzip2 or text, e.g. with: unu save -f nrrd -e gzip -i in.nrrd -o out.nrrd");
+}
+
+bool big_endian(const std::filesystem::path& file, const Fields& fields, SampleType type) {
+  if (encoding_of(file, fields) == "text") return is_native_big_endian();
+  if (sample_bytes(type) == 1) return false;
+  const std::string endian = lower(needed(file, fields, "endian"));
+  if (endian != "big" && endian != "little")
+    fail(file, "endian is " + shown(endian), "write big or little");
+  return endian == "big";
+}
+
+// Leaves a data file at its first sample. Lines are skipped in the file, bytes in its content.
+ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
+                   std::uint64_t bytes_in_file) {
+  const auto& file = data.file();
+  const std::string encoding = encoding_of(file, fields);
+  const auto skip_of = [&](const char* name) {
+    const std::string_view number = field(fields, name);
+    return number.empty() ? 0 : integer(file, name, number);
+  };
+  const auto lines = skip_of("line skip");
+  const auto bytes = skip_of("byte skip");
+  if (lines < 0 || bytes < (encoding == "raw" ? -1 : 0))
+    fail(file,
+         "line skip " + std::to_string(lines) + ", byte skip " + std::to_string(bytes) +
+             " is not read with encoding " + encoding,
+         "give the bytes to skip as a number from 0");
+  data.skip_lines(static_cast<std::uint64_t>(lines));
+  if (encoding == "gzip") data.decode(inflated);
+  if (encoding == "bzip2" && !has_bzip2())
+    fail(file, "this discmc was built without bzip2", "store the volume with gzip, or raw");
+  if (encoding == "bzip2") data.decode(bunzipped);
+  if (bytes >= 0)
+    data.skip(static_cast<std::uint64_t>(bytes));
+  else
+    skip_to_end(data, bytes_in_file);
+  if (encoding == "text")
+    data.decode([type](auto in) { return samples_of_text(std::move(in), type); });
+  return data;
+}
+
+// Takes the samples from behind the header, or from the files that it names.
+ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fields,
+                     const VolumeInfo& info) {
+  const std::uint64_t bytes = bytes_of_all(info);
+  if (name.empty()) return at_data(std::move(header), fields, info.type, bytes);
+  if (!names_several_files(name))
+    return at_data(ByteStream(beside(header.file(), name)), fields, info.type, bytes);
+  const DataFiles files = data_files(header, "data file", name);
+  const auto open = [fields, type = info.type, each = bytes / files.count](const auto& path) {
+    return at_data(ByteStream(path), fields, type, each);
+  };
+  return joined(header.file(), files, bytes, open);
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
+  const Header header = parse(file, stream);
+  VolumeInfo info;
+  info.type = sample_type(file, needed(file, header.fields, "type"));
+  set_sizes(info, file, header.fields, options);
+  set_geometry(info, file, header.fields);
+  info.labels = header.segments.table(
+      info.frames > 1 ? options.frame : std::optional<std::uint32_t>(), info.notes);
+  const bool is_big_endian = big_endian(file, header.fields, info.type);
+
+  const std::string_view name = field(header.fields, "data file");
+  if (name.empty() && !header.closed)
+    fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
+  ByteStream data = open_data(stream, name, header.fields, info);
+  skip_to_frame(data, info, options);
+  info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
+  return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian);
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,67 @@
+// Headerless samples. The layout is the user's word, so the file must agree with it: what has a
+// header would otherwise be read as voxels.
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+namespace {
+
+void require_no_header(ByteStream& stream) {
+  if (const auto format = format_of_magic(stream))
+    fail(stream.file(), "this begins like " + std::string(*format) + ", not like samples",
+         "leave out --dims and --type, or skip its header with --skip-bytes");
+}
+
+// What the user may have meant, where the file has so many bytes.
+std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes) {
+  const std::uint64_t slice = info.slice_bytes();
+  const std::uint64_t voxels = slice / sample_bytes(info.type) * info.dims[2];
+  std::string types;
+  for (const auto& [called, type] : sample_types)
+    if (voxels * sample_bytes(type) == bytes)
+      types += (types.empty() ? "" : " or ") + std::string(called);
+  if (!types.empty()) return "give --type " + types + ", which is as long";
+  if (bytes == 0 || bytes % slice != 0) return std::nullopt;
+  return "give --dims " + std::to_string(info.dims[0]) + ',' + std::to_string(info.dims[1]) + ',' +
+         std::to_string(bytes / slice) + ", which is as long";
+}
+
+// As far as the length is known: of compressed samples and of pipes at their end.
+void require_length(const ByteStream& stream, const VolumeInfo& info, const RawLayout& layout) {
+  const auto left = stream.left();
+  const std::uint64_t volume = info.slice_bytes() * info.dims[2];
+  if (!left || *left == volume) return;
+  std::string what = "the file has " + std::to_string(*left) + " bytes";
+  if (layout.skipped_bytes > 0)
+    what += " behind the " + std::to_string(layout.skipped_bytes) + " skipped";
+  what += ", but a volume of " + extents(info.dims) + " " + std::string(name(info.type)) + " has " +
+          std::to_string(volume);
+  const std::string correct = proposal(info, *left).value_or("correct --dims and --type");
+  fail(stream.file(), what,
+       correct + (*left < volume ? ", or copy the file again"
+                                 : ", or skip a header with --skip-bytes " +
+                                       std::to_string(layout.skipped_bytes + *left - volume)));
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const RawLayout& layout) {
+  VolumeInfo info;
+  info.type = layout.type;
+  info.format = "raw";
+  set_dims(info, stream.file(), {layout.dims[0], layout.dims[1], layout.dims[2]}, {});
+  if (lower(stream.file().extension().string()) == ".gz") {
+    info.format += ", gzip";
+    stream.decode(inflated);
+  }
+  if (layout.skipped_bytes == 0) require_no_header(stream);
+  stream.skip(layout.skipped_bytes);
+  require_length(stream, info, layout);
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), layout.big_endian,
+                                       Behind::nothing);
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,241 @@
+// VTK's image in XML, https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html: the
+// samples stand in an element of their own, or behind all elements, which is then no XML any more.
+// So what comes before them is cut off and parsed.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "volumes/volume_format.hpp"
+
+#ifdef DISCMC_WITH_PUGIXML
+#include <pugixml.hpp>
+#endif
+
+namespace discmc::command {
+
+#ifdef DISCMC_WITH_PUGIXML
+namespace {
+
+// The elements before the samples, as they are in the file.
+class Head {
+ public:
+  explicit Head(ByteStream& stream) : file_(stream.file()) {
+    std::string text;
+    do {
+      take_tag(stream, text);
+      const std::string_view tag = std::string_view(text).substr(text.rfind('<'));
+      is_appended_ = tag.rfind("<AppendedData", 0) == 0;
+      if (!is_appended_ && tag.rfind("<DataArray", 0) != 0) continue;
+      document_.load_buffer(text.data(), text.size());
+    } while (!is_appended_ && !(array() && format() != "appended"));
+    if (std::string_view(root().attribute("type").value()) != "ImageData")
+      fail(file_, "this is no VTKFile of type ImageData", "give an image");
+    if (!array())
+      fail(file_, "there is no array of samples at points", "give an image with point data");
+  }
+
+  pugi::xml_node root() const { return document_.child("VTKFile"); }
+  pugi::xml_node image() const { return root().child("ImageData"); }
+  pugi::xml_node piece() const { return image().child("Piece"); }
+  /// The array that is said to be the scalars, or else the first.
+  pugi::xml_node array() const {
+    const pugi::xml_node points = piece().child("PointData");
+    const pugi::xml_attribute scalars = points.attribute("Scalars");
+    return scalars ? points.find_child_by_attribute("DataArray", "Name", scalars.value())
+                   : points.child("DataArray");
+  }
+  std::string_view format() const { return array().attribute("format").value(); }
+  std::string_view appended_encoding() const {
+    return root().child("AppendedData").attribute("encoding").value();
+  }
+  bool is_appended() const { return is_appended_; }
+
+  std::vector<double> reals(const pugi::xml_node& node, const char* name) const {
+    std::vector<double> numbers;
+    for (const auto word : words(node.attribute(name).value()))
+      numbers.push_back(real(file_, name, word));
+    return numbers;
+  }
+
+  /// Six whole numbers: the first and the last point along each axis.
+  std::vector<std::int64_t> extent(const pugi::xml_node& node, const char* name) const {
+    std::vector<std::int64_t> numbers;
+    for (const auto word : words(node.attribute(name).value()))
+      numbers.push_back(integer(file_, name, word));
+    constexpr std::int64_t most = std::int64_t{1} << 40;
+    const bool are_possible = std::all_of(numbers.begin(), numbers.end(), [](std::int64_t number) {
+      return number >= -most && number <= most;
+    });
+    if (numbers.size() != 6 || !are_possible)
+      fail(file_, std::string(name) + " is " + shown(node.attribute(name).value()),
+           "give the first and the last point of three axes");
+    return numbers;
+  }
+
+ private:
+  // Appends what comes, up to the end of a tag.
+  void take_tag(ByteStream& stream, std::string& text) const {
+    constexpr std::size_t most_header_bytes = 1U << 20;
+    char c = 0;
+    bool has_tag = false;
+    while (c != '>' || !has_tag) {
+      if (text.size() == most_header_bytes || stream.read(&c, 1) == 0)
+        fail(file_,
+             "there is no array of samples in the first " + std::to_string(text.size()) + " bytes",
+             "give an image with point data");
+      text += c;
+      has_tag = has_tag || c == '<';
+    }
+  }
+
+  std::filesystem::path file_;
+  pugi::xml_document document_;
+  bool is_appended_ = false;
+};
+
+void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Head& head,
+                  const VolumeOptions& options) {
+  const auto extent = head.extent(head.image(), "WholeExtent");
+  if (head.extent(head.piece(), "Extent") != extent)
+    fail(file, "the image is in several pieces", "write it in one, e.g. with ParaView");
+  set_dims(info, file,
+           {extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1},
+           options);
+  auto spacing = head.reals(head.image(), "Spacing");
+  spacing.resize(3, 1);
+  set_spacing(info, {spacing[0], spacing[1], spacing[2]});
+  auto origin = head.reals(head.image(), "Origin");
+  origin.resize(3, 0);
+  const auto direction = head.reals(head.image(), "Direction");
+  VolumePlacement placement = along_coordinates(info.spacing_mm);
+  // A row of the matrix a coordinate.
+  for (std::size_t axis = 0; axis < 3 && direction.size() == 9; ++axis)
+    for (std::size_t row = 0; row < 3; ++row)
+      placement.axes_mm[axis][row] = direction[3 * row + axis] * std::fabs(info.spacing_mm[axis]);
+  for (std::size_t row = 0; row < 3; ++row) {
+    placement.origin_mm[row] = origin[row];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      placement.origin_mm[row] +=
+          static_cast<double>(extent[2 * axis]) * placement.axes_mm[axis][row];
+  }
+  set_placement(info, placement);
+}
+
+SampleType sample_type(const std::filesystem::path& file, std::string_view type) {
+  constexpr std::pair<std::string_view, SampleType> names[] = {
+      {"UInt8", SampleType::u8},   {"Int8", SampleType::i8},    {"UInt16", SampleType::u16},
+      {"Int16", SampleType::i16},  {"UInt32", SampleType::u32}, {"Int32", SampleType::i32},
+      {"UInt64", SampleType::u64}, {"Int64", SampleType::i64},  {"Float32", SampleType::f32},
+      {"Float64", SampleType::f64}};
+  for (const auto& [name, of_name] : names)
+    if (type == name) return of_name;
+  fail_type(file, type);
+}
+
+// Before the samples stand their bytes or, compressed, the number of blocks and their sizes.
+class Blocks {
+ public:
+  Blocks(ByteStream& stream, const Head& head, bool big_endian)
+      : stream_(stream),
+        number_bytes_(
+            head.root().attribute("header_type").value() == std::string_view("UInt64") ? 8 : 4),
+        big_endian_(big_endian) {}
+
+  void go_to_samples(std::uint64_t volume) {
+    const std::uint64_t bytes = number();
+    if (bytes != volume) refuse(bytes, volume);
+  }
+
+  void go_to_compressed_samples(std::uint64_t volume) {
+    const std::uint64_t count = number();
+    const std::uint64_t each = number();
+    const std::uint64_t last = number();
+    if (count == 0 || each == 0 || count - 1 > volume / each) refuse(count * each, volume);
+    const std::uint64_t bytes = (count - 1) * each + (last == 0 ? each : last);
+    if (bytes != volume) refuse(bytes, volume);
+    stream_.skip(count * number_bytes_);
+    stream_.decode([count](auto in) { return inflated_blocks(std::move(in), count); });
+  }
+
+ private:
+  std::uint64_t number() {
+    unsigned char bytes[8] = {};
+    if (stream_.read(bytes, number_bytes_) < number_bytes_)
+      fail(stream_.file(),
+           "the array ends before its samples" +
+               (stream_.damage().empty() ? "" : ": " + stream_.damage()),
+           "copy or export the file again");
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < number_bytes_; ++i)
+      value = value << 8 | bytes[big_endian_ ? i : number_bytes_ - 1 - i];
+    return value;
+  }
+
+  [[noreturn]] void refuse(std::uint64_t found, std::uint64_t volume) const {
+    fail(stream_.file(),
+         "the array has " + std::to_string(found) + " bytes, the volume " + std::to_string(volume),
+         "copy or export the file again");
+  }
+
+  ByteStream& stream_;
+  std::size_t number_bytes_;
+  bool big_endian_;
+};
+
+// Goes to the data of the array, in the encoding that it has there. Returns whether that is base64.
+bool go_to_array(ByteStream& stream, const Head& head) {
+  if (!head.is_appended()) return true;
+  char c = 0;
+  while (c != '_')
+    if (stream.read(&c, 1) == 0 || (c != '_' && !trimmed({&c, 1}).empty()))
+      fail(stream.file(), "the appended data does not begin with _", "export the file again");
+  const auto offset =
+      integer(stream.file(), "offset", trimmed(head.array().attribute("offset").value()));
+  if (offset < 0) fail(stream.file(), "the offset of the array is negative", "correct it");
+  stream.skip(static_cast<std::uint64_t>(offset));
+  return head.appended_encoding() == "base64";
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
+  const Head head(stream);
+  const std::string_view components = head.array().attribute("NumberOfComponents").as_string("1");
+  if (components != "1")
+    fail(file, "a voxel has " + shown(components) + " numbers", "give a volume of one");
+  const std::string_view compressor = head.root().attribute("compressor").value();
+  if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+    fail(file, "samples of " + shown(compressor) + " are not read",
+         "write the file with zlib, or not compressed");
+
+  VolumeInfo info;
+  info.type = sample_type(file, head.array().attribute("type").value());
+  set_geometry(info, file, head, options);
+  const std::string_view order = head.root().attribute("byte_order").value();
+  if (order != "LittleEndian" && order != "BigEndian")
+    fail(file, "byte_order is " + shown(order), "write LittleEndian or BigEndian");
+  bool big_endian = order == "BigEndian";
+  const bool is_text = head.format() == "ascii";
+  info.format = std::string("VTK XML, ") + (is_text ? "text" : compressor.empty() ? "raw" : "zlib");
+  if (is_text) {
+    big_endian = is_native_big_endian();
+    stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });
+  } else {
+    if (go_to_array(stream, head)) stream.decode(base64_decoded);
+    Blocks blocks(stream, head, big_endian);
+    if (compressor.empty())
+      blocks.go_to_samples(bytes_of_all(info));
+    else
+      blocks.go_to_compressed_samples(bytes_of_all(info));
+  }
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
+}
+#else
+std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {
+  fail(stream.file(), "this discmc was built without pugixml, which reads XML",
+       "store the volume as .vtk, or build discmc with pugixml");
+}
+#endif
+
+}  // namespace discmc::command

@@ -1,0 +1,153 @@
+// VTK's legacy format, https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html:
+// lines of keywords up to the first array of samples, which are big-endian or text.
+#include <algorithm>
+#include <utility>
+
+#include "volumes/volume_format.hpp"
+
+namespace discmc::command {
+namespace {
+
+struct Header {
+  bool is_text = false;
+  std::vector<std::int64_t> sizes;
+  std::array<double, 3> spacing{1, 1, 1};
+  std::array<double, 3> origin{};
+  std::string type;
+  std::string components = "1";
+};
+
+class HeaderReader {
+ public:
+  explicit HeaderReader(ByteStream& stream) : stream_(stream) {}
+
+  Header read() {
+    line();  // the magic number
+    line();  // a title
+    const std::string storage = lower(trimmed(line()));
+    if (storage != "ascii" && storage != "binary")
+      refuse("the third line is " + shown(storage), "write ASCII or BINARY there");
+    header_.is_text = storage == "ascii";
+    while (header_.type.empty()) take(line());
+    return std::move(header_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
+    fail(stream_.file(), what, remedy);
+  }
+
+  std::string line() {
+    auto line = stream_.read_line();
+    if (!line) refuse("the header holds no array of samples", "give a volume with point data");
+    return std::move(*line);
+  }
+
+  void expect_words(const std::vector<std::string_view>& found, std::size_t count) const {
+    if (found.size() < count)
+      refuse(lower(found[0]) + " is followed by " + std::to_string(found.size() - 1) + " words",
+             "correct the header");
+  }
+
+  std::array<double, 3> reals(const std::vector<std::string_view>& found) const {
+    expect_words(found, 4);
+    std::array<double, 3> numbers{};
+    for (std::size_t i = 0; i < 3; ++i) numbers[i] = real(stream_.file(), found[0], found[i + 1]);
+    return numbers;
+  }
+
+  void take(const std::string& text) {
+    const auto found = words(text);
+    if (found.empty()) return;
+    const std::string key = lower(found[0]);
+    if (key == "dataset") {
+      expect_words(found, 2);
+      if (lower(found[1]) != "structured_points")
+        refuse("the data set is of kind " + shown(found[1]), "give structured points: an image");
+    } else if (key == "dimensions") {
+      expect_words(found, 4);
+      header_.sizes.clear();
+      for (std::size_t i = 1; i <= 3; ++i)
+        header_.sizes.push_back(integer(stream_.file(), key, found[i]));
+    } else if (key == "spacing" || key == "aspect_ratio") {
+      header_.spacing = reals(found);
+    } else if (key == "origin") {
+      header_.origin = reals(found);
+    } else if (key == "point_data") {
+      in_points_ = true;
+    } else if (key == "metadata") {
+      while (!trimmed(line()).empty()) continue;
+    } else if (in_points_) {
+      take_array(key, found);
+    } else {
+      refuse("the header line " + shown(text) + " is not known", "give an image with point data");
+    }
+  }
+
+  void take_array(const std::string& key, const std::vector<std::string_view>& found) {
+    if (key == "scalars") {
+      expect_words(found, 3);
+      header_.type = lower(found[2]);
+      if (found.size() > 3) header_.components = found[3];
+      const std::string table = line();
+      if (words(table).empty() || lower(words(table)[0]) != "lookup_table")
+        refuse("behind SCALARS stands " + shown(table), "name a LOOKUP_TABLE there");
+    } else if (key == "color_scalars") {
+      // As bytes in binary files, and as fractions of 255 in text.
+      expect_words(found, 3);
+      if (header_.is_text)
+        refuse("the samples are colours in text", "store them in binary, or with SCALARS");
+      header_.type = "unsigned_char";
+      header_.components = found[2];
+    } else if (key == "field") {
+      const std::string array = line();
+      const auto parts = words(array);
+      if (parts.size() < 4) refuse("the field's line " + shown(array) + " is short", "correct it");
+      header_.components = parts[1];
+      header_.type = lower(parts[3]);
+    } else {
+      refuse("the first array of points is of kind " + shown(key), "store scalars first");
+    }
+  }
+
+  ByteStream& stream_;
+  Header header_;
+  bool in_points_ = false;
+};
+
+SampleType sample_type(const std::filesystem::path& file, const std::string& type) {
+  constexpr std::pair<std::string_view, SampleType> names[] = {
+      {"unsigned_char", SampleType::u8}, {"char", SampleType::i8},
+      {"signed_char", SampleType::i8},   {"unsigned_short", SampleType::u16},
+      {"short", SampleType::i16},        {"unsigned_int", SampleType::u32},
+      {"int", SampleType::i32},          {"unsigned_long", SampleType::u64},
+      {"long", SampleType::i64},         {"vtktypeuint64", SampleType::u64},
+      {"vtktypeint64", SampleType::i64}, {"float", SampleType::f32},
+      {"double", SampleType::f64}};
+  for (const auto& [name, of_name] : names)
+    if (type == name) return of_name;
+  fail_type(file, type);
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
+  const Header header = HeaderReader(stream).read();
+  if (header.components != "1")
+    fail(file, "a voxel has " + shown(header.components) + " numbers", "give a volume of one");
+  VolumeInfo info;
+  info.type = sample_type(file, header.type);
+  info.format = header.is_text ? "VTK, text" : "VTK, raw";
+  set_dims(info, file, header.sizes, options);
+  set_spacing(info, header.spacing);
+  VolumePlacement placement = along_coordinates(info.spacing_mm);
+  placement.origin_mm = header.origin;
+  set_placement(info, placement);
+  if (header.is_text)
+    stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });
+  const bool big_endian = header.is_text ? is_native_big_endian() : true;
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,36 @@
+// The arguments that every scanning command takes, and its exit codes.
+#ifndef DISCMC_LINUX_COMMON_SCAN_ARGUMENTS_HPP
+#define DISCMC_LINUX_COMMON_SCAN_ARGUMENTS_HPP
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "row_scan.hpp"
+
+namespace discmc::device {
+
+constexpr int exit_ok = 0;
+constexpr int exit_failure = 1;
+constexpr int exit_usage = 2;
+constexpr int exit_incomplete = 3;
+constexpr int exit_gone = 4;
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 all rows are in the stream, 1 failed, 2 wrong usage, 3 rows were skipped or the "
+    "scan ended early, 4 the device went away in mid-scan. The stream is valid with 0, 3 and 4.";
+
+struct ScanArguments {
+  ScanPlan plan;
+  std::string output = "-";
+  bool quiet = false;
+};
+
+/// Adds the options to a command; the arguments must outlive the parsing.
+void add_scan_options(CLI::App& command, ScanArguments& arguments);
+
+/// Parses, runs and tells what went wrong. run: returns an exit code.
+int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& run);
+
+}  // namespace discmc::device
+
+#endif

@@ -1,0 +1,39 @@
+// Where the samples of a row come from when an edge has said that it is there.
+#ifndef DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
+#define DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "volumes/sample_type.hpp"
+
+namespace discmc::device {
+
+class RowSource {
+ public:
+  RowSource() = default;
+  RowSource(const RowSource&) = delete;
+  RowSource& operator=(const RowSource&) = delete;
+  virtual ~RowSource() = default;
+
+  /// Reads the row with this number, 16-bit samples with the low byte first; false when there is
+  /// none any more, or the program is to stop. row: Size: a row, owned by the caller. Throws
+  /// DeviceGone.
+  virtual bool read(std::uint32_t number, std::vector<std::uint8_t>& row) = 0;
+};
+
+/// A file holds the rows by their numbers, missed ones too. Anything else that can be read, a
+/// device or a pipe ("-" is standard input), gives the row that its sensor holds: the next one,
+/// whatever its number. Throws std::runtime_error when it cannot be opened.
+std::unique_ptr<RowSource> open_rows(const std::string& path);
+
+/// A made-up volume: a ball with a hole through it, in noise.
+std::unique_ptr<RowSource> simulated_rows(const std::array<std::uint32_t, 3>& dims,
+                                          command::SampleType type);
+
+}  // namespace discmc::device
+
+#endif

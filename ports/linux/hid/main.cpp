@@ -1,0 +1,144 @@
+// discmc-hid: a scan whose rows arrive in HID reports.
+#include <chrono>
+#include <discmc/version.hpp>
+#include <iostream>
+
+#include "cli/progress.hpp"
+#include "common/device_gone.hpp"
+#include "common/scan_arguments.hpp"
+#include "common/stop_signal.hpp"
+#include "common/stream_target.hpp"
+#include "hid_device.hpp"
+#include "row_assembler.hpp"
+#include "stream_reports.hpp"
+
+namespace discmc::device {
+namespace {
+
+// How soon a signal that came just before the waiting began is seen.
+constexpr std::chrono::milliseconds patience{100};
+
+struct Arguments {
+  std::string device;
+  bool echo = false;
+  ScanArguments scan;
+};
+
+CLI::App* add_scan(CLI::App& app, Arguments& arguments) {
+  CLI::App* scan = app.add_subcommand("scan", "Scan, and write the surface as a stream");
+  scan->add_option("DEVICE", arguments.device, "a path, or vendor:product as list shows them")
+      ->required();
+  scan->add_flag("--echo", arguments.echo, "send the stream to the device as well");
+  add_scan_options(*scan, arguments.scan);
+  return scan;
+}
+
+int run_list() {
+  if (list_hid_devices(std::cout) == 0) std::cerr << "discmc-hid: no HID device is there\n";
+  return exit_ok;
+}
+
+// The stream on its way into the file and, if asked, to the device.
+struct Output {
+  StreamTarget target;
+  StreamReports reports;
+  ByteOutput file;
+  bool echo;
+
+  Output(const std::string& path, bool echoes)
+      : target(path), file(target.output()), echo(echoes) {}
+
+  ByteOutput byte_output() {
+    return {this, [](void* context, const std::uint8_t* bytes, std::size_t count) {
+              auto& self = *static_cast<Output*>(context);
+              if (self.echo) self.reports.put(bytes, count);
+              return self.file.write(self.file.context, bytes, count);
+            }};
+  }
+};
+
+void tell(HidDevice& device, Report::Kind kind) {
+  HidDevice::Bytes report;
+  Report{kind, 0, 0, 0, nullptr}.write(report.data());
+  device.write(report);
+}
+
+// Takes reports until the scan has all its rows, or the scanner or somebody ends it.
+void follow(HidDevice& device, RowAssembler& assembler, RowScan& scan, Output& output) {
+  command::Progress progress("row", 0);
+  HidDevice::Bytes report{};
+  bool has_ended = false;
+  while (!has_ended && !scan.has_all_rows() && !stop_signal::came()) {
+    const std::size_t count = device.read(report, patience);
+    if (count == 0) continue;
+    const RowAssembler::Taken taken = assembler.take(report.data(), count);
+    scan.skip(taken.lost_rows);
+    if (taken.has_row) scan.push(assembler.row());
+    has_ended = taken.has_ended;
+    output.target.flush();
+    output.reports.send_full([&](const auto& bytes) { device.write(bytes); });
+    progress.show(scan.rows());
+  }
+}
+
+// Whether the device is still there after something was done with it.
+template <class Step>
+bool outlives(Step step) {
+  try {
+    step();
+    return true;
+  } catch (const DeviceGone& gone) {
+    std::cerr << "discmc-hid: " << gone.what() << '\n';
+    return false;
+  }
+}
+
+int run_scan(const Arguments& arguments) {
+  const ScanArguments& wanted = arguments.scan;
+  stop_signal::watch();
+  HidDevice device(arguments.device);
+  Output output(wanted.output, arguments.echo);
+  RowScan scan(wanted.plan, output.byte_output());
+  RowAssembler assembler(wanted.plan.row_bytes(), wanted.plan.rows());
+
+  const bool is_scanned = outlives([&] {
+    tell(device, Report::Kind::start);
+    follow(device, assembler, scan, output);
+  });
+  if (is_scanned) {
+    scan.finish();
+  } else {
+    scan.abandon();
+    std::cerr << "discmc-hid: the stream ends after " << scan.rows() << " of " << wanted.plan.rows()
+              << " rows; it is valid, and says that it is incomplete\n";
+  }
+  output.target.flush();
+  const bool is_told = is_scanned && outlives([&] {
+                         if (arguments.echo)
+                           output.reports.send_all([&](const auto& bytes) { device.write(bytes); });
+                         tell(device, Report::Kind::stop);
+                       });
+
+  if (!wanted.quiet) {
+    assembler.report(std::cerr);
+    scan.report(std::cerr);
+  }
+  if (!is_scanned || (arguments.echo && !is_told)) return exit_gone;
+  return scan.is_whole() ? exit_ok : exit_incomplete;
+}
+
+}  // namespace
+}  // namespace discmc::device
+
+int main(int argc, char** argv) {
+  using namespace discmc::device;
+  CLI::App app{"Surface of a scan whose rows arrive in HID reports, as a stream", "discmc-hid"};
+  app.set_version_flag("--version", discmc::version());
+  app.require_subcommand(1);
+  app.footer(exit_codes);
+  Arguments arguments;
+  app.add_subcommand("list", "List the HID devices: path, vendor:product, names");
+  const CLI::App* scan = add_scan(app, arguments);
+  return run_command(app, argc, argv,
+                     [&] { return scan->parsed() ? run_scan(arguments) : run_list(); });
+}
