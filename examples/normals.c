@@ -2,25 +2,30 @@
 #include <discmc/discmc.h>
 #include <stdio.h>
 
-enum { SIZE = 48, THRESHOLD = 192 }; /* voxels a row, rows a slice, slices */
+enum { SIZE = 48, THRESHOLD = 192 }; /* voxels per row, rows per slice, slices */
 
-static const discmc_limits limits = {.width = SIZE, .height = SIZE, .border = DISCMC_CLOSED};
-static const discmc_stream_label label = {.depth = SIZE};
-static const int32_t spacing_nm[3] = {500000, 500000, 1000000};
+static uint8_t encoder_memory[DISCMC_ENCODER_BYTES];
+static uint8_t extractor_memory[DISCMC_NORMAL_EXTRACTOR_BYTES(SIZE, SIZE, sizeof(uint8_t), 590)];
+static discmc_encoder* encoder;
+static discmc_extractor* extractor;
 
-#define LEAST DISCMC_NORMAL_EXTRACTOR_MINIMUM_BYTES(SIZE, SIZE, sizeof(uint8_t))
-static uint8_t memory[LEAST + 8 * 1024];
-static const discmc_memory arena = {memory, sizeof memory};
-static discmc_normal_extractor extractor;
-static discmc_normal_encoder encoder;
-static const discmc_sink sink = {&encoder, discmc_normal_encoder_take};
-
-static discmc_status begin(discmc_byte_output output) {
-  const discmc_normal_kind* const kind = &discmc_normals_u8; /* of the samples' type */
-  const discmc_status status = discmc_normal_encoder_start(&encoder, &label, output);
-  if (status != DISCMC_OK) return status;
-  discmc_normal_extractor_set_spacing(&extractor, kind, spacing_nm);
-  return discmc_normal_extractor_start(&extractor, kind, &limits, NULL, THRESHOLD, arena, &sink);
+static discmc_status start(discmc_byte_output output) {
+  const discmc_encoder_config stream = {
+      .kind = &discmc_regions_with_normals,
+      .label = {.depth = SIZE},
+      .memory = {encoder_memory, sizeof encoder_memory},
+      .output = output,
+  };
+  const discmc_status status = discmc_encoder_start(&encoder, &stream);
+  const discmc_extractor_config scan = {
+      .kind = &discmc_normals_u8, /* by the type of samples */
+      .limits = {SIZE, SIZE, DISCMC_CLOSED},
+      .threshold = THRESHOLD,
+      .spacing_nm = {500000, 500000, 1000000},
+      .memory = {extractor_memory, sizeof extractor_memory},
+      .sink = {encoder, discmc_encoder_take},
+  };
+  return status == DISCMC_OK ? discmc_extractor_start(&extractor, &scan) : status;
 }
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) { /* of a ball, densest in its middle */
@@ -29,7 +34,7 @@ static uint8_t sample_at(int32_t x, int32_t y, int32_t z) { /* of a ball, denses
   return (uint8_t)(fall < 255 ? 255 - fall : 0);
 }
 
-/* The output takes all: no call is suspended. */
+/* The output accepts all: no call is suspended. */
 static size_t write_all(void* context, const uint8_t* bytes, size_t count) {
   (void)context;
   return fwrite(bytes, 1, count, stdout);
@@ -37,12 +42,12 @@ static size_t write_all(void* context, const uint8_t* bytes, size_t count) {
 
 int main(void) {
   const discmc_byte_output output = {NULL, write_all};
-  int good = begin(output) == DISCMC_OK;
+  int good = start(output) == DISCMC_OK;
   int32_t i, x;
   for (i = 0; good && i < SIZE * SIZE; ++i) {
     uint8_t row[SIZE];
     for (x = 0; x < SIZE; ++x) row[x] = sample_at(x, i % SIZE, i / SIZE);
-    good = discmc_normal_extractor_push_u8(&extractor, row, SIZE, 1).status == DISCMC_OK;
+    good = discmc_extractor_push(extractor, DISCMC_U8, row, SIZE, 1).status == DISCMC_OK;
   }
-  return good && discmc_normal_extractor_finish(&extractor) == DISCMC_OK ? 0 : 1;
+  return good && discmc_extractor_finish(extractor) == DISCMC_OK ? 0 : 1;
 }

@@ -1,533 +1,418 @@
-// Fuzz target. The promise: whatever is called through C, in whatever order, on objects and memory
+// Fuzz target. The promise: whatever is called through C, in whatever order, on objects in memory
 // of exactly their size, comes to the statuses, events and bytes that the same calls come to in
-// C++, and touches nothing else; the rings of the extractor come apart into simple ones of the same
-// area.
+// C++, and touches nothing else. Checkpoints included, after which both sides go on in other
+// memory.
 //
 //   fuzz_c_api -max_len=800 corpus/c_api      with libFuzzer
 //   fuzz_c_api corpus/c_api                   with replay_main.cpp
 
-#include <discmc/discmc.hpp>
+#include <discmc/discmc.h>
+
+#include <discmc/encoder.hpp>
+#include <discmc/learning_extractor.hpp>
+#include <discmc/slice_encoder.hpp>
+#include <discmc/surface_decoder.hpp>
 #include <memory>
 
-#include "both_sides.hpp"
 #include "input.hpp"
+#include "oracle/c_events.hpp"
 #include "oracle/scan.hpp"
+#include "require.hpp"
 
 using namespace discmc;
-using reference::counts;
-using reference::Events;
-using reference::from_c;
+using namespace discmc::reference;
 
 namespace {
 
-// ---- geometry, in arrays of exactly their size ----
+// ---- what both sides have in common ----
 
-void check_ring(uint8_t incidence, discmc_vertex start, std::vector<discmc_run> runs) {
-  const auto count = static_cast<uint32_t>(runs.size());
-  require(discmc_is_closed(incidence, runs.data(), count) == 1, "a ring that is not closed");
-  const int64_t area = discmc_twice_area(incidence, runs.data(), count);
-  const auto link_total = static_cast<uint32_t>(discmc_link_count(runs.data(), count));
-  std::vector<discmc_vertex> vertices(link_total);
-  discmc_unfold(incidence, start, runs.data(), count, vertices.data());
-  require(discmc_twice_area_of_ring(incidence, vertices.data(), link_total) == area,
-          "a chain and its vertices have different areas");
+/// Refuses at random, but on both sides alike.
+struct Refusals {
+  uint32_t of_256 = 0;
+  uint32_t seed = 0;
 
-  struct Sum {
-    uint8_t incidence;
-    int64_t area;
-  } sum{incidence, 0};
-  const discmc_ring_receiver receiver = {
-      &sum, [](void* context, const discmc_vertex* ring, uint32_t length) {
-        Sum& to = *static_cast<Sum*>(context);
-        require(length >= 3, "a simple ring of fewer than three vertices");
-        const int64_t part = discmc_twice_area_of_ring(to.incidence, ring, length);
-        require(part != 0, "a simple ring without an area");
-        to.area += part;
-        std::vector<discmc_vertex> corners(ring, ring + length);
-        const uint32_t left = discmc_keep_corners(corners.data(), length, nullptr, nullptr);
-        require(left >= 3 && left <= length, "a ring of another number of corners");
-        require(discmc_twice_area_of_ring(to.incidence, corners.data(), left) == part,
-                "corners alone have another area");
-      }};
-  std::vector<uint32_t> scratch(size_t{2} * link_total);
-  discmc_split_ring(vertices.data(), link_total, scratch.data(), &receiver);
-  require(sum.area == area, "simple rings have another area than their ring");
-  discmc_reverse(incidence, runs.data(), count);
-  require(discmc_twice_area(incidence, runs.data(), count) == -area, "turned round, another area");
+  bool refuses() {
+    seed = seed * 1664525 + 1013904223;
+    return seed >> 24 < of_256;
+  }
+};
+
+struct RefusingLine {
+  Refusals refusals;
+  std::vector<uint8_t> bytes;
+
+  ByteOutput output() { return {this, write}; }
+  discmc_byte_output c_output() { return {this, write}; }
+  static size_t write(void* context, const uint8_t* data, size_t count) {
+    RefusingLine& line = *static_cast<RefusingLine*>(context);
+    if (line.refusals.refuses()) return 0;
+    const size_t taken = count < 9 ? count : 9;
+    line.bytes.insert(line.bytes.end(), data, data + taken);
+    return taken;
+  }
+};
+
+void require_same(discmc_status in_c, Status in_cpp) {
+  require(in_c == static_cast<discmc_status>(in_cpp), "another status than in C++");
+}
+void require_same(discmc_push_result in_c, PushResult in_cpp) {
+  require_same(in_c.status, in_cpp.status);
+  require(in_c.accepted == in_cpp.samples, "another number of samples than in C++");
 }
 
-/// Puts the rings of regions together.
-class Rings {
+/// An object's memory, which can be replaced by a copy elsewhere, as after a power failure.
+class MemoryInC {
  public:
-  void take(const discmc_event& event) {
-    if (event.kind == DISCMC_RING || event.kind == DISCMC_REGION_END) end_ring();
-    if (event.kind == DISCMC_REGION) incidence_ = event.incidence;
-    if (event.kind == DISCMC_RING) {
-      start_ = event.start;
-      is_whole_ = true;
-    }
-    if (event.kind == DISCMC_RUN) runs_.push_back(event.run);
-    if (event.kind == DISCMC_FRAGMENT_END) runs_.clear();
-  }
-  void forget() {
-    runs_.clear();
-    is_whole_ = false;
+  explicit MemoryInC(uint64_t bytes) : block_(std::make_unique<Block>(bytes, Block::Kind::exact)) {}
+  discmc_memory get() { return {block_->memory().data, block_->memory().bytes}; }
+  void move(const discmc_memory& part) {
+    auto other = std::make_unique<Block>(block_->memory().bytes, Block::Kind::exact);
+    std::copy_n(static_cast<uint8_t*>(part.data), part.bytes,
+                static_cast<uint8_t*>(other->memory().data));
+    block_ = std::move(other);
   }
 
  private:
-  void end_ring() {
-    if (is_whole_) check_ring(incidence_, start_, runs_);
-    forget();
-  }
-
-  uint8_t incidence_ = 0;
-  discmc_vertex start_{};
-  std::vector<discmc_run> runs_;
-  bool is_whole_ = false;
+  std::unique_ptr<Block> block_;
 };
 
-// ---- the two sides ----
+struct Setting {
+  explicit Setting(Input& input)
+      : limits{1 + input.below(20), 1 + input.below(12), static_cast<Border>(input.below(2))},
+        threshold(static_cast<int32_t>(input.byte())),
+        spare(input.byte() * 16),
+        of_sink{input.byte() / 2, input.byte()},
+        of_line{input.byte() / 2, input.byte()} {}
+  discmc_limits in_c() const {
+    return {limits.width, limits.height, static_cast<uint8_t>(limits.border)};
+  }
 
-/// A sink on either side: notes what it takes, and passes it on to an encoder that may refuse too.
+  Limits limits;
+  int32_t threshold;
+  uint32_t spare;
+  Refusals of_sink, of_line;
+};
+
+// ---- polygons ----
+
 struct SinkInC {
   Refusals refusals;
   Events events;
-  discmc_encoder* encoder = nullptr;
-  Rings* rings = nullptr;
+  discmc_encoder* encoder;
 
-  static discmc_answer take(void* context, const discmc_event* event) {
+  static discmc_sink_result take(void* context, const discmc_event* event) {
     SinkInC& sink = *static_cast<SinkInC*>(context);
-    if (sink.refusals.refuses()) return DISCMC_NOT_NOW;
-    if (sink.encoder != nullptr && discmc_encoder_take(sink.encoder, event) != DISCMC_TAKEN)
-      return DISCMC_NOT_NOW;
+    if (sink.refusals.refuses() || discmc_encoder_take(sink.encoder, event) != DISCMC_SINK_ACCEPTED)
+      return DISCMC_SINK_BUSY;
     sink.events.push_back(from_c(*event));
-    if (sink.rings != nullptr) sink.rings->take(*event);
-    return DISCMC_TAKEN;
+    return DISCMC_SINK_ACCEPTED;
   }
 };
 struct SinkInCpp {
   Refusals refusals;
   Events events;
-  Encoder* encoder = nullptr;
+  NormalEncoder encoder;
 
   Answer take(const Event& event) {
-    if (refusals.refuses()) return Answer::not_now;
-    if (encoder != nullptr && encoder->take(event) != Answer::taken) return Answer::not_now;
+    if (refusals.refuses() || encoder.take(event) != Answer::taken) return Answer::not_now;
     events.emplace_back(event);
     return Answer::taken;
   }
 };
 
-template <class InC, class InCpp>
-void require_same_records(const InC& in_c, const InCpp& in_cpp) {
-  require(in_c.records == in_cpp.records && in_c.holes == in_cpp.holes,
-          "other numbers of records than in C++");
-}
-
-/// Who takes packets of records, on either side.
-struct Packets {
-  std::vector<std::vector<uint8_t>> payloads;
-  std::vector<uint32_t> pieces;
-
-  template <class Packet>
-  void add(const Packet& packet) {
-    payloads.emplace_back(packet.payload, packet.payload + packet.bytes);
-    pieces.push_back(packet.pieces << 1 | (packet.is_whole ? 1U : 0U));
-  }
-  static void take_in_c(void* context, const discmc_records_packet* packet) {
-    static_cast<Packets*>(context)->add(*packet);
-  }
-  static void take_in_cpp(void* context, const RecordsPacket& packet) {
-    static_cast<Packets*>(context)->add(packet);
-  }
-};
-
-// ---- extractors with normals ----
-
-discmc_push_result push(discmc_normal_extractor& extractor, const uint8_t* samples,
-                        uint32_t count) {
-  return discmc_normal_extractor_push_u8(&extractor, samples, count, 1);
-}
-discmc_push_result push(discmc_normal_extractor& extractor, const uint16_t* samples,
-                        uint32_t count) {
-  return discmc_normal_extractor_push_u16(&extractor, samples, count, 1);
-}
-discmc_push_result push(discmc_normal_extractor& extractor, const int16_t* samples,
-                        uint32_t count) {
-  return discmc_normal_extractor_push_i16(&extractor, samples, count, 1);
-}
-
-/// A scan with normals, on either side. The object of C has been of any kind before.
-template <class Index, class Sample>
-class BothNormals {
+template <class Scanner, class Sample>
+class Polygons {
  public:
-  BothNormals(Input& input, discmc_normal_extractor& in_c, const discmc_normal_kind& kind)
-      : input_(input), in_c_(in_c), kind_(kind) {}
+  Polygons(const discmc_extractor_kind& kind, discmc_sample_type type, const Setting& setting)
+      : setting_(setting), type_(type) {
+    c_line_.refusals = cpp_line_.refusals = setting.of_line;
+    c_sink_.refusals = cpp_sink_.refusals = setting.of_sink;
+    encoder_config_ = {&discmc_regions_with_normals,
+                       {9, {3, -4, 5}, 6, 7},
+                       encoder_memory_.get(),
+                       c_line_.c_output()};
+    config_.kind = &kind;
+    config_.limits = setting.in_c();
+    config_.threshold = setting.threshold;
+    config_.memory.bytes = static_cast<size_t>(discmc_extractor_bytes(&config_)) + setting.spare;
+    memory_ = std::make_unique<MemoryInC>(config_.memory.bytes);
+    config_.memory = memory_->get();
+    config_.sink = {&c_sink_, SinkInC::take};
+    require(discmc_encoder_start(&c_sink_.encoder, &encoder_config_) == DISCMC_OK, "no encoder");
+    require_ok(cpp_sink_.encoder.start({9, {3, -4, 5}, 6, 7}, cpp_line_.output()));
+    const discmc_status status = discmc_extractor_start(&extractor_, &config_);
+    is_started_ = status == DISCMC_OK;
+    // A sink that refuses the start.
+    require(is_started_ || status == DISCMC_BAD_SINK, "a scan that does not start");
+    if (!is_started_) return;
+    const discmc_extractor_info info = discmc_extractor_get_info(extractor_);
+    const Capacities capacities{info.records, info.holes};
+    cpp_memory_.resize(size_t{1} << 20);
+    require_same(status,
+                 scanner_->start(setting.limits, capacities, setting.threshold,
+                                 {cpp_memory_.data(), cpp_memory_.size()}, sink_to(cpp_sink_)));
+  }
 
-  void run() {
-    if (!is_started()) return;
-    const uint32_t rows = input_.below(40);
-    for (uint32_t row = 0; row < rows; ++row) take_row();
-    finish();
-    require(c_.events == cpp_.events, "other events with normals than in C++");
-    require(
-        counts(from_c(discmc_normal_extractor_statistics(&in_c_))) == counts(in_cpp_.statistics()),
-        "other totals with normals than in C++");
-    require_same_records(discmc_normal_extractor_high_water(&in_c_), in_cpp_.high_water());
-    require(discmc_normal_extractor_bytes_used(&in_c_) == in_cpp_.bytes_used() &&
-                discmc_normal_extractor_slices(&in_c_) == in_cpp_.slices() &&
-                discmc_normal_extractor_rows(&in_c_) == in_cpp_.rows(),
-            "other bytes or rows with normals than in C++");
+  bool is_started() const { return is_started_; }
+
+  void push(const std::vector<Sample>& samples, uint32_t stride) {
+    const auto count = static_cast<uint32_t>((samples.size() + stride - 1) / stride);
+    require_same(discmc_extractor_push(extractor_, type_, samples.data(), count, stride),
+                 scanner_->push(samples.data(), count, stride));
+  }
+  void skip(uint32_t substitute) {
+    require_same(discmc_extractor_skip_row(extractor_, static_cast<uint8_t>(substitute)),
+                 scanner_->skip_row(static_cast<Substitute>(substitute)));
+  }
+  void resume() { require_same(discmc_extractor_resume(extractor_), scanner_->resume()); }
+  void finish() { require_same(discmc_extractor_finish(extractor_), scanner_->finish()); }
+  void abandon() { require_same(discmc_extractor_abandon(extractor_), scanner_->abandon()); }
+  void write(const std::vector<uint8_t>& bytes) {
+    const discmc_application_record record = {1, 2, 3, bytes.data(), bytes.size()};
+    require_same(discmc_encoder_write_record(c_sink_.encoder, &record),
+                 cpp_sink_.encoder.tell({1, 2, 3, bytes.data(), bytes.size()}));
+  }
+  void flush() {
+    require((discmc_encoder_flush(c_sink_.encoder) == DISCMC_OK) == cpp_sink_.encoder.flush(),
+            "another flush than in C++");
+  }
+  void set_output(bool drops) {
+    discmc_encoder_set_output(c_sink_.encoder,
+                              drops ? discmc_byte_output{nullptr, nullptr} : c_line_.c_output());
+    cpp_sink_.encoder.set_output(drops ? ByteOutput{} : cpp_line_.output());
+  }
+  void lose_power() {
+    discmc_memory part, encoder_part;
+    const discmc_status status = discmc_extractor_save(extractor_, &part);
+    require_same(status, scanner_->save(*std::make_unique<Checkpoint<Scanner>>()));
+    if (status != DISCMC_OK) return;
+    require(discmc_encoder_save(c_sink_.encoder, &encoder_part) == DISCMC_OK, "not saved");
+    memory_->move(part);
+    encoder_memory_.move(encoder_part);
+    config_.memory = memory_->get();
+    encoder_config_.memory = encoder_memory_.get();
+    require(discmc_encoder_restore(&c_sink_.encoder, &encoder_config_) == DISCMC_OK &&
+                discmc_extractor_restore(&extractor_, &config_) == DISCMC_OK,
+            "not restored");
+    // A frame that is under way is sent again.
+    auto checkpoint = std::make_unique<Checkpoint<Encoder>>();
+    require_ok(cpp_sink_.encoder.save(*checkpoint));
+    require_ok(cpp_sink_.encoder.restore(*checkpoint, cpp_line_.output()));
+  }
+
+  std::vector<uint8_t> compare() {
+    require(c_sink_.events == cpp_sink_.events, "other events than in C++");
+    require(c_line_.bytes == cpp_line_.bytes, "other bytes than in C++");
+    const discmc_extractor_info info = discmc_extractor_get_info(extractor_);
+    require(counts(from_c(info.statistics)) == counts(scanner_->statistics()) &&
+                info.slices == scanner_->slices() && info.rows == scanner_->rows() &&
+                info.bytes_used <= config_.memory.bytes &&
+                discmc_encoder_stream_bytes(c_sink_.encoder) == cpp_sink_.encoder.bytes(),
+            "another info than in C++");
+    return c_line_.bytes;
   }
 
  private:
-  bool is_started() {
-    width_ = 1 + input_.below(12);
-    const discmc_limits limits = {
-        width_, 1 + input_.below(6), static_cast<uint8_t>(input_.below(2)), {}};
-    discmc_capacities capacities = discmc_minimum_capacities();
-    capacities.records += input_.byte();
-    capacities.holes += input_.below(16);
-    const int32_t spacing_nm[3] = {static_cast<int32_t>(input_.byte()) - 100, 100,
-                                   static_cast<int32_t>(input_.byte()) - 20};
-    c_.refusals = cpp_.refusals = read_refusals(input_);
-    const int32_t threshold = static_cast<int32_t>(input_.byte()) - 2;
-    blocks_ = std::make_unique<BothBlocks>(
-        discmc_normal_extractor_bytes_for(&kind_, &limits, &capacities));
-    const discmc_sink sink = {&c_, SinkInC::take};
-    discmc_normal_extractor_set_spacing(&in_c_, &kind_, spacing_nm);
-    in_cpp_.set_spacing(spacing_nm);
-    const discmc_status in_c = discmc_normal_extractor_start(&in_c_, &kind_, &limits, &capacities,
-                                                             threshold, blocks_->memory_c(), &sink);
-    require_same(in_c, in_cpp_.start({width_, limits.height, static_cast<Border>(limits.border)},
-                                     {capacities.records, capacities.holes}, threshold,
-                                     blocks_->cpp.memory(), sink_to(cpp_)));
-    return in_c == DISCMC_OK;
-  }
-
-  void take_row() {
-    const uint32_t what = input_.below(16);
-    if (what == 0) {
-      require_same(discmc_normal_extractor_skip_row(&in_c_, DISCMC_PREVIOUS_ROW),
-                   in_cpp_.skip_row(Substitute::previous_row));
-      return;
-    }
-    const uint32_t count = what == 1 ? input_.below(width_) : width_;
-    const auto samples = read_samples<Sample>(input_, count);
-    require_same(push(in_c_, samples.data(), count), in_cpp_.push(samples.data(), count));
-  }
-
-  void finish() {
-    if (input_.below(2) == 0)
-      require_same(discmc_normal_extractor_finish(&in_c_), in_cpp_.finish());
-    else
-      require_same(discmc_normal_extractor_abandon(&in_c_), in_cpp_.abandon());
-    c_.refusals = cpp_.refusals = Refusals();
-    require_same(discmc_normal_extractor_resume(&in_c_), in_cpp_.resume());
-  }
-
-  Input& input_;
-  discmc_normal_extractor& in_c_;
-  const discmc_normal_kind& kind_;
-  uint32_t width_ = 0;
-  SinkInC c_;
-  SinkInCpp cpp_;
-  std::unique_ptr<BothBlocks> blocks_;
-  Extractor<Index, GradientNormals<Sample>> in_cpp_;
+  Setting setting_;
+  discmc_sample_type type_;
+  RefusingLine c_line_, cpp_line_;
+  MemoryInC encoder_memory_{DISCMC_ENCODER_BYTES};
+  std::unique_ptr<MemoryInC> memory_;
+  std::vector<uint8_t> cpp_memory_;
+  discmc_encoder_config encoder_config_{};
+  discmc_extractor_config config_{};
+  discmc_extractor* extractor_ = nullptr;
+  std::unique_ptr<Scanner> scanner_ = std::make_unique<Scanner>();
+  SinkInC c_sink_{};
+  SinkInCpp cpp_sink_;
+  bool is_started_ = false;
 };
 
-/// Makes every call twice, in C and in C++.
-class Both {
+// ---- slices ----
+
+class Slices {
  public:
-  explicit Both(Input& input) : input_(input) {}
-
-  void run() {
-    while (!input_.is_empty()) {
-      call();
-      compare();
-    }
-    const Refusals none;
-    scanned_c_.refusals = scanned_cpp_.refusals = decoded_c_.refusals = decoded_cpp_.refusals =
-        none;
-    line_c_.refusals = line_cpp_.refusals = none;
-    abandon();
-    flush();
-    push_stream(0);
-    finish_decoder();
-    look();
-    compare();
+  Slices(Input& input, const Setting& setting) {
+    c_line_.refusals = cpp_line_.refusals = setting.of_line;
+    config_.kind = &discmc_slices_u8;
+    config_.limits = setting.in_c();
+    config_.surface_count = static_cast<uint8_t>(1 + input.below(4));
+    for (int32_t& threshold : config_.thresholds) threshold = static_cast<int32_t>(input.byte());
+    config_.key_slice_interval = input.below(4);
+    config_.label = {9, {3, -4, 5}, 6, 7};
+    config_.memory.bytes = static_cast<size_t>(discmc_slice_encoder_bytes(&config_));
+    memory_ = std::make_unique<MemoryInC>(config_.memory.bytes);
+    config_.memory = memory_->get();
+    config_.output = c_line_.c_output();
+    require(discmc_slice_encoder_start(&in_c_, &config_) == DISCMC_OK, "no slice encoder");
+    StreamHeader header{setting.limits.width,
+                        setting.limits.height,
+                        9,
+                        {3, -4, 5},
+                        config_.thresholds[0],
+                        setting.limits.border,
+                        7,
+                        6,
+                        static_cast<uint8_t>(config_.surface_count - 1),
+                        {config_.thresholds[1], config_.thresholds[2], config_.thresholds[3]}};
+    cpp_memory_.resize(config_.memory.bytes);
+    require_ok(in_cpp_.start(header, {config_.key_slice_interval},
+                             {cpp_memory_.data(), cpp_memory_.size()}, cpp_line_.output()));
   }
 
- private:
-  void call() {
-    const uint32_t what = input_.byte();
-    if (what < 16) return start();
-    if (what < 20) return reset();
-    if (what < 28) return change_refusals();
-    if (what < 36) return resume();
-    if (what < 44) return finish();
-    if (what < 48) return abandon();
-    if (what < 64) return skip_row();
-    if (what < 96) return push_bits();
-    if (what < 128) return push(discmc_extractor_push_u8);
-    if (what < 144) return push(discmc_extractor_push_u16);
-    if (what < 160) return push(discmc_extractor_push_i16);
-    if (what < 176) return start_encoder();
-    if (what < 192) return flush();
-    if (what < 208) return start_decoder();
-    if (what < 232) return push_stream(what);
-    if (what < 240) return push_any_bytes();
-    if (what < 248) return finish_decoder();
-    if (what < 250) return pass_on();
-    if (what < 252) return append();
-    if (what < 254) return scan_with_normals();
-    look();
-  }
+  static bool is_started() { return true; }
 
-  // ---- the extractor ----
-
-  void start() {
-    const uint32_t flags = input_.byte();
-    discmc_limits limits = {
-        1 + input_.byte() % 12, 1 + input_.byte() % 6, static_cast<uint8_t>(flags & 1), {}};
-    discmc_capacities capacities = discmc_minimum_capacities();
-    capacities.records += input_.byte();
-    if (flags >= 0xF8) capacities.records = flags * input_.byte();
-    capacities.holes += input_.below(16);
-    // Now and then a slab, and not always a valid one.
-    const uint32_t seams = input_.byte();
-    if (seams >= 0xC0)
-      limits.slab = {input_.byte(), static_cast<uint8_t>(seams & 1),
-                     static_cast<uint8_t>(seams >> 1 & 1)};
-    const bool has_defaults = (flags & 2) != 0;
-    uint64_t bytes = discmc_minimum_bytes(&limits) + 8 * input_.byte();
-    if (!has_defaults) bytes = discmc_bytes_for(&limits, &capacities);
-    if ((flags & 0x38) == 0x38) bytes -= 1 + input_.byte();
-    const int32_t threshold = static_cast<int32_t>(input_.byte()) - 2;
-
-    auto blocks = std::make_unique<BothBlocks>(bytes);
-    const discmc_sink sink = {&scanned_c_, SinkInC::take};
-    const discmc_status in_c =
-        discmc_extractor_start(extractor_.get(), &limits, has_defaults ? nullptr : &capacities,
-                               threshold, blocks->memory_c(), &sink);
-    const Limits cpp_limits{
-        limits.width,
-        limits.height,
-        static_cast<Border>(limits.border),
-        {limits.slab.first, limits.slab.continues_below != 0, limits.slab.continues_above != 0}};
-    const Capacities cpp_capacities{capacities.records, capacities.holes};
-    const Sink cpp_sink = sink_to(scanned_cpp_);
-    const Status in_cpp =
-        has_defaults
-            ? in_cpp_.start(cpp_limits, threshold, blocks->cpp.memory(), cpp_sink)
-            : in_cpp_.start(cpp_limits, cpp_capacities, threshold, blocks->cpp.memory(), cpp_sink);
-    require_same(in_c, in_cpp);
-    require((discmc_limits_is_valid(&limits) != 0) == cpp_limits.is_valid(),
-            "limits are valid on one side");
-    require((discmc_capacities_is_valid(&capacities) != 0) == is_valid<uint16_t>(cpp_capacities),
-            "capacities are valid on one side");
-    require_same_records(discmc_default_capacities(&limits, bytes),
-                         default_capacities<uint16_t>(cpp_limits, bytes));
-    if (in_c != DISCMC_OK) return;
-    blocks_ = std::move(blocks);
-    width_ = limits.width;
-    scanned_c_.encoder = (flags & 0x40) != 0 ? encoder_.get() : nullptr;
-    scanned_cpp_.encoder = (flags & 0x40) != 0 ? &encoder_cpp_ : nullptr;
-    begin();
-  }
-
-  void begin() { rings_.forget(); }
-
-  void reset() {
-    const discmc_status in_c = discmc_extractor_reset(extractor_.get());
-    require_same(in_c, in_cpp_.reset());
-    begin();
-  }
-
-  void change_refusals() {
-    const Refusals refusals = read_refusals(input_);
-    const uint32_t whose = input_.below(3);
-    if (whose == 0) scanned_c_.refusals = scanned_cpp_.refusals = refusals;
-    if (whose == 1) decoded_c_.refusals = decoded_cpp_.refusals = refusals;
-    if (whose == 2) line_c_.refusals = line_cpp_.refusals = refusals;
-    if (whose == 2) line_c_.most = line_cpp_.most = size_t{1} + input_.byte();
-  }
-
-  void resume() { require_same(discmc_extractor_resume(extractor_.get()), in_cpp_.resume()); }
-  void finish() { require_same(discmc_extractor_finish(extractor_.get()), in_cpp_.finish()); }
-  void abandon() { require_same(discmc_extractor_abandon(extractor_.get()), in_cpp_.abandon()); }
-
-  void skip_row() {
-    const auto substitute = static_cast<uint8_t>(input_.byte() % 2);
-    require_same(discmc_extractor_skip_row(extractor_.get(), substitute),
-                 in_cpp_.skip_row(static_cast<Substitute>(substitute)));
-  }
-
-  void push_bits() {
-    const auto bits = read_samples<uint8_t>(input_, (width_ + 7) / 8);
-    require_same(discmc_extractor_push_bits(extractor_.get(), bits.data()),
-                 in_cpp_.push_bits(bits.data()));
-  }
-
-  template <class Sample>
-  void push(discmc_push_result (*in_c)(discmc_extractor*, const Sample*, uint32_t, uint32_t)) {
-    const uint32_t count = input_.byte() % 40;
-    const uint32_t stride = 1 + input_.below(3);
-    const auto samples = read_samples<Sample>(input_, count == 0 ? 0 : (count - 1) * stride + 1);
-    require_same(in_c(extractor_.get(), samples.data(), count, stride),
+  void push(const std::vector<uint8_t>& samples, uint32_t stride) {
+    const auto count = static_cast<uint32_t>((samples.size() + stride - 1) / stride);
+    require_same(discmc_slice_encoder_push(in_c_, DISCMC_U8, samples.data(), count, stride),
                  in_cpp_.push(samples.data(), count, stride));
   }
+  void skip(uint32_t substitute) {
+    require_same(discmc_slice_encoder_skip_row(in_c_, static_cast<uint8_t>(substitute)),
+                 in_cpp_.skip_row(static_cast<Substitute>(substitute)));
+  }
+  void resume() { require_same(discmc_slice_encoder_resume(in_c_), in_cpp_.resume()); }
+  void finish() { require_same(discmc_slice_encoder_finish(in_c_), in_cpp_.finish()); }
+  void abandon() { require_same(discmc_slice_encoder_abandon(in_c_), in_cpp_.abandon()); }
+  void write(const std::vector<uint8_t>& bytes) {
+    const discmc_application_record record = {1, 0, 0, bytes.data(), bytes.size()};
+    require_same(discmc_slice_encoder_write_record(in_c_, &record),
+                 in_cpp_.tell({1, 0, 0, bytes.data(), bytes.size()}));
+  }
+  void flush() { require_same(discmc_slice_encoder_flush(in_c_), in_cpp_.flush()); }
+  void set_output(bool drops) {
+    discmc_slice_encoder_set_output(
+        in_c_, drops ? discmc_byte_output{nullptr, nullptr} : c_line_.c_output());
+    in_cpp_.set_output(drops ? ByteOutput{} : cpp_line_.output());
+  }
+  void lose_power() {
+    discmc_memory part;
+    const discmc_status status = discmc_slice_encoder_save(in_c_, &part);
+    Checkpoint<SliceEncoder> checkpoint{};
+    require_same(status, in_cpp_.save(checkpoint));
+    if (status != DISCMC_OK) return;
+    memory_->move(part);
+    config_.memory = memory_->get();
+    require(discmc_slice_encoder_restore(&in_c_, &config_) == DISCMC_OK, "not restored");
+    require_ok(
+        in_cpp_.restore(checkpoint, {cpp_memory_.data(), cpp_memory_.size()}, cpp_line_.output()));
+  }
 
-  void scan_with_normals() {
-    discmc_normal_extractor& in_c = *normals_;
-    switch (input_.below(4)) {
-      case 0:
-        return BothNormals<uint16_t, uint8_t>(input_, in_c, discmc_normals_u8).run();
-      case 1:
-        return BothNormals<uint16_t, uint16_t>(input_, in_c, discmc_normals_u16).run();
-      case 2:
-        return BothNormals<uint16_t, int16_t>(input_, in_c, discmc_normals_i16).run();
-      default:
-        return BothNormals<uint32_t, uint8_t>(input_, in_c, discmc_host_normals_u8).run();
+  std::vector<uint8_t> compare() {
+    require(c_line_.bytes == cpp_line_.bytes, "other bytes than in C++");
+    const discmc_slice_encoder_info info = discmc_slice_encoder_get_info(in_c_);
+    require(info.slices == in_cpp_.slices() && info.rows == in_cpp_.rows() &&
+                info.stream_bytes == in_cpp_.bytes(),
+            "another info than in C++");
+    return c_line_.bytes;
+  }
+
+ private:
+  RefusingLine c_line_, cpp_line_;
+  std::unique_ptr<MemoryInC> memory_;
+  std::vector<uint8_t> cpp_memory_;
+  discmc_slice_encoder_config config_{};
+  discmc_slice_encoder* in_c_ = nullptr;
+  SliceEncoder in_cpp_;
+};
+
+// ---- the receiver ----
+
+void receive(Input& input, std::vector<uint8_t> stream, const Setting& setting) {
+  if (!stream.empty())
+    for (uint32_t flips = input.below(3); flips > 0; --flips) {
+      uint8_t& damaged = stream[input.word() % stream.size()];
+      damaged = static_cast<uint8_t>(damaged ^ 1U << input.below(8));
+    }
+  const discmc_limits limits = setting.in_c();
+  MemoryInC memory(discmc_receiver_bytes(&limits, 4) + setting.spare);
+  std::vector<uint8_t> cpp_memory(minimum_surface_bytes(setting.limits, 4) + setting.spare);
+  const auto refuses = [refusals = setting.of_sink](uint64_t) mutable {
+    return refusals.refuses();
+  };
+  EventLog log(refuses), expected(refuses);
+  const discmc_receiver_config config = {DISCMC_ANY_CHANNEL, memory.get(), c_sink_to(log)};
+  discmc_receiver* receiver = nullptr;
+  require(discmc_receiver_start(&receiver, &config) == DISCMC_OK, "no receiver");
+  SurfaceDecoder decoder;
+  require_ok(decoder.start({cpp_memory.data(), cpp_memory.size()}, sink_to(expected)));
+  for (size_t at = 0; at < stream.size();) {
+    const size_t left = stream.size() - at, portion = 1 + input.byte();
+    const std::vector<uint8_t> bytes(stream.data() + at,
+                                     stream.data() + at + (portion < left ? portion : left));
+    const discmc_push_result result = discmc_receiver_push(receiver, bytes.data(), bytes.size());
+    const Decoded decoded = decoder.push(bytes.data(), bytes.size());
+    require_same(result.status, decoded.status);
+    require(result.accepted == decoded.bytes, "another number of bytes than in C++");
+    if (result.status != DISCMC_OK && result.status != DISCMC_SUSPENDED) break;
+    at += result.accepted;
+  }
+  for (Status status = Status::more; status == Status::more;) {
+    status = decoder.finish();
+    require_same(discmc_receiver_finish(receiver), status);
+  }
+  require(log.events == expected.events, "other events received than in C++");
+  const discmc_receiver_info info = discmc_receiver_get_info(receiver);
+  const StreamReport& report = decoder.report();
+  require(info.bytes == report.bytes && info.packets == report.packets &&
+              info.damaged_packets == report.damaged_packets &&
+              info.lost_packets == report.lost_packets && info.regions == report.regions &&
+              info.rows == report.rows && info.is_complete == (report.is_complete() ? 1 : 0),
+          "another report than in C++");
+}
+
+template <class Sample, class Both>
+void run(Input& input, Both& both, const Setting& setting) {
+  while (!input.is_empty()) {
+    const uint32_t call = input.below(24);
+    if (call < 12) {
+      std::vector<Sample> samples(input.below(2) == 0 ? setting.limits.width : input.byte());
+      for (Sample& sample : samples) sample = static_cast<Sample>(input.byte());
+      both.push(samples, 1 + call % 3);
+    } else if (call < 14) {
+      both.skip(call % 2);
+    } else if (call < 17) {
+      both.resume();
+    } else if (call < 18) {
+      both.finish();
+    } else if (call < 19 && input.below(4) == 0) {
+      both.abandon();
+    } else if (call < 20) {
+      both.write(input.bytes(input.byte()));
+    } else if (call < 21) {
+      both.flush();
+    } else if (call < 22) {
+      both.set_output(input.below(2) == 0);
+    } else {
+      both.lose_power();
     }
   }
+  both.abandon();
+  receive(input, both.compare(), setting);
+}
 
-  // ---- the stream ----
-
-  void start_encoder() {
-    discmc_stream_label label = {};
-    label.scan = static_cast<uint16_t>(input_.byte());
-    label.channel = static_cast<uint8_t>(input_.byte() % 80);
-    label.depth = input_.number(UINT32_MAX);
-    for (int32_t& spacing : label.spacing_nm)
-      spacing = static_cast<int32_t>(input_.number(INT32_MAX)) - 1000;
-    const bool has_output = input_.byte() < 250;
-    StreamLabel cpp_label;
-    cpp_label.scan = label.scan;
-    cpp_label.channel = label.channel;
-    cpp_label.depth = label.depth;
-    for (int i = 0; i < 3; ++i) cpp_label.spacing_nm[i] = label.spacing_nm[i];
-    const auto write = has_output ? RefusingLine::write : nullptr;
-    const discmc_status in_c = discmc_encoder_start(encoder_.get(), &label, {&line_c_, write});
-    require_same(in_c, encoder_cpp_.start(cpp_label, {&line_cpp_, write}));
-  }
-
-  void flush() {
-    const bool in_c = discmc_encoder_flush(encoder_.get()) != 0;
-    require(in_c == encoder_cpp_.flush(), "flush() comes to something else than in C++");
-  }
-
-  void append() {
-    const auto payload = input_.bytes(input_.byte());
-    const uint32_t pieces = input_.number(UINT32_MAX);
-    const bool is_whole = input_.below(2) == 1;
-    const discmc_records_packet packet = {payload.data(), payload.size(), pieces, is_whole};
-    require_same(discmc_encoder_append(encoder_.get(), &packet),
-                 encoder_cpp_.append({payload.data(), payload.size(), pieces, is_whole}));
-  }
-
-  void pass_on() {
-    const bool is_wanted = input_.below(4) != 0;
-    discmc_decoder_pass_whole_regions_to(decoder_.get(), is_wanted ? &packet_sink_ : nullptr);
-    decoder_cpp_.pass_whole_regions_to(
-        is_wanted ? RecordsPacketSink{&packets_cpp_, Packets::take_in_cpp} : RecordsPacketSink{});
-  }
-
-  void start_decoder() {
-    const bool has_sink = input_.byte() < 250;
-    const discmc_sink sink = {&decoded_c_, has_sink ? SinkInC::take : nullptr};
-    Sink cpp_sink = sink_to(decoded_cpp_);
-    if (!has_sink) cpp_sink.take = nullptr;
-    const uint32_t choice = input_.byte();
-    const auto channel = choice < 200 ? any_channel : static_cast<uint8_t>(choice % 80);
-    const discmc_status in_c = discmc_decoder_start(decoder_.get(), &sink, channel);
-    require_same(in_c, decoder_cpp_.start(cpp_sink, channel));
-    if (in_c == DISCMC_OK) arrived_ = 0;
-  }
-
-  void push_stream(uint32_t what) {
-    arrived_ += push_bytes(some_of(line_c_.bytes, arrived_, what, input_));
-  }
-
-  void push_any_bytes() { push_bytes(input_.bytes(input_.byte())); }
-
-  size_t push_bytes(const std::vector<uint8_t>& bytes) {
-    const discmc_decoded in_c = discmc_decoder_push(decoder_.get(), bytes.data(), bytes.size());
-    const Decoded in_cpp = decoder_cpp_.push(bytes.data(), bytes.size());
-    require_same(in_c, in_cpp);
-    require(in_c.bytes <= bytes.size(), "more bytes taken than given");
-    return in_c.bytes;
-  }
-
-  void finish_decoder() {
-    require_same(discmc_decoder_finish(decoder_.get()), decoder_cpp_.finish());
-  }
-
-  // ---- comparing ----
-
-  void compare() {
-    require(scanned_c_.events == scanned_cpp_.events, "other events than in C++");
-    require(decoded_c_.events == decoded_cpp_.events, "other events decoded than in C++");
-    require(line_c_.bytes == line_cpp_.bytes, "other bytes than in C++");
-    require(
-        packets_c_.payloads == packets_cpp_.payloads && packets_c_.pieces == packets_cpp_.pieces,
-        "other packets passed on than in C++");
-    require(discmc_encoder_bytes(encoder_.get()) == encoder_cpp_.bytes(),
-            "another number of bytes sent than in C++");
-    scanned_c_.events.clear();
-    scanned_cpp_.events.clear();
-    decoded_c_.events.clear();
-    decoded_cpp_.events.clear();
-  }
-
-  void look() const {
-    const auto* extractor = extractor_.get();
-    require(counts(from_c(discmc_extractor_statistics(extractor))) == counts(in_cpp_.statistics()),
-            "other totals than in C++");
-    require_same_records(discmc_extractor_high_water(extractor), in_cpp_.high_water());
-    require_same_records(discmc_extractor_capacities(extractor), in_cpp_.capacities());
-    const discmc_limits limits = discmc_extractor_limits(extractor);
-    require(limits.width == in_cpp_.limits().width && limits.height == in_cpp_.limits().height &&
-                limits.slab.first == in_cpp_.limits().slab.first,
-            "other limits than in C++");
-    require(discmc_extractor_bytes_used(extractor) == in_cpp_.bytes_used(),
-            "other bytes in use than in C++");
-    require(
-        blocks_ == nullptr || discmc_extractor_bytes_used(extractor) <= blocks_->cpp.memory().bytes,
-        "more bytes in use than were given");
-    require(discmc_extractor_slices(extractor) == in_cpp_.slices() &&
-                discmc_extractor_rows(extractor) == in_cpp_.rows(),
-            "other rows counted than in C++");
-    require_same(discmc_decoder_report(decoder_.get()), decoder_cpp_.report());
-    require_same(discmc_decoder_header(decoder_.get()), decoder_cpp_.header());
-  }
-
-  Input& input_;
-  uint32_t width_ = 1;
-  Rings rings_;
-  RefusingLine line_c_, line_cpp_;
-  SinkInC scanned_c_{{}, {}, nullptr, &rings_};  // of the extractor
-  SinkInCpp scanned_cpp_;
-  SinkInC decoded_c_;  // of the decoder
-  SinkInCpp decoded_cpp_;
-  Packets packets_c_, packets_cpp_;
-  const discmc_records_packet_sink packet_sink_{&packets_c_, Packets::take_in_c};
-  std::unique_ptr<BothBlocks> blocks_;
-  // On the heap, where the next byte is no one's.
-  std::unique_ptr<discmc_extractor> extractor_ = std::make_unique<discmc_extractor>();
-  std::unique_ptr<discmc_encoder> encoder_ = std::make_unique<discmc_encoder>();
-  std::unique_ptr<discmc_normal_extractor> normals_ = std::make_unique<discmc_normal_extractor>();
-  std::unique_ptr<discmc_decoder> decoder_ = std::make_unique<discmc_decoder>();
-  Extractor16 in_cpp_{};
-  Encoder encoder_cpp_{};
-  Decoder decoder_cpp_{};
-  size_t arrived_ = 0;  // bytes of the stream that the decoder has taken
-};
+template <class Scanner, class Sample>
+void run_polygons(Input& input, const discmc_extractor_kind& kind, discmc_sample_type type,
+                  const Setting& setting) {
+  Polygons<Scanner, Sample> both(kind, type, setting);
+  if (both.is_started()) run<Sample>(input, both, setting);
+}
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Input input(data, size);
-  Both(input).run();
+  const uint32_t kind = input.below(5);
+  const Setting setting(input);
+  if (kind == 0) run_polygons<Extractor16, uint8_t>(input, discmc_plain_u8, DISCMC_U8, setting);
+  if (kind == 1) run_polygons<Extractor16, int16_t>(input, discmc_plain_i16, DISCMC_I16, setting);
+  if (kind == 2)
+    run_polygons<Extractor<uint16_t, GradientNormals<uint16_t>>, uint16_t>(
+        input, discmc_normals_u16, DISCMC_U16, setting);
+  if (kind == 3) run_polygons<LearningExtractor, uint8_t>(input, discmc_host, DISCMC_U8, setting);
+  if (kind == 4) {
+    Slices both(input, setting);
+    run<uint8_t>(input, both, setting);
+  }
   return 0;
 }

@@ -63,8 +63,8 @@ head { end_head() }
 
 # ---- C ----
 
-# A heading that names the C++ header begins a group.
-/^\/\* ---- .*[.]hpp/ {
+# A heading begins a group.
+/^\/\* ---- / {
   print_paragraph()
   title = $0
   sub(/^\/\* ---- /, "", title)

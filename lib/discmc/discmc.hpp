@@ -93,7 +93,8 @@
 //     held_chains.hpp                        what chains are kept in
 //   region_holes.hpp                       which holes lie in a region
 //
-// The functions of discmc.h, for C, share c_sink.hpp, c_values.hpp and c_extractors.hpp.
+// discmc.h, for C, has its implementation in c/: object.hpp (where objects lie and how they are
+// saved), values.hpp (values and sinks of C), and extractor_kind.hpp and encoder_kind.hpp.
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

@@ -65,6 +65,11 @@ class Encoder {
   /// Errors: bad_checkpoint, bad_sink (no write). Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
 
+  /// Goes on as restore() does, where the bytes of this object itself have been read back: for
+  /// objects that are saved where they lie, as those of C. Limit: they are as they were. Errors:
+  /// bad_sink (no write).
+  [[nodiscard]] Status continue_to(const ByteOutput& output);
+
   /// The bytes of stream so far: what the output has taken, and what was dropped without one. How
   /// many those are is what this has grown by between the two calls of set_output().
   uint64_t bytes() const { return packets_.bytes(); }

@@ -127,6 +127,11 @@ class Extractor {
   [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
                                const Sink& sink);
 
+  /// Goes on as restore() does, where the bytes of this object itself have been read back, with
+  /// those of the memory: for objects that are saved where they lie, as those of C. Limit: they are
+  /// as they were. Errors: bad_sink, too_little_memory.
+  [[nodiscard]] Status continue_in(Memory memory, const Sink& sink);
+
   /// Remembers in this memory, besides that of start(), what it works out of neighbourhoods, from
   /// this scan to the next: 1 MiB is a good size. Call it at any time; what was remembered
   /// elsewhere is forgotten. Nothing is remembered before, and after restore(). Owner: the memory
@@ -137,6 +142,9 @@ class Extractor {
     S& sweep = sweep_;
     sweep.learn_in(memory);
   }
+
+  /// Whether the sink has refused something that is due: then resume() before save().
+  bool is_suspended() const;
 
   /// Totals so far, and all of them once the scan is finished.
   Statistics statistics() const { return statistics_; }
@@ -176,7 +184,6 @@ class Extractor {
   PushResult push_row_of_bits(const uint8_t* bits);
   bool lay_out(Memory memory);
   void clear();
-  bool is_suspended() const;
   Status ready_for_samples();
   void note(Arrival arrival);
 

@@ -165,7 +165,7 @@ size_t SliceEncoder::bytes_used() const {
 
 Status SliceEncoder::save(Checkpoint<SliceEncoder>& checkpoint) const {
   if (state_ == State::idle) return Status::not_started;
-  if (row_is_due_ || state_ == State::finishing) return Status::more;
+  if (is_suspended()) return Status::more;
   SliceEncoder& image = checkpoint.object;
   image = *this;
   // Addresses are of no use to whoever restores it.
@@ -183,7 +183,14 @@ Status SliceEncoder::restore(const Checkpoint<SliceEncoder>& checkpoint, Memory 
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
   if (output.write == nullptr) return Status::bad_sink;
   *this = checkpoint.object;
+  return continue_in(memory, output);
+}
+
+Status SliceEncoder::continue_in(Memory memory, const ByteOutput& output) {
+  if (output.write == nullptr) return Status::bad_sink;
+  if (memory.bytes < bytes_used()) return Status::too_little_memory;
   lay_out(memory);
+  packets_.rewind();
   packets_.set_output(output);
   coder_.range.move_to(code_end(0));
   return Status::ok;

@@ -82,6 +82,9 @@ class SliceEncoder {
   /// as finish().
   [[nodiscard]] Status abandon();
 
+  /// Whether a row, or the end, waits for the output: then resume() before save().
+  bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
+
   /// Writes down where scan and stream are, the stream at the beginning of a frame; with the first
   /// bytes_used() bytes of the memory that is all of both. Errors: not_started. Status::more:
   /// resume() first. Cost: a checksum of those bytes.
@@ -93,6 +96,11 @@ class SliceEncoder {
   /// too_little_memory, bad_checkpoint, bad_sink (no write). Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
                                const ByteOutput& output);
+
+  /// Goes on as restore() does, where the bytes of this object itself have been read back, with
+  /// those of the memory: for objects that are saved where they lie, as those of C. Limit: they are
+  /// as they were. Errors: bad_sink (no write), too_little_memory.
+  [[nodiscard]] Status continue_in(Memory memory, const ByteOutput& output);
 
   /// The bytes of stream so far: what the output has taken, and what was dropped without one. How
   /// many those are is what this has grown by between the two calls of set_output().

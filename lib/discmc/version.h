@@ -1,5 +1,5 @@
-/* The version of these headers, for C and C++. discmc_version() and discmc::version() give that of
- * the library that is linked. That of streams is DISCMC_WIRE_VERSION, another number. */
+/* The version of these headers, for C and C++; discmc::version() returns the version of the linked
+ * library. Streams have a version of their own: DISCMC_WIRE_VERSION. */
 #ifndef DISCMC_VERSION_H
 #define DISCMC_VERSION_H
 

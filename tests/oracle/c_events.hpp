@@ -1,4 +1,4 @@
-// Events of the C API as those of C++, so that the two can be compared.
+// What the tests of the C API share: events of C's as those of C++, and memory for objects.
 #ifndef DISCMC_TESTS_ORACLE_C_EVENTS_HPP
 #define DISCMC_TESTS_ORACLE_C_EVENTS_HPP
 
@@ -14,21 +14,10 @@ inline Statistics from_c(const discmc_statistics& s) {
 }
 
 inline StreamHeader from_c(const discmc_stream_header& header) {
-  return {
-      header.width,
-      header.height,
-      header.depth,
-      {header.spacing_nm[0], header.spacing_nm[1], header.spacing_nm[2]},
-      header.threshold,
-      static_cast<Border>(header.border),
-      header.channel,
-      header.scan,
-      header.further_surfaces,
-      {header.further_thresholds[0], header.further_thresholds[1], header.further_thresholds[2]}};
-}
-
-inline ApplicationRecord from_c(const discmc_application_record& record) {
-  return {record.kind, record.slice, record.row, record.bytes, record.count};
+  return {header.width,     header.height,
+          header.depth,     {header.spacing_nm[0], header.spacing_nm[1], header.spacing_nm[2]},
+          header.threshold, static_cast<Border>(header.border),
+          header.channel,   header.scan};
 }
 
 inline RecordedEvent from_c(const discmc_event& event) {
@@ -39,7 +28,7 @@ inline RecordedEvent from_c(const discmc_event& event) {
   same.hole = event.hole != 0;
   same.repeated = event.repeated != 0;
   same.abandoned = event.abandoned != 0;
-  same.normal = {event.normal.u, event.normal.v};
+  same.normal = {event.normal[0], event.normal[1]};
   same.run = Run::from_code(event.run);
   same.slice = event.slice;
   same.row = event.row;
@@ -54,31 +43,34 @@ inline RecordedEvent from_c(const discmc_event& event) {
     header = from_c(*event.of.header);
     same.header = &header;
   } else if (same.kind == Event::Kind::application) {
-    application = from_c(*event.of.application);
+    const discmc_application_record& record = *event.of.application;
+    application = {record.kind, record.slice, record.row, record.bytes, record.count};
     same.application = &application;
   }
   return RecordedEvent(same);
 }
 
-/// An event as C sees it: both sides have one layout.
-inline const discmc_event* to_c(const Event& event) {
-  return reinterpret_cast<const discmc_event*>(&event);
-}
-
-inline discmc_limits to_c(const Limits& limits) {
-  return {limits.width,
-          limits.height,
-          static_cast<uint8_t>(limits.border),
-          {limits.slab.first, limits.slab.continues_below, limits.slab.continues_above}};
-}
-
-/// An EventLog as a sink of the C API. Owner: the log must outlive the sink.
+/// An EventLog as a sink of C's. Owner: the log must outlive the sink.
 inline discmc_sink c_sink_to(EventLog& log) {
   const auto take = [](void* context, const discmc_event* event) {
     const Answer answer = static_cast<EventLog*>(context)->take(from_c(*event).event());
-    return static_cast<discmc_answer>(answer);
+    return static_cast<discmc_sink_result>(answer);
   };
   return {&log, take};
+}
+
+inline bool operator==(const StreamHeader& a, const StreamHeader& b) {
+  return a.width == b.width && a.height == b.height && a.depth == b.depth &&
+         a.spacing_nm[0] == b.spacing_nm[0] && a.spacing_nm[1] == b.spacing_nm[1] &&
+         a.spacing_nm[2] == b.spacing_nm[2] && a.threshold == b.threshold && a.border == b.border &&
+         a.channel == b.channel && a.scan == b.scan && a.further_surfaces == b.further_surfaces;
+}
+
+/// Calls again while it is suspended.
+template <class Call>
+discmc_status completed(discmc_status status, Call call) {
+  while (status == DISCMC_SUSPENDED) status = call();
+  return status;
 }
 
 }  // namespace discmc::reference

@@ -1,7 +1,6 @@
 // Where a volume lies in space, as an application record.
 #include <doctest/doctest.h>
 
-#include <discmc/discmc.h>
 
 #include <algorithm>
 #include <discmc/placement.hpp>
@@ -123,26 +122,4 @@ TEST_CASE("a placement comes through a stream") {
   reference::require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
   CHECK(receiver.records == 1);
   CHECK(equal(receiver.placement, any_placement(Frame::lps)));
-}
-
-TEST_CASE("in C a placement has the same bytes, and is refused as in C++") {
-  const Placement placement = any_placement(Frame::ras);
-  discmc_placement same{};
-  std::copy_n(&placement.axes_nm[0][0], 9, &same.axes_nm[0][0]);
-  std::copy_n(placement.origin_nm, 3, same.origin_nm);
-  same.frame = DISCMC_FRAME_RAS;
-  uint8_t bytes[DISCMC_PLACEMENT_BYTES];
-  discmc_application_record record = discmc_placement_record(&same, bytes);
-  const Told told(placement);
-  CHECK(record.kind == DISCMC_PLACEMENT_KIND);
-  CHECK(record.bytes == bytes);
-  REQUIRE(record.count == told.record.count);
-  CHECK(std::equal(std::begin(bytes), std::end(bytes), told.bytes));
-  discmc_placement read{};
-  CHECK(discmc_read_placement(&record, &read) == 1);
-  CHECK(read.axes_nm[2][2] == INT32_MAX);
-  CHECK(read.origin_nm[1] == INT64_MIN);
-  CHECK(read.frame == DISCMC_FRAME_RAS);
-  --record.count;
-  CHECK(discmc_read_placement(&record, &read) == 0);
 }

@@ -1,7 +1,6 @@
 // Which slices a stream is of, as an application record.
 #include <doctest/doctest.h>
 
-#include <discmc/discmc.h>
 
 #include <algorithm>
 #include <discmc/slab_range.hpp>
@@ -51,23 +50,4 @@ TEST_CASE("what is no range of slices in a volume is refused, and nothing is wri
   CHECK(refuses({0, 1, 10}, 241, 11));
   CHECK(refuses({0, 1, 10}, 241, 13));
   CHECK_FALSE(refuses({9, 1, 10}));
-}
-
-TEST_CASE("in C the range of a slab has the same bytes, and is refused as in C++") {
-  const discmc_slab_range range{3, 4, 7};
-  uint8_t bytes[DISCMC_SLAB_RANGE_BYTES], same[SlabRange::record_bytes];
-  discmc_application_record record = discmc_slab_range_record(&range, bytes);
-  CHECK(record.kind == DISCMC_SLAB_RANGE_KIND);
-  CHECK(record.bytes == bytes);
-  REQUIRE(record.count == record_of(SlabRange{3, 4, 7}, same).count);
-  CHECK(std::equal(std::begin(bytes), std::end(bytes), same));
-  discmc_slab_range read{};
-  CHECK(discmc_read_slab_range(&record, &read) == 1);
-  CHECK(read.first == 3);
-  CHECK(read.slices == 4);
-  CHECK(read.depth == 7);
-  record.count = 0;
-  read.first = 9;
-  CHECK(discmc_read_slab_range(&record, &read) == 0);
-  CHECK(read.first == 9);
 }

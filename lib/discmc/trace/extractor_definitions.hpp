@@ -192,10 +192,15 @@ Status Extractor<Index, Normals, Sweep>::restore(const Checkpoint<Extractor>& ch
   if (memory.bytes < bytes_for<Index, Normals>(image.limits_, image.capacities_))
     return Status::too_little_memory;
   *this = image;
+  return continue_in(memory, sink);
+}
+
+template <class Index, class Normals, class Sweep>
+Status Extractor<Index, Normals, Sweep>::continue_in(Memory memory, const Sink& sink) {
+  if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
   sweep_.fragments().set_at_seam(at_seam_of(limits_.slab));
-  lay_out(memory);
-  return Status::ok;
+  return lay_out(memory) ? Status::ok : Status::too_little_memory;
 }
 
 // ---- the sweep ----

@@ -38,20 +38,16 @@ void write_cpp_memory(const FirmwareChoice& choice, std::ostream& out) {
 
 void write_c_memory(const FirmwareChoice& choice, std::ostream& out) {
   if (is_of_slices(choice)) {
-    out << "enum { KEY_SLICES = " << choice.key_slices << " };\n"
-        << "static uint8_t memory[DISCMC_SLICE_ENCODER_BYTES_FOR(WIDTH, HEIGHT, KEY_SLICES, 1)];\n"
-        << "static discmc_slice_encoder encoder;\n";
+    out << "enum { KEY_SLICE_INTERVAL = " << choice.key_slices << " };\n"
+        << "static uint8_t memory[DISCMC_SLICE_ENCODER_BYTES(WIDTH, HEIGHT, 1)];\n";
     return;
   }
-  if (choice.capacities)
-    out << "static const discmc_capacities capacities = {" << choice.capacities->records << ", "
-        << choice.capacities->holes << "};\n"
-        << "static uint8_t memory[DISCMC_BYTES_FOR(WIDTH, HEIGHT, " << choice.capacities->records
-        << ")];\n";
-  else
-    out << "static uint8_t memory[" << choice.arena_bytes << "];\n";
-  out << "static discmc_extractor extractor;\n"
-      << "static discmc_encoder encoder;\n";
+  const Capacities capacities =
+      choice.capacities ? *choice.capacities
+                        : default_capacities<std::uint16_t>(choice.limits, choice.arena_bytes);
+  out << "enum { RECORDS = " << capacities.records << " };\n"
+      << "static uint8_t extractor_memory[DISCMC_EXTRACTOR_BYTES(WIDTH, HEIGHT, RECORDS)];\n"
+      << "static uint8_t encoder_memory[DISCMC_ENCODER_BYTES];\n";
 }
 
 }  // namespace
@@ -75,7 +71,7 @@ std::string c_code(const FirmwareChoice& choice) {
   out << "#include <discmc/discmc.h>\n\n"
       << "enum { WIDTH = " << limits.width << ", HEIGHT = " << limits.height << " };\n"
       << "static const discmc_limits limits = {WIDTH, HEIGHT, "
-      << (is_open(choice) ? "DISCMC_OPEN" : "DISCMC_CLOSED") << ", {0, 0, 0}};\n"
+      << (is_open(choice) ? "DISCMC_OPEN" : "DISCMC_CLOSED") << "};\n"
       << "static const int32_t threshold = " << threshold_text(choice.threshold) << ";\n";
   write_c_memory(choice, out);
   return out.str();

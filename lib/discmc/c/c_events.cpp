@@ -1,0 +1,78 @@
+// The text of a status, what a sink asks of an event, and that both sides have the same layout.
+#include <discmc/c/object.hpp>
+#include <discmc/c/values.hpp>
+#include <discmc/checkpoint_store.hpp>
+#include <discmc/joiner.hpp>
+#include <discmc/packed_samples.hpp>
+#include <discmc/plane.hpp>
+#include <discmc/row_ring.hpp>
+#include <discmc/stream/wire.hpp>
+
+namespace discmc {
+
+static_assert(sizeof(Event) == sizeof(discmc_event) &&
+                  offsetof(Event, abandoned) == offsetof(discmc_event, abandoned) &&
+                  offsetof(Event, normal) == offsetof(discmc_event, normal) &&
+                  offsetof(Event, run) == offsetof(discmc_event, run) &&
+                  offsetof(Event, row) == offsetof(discmc_event, row) &&
+                  offsetof(Event, start) == offsetof(discmc_event, start) &&
+                  offsetof(Event, statistics) == offsetof(discmc_event, of),
+              "events have one layout; the tests compare their members");
+static_assert(sizeof(discmc_stream_header) <= sizeof(StreamHeader) &&
+                  offsetof(StreamHeader, spacing_nm) ==
+                      offsetof(discmc_stream_header, spacing_nm) &&
+                  offsetof(StreamHeader, threshold) == offsetof(discmc_stream_header, threshold) &&
+                  offsetof(StreamHeader, channel) == offsetof(discmc_stream_header, channel) &&
+                  offsetof(StreamHeader, scan) == offsetof(discmc_stream_header, scan),
+              "a header of C's is the beginning of one of C++'s");
+static_assert(sizeof(ApplicationRecord) == sizeof(discmc_application_record) &&
+                  offsetof(ApplicationRecord, row) == offsetof(discmc_application_record, row) &&
+                  offsetof(ApplicationRecord, count) == offsetof(discmc_application_record, count),
+              "application records have one layout");
+static_assert(sizeof(Statistics) == sizeof(discmc_statistics) &&
+                  offsetof(Statistics, regions) == offsetof(discmc_statistics, regions),
+              "totals have one layout");
+static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
+                  DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
+                  DISCMC_FINISHED == static_cast<int>(Status::finished) &&
+                  DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
+                  DISCMC_SINK_NOT_STARTED == static_cast<int>(Answer::never) &&
+                  DISCMC_OPEN == static_cast<int>(Border::open) &&
+                  DISCMC_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row) &&
+                  DISCMC_ANY_ORDER == static_cast<int>(InputOrder::any) &&
+                  DISCMC_ROW_LOST == static_cast<int>(RowRing::Next::lost) &&
+                  DISCMC_ROW_END == static_cast<int>(RowRing::Next::end) &&
+                  DISCMC_MONO10PMSB == static_cast<int>(Packing::mono10pmsb) &&
+                  DISCMC_MONO12_PACKED == static_cast<int>(Packing::mono12_packed),
+              "enumerations are in the same order");
+static_assert(DISCMC_MAX_EXTENT == Limits::max_extent && DISCMC_MAX_SLICES == Limits::max_slices &&
+                  DISCMC_WIRE_VERSION == wire::version && DISCMC_MAX_FRAME == wire::max_frame &&
+                  DISCMC_MAX_CHANNEL == StreamLabel::max_channel &&
+                  DISCMC_MAX_SURFACES == StreamHeader::max_surfaces &&
+                  DISCMC_ANY_CHANNEL == any_channel &&
+                  DISCMC_MAX_RECORD_BYTES == ApplicationRecord::max_bytes &&
+                  DISCMC_FIRST_STANDARD_KIND == ApplicationRecord::first_standard_kind &&
+                  DISCMC_MAX_PARTS == CheckpointStore::max_parts,
+              "constants are the same");
+
+extern "C" {
+
+const char* discmc_status_string(discmc_status status) {
+  if (status == DISCMC_BAD_SAMPLES) return "samples of a type that the kind does not take";
+  return text(static_cast<Status>(status));
+}
+
+discmc_vertex discmc_incidence_normal(uint8_t incidence) {
+  return c(normal(incidence));
+}
+discmc_vertex discmc_run_vector(uint8_t incidence, uint32_t run) {
+  return c(after_run(incidence, {0, 0, 0}, Run::from_code(run)));
+}
+discmc_vertex discmc_unit_normal(const uint8_t normal[2]) {
+  const UnitNormal unit = unit_normal(OctahedralNormal{normal[0], normal[1]});
+  return {unit.x, unit.y, unit.z};
+}
+
+}  // extern "C"
+
+}  // namespace discmc

@@ -1,0 +1,24 @@
+// The kinds of extractors that make no normals, for firmware.
+#include <discmc/c/extractor_kind.hpp>
+
+namespace discmc {
+
+template <class Sample>
+using PlainKind = ExtractorKind<Extractor16, Sample>;
+
+static_assert(DISCMC_EXTRACTOR_BYTES(31, 7, 5) >=
+                  bytes_with_object(PlainKind<Bits>::functions.object_bytes,
+                                    bytes_for<uint16_t>({31, 7}, {5, 0})),
+              "the size in sizes.h suffices");
+static_assert(DISCMC_MIN_RECORDS == minimum_capacities().records &&
+                  is_valid<uint16_t>({DISCMC_MAX_RECORDS, 0}) &&
+                  !is_valid<uint16_t>({DISCMC_MAX_RECORDS + 1, 0}),
+              "constants are the same");
+
+}  // namespace discmc
+
+// Outside the namespace, where they are those that discmc.h declares.
+const discmc_extractor_kind discmc_plain_bits = discmc::PlainKind<discmc::Bits>::functions;
+const discmc_extractor_kind discmc_plain_u8 = discmc::PlainKind<uint8_t>::functions;
+const discmc_extractor_kind discmc_plain_u16 = discmc::PlainKind<uint16_t>::functions;
+const discmc_extractor_kind discmc_plain_i16 = discmc::PlainKind<int16_t>::functions;

@@ -1,0 +1,62 @@
+// The ring of rows, and the unpackers.
+#include <discmc/c/object.hpp>
+#include <discmc/c/values.hpp>
+#include <discmc/packed_samples.hpp>
+#include <discmc/row_ring.hpp>
+
+struct discmc_row_ring {
+  discmc::RowRing ring;
+};
+
+namespace discmc {
+
+static_assert(DISCMC_ROW_RING_BYTES(37, 5) >=
+                  bytes_with_object(sizeof(discmc_row_ring), RowRing::bytes_for(37, 5)),
+              "the size in sizes.h suffices");
+
+extern "C" {
+
+// Behind the rows, which are aligned as the memory is.
+discmc_status discmc_row_ring_start(discmc_row_ring** ring, const discmc_row_ring_config* config) {
+  const uint64_t bytes = RowRing::bytes_for(config->row_bytes, config->rows);
+  const discmc_memory& memory = config->memory;
+  if (memory.data == nullptr || memory.bytes < bytes) return DISCMC_TOO_LITTLE_MEMORY;
+  const auto of_rows = static_cast<size_t>(bytes);
+  Memory rest;
+  auto* const object = begin<discmc_row_ring>(
+      {static_cast<uint8_t*>(memory.data) + of_rows, memory.bytes - of_rows}, rest);
+  if (object == nullptr) return DISCMC_TOO_LITTLE_MEMORY;
+  const Status status = object->ring.start(config->row_bytes, config->rows, {memory.data, of_rows});
+  if (status == Status::ok) *ring = object;
+  return c(status);
+}
+void* discmc_row_ring_free_row(const discmc_row_ring* ring, uint32_t ahead) {
+  return ring->ring.free_row(ahead);
+}
+void discmc_row_ring_commit(discmc_row_ring* ring) {
+  ring->ring.fill();
+}
+uint32_t discmc_row_ring_drop(discmc_row_ring* ring, uint32_t rows) {
+  ring->ring.lose(rows);
+  return ring->ring.came();
+}
+void discmc_row_ring_end(discmc_row_ring* ring) {
+  ring->ring.end();
+}
+discmc_row discmc_row_ring_peek(const discmc_row_ring* ring) {
+  return {static_cast<uint8_t>(ring->ring.next()), ring->ring.row(), ring->ring.passed()};
+}
+void discmc_row_ring_pop(discmc_row_ring* ring) {
+  ring->ring.pass();
+}
+
+uint32_t discmc_packed_bytes(uint8_t packing, uint32_t count) {
+  return packed_bytes(static_cast<Packing>(packing), count);
+}
+void discmc_unpack(uint8_t packing, const uint8_t* packed, uint32_t count, uint16_t* samples) {
+  unpack(static_cast<Packing>(packing), packed, count, samples);
+}
+
+}  // extern "C"
+
+}  // namespace discmc

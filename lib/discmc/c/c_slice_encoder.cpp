@@ -1,0 +1,127 @@
+#include <discmc/c/encoder_kind.hpp>
+#include <discmc/slice_encoder.hpp>
+
+struct discmc_slice_encoder {
+  discmc::Seal seal;
+  const discmc_slice_kind* kind;
+  discmc::SliceEncoder encoder;
+  uint32_t row_voxels;
+};
+
+struct discmc_slice_kind {
+  uint32_t layout;
+  uint32_t object_bytes;
+  discmc_sample_type type;
+  discmc_push_result (*push)(discmc::SliceEncoder& encoder, uint32_t width, const void* samples,
+                             uint32_t count, uint32_t stride);
+};
+
+namespace discmc {
+
+namespace {
+
+static_assert(DISCMC_SLICE_ENCODER_BYTES(31, 7, 2) >=
+                  bytes_with_object(sizeof(discmc_slice_encoder),
+                                    slice_encoder_bytes({31, 7}, {}, 2)),
+              "the size in sizes.h suffices");
+
+StreamHeader header_of(const discmc_slice_encoder_config& config) {
+  const discmc_stream_label& label = config.label;
+  StreamHeader header;
+  header.width = config.limits.width;
+  header.height = config.limits.height;
+  header.border = static_cast<Border>(config.limits.border);
+  header.depth = label.depth;
+  for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
+  header.channel = label.channel;
+  header.scan = label.scan;
+  // None, as one too many, is refused.
+  header.further_surfaces = static_cast<uint8_t>(config.surface_count - 1);
+  header.threshold = config.thresholds[0];
+  for (int i = 1; i < StreamHeader::max_surfaces; ++i)
+    header.further_thresholds[i - 1] = config.thresholds[i];
+  return header;
+}
+
+template <class Sample>
+constexpr discmc_slice_kind slice_kind = {sizeof(discmc_slice_encoder) | SliceEncoder::layout << 20,
+                                          sizeof(discmc_slice_encoder), type_of<Sample>,
+                                          push_as<Sample, SliceEncoder>};
+
+}  // namespace
+
+extern "C" {
+
+uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
+  const Limits limits = cpp(config->limits);
+  if (!limits.is_valid() || config->surface_count < 1 ||
+      config->surface_count > StreamHeader::max_surfaces)
+    return 0;
+  return bytes_with_object(
+      sizeof(discmc_slice_encoder),
+      slice_encoder_bytes(limits, {config->key_slice_interval}, config->surface_count));
+}
+
+discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
+                                         const discmc_slice_encoder_config* config) {
+  return start<discmc_slice_encoder>(
+      encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
+        object.row_voxels = config->limits.width;
+        return object.encoder.start(header_of(*config), {config->key_slice_interval}, rest,
+                                    cpp(config->output));
+      });
+}
+discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
+                                           const discmc_slice_encoder_config* config) {
+  return restore<discmc_slice_encoder>(
+      encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
+        return object.encoder.continue_in(rest, cpp(config->output));
+      });
+}
+
+discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encoder, discmc_memory* part) {
+  if (encoder->encoder.is_suspended()) return DISCMC_SUSPENDED;
+  *part = encoder->seal.close(sizeof *encoder + encoder->encoder.bytes_used());
+  return DISCMC_OK;
+}
+
+discmc_push_result discmc_slice_encoder_push(discmc_slice_encoder* encoder, discmc_sample_type type,
+                                             const void* samples, uint32_t count, uint32_t stride) {
+  if (type != encoder->kind->type) return {DISCMC_BAD_SAMPLES, 0};
+  return encoder->kind->push(encoder->encoder, encoder->row_voxels, samples, count, stride);
+}
+discmc_push_result discmc_slice_encoder_skip_row(discmc_slice_encoder* encoder,
+                                                 uint8_t substitute) {
+  return c(encoder->encoder.skip_row(static_cast<Substitute>(substitute)));
+}
+discmc_status discmc_slice_encoder_resume(discmc_slice_encoder* encoder) {
+  return c(encoder->encoder.resume());
+}
+discmc_status discmc_slice_encoder_finish(discmc_slice_encoder* encoder) {
+  return c(encoder->encoder.finish());
+}
+discmc_status discmc_slice_encoder_abandon(discmc_slice_encoder* encoder) {
+  return c(encoder->encoder.abandon());
+}
+discmc_status discmc_slice_encoder_write_record(discmc_slice_encoder* encoder,
+                                                const discmc_application_record* record) {
+  return c(encoder->encoder.tell(cpp(*record)));
+}
+discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder) {
+  return c(encoder->encoder.flush());
+}
+void discmc_slice_encoder_set_output(discmc_slice_encoder* encoder, discmc_byte_output output) {
+  encoder->encoder.set_output(cpp(output));
+}
+discmc_slice_encoder_info discmc_slice_encoder_get_info(const discmc_slice_encoder* encoder) {
+  return {encoder->encoder.bytes(), encoder->encoder.slices(), encoder->encoder.rows()};
+}
+
+}  // extern "C"
+
+}  // namespace discmc
+
+const discmc_slice_kind discmc_slices_bits = discmc::slice_kind<discmc::Bits>;
+const discmc_slice_kind discmc_slices_u8 = discmc::slice_kind<uint8_t>;
+const discmc_slice_kind discmc_slices_u16 = discmc::slice_kind<uint16_t>;
+const discmc_slice_kind discmc_slices_i16 = discmc::slice_kind<int16_t>;

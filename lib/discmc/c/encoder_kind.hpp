@@ -1,0 +1,29 @@
+// The kinds of encoders: with normals or without. A program links those that it names.
+#ifndef DISCMC_C_ENCODER_KIND_HPP
+#define DISCMC_C_ENCODER_KIND_HPP
+
+#include <discmc/c/object.hpp>
+#include <discmc/encoder.hpp>
+
+struct discmc_encoder {
+  discmc::Seal seal;
+  const discmc_encoder_kind* kind;
+  discmc::Encoder encoder;
+};
+
+struct discmc_encoder_kind {
+  uint32_t layout;
+  uint32_t object_bytes;
+  void (*prepare)(discmc::Encoder& encoder);  // before start() and restore()
+};
+
+namespace discmc {
+
+constexpr discmc_encoder_kind encoder_kind(uint32_t number, void (*prepare)(Encoder& encoder)) {
+  constexpr auto bytes = static_cast<uint32_t>(sizeof(discmc_encoder));
+  return {bytes | number << 16 | Encoder::layout << 20, bytes, prepare};
+}
+
+}  // namespace discmc
+
+#endif

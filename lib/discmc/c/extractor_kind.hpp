@@ -1,0 +1,136 @@
+// The kinds of extractors: tables of what an extractor of a C++ type does. A program links those
+// that it names.
+#ifndef DISCMC_C_EXTRACTOR_KIND_HPP
+#define DISCMC_C_EXTRACTOR_KIND_HPP
+
+#include <discmc/c/object.hpp>
+#include <discmc/c/values.hpp>
+#include <discmc/extractor.hpp>
+
+namespace discmc {
+
+/// What can be seen of an extractor of any type.
+struct ExtractorView {
+  Statistics statistics;
+  Limits limits;
+  Capacities capacities;
+  HighWater high_water;
+  uint32_t slices, rows;
+  bool is_suspended;
+};
+
+}  // namespace discmc
+
+struct discmc_extractor {
+  discmc::Seal seal;
+  const discmc_extractor_kind* kind;
+};
+
+struct discmc_extractor_kind {
+  uint32_t layout;
+  uint32_t object_bytes;
+  uint8_t index_bytes;
+  uint8_t sample_bytes;  ///< of those that are kept for normals, or 0
+  /// What of the memory is left, the scan uses. `restores`: the object is one that was saved.
+  discmc::Status (*start)(discmc_extractor& extractor, const discmc_extractor_config& config,
+                          discmc::Memory memory, bool restores);
+  discmc_push_result (*push)(discmc_extractor& extractor, discmc_sample_type type,
+                             const void* samples, uint32_t count, uint32_t stride);
+  discmc::PushResult (*skip_row)(discmc_extractor& extractor, discmc::Substitute substitute);
+  discmc::Status (*resume)(discmc_extractor& extractor);
+  discmc::Status (*finish)(discmc_extractor& extractor);
+  discmc::Status (*abandon)(discmc_extractor& extractor);
+  void (*look)(const discmc_extractor& extractor, discmc::ExtractorView& view);
+};
+
+namespace discmc {
+
+/// Of so much memory the extractor of hosts takes the last part to remember neighbourhoods in.
+constexpr size_t enough_to_learn = size_t{4} << 20;
+constexpr size_t learnt_bytes = (size_t{1} << 20) + Arena::alignment;
+template <class Scanner>
+constexpr bool learns = false;
+
+template <class Scanner, class... Samples>
+struct ExtractorKind;
+
+template <class Index, class Normals, class Sweep, class... Samples>
+struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
+  using Scanner = Extractor<Index, Normals, Sweep>;
+  struct Stored : discmc_extractor {
+    WithSink<Scanner> with_sink;
+  };
+
+  static Scanner& in(discmc_extractor& extractor) {
+    return static_cast<Stored&>(extractor).with_sink.object;
+  }
+
+  static Status start(discmc_extractor& extractor, const discmc_extractor_config& config,
+                      Memory memory, bool restores) {
+    Scanner& scanner = in(extractor);
+    const Sink sink = static_cast<Stored&>(extractor).with_sink.set_sink(config.sink);
+    if constexpr (learns<Scanner>) {
+      const size_t learnt = memory.bytes < enough_to_learn ? 0 : learnt_bytes;
+      memory.bytes -= learnt;
+      scanner.learn_in({static_cast<uint8_t*>(memory.data) + memory.bytes, learnt});
+    }
+    if (restores) return scanner.continue_in(memory, sink);
+    if constexpr (Normals::holds_samples) scanner.set_spacing(config.spacing_nm);
+    Limits limits = cpp(config.limits);
+    limits.slab = {config.slab.first, config.slab.continues_below != 0,
+                   config.slab.continues_above != 0};
+    const Capacities capacities = config.records == 0
+                                      ? default_capacities<Index, Normals>(limits, memory.bytes)
+                                      : Capacities{config.records, config.records / 16};
+    return scanner.start(limits, capacities, config.threshold, memory, sink);
+  }
+
+  static discmc_push_result push(discmc_extractor& extractor, discmc_sample_type type,
+                                 const void* samples, uint32_t count, uint32_t stride) {
+    discmc_push_result result{DISCMC_BAD_SAMPLES, 0};
+    Scanner& scanner = in(extractor);
+    const uint32_t width = scanner.limits().width;
+    const bool is_taken =
+        ((type == type_of<Samples> &&
+          (result = push_as<Samples>(scanner, width, samples, count, stride), true)) ||
+         ...);
+    (void)is_taken;
+    return result;
+  }
+
+  template <Status (Scanner::*method)()>
+  static Status call(discmc_extractor& extractor) {
+    return (in(extractor).*method)();
+  }
+
+  static void look(const discmc_extractor& extractor, ExtractorView& view) {
+    const Scanner& scanner = static_cast<const Stored&>(extractor).with_sink.object;
+    view.statistics = scanner.statistics();
+    view.limits = scanner.limits();
+    view.capacities = scanner.capacities();
+    view.high_water = scanner.high_water();
+    view.slices = scanner.slices();
+    view.rows = scanner.rows();
+    view.is_suspended = scanner.is_suspended();
+  }
+
+  static constexpr discmc_extractor_kind functions = {
+      sizeof(Stored) | Scanner::layout << 20,
+      sizeof(Stored),
+      sizeof(Index),
+      static_cast<uint8_t>(Normals::type / 2),
+      start,
+      push,
+      [](discmc_extractor& extractor, Substitute substitute) {
+        return in(extractor).skip_row(substitute);
+      },
+      call<&Scanner::resume>,
+      call<&Scanner::finish>,
+      call<&Scanner::abandon>,
+      look,
+  };
+};
+
+}  // namespace discmc
+
+#endif

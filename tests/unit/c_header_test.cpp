@@ -1,0 +1,142 @@
+// discmc.h is small, is C99 by itself, and what it says of its constants and sizes is true.
+#include <discmc/discmc.h>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <discmc/chain.hpp>
+#include <discmc/normal.hpp>
+#include <discmc/status.hpp>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "project_text.hpp"
+
+using namespace discmc;
+using discmc::test::text_of;
+
+namespace {
+
+std::string without_comments(const std::string& text) {
+  std::string code;
+  for (size_t at = 0; at < text.size();) {
+    if (text.compare(at, 2, "/*") == 0)
+      at = text.find("*/", at) + 2;
+    else
+      code += text[at++];
+  }
+  return code;
+}
+
+std::set<std::string> all_matches(const std::string& text, const char* pattern) {
+  const std::regex regex(pattern);
+  std::set<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it)
+    found.insert((*it)[1]);
+  return found;
+}
+
+void check_size(uint64_t constant, uint64_t needed) {
+  CHECK(constant >= needed);
+  CHECK(constant <= needed + needed / 8 + 64);
+}
+
+}  // namespace
+
+TEST_CASE("discmc.h is small enough to be read") {
+  const std::string header = text_of("lib/discmc/discmc.h");
+  CHECK(std::count(header.begin(), header.end(), '\n') <= 550);
+  const auto functions = all_matches(without_comments(header), "\\b(discmc_[a-z0-9_]+)\\(");
+  CHECK(functions.size() <= 70);
+  CHECK(functions.count("discmc_extractor_push") == 1);
+  const auto macros = all_matches(text_of("lib/discmc/sizes.h"), "#define (\\w+)");
+  CHECK(macros.size() <= 1 + 10);  // the guard, and the sizes
+}
+
+TEST_CASE("every function of discmc.h has a comment, or shares that of the one before it") {
+  const std::string header = text_of("lib/discmc/discmc.h");
+  const std::regex bare("\n\n(?!/\\*|typedef|#|enum|extern)[^\n]*\\bdiscmc_[a-z0-9_]+\\(");
+  CHECK(!std::regex_search(header, bare));
+}
+
+TEST_CASE("every status has a text of its own") {
+  std::set<std::string> texts;
+  for (int status = DISCMC_OK; status <= DISCMC_BAD_SAMPLES; ++status)
+    texts.insert(discmc_status_string(static_cast<discmc_status>(status)));
+  CHECK(texts.size() == DISCMC_BAD_SAMPLES + 1);
+  CHECK(texts.count(text(Status::device_error)) == 1);
+}
+
+TEST_CASE("the constants of sizes.h suffice, and are not much more") {
+  const discmc_extractor_kind* const plain[] = {&discmc_plain_bits, &discmc_plain_u8,
+                                                &discmc_plain_u16, &discmc_plain_i16};
+  for (const uint32_t width : {1U, 29U, 30U, 31U, 64U, 256U, 32766U})
+    for (const uint32_t height : {1U, 2U, 31U, 32U, 200U, 32766U}) {
+      const discmc_limits limits = {width, height, DISCMC_CLOSED};
+      for (const uint32_t records : {4U, 5U, 100U, 32759U}) {
+        discmc_extractor_config config{};
+        config.limits = limits;
+        config.records = records;
+        for (const discmc_extractor_kind* kind : plain) {
+          config.kind = kind;
+          check_size(DISCMC_EXTRACTOR_BYTES(width, height, records),
+                     discmc_extractor_bytes(&config));
+        }
+        config.kind = &discmc_normals_u8;
+        check_size(DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sizeof(uint8_t), records),
+                   discmc_extractor_bytes(&config));
+        for (const discmc_extractor_kind* kind : {&discmc_normals_u16, &discmc_normals_i16}) {
+          config.kind = kind;
+          check_size(DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sizeof(int16_t), records),
+                     discmc_extractor_bytes(&config));
+        }
+      }
+      for (uint8_t surfaces = 1; surfaces <= DISCMC_MAX_SURFACES; ++surfaces) {
+        discmc_slice_encoder_config config{};
+        config.limits = limits;
+        config.surface_count = surfaces;
+        check_size(DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces),
+                   discmc_slice_encoder_bytes(&config));
+        check_size(DISCMC_RECEIVER_BYTES(width, height, surfaces),
+                   discmc_receiver_bytes(&limits, surfaces));
+      }
+    }
+}
+
+TEST_CASE("a config without records needs the least memory, and bad ones need none") {
+  discmc_extractor_config config{};
+  config.kind = &discmc_plain_u8;
+  config.limits = {10, 10, DISCMC_CLOSED};
+  const uint64_t least = discmc_extractor_bytes(&config);
+  config.records = DISCMC_MIN_RECORDS;
+  CHECK(discmc_extractor_bytes(&config) == least);
+  config.limits.width = 0;
+  CHECK(discmc_extractor_bytes(&config) == 0);
+  discmc_slice_encoder_config slices{};
+  slices.limits = {10, 10, DISCMC_CLOSED};
+  CHECK(discmc_slice_encoder_bytes(&slices) == 0);
+  slices.surface_count = 5;
+  CHECK(discmc_slice_encoder_bytes(&slices) == 0);
+  slices.surface_count = 1;
+  const uint64_t many = discmc_slice_encoder_bytes(&slices);
+  slices.key_slice_interval = 1;
+  CHECK(discmc_slice_encoder_bytes(&slices) < many);
+}
+
+TEST_CASE("a sink in C finds the corners and normals of polygons") {
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    const discmc_vertex in_c = discmc_incidence_normal(incidence);
+    CHECK(Vertex{in_c.x, in_c.y, in_c.z} == normal(incidence));
+    for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
+      const Run run = Run::straight(direction, 1000 + direction);
+      const discmc_vertex vector = discmc_run_vector(incidence, run.code());
+      CHECK(Vertex{vector.x, vector.y, vector.z} == displacement(incidence, &run, 1));
+    }
+  }
+  for (int u = 0; u < 256; ++u) {
+    const uint8_t bytes[2] = {static_cast<uint8_t>(u), static_cast<uint8_t>(255 - u)};
+    const discmc_vertex in_c = discmc_unit_normal(bytes);
+    const UnitNormal in_cpp = unit_normal(OctahedralNormal{bytes[0], bytes[1]});
+    CHECK((in_c.x == in_cpp.x && in_c.y == in_cpp.y && in_c.z == in_cpp.z));
+  }
+}
