@@ -13,13 +13,6 @@ StreamHeader whole(const discmc_stream_header& from) {
   return header;
 }
 
-StreamLabel cpp(const discmc_stream_label& from) {
-  return {from.depth,
-          {from.spacing_nm[0], from.spacing_nm[1], from.spacing_nm[2]},
-          from.scan,
-          from.channel};
-}
-
 }  // namespace
 
 extern "C" {

@@ -1,4 +1,5 @@
-#include <discmc/c/encoder_kind.hpp>
+#include <discmc/c/object.hpp>
+#include <discmc/c/values.hpp>
 #include <discmc/slice_encoder.hpp>
 
 struct discmc_slice_encoder {

@@ -20,6 +20,10 @@ inline Limits cpp(const discmc_limits& from) {
 inline ByteOutput cpp(const discmc_byte_output& from) {
   return {from.context, from.write};
 }
+inline StreamLabel cpp(const discmc_stream_label& from) {
+  const int32_t(&spacing)[3] = from.spacing_nm;
+  return {from.depth, {spacing[0], spacing[1], spacing[2]}, from.scan, from.channel};
+}
 inline const ApplicationRecord& cpp(const discmc_application_record& from) {
   return reinterpret_cast<const ApplicationRecord&>(from);
 }
