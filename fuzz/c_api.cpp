@@ -9,7 +9,7 @@
 #include <discmc/discmc.h>
 
 #include <discmc/encoder.hpp>
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <memory>
