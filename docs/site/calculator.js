@@ -1,4 +1,4 @@
-// The sizes of a scan, as capacities.hpp and key_slices.hpp work them out, and the form that shows
+// The sizes of a scan, as capacities.hpp and slice_encoder.hpp work them out, and the form that shows
 // them. A script of its own page, without modules, so that it works from a file.
 
 /** What fits, and what is needed. Units: bytes; indexBytes: 2 or 4. */

@@ -1,10 +1,12 @@
 // discmc: slices of a 3D scanner in, merged surfaces out, on the scanner.
 //
-// All that firmware needs. Hosts also include host/learning_extractor.hpp. docs/map.md shows the way
-// of the data through the headers, each of which is the manual of its part.
+// All that firmware needs. Hosts also include host/learning_extractor.hpp. docs/map.md shows the
+// way of the data through the headers, each of which is the manual of its part.
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 
+#include <discmc/version.h>
+#include <discmc/byte_output.hpp>
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
@@ -20,11 +22,8 @@
 #include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/sample_window.hpp>
-#include <discmc/shared_output.hpp>
-#include <discmc/slab_range.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
-#include <discmc/version.hpp>
 
 #endif

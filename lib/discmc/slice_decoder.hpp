@@ -6,7 +6,7 @@
 #define DISCMC_SLICE_DECODER_HPP
 
 #include <discmc/decoder.hpp>
-#include <discmc/key_slices.hpp>
+#include <discmc/slice_encoder.hpp>
 #include <discmc/slices/row_coders.hpp>
 #include <discmc/slices/surfaces.hpp>
 

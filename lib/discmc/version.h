@@ -8,4 +8,14 @@
 #define DISCMC_VERSION_PATCH 0
 #define DISCMC_VERSION_STRING "0.2.0"
 
+#ifdef __cplusplus
+namespace discmc {
+
+/// The version of the linked library, as "0.2.0". It is DISCMC_VERSION_STRING unless headers and
+/// library are of two versions. Owner: static storage.
+const char* version();
+
+}  // namespace discmc
+#endif
+
 #endif

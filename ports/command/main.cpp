@@ -1,7 +1,7 @@
 // The discmc command.
+#include <discmc/version.h>
 #include <algorithm>
 #include <csignal>
-#include <discmc/version.hpp>
 #include <exception>
 #include <iostream>
 #include <new>

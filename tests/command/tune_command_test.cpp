@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <discmc/capacities.hpp>
-#include <discmc/key_slices.hpp>
+#include <discmc/slice_encoder.hpp>
 #include <sstream>
 #include <string>
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <discmc/shared_output.hpp>
+#include <discmc/byte_output.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
 

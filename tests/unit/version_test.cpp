@@ -2,7 +2,7 @@
 #include <discmc/version.h>
 #include <doctest/doctest.h>
 
-#include <discmc/version.hpp>
+#include <discmc/version.h>
 #include <regex>
 #include <string>
 

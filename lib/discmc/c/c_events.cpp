@@ -1,11 +1,11 @@
 // The text of a status, what a sink asks of an event, and that both sides have the same layout.
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
+#include <discmc/chain.hpp>
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/front/packed_samples.hpp>
 #include <discmc/front/row_ring.hpp>
 #include <discmc/joiner.hpp>
-#include <discmc/plane.hpp>
 #include <discmc/stream/wire.hpp>
 
 namespace discmc {

@@ -1,4 +1,4 @@
-#include <discmc/version.hpp>
+#include <discmc/version.h>
 
 namespace discmc {
 

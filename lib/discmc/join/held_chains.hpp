@@ -2,9 +2,9 @@
 #ifndef DISCMC_JOIN_HELD_CHAINS_HPP
 #define DISCMC_JOIN_HELD_CHAINS_HPP
 
+#include <discmc/chain.hpp>
 #include <discmc/join/waiting_table.hpp>
 #include <discmc/normal.hpp>
-#include <discmc/plane.hpp>
 #include <discmc/pool.hpp>
 
 namespace discmc {
@@ -31,7 +31,7 @@ struct HeldChain {
   uint32_t last_run;
   Vertex start;
   Vertex end;         ///< of an open one
-  int32_t low, high;  ///< from where to where it reaches, along v (plane.hpp)
+  int32_t low, high;  ///< from where to where it reaches, along v (chain.hpp)
   Incidence incidence;
   Direction came;  ///< the direction of the link by which it came to its start
   uint8_t turn;    ///< the sum of its turns, the one at its start included, modulo 256

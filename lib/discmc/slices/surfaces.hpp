@@ -2,8 +2,8 @@
 #ifndef DISCMC_SLICES_SURFACES_HPP
 #define DISCMC_SLICES_SURFACES_HPP
 
+#include <discmc/sink.hpp>
 #include <discmc/slices/row_code.hpp>
-#include <discmc/stream_header.hpp>
 
 namespace discmc::slices {
 

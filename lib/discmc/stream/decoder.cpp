@@ -1,5 +1,5 @@
+#include <discmc/chain.hpp>
 #include <discmc/decoder.hpp>
-#include <discmc/plane.hpp>
 
 namespace discmc {
 

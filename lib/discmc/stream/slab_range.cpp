@@ -1,4 +1,4 @@
-#include <discmc/slab_range.hpp>
+#include <discmc/placement.hpp>
 #include <discmc/stream/wire.hpp>
 
 namespace discmc {

@@ -8,7 +8,7 @@
 #define DISCMC_TRACE_HOLES_HPP
 
 #include <discmc/capacities.hpp>
-#include <discmc/plane.hpp>
+#include <discmc/chain.hpp>
 #include <discmc/trace/fragments.hpp>
 
 namespace discmc::trace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <discmc/shared_output.hpp>
+#include <discmc/byte_output.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <iostream>
 #include <memory>

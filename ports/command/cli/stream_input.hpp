@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <discmc/stream_header.hpp>
+#include <discmc/sink.hpp>
 
 #include "streams/stream_file.hpp"
 #include "surface/surface.hpp"

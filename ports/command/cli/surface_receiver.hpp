@@ -6,7 +6,6 @@
 #include <discmc/encoder.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/sink.hpp>
-#include <discmc/slab_range.hpp>
 #include <optional>
 
 #include "require.hpp"

@@ -9,7 +9,7 @@
 
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
-#include <discmc/slab_range.hpp>
+#include <discmc/placement.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/stream/wire.hpp>
 

@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include <discmc/plane.hpp>
+#include <discmc/chain.hpp>
 
 #include "bit_source.hpp"
 #include "event_record.hpp"

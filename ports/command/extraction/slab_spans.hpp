@@ -7,7 +7,7 @@
 #include <optional>
 
 #include <discmc/limits.hpp>
-#include <discmc/slab_range.hpp>
+#include <discmc/placement.hpp>
 
 namespace discmc::command {
 

@@ -1,7 +1,6 @@
 #include "application_text.hpp"
 
 #include <discmc/placement.hpp>
-#include <discmc/slab_range.hpp>
 
 namespace discmc::command {
 namespace {

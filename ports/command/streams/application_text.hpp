@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <discmc/application_record.hpp>
+#include <discmc/sink.hpp>
 
 namespace discmc::command {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <discmc/slab_range.hpp>
+#include <discmc/placement.hpp>
 
 namespace discmc::command {
 

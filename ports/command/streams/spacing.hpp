@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include <discmc/stream_header.hpp>
+#include <discmc/sink.hpp>
 
 namespace discmc::command {
 

@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include <discmc/stream_header.hpp>
+#include <discmc/sink.hpp>
 
 #include "frames.hpp"
 

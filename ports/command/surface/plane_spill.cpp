@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <discmc/plane.hpp>
+#include <discmc/chain.hpp>
 
 #include "event_words.hpp"
 #include "growing_joiner.hpp"

@@ -4,7 +4,7 @@
 #ifndef DISCMC_COMMAND_TUNING_SLICE_STEPS_HPP
 #define DISCMC_COMMAND_TUNING_SLICE_STEPS_HPP
 
-#include <discmc/key_slices.hpp>
+#include <discmc/slice_encoder.hpp>
 
 namespace discmc::command {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <discmc/extractor.hpp>
-#include <discmc/key_slices.hpp>
+#include <discmc/slice_encoder.hpp>
 
 #include "device_work.hpp"
 #include "volume_bits.hpp"

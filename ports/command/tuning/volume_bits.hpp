@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <discmc/stream_header.hpp>
+#include <discmc/sink.hpp>
 
 #include "extraction/extraction.hpp"
 #include "volumes/volume_reader.hpp"

@@ -1,6 +1,6 @@
 // discmc-gpio: a scan whose rows are triggered by a GPIO line.
+#include <discmc/version.h>
 #include <chrono>
-#include <discmc/version.hpp>
 #include <iostream>
 #include <memory>
 

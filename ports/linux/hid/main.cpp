@@ -1,6 +1,6 @@
 // discmc-hid: a scan whose rows arrive in HID reports.
+#include <discmc/version.h>
 #include <chrono>
-#include <discmc/version.hpp>
 #include <iostream>
 
 #include "cli/progress.hpp"

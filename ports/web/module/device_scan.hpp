@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <discmc/stream_header.hpp>
+#include <discmc/sink.hpp>
 
 #include "voxel_bits.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <discmc/stream_header.hpp>
+#include <discmc/sink.hpp>
 
 #include "surface/surface.hpp"
 

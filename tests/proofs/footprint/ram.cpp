@@ -1,10 +1,10 @@
 // RAM: arrays as large as what they are named after, to be read from the symbols of the object
 // file.
+#include <discmc/byte_output.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/joiner.hpp>
-#include <discmc/shared_output.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <discmc/flash_device.hpp>
+#include <discmc/checkpoint_store.hpp>
 #include <random>
 #include <vector>
 

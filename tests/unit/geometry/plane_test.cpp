@@ -1,6 +1,6 @@
 // Chains in their plane: where runs lead, which points lie in a ring.
 #include <doctest/doctest.h>
-#include <discmc/plane.hpp>
+#include <discmc/chain.hpp>
 
 #include <cstdint>
 #include <vector>
