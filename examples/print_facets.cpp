@@ -7,7 +7,7 @@
 
 #include <charconv>
 #include <cstdio>
-#include <discmc/facet_table.hpp>
+#include <discmc/geometry/facet_table.hpp>
 #include <string>
 #include <string_view>
 #include <system_error>

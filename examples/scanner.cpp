@@ -6,7 +6,7 @@
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
-#include <discmc/row_ring.hpp>
+#include <discmc/front/row_ring.hpp>
 #include <scan.hpp>
 
 using namespace discmc;

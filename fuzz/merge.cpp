@@ -6,7 +6,7 @@
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
 
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 
 #include <algorithm>
 

@@ -98,26 +98,26 @@
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 
-#include <discmc/block_means.hpp>
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
-#include <discmc/facet_table.hpp>
+#include <discmc/front/block_means.hpp>
+#include <discmc/front/majority_filter.hpp>
+#include <discmc/front/packed_samples.hpp>
+#include <discmc/front/row_picker.hpp>
+#include <discmc/front/row_ring.hpp>
+#include <discmc/front/threshold_row.hpp>
+#include <discmc/geometry/facet_table.hpp>
 #include <discmc/joiner.hpp>
-#include <discmc/majority_filter.hpp>
-#include <discmc/packed_samples.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
-#include <discmc/row_picker.hpp>
-#include <discmc/row_ring.hpp>
 #include <discmc/sample_window.hpp>
 #include <discmc/shared_output.hpp>
 #include <discmc/slab_range.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
-#include <discmc/threshold_row.hpp>
 #include <discmc/version.hpp>
 
 #endif

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <discmc/facet_table.hpp>
+#include <discmc/geometry/facet_table.hpp>
 #include <limits>
 #include <set>
 #include <vector>

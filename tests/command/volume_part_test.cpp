@@ -1,8 +1,8 @@
 // Parts of volumes, and volumes of fewer voxels: their samples, and where they lie.
 #include <doctest/doctest.h>
 
-#include <discmc/block_means.hpp>
-#include <discmc/row_picker.hpp>
+#include <discmc/front/block_means.hpp>
+#include <discmc/front/row_picker.hpp>
 
 #include <algorithm>
 #include <cmath>

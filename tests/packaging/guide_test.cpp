@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <discmc/discmc.hpp>
-#include <discmc/majority_filter.hpp>
+#include <discmc/front/majority_filter.hpp>
 #include <filesystem>
 #include <fstream>
 #include <random>

@@ -1,7 +1,7 @@
 // A scan to the last slice that a z coordinate can count: what lies in the last ones comes out as
 // it would near the first, and one slice more is refused. Of the slices before them so many are
-// pushed that no counter of 24 bits would do; with --all (scripts/prove) every one: a thousand
-// million, a minute and a half of optimised code.
+// pushed that no counter of 24 bits would do; with --all (scripts/check/prove) every one: a
+// thousand million, a minute and a half of optimised code.
 
 #include <cstdint>
 #include <cstdio>

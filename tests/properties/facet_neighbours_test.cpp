@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <discmc/facet_table.hpp>
+#include <discmc/geometry/facet_table.hpp>
 #include <set>
 #include <utility>
 #include <vector>

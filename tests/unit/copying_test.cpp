@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/discmc.hpp>
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 
 #include <type_traits>
 

@@ -2,10 +2,10 @@
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
 #include <discmc/checkpoint_store.hpp>
+#include <discmc/front/packed_samples.hpp>
+#include <discmc/front/row_ring.hpp>
 #include <discmc/joiner.hpp>
-#include <discmc/packed_samples.hpp>
 #include <discmc/plane.hpp>
-#include <discmc/row_ring.hpp>
 #include <discmc/stream/wire.hpp>
 
 namespace discmc {

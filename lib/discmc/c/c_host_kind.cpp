@@ -1,6 +1,6 @@
 // The kind of extractors for hosts. A file of its own: see c_normal_kinds.cpp.
 #include <discmc/c/extractor_kind.hpp>
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 
 namespace discmc {
 

@@ -1,8 +1,8 @@
 // The ring of rows, and the unpackers.
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
-#include <discmc/packed_samples.hpp>
-#include <discmc/row_ring.hpp>
+#include <discmc/front/packed_samples.hpp>
+#include <discmc/front/row_ring.hpp>
 
 struct discmc_row_ring {
   discmc::RowRing ring;

@@ -1,6 +1,6 @@
+#include <discmc/host/vector_threshold.hpp>
 #include <discmc/trace/bit_rows.hpp>
 #include <discmc/trace/threshold.hpp>
-#include <discmc/trace/vector_threshold.hpp>
 
 namespace discmc::trace {
 

@@ -10,7 +10,7 @@
 
 #include <discmc/chain.hpp>
 #include <discmc/compiler.hpp>
-#include <discmc/trace/corner.hpp>
+#include <discmc/host/corner.hpp>
 #include <discmc/trace/intake.hpp>
 
 namespace discmc::trace {

@@ -1,4 +1,4 @@
-#include <discmc/trace/loop_facets.hpp>
+#include <discmc/geometry/loop_facets.hpp>
 #include <discmc/trace/sector_table.hpp>
 
 namespace discmc::trace {

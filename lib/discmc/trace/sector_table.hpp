@@ -18,7 +18,7 @@
 #ifndef DISCMC_TRACE_SECTOR_TABLE_HPP
 #define DISCMC_TRACE_SECTOR_TABLE_HPP
 
-#include <discmc/cell.hpp>
+#include <discmc/geometry/cell.hpp>
 
 namespace discmc::trace {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <discmc/cell.hpp>
+#include <discmc/geometry/cell.hpp>
 #include <limits>
 #include <utility>
 #include <vector>

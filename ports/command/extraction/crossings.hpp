@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include <discmc/cell.hpp>
+#include <discmc/geometry/cell.hpp>
 
 #include "meshes/point.hpp"
 #include "selection.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <discmc/majority_filter.hpp>
+#include <discmc/front/majority_filter.hpp>
 
 #include "require.hpp"
 

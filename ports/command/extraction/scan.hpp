@@ -2,7 +2,7 @@
 #ifndef DISCMC_COMMAND_EXTRACTION_SCAN_HPP
 #define DISCMC_COMMAND_EXTRACTION_SCAN_HPP
 
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 #include <discmc/surface_group.hpp>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 namespace discmc::command {
 namespace {
 
-// scripts/cycles writes the lines between the marks.
+// scripts/check/cycles writes the lines between the marks.
 // clang-format off
 constexpr CycleCosts all_costs[][2] = {
     // begin

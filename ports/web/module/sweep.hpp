@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 
 #include "surface/surface.hpp"
 #include "voxel_bits.hpp"

@@ -1,5 +1,5 @@
 #include <discmc/discmc.hpp>
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 
 #include <memory>
 #include <stdexcept>

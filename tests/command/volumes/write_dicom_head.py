@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """write_dicom_head.py VOLUME.nrrd FOLDER: a volume as DICOM, a folder a way of storing it.
 
-For scripts/test-dicom. On Debian: python3-pydicom, python3-numpy, python3-pil, libgdcm-tools.
+For scripts/check/dicom. On Debian: python3-pydicom, python3-numpy, python3-pil, libgdcm-tools.
 """
 import gzip
 import io

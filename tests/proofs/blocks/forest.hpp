@@ -9,7 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <discmc/facet_table.hpp>
+#include <discmc/geometry/facet_table.hpp>
 #include <vector>
 
 namespace discmc::prove {

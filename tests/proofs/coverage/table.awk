@@ -1,4 +1,4 @@
-# The table of scripts/coverage from what is explained (unreached.txt) and what `llvm-cov show` says:
+# The table of scripts/check/coverage from what is explained (unreached.txt) and what `llvm-cov show` says:
 # lines and branches by file, and below it every line and every way of a branch that was never taken.
 # A branch is taken when it is in any instantiation of its template. Exit code 1 when something was
 # not taken that is not explained, or was taken that is.

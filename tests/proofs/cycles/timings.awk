@@ -1,6 +1,6 @@
 # timings.awk -v core=NAME DISASSEMBLY COUNTS: the cycles of each block that ran, on a Cortex-M0+ or a
 # Cortex-M4 without wait states: its first address, how many instructions it has, its cycles. What a
-# branch that is taken adds is not in them: see `taken` of scripts/cycles.
+# branch that is taken adds is not in them: see `taken` of scripts/check/cycles.
 #
 # The tables are in the Technical Reference Manuals of Arm, "Instruction set summary": DDI 0484 for the
 # Cortex-M0+ (table 3-1; with the fast multiplier), DDI 0439 for the Cortex-M4 (table 3-1, and "Load/store

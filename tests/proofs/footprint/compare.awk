@@ -34,6 +34,6 @@ END {
       bad++
     }
   print compared + 0 " figures compared, " bad + 0 " not as recorded"
-  if (fallen) print fallen " have fallen by more than 3 %: scripts/footprint records that"
+  if (fallen) print fallen " have fallen by more than 3 %: scripts/check/footprint records that"
   exit bad > 0
 }

@@ -2,7 +2,7 @@
 // CT scan has. Prints the number of active cells.
 //
 //   scan plain | learning      by an Extractor, or a LearningExtractor that has learnt nothing yet
-#include <discmc/learning_extractor.hpp>
+#include <discmc/host/learning_extractor.hpp>
 
 #include <cstdint>
 #include <cstdio>

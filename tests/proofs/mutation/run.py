@@ -1,4 +1,4 @@
-"""scripts/mutate: breaks the library in one place after another and counts what its tests catch.
+"""scripts/check/mutate: breaks the library in one place after another and counts what its tests catch.
 
 The mutants are all in one program (instrument.py), which the environment tells the active one. Of
 each only the test cases that reach it are run, until one fails: first those that caught others of
@@ -234,7 +234,7 @@ def stale_entries(mutants, results, listed, is_whole):
 
 def arguments():
     parser = argparse.ArgumentParser(
-        prog='scripts/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
+        prog='scripts/check/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
         epilog=f'Fails when a mutant is neither caught nor explained in '
         f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
         'most of it for those that survive.')

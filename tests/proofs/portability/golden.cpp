@@ -1,7 +1,7 @@
 // The library's output for a fixed set of volumes, in a few numbers that must be the same on every
 // machine (golden.txt): the events, the bytes of the streams, and the events that these decode to.
 //
-// It runs in 16 KiB of RAM without a C library: see scripts/test-portability.
+// It runs in 16 KiB of RAM without a C library: see scripts/check/portability.
 #include <board.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>

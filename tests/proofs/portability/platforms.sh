@@ -1,7 +1,7 @@
 # Where golden.cpp has to tell the same; read by scripts with `source`. A platform is a compiler and
 # a machine.
 
-source "$(dirname "${BASH_SOURCE[0]}")/../../../scripts/clang.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../../scripts/tools/clang.sh"
 
 platforms=()
 for compiler in gcc "clang-$oldest_clang" "clang-$newest_clang"; do

@@ -1,0 +1,191 @@
+#include <discmc/geometry/facet_table.hpp>
+
+namespace discmc {
+
+namespace {
+
+constexpr bool contains(const FacetRing& ring, Point point) {
+  for (int i = 0; i < ring.count; ++i)
+    if (ring.point[i] == point) return true;
+  return false;
+}
+
+constexpr int sign(int value) {
+  return (value > 0) - (value < 0);
+}
+
+constexpr Incidence ring_incidence(const FacetRing& ring) {
+  const Vertex origin = position(ring.point[0]);
+  const Vertex n = cross(position(ring.point[1]) - origin, position(ring.point[2]) - origin);
+  return incidence_of(Vertex{sign(n.x), sign(n.y), sign(n.z)});
+}
+
+constexpr Shape ring_shape(Incidence incidence, const FacetRing& ring) {
+  const Vertex n = normal(incidence);
+  const Shape side = dot(n, position(ring.point[0]) - position(centroid)) > 0 ? 1 : 0;
+  if (!contains(ring, centroid)) return side;
+  // A fan's triangle is listed centroid first, so its outer link runs from point 1 to point 2.
+  const Direction outer =
+      direction_of(incidence, position(ring.point[2]) - position(ring.point[1]));
+  return static_cast<Shape>(dot(n, n) == 1 ? outer / 2 : 2 + outer);
+}
+
+constexpr bool is_rectangle(const Loop& loop) {
+  if (loop.count != 4) return false;
+  const FacetRing ring{4, {loop.point[0], loop.point[1], loop.point[2], loop.point[3]}};
+  const Vertex n = normal(ring_incidence(ring));
+  return dot(n, n) == 2;
+}
+
+struct FacetList {
+  uint8_t count;
+  FacetRing ring[Loop::max_points];
+};
+
+constexpr FacetList facets_of(const Loop& loop) {
+  FacetList list{};
+  if (loop.count == 3 || is_rectangle(loop)) {
+    FacetRing& whole = list.ring[list.count++];
+    for (int i = 0; i < loop.count; ++i) whole.point[whole.count++] = loop.point[i];
+  } else {
+    for (int i = 0; i < loop.count; ++i)
+      list.ring[list.count++] = {3, {centroid, loop.point[i], loop.point[(i + 1) % loop.count]}};
+  }
+  return list;
+}
+
+struct Derived {
+  FacetTable table;
+  FacetRings rings;
+  CellFacts facts;
+};
+
+// Twice the area of a face's on part, in square half-steps, by the bits of its corners in ring
+// order.
+constexpr uint8_t twice_on_area(int on_count, bool diagonal) {
+  constexpr uint8_t by_count[] = {0, 1, 4, 7, 8};
+  return diagonal ? 2 : by_count[on_count];
+}
+
+// Six times the volume of the pyramids over the faces' on parts, their tips at the centroid.
+constexpr int face_pyramids(Configuration configuration) {
+  int sum = 0;
+  for (int face = 0; face < faces; ++face) {
+    const derive::FaceCorners ring = derive::face_corners(face);
+    bool on[4] = {};
+    int count = 0;
+    for (int i = 0; i < 4; ++i) count += on[i] = configuration >> ring.corner[i] & 1;
+    sum += twice_on_area(count, count == 2 && on[0] == on[2]);
+  }
+  return sum;
+}
+
+constexpr int six_volumes(const FacetRing& ring) {
+  int sum = 0;
+  const Vertex a = position(ring.point[0]) - position(centroid);
+  for (int i = 2; i < ring.count; ++i)
+    sum += dot(a, cross(position(ring.point[i - 1]) - position(centroid),
+                        position(ring.point[i]) - position(centroid)));
+  return sum;
+}
+
+constexpr Derived derive_all() {
+  Derived derived{};
+  int total = 0;
+  for (int c = 0; c < configurations; ++c) {
+    derived.table.first[c] = static_cast<uint16_t>(total);
+    const Configuration configuration = static_cast<Configuration>(c);
+    const Loops loops = derive::loops(configuration);
+    int triangles = 0;
+    int enclosed = face_pyramids(configuration);
+    for (int l = 0; l < loops.count; ++l) {
+      triangles += loops.loop[l].count - 2;
+      const FacetList list = facets_of(loops.loop[l]);
+      for (int i = 0; i < list.count; ++i) {
+        const Incidence incidence = ring_incidence(list.ring[i]);
+        const Facet facet = facet_of(incidence, ring_shape(incidence, list.ring[i]));
+        derived.table.facet[total++] = facet;
+        derived.rings.ring[facet] = list.ring[i];
+        enclosed += six_volumes(list.ring[i]);
+      }
+    }
+    derived.facts.facets[c] = static_cast<uint8_t>(total - derived.table.first[c]);
+    derived.facts.classic_triangles[c] = static_cast<uint8_t>(triangles);
+    derived.facts.enclosed[c] = static_cast<uint8_t>(enclosed);
+  }
+  derived.table.first[configurations] = static_cast<uint16_t>(total);
+  return derived;
+}
+
+constexpr Derived derived = derive_all();
+
+constexpr int configurations_with(int facets) {
+  int count = 0;
+  for (const uint8_t n : derived.facts.facets) count += n == facets;
+  return count;
+}
+
+constexpr bool occurs(int squared_length, int times) {
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    const Vertex n = normal(incidence);
+    if (dot(n, n) != squared_length) continue;
+    int count = 0;
+    for (const Facet facet : derived.table.facet) count += incidence_of(facet) == incidence;
+    if (count != times) return false;
+  }
+  return true;
+}
+
+constexpr int facets_with_ring() {
+  int count = 0;
+  for (const FacetRing& ring : derived.rings.ring) count += ring.count != 0;
+  return count;
+}
+
+static_assert(derived.table.first[configurations] == FacetTable::total, "1068 facets in all");
+static_assert(configurations_with(0) == 2 && configurations_with(1) == 40 &&
+                  configurations_with(2) == 50 && configurations_with(3) == 8 &&
+                  configurations_with(4) == 8 && configurations_with(5) == 48 &&
+                  configurations_with(6) == 68 && configurations_with(7) == 32,
+              "0 to 7 facets a configuration");
+static_assert(occurs(1, 44), "every axis incidence occurs 44 times");
+static_assert(occurs(2, 5), "every diagonal incidence occurs 5 times");
+static_assert(occurs(3, 93), "every corner incidence occurs 93 times");
+static_assert(facets_with_ring() == 6 * 4 + 12 * 2 + 8 * 8, "every shape occurs");
+static_assert(derived.facts.enclosed[0] == 0 && derived.facts.enclosed[255] == 48 &&
+                  derived.facts.enclosed[1] == 1 && derived.facts.enclosed[254] == 47,
+              "the enclosed volume counts 48ths of a cell");
+
+}  // namespace
+
+const FacetTable facet_table = derived.table;
+const FacetRings facet_rings = derived.rings;
+const CellFacts cell_facts = derived.facts;
+
+namespace {
+
+bool has_edge(const FacetRing& ring, const Vertex& from, const Vertex& to) {
+  for (int i = 0; i < ring.count; ++i)
+    if (position(ring.point[i]) == from && position(ring.point[(i + 1) % ring.count]) == to)
+      return true;
+  return false;
+}
+
+}  // namespace
+
+Neighbour across_edge(Facet facet, int edge) {
+  constexpr Vertex cells[] = {{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0},
+                              {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+  const FacetRing& ring = facet_rings.ring[facet];
+  const Vertex from = position(ring.point[edge]);
+  const Vertex to = position(ring.point[(edge + 1) % ring.count]);
+  for (const Vertex& cell : cells)
+    for (Shape shape = 0; shape < 8; ++shape) {
+      const Facet other = facet_of(incidence_of(facet), shape);
+      const Vertex shift = cell + cell;
+      if (has_edge(facet_rings.ring[other], to - shift, from - shift)) return {cell, other};
+    }
+  return {{0, 0, 0}, facet};
+}
+
+}  // namespace discmc

@@ -1,0 +1,79 @@
+// The lookup table: the facets of each of the 256 configurations, one byte a facet.
+//
+// A loop of three links is the corner triangle; a loop of four around one cell edge is the
+// rectangle; every other loop is a fan about the centroid. Nothing is typed in: the table is
+// derived from that rule at compile time, and static_asserts in facet_table.cpp state what is known
+// of it. Montani, Scateni, Scopigno 1994, section 2 and figures 3 and 4.
+#ifndef DISCMC_FACET_TABLE_HPP
+#define DISCMC_FACET_TABLE_HPP
+
+#include <discmc/geometry/cell.hpp>
+
+namespace discmc {
+
+/// A facet's place within a plane and cell, 0 to 7:
+///   axis incidences      the direction of the triangle's link of length 2, halved (4 shapes)
+///   diagonal incidences  0: the rectangle cuts off the cell edge on the on side, 1: on the off
+///   side corner incidences    0, 1: likewise for the triangle that cuts off a corner;
+///                        2 to 7: a sector of the hexagon about the centroid, 2 + its outer link's
+///                        direction
+using Shape = uint8_t;
+
+/// Incidence (upper 5 bits) and shape (lower 3 bits).
+using Facet = uint8_t;
+
+constexpr int facet_codes = 256;
+
+constexpr Facet facet_of(Incidence incidence, Shape shape) {
+  return static_cast<Facet>(incidence << 3 | shape);
+}
+constexpr Incidence incidence_of(Facet facet) {
+  return facet >> 3;
+}
+constexpr Shape shape_of(Facet facet) {
+  return facet & 7;
+}
+
+/// A facet's boundary: its points in the cell, counter-clockwise seen from the tip of the normal.
+struct FacetRing {
+  uint8_t count;  ///< 3, 4, or 0 for a code that is no facet
+  Point point[4];
+};
+
+/// The facets of every configuration. Those of c are facet[first[c]] to facet[first[c + 1] - 1].
+struct FacetTable {
+  static constexpr int total = 1068;
+  uint16_t first[configurations + 1];
+  Facet facet[total];
+};
+
+/// The boundary of every facet.
+struct FacetRings {
+  FacetRing ring[facet_codes];
+};
+
+/// Numbers known of each configuration.
+struct CellFacts {
+  uint8_t facets[configurations];             ///< 0 to 7
+  uint8_t classic_triangles[configurations];  ///< of classic Marching Cubes: loop lengths less 2
+  uint8_t enclosed[configurations];           ///< volume on the on side; Units: 48ths of a cell
+};
+
+extern const FacetTable facet_table;
+extern const FacetRings facet_rings;
+extern const CellFacts cell_facts;
+
+/// What lies on the other side of a facet's edge when it belongs to the same plane.
+struct Neighbour {
+  Vertex cell;  ///< the cell it lies in, as an offset in cells; (0, 0, 0) for the same cell
+  Facet facet;
+};
+
+/// The facet of the same incidence that shares edge `edge` (from point edge of the facet's ring to
+/// the next) with `facet`. It is unique, whether or not a given configuration contains it.
+/// Limit: edge < facet_rings.ring[facet].count. Cost: a search; for references and tests.
+Neighbour across_edge(Facet facet, int edge);
+
+}  // namespace discmc
+
+#endif

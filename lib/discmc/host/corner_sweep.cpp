@@ -1,0 +1,230 @@
+#include <discmc/host/corner_sweep.hpp>
+
+namespace discmc::trace {
+
+namespace {
+
+/// What SectorTable::direction() tells of links that lie in a plane, a byte each: it is asked for
+/// every run.
+struct Directions {
+  Direction of[incidence_codes][link_codes];
+};
+constexpr Directions directions_of_links() {
+  Directions directions{};
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    for (Direction i = 0; i < direction_count(incidence); ++i)
+      directions.of[incidence][link_of(incidence, i)] = i;
+  return directions;
+}
+constexpr Directions directions = directions_of_links();
+
+bool is_hole(CornerCode start) {
+  const Direction* const direction = directions.of[start.incidence()];
+  return turns_right(start.incidence(), direction[start.came()], direction[start.onwards()]);
+}
+
+}  // namespace
+
+void CornerSweep::clear() {
+  plain_.clear();
+  passes_beyond_.clear();
+  is_suspended_ = false;
+  keeps_corners_ = corners_.start(fragments().records());
+}
+
+void CornerSweep::forget() {
+  plain_.forget();
+  passes_ = {};
+}
+
+bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
+                        Statistics& statistics) {
+  if (row.work == RowWork::open_seam) {
+    open_seam(row);
+    return true;
+  }
+  if (keeps_corners_) {
+    const bool is_own = row.work == RowWork::take_passes;
+    is_suspended_ =
+        !(is_own ? sweep_corners(row, sink, statistics) : close_seam(row, sink, statistics));
+    if (is_suspended_) return false;
+  }
+  return keeps_corners_ || plain_.sweep(row, normals, sink, statistics);
+}
+
+// ---- seams ----
+
+// Sweeps a row of the slice below a slab. Whether a link that leads up from it is boundary depends
+// on the cells above alone, which take part: so all ends are there that those of the slab wait for.
+void CornerSweep::open_seam(const SweptRow& row) {
+  Records& records = fragments().records();
+  while (passes_beyond_.find(row, plain_.counts())) {
+    constexpr uint32_t most = Corners::most_cut;
+    if (keeps_corners_ &&
+        (row.z >= CornerCode::most_slices || !corners_.make_room(records, most, most)))
+      hand_over(row, 0);
+    for (; passes_beyond_.has_next(); passes_beyond_.advance()) {
+      if (keeps_corners_)
+        corners_.cut_at_seam(records, passes_beyond_.pass(), passes_beyond_.vertex());
+      else
+        fragments().lose_at_seam(passes_beyond_.pass());
+    }
+  }
+}
+
+// Sweeps a row of the slice above a slab: once, as a corner tells where the end is that waits.
+bool CornerSweep::close_seam(const SweptRow& row, const Sink& sink, Statistics& statistics) {
+  if (row.work == RowWork::begin_chains) return true;
+  if (is_suspended_ && !go_on_delivering(sink, statistics)) return false;
+  do {
+    while (passes_beyond_.has_next()) {
+      corners_.cut_at_seam(fragments().records(), passes_beyond_.pass(), passes_beyond_.vertex());
+      passes_beyond_.advance();
+      if (!deliver_chains(sink, statistics)) return false;
+    }
+  } while (passes_beyond_.find(row, plain_.counts()));
+  return true;
+}
+
+// ---- own slices ----
+
+// Sweeps a row, or the part of it before the fragments are handed over.
+bool CornerSweep::sweep_corners(const SweptRow& row, const Sink& sink, Statistics& statistics) {
+  if (is_suspended_) {
+    if (!go_on_delivering(sink, statistics)) return false;
+  } else if (!passes_.begin_row(row)) {
+    return true;
+  }
+  Records& records = fragments().records();
+  SweepCounts counts = plain_.counts();
+  while (passes_.find(row, counts)) {
+    if (row.z >= CornerCode::most_slices ||
+        !corners_.make_room(records, passes_.count(), passes_.edges())) {
+      hand_over(row, passes_.first_word());
+      plain_.go_on_from(passes_.first_word());
+      return true;
+    }
+    plain_.counts() = counts;
+    corners_.take(records, passes_);
+    if (!deliver_chains(sink, statistics)) return false;
+  }
+  counts.add_to(statistics);
+  plain_.counts() = counts;
+  return true;
+}
+
+void CornerSweep::hand_over(const SweptRow& row, uint32_t word) {
+  corners_.hand_over(fragments(), row, word);
+  keeps_corners_ = false;
+}
+
+// ---- closed chains ----
+
+bool CornerSweep::go_on_delivering(const Sink& sink, Statistics& statistics) {
+  return delivery().settle(fragments(), sink, statistics) && deliver_chains(sink, statistics);
+}
+
+// Delivers the chains that close as those that have met are joined. False when the sink said "not
+// now".
+bool CornerSweep::deliver_chains(const Sink& sink, Statistics& statistics) {
+  Records& records = fragments().records();
+  while (const uint32_t closed = corners_.close_chain(records)) {
+    const Chain chain = chain_of(closed);
+    bool is_done;
+    if (chain.code.begins_at_seam() || is_hole(chain.code) ||
+        delivery().has_holes_on(records, chain.code.incidence(), chain.code.vertex())) {
+      put_out(chain);
+      is_done = delivery().settle(fragments(), sink, statistics);
+    } else {
+      is_done = deliver(chain, sink, statistics);
+    }
+    corners_.give(records, chain.start, chain.corners);
+    if (!is_done) return false;
+  }
+  return true;
+}
+
+// Finds where a chain begins: a ring at its last vertex, which is a corner, as Delivery does, and a
+// fragment at the corner that is named.
+CornerSweep::Chain CornerSweep::chain_of(uint32_t closed) const {
+  const Records& records = fragments().records();
+  Chain chain{closed, 0, records[closed].corner.code()};
+  uint64_t last = chain.code.begins_at_seam() ? UINT64_MAX : chain.code.bits();
+  uint32_t at = closed;
+  do {
+    const Corner<uint32_t>& corner = records[at].corner;
+    const CornerCode code = corner.code();
+    if (code.bits() > last) {
+      last = code.bits();
+      chain.code = code;
+      chain.start = at;
+    }
+    ++chain.corners;
+    at = corner.next;
+  } while (at != closed);
+  return chain;
+}
+
+// Delivers a region that is one ring. When the sink says "not now" the ordinary delivery goes on.
+bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& statistics) {
+  const Record<uint32_t, NoNormal>* const records = &fragments().records()[0];
+  const Direction* const direction = directions.of[ring.code.incidence()];
+  Event event{};
+  event.incidence = ring.code.incidence();
+  event.start = ring.code.vertex();
+  uint32_t taken = 0;
+  uint64_t links = 0;
+  const auto tell = [&](Event::Kind kind) {
+    event.kind = kind;
+    if (sink.take(sink.context, event) != Answer::taken) return false;
+    ++taken;
+    return true;
+  };
+  const auto tell_runs = [&] {
+    uint32_t next = ring.start;
+    CornerCode code = ring.code;
+    do {
+      const CornerCode from = code;
+      do {
+        next = records[next].corner.next;
+        code = records[next].corner.code();
+      } while (code.onwards() == from.onwards());
+      const uint32_t length = links_between(from, code);
+      links += length;
+      event.run = Run::straight(direction[from.onwards()], length);
+      if (!tell(Event::Kind::run)) return false;
+    } while (next != ring.start);
+    return true;
+  };
+  if (!tell(Event::Kind::region) || !tell(Event::Kind::ring) || !tell_runs() ||
+      !tell(Event::Kind::region_end)) {
+    put_out(ring);
+    delivery().go_on_behind(taken, fragments(), statistics);
+    return false;
+  }
+  statistics.links += links;
+  ++statistics.rings;
+  ++statistics.regions;
+  return true;
+}
+
+// Makes of a closed chain what goes out of the fragments.
+void CornerSweep::put_out(const Chain& chain) {
+  using Kind = Outgoing<uint32_t>::Kind;
+  Records& records = fragments().records();
+  const CornerCode start = chain.code;
+  auto& outgoing = fragments().outgoing();
+  outgoing.kind = start.begins_at_seam() ? Kind::fragment : Kind::ring;
+  outgoing.incidence = start.incidence();
+  outgoing.start = start.vertex();
+  outgoing.came = sector_table.direction(start.incidence(), start.onwards());
+  outgoing.last = no_record;
+  uint32_t at = chain.start;
+  do {
+    const uint32_t next = records[at].corner.next;
+    append_side(records, outgoing.last, records[at].corner.code(), records[next].corner.code());
+    at = next;
+  } while (at != chain.start && !records[at].corner.code().ends_at_seam());
+}
+
+}  // namespace discmc::trace

@@ -1,0 +1,391 @@
+#include <discmc/compiler.hpp>
+#include <discmc/host/corners.hpp>
+
+namespace discmc::trace {
+
+namespace {
+
+using Records = Corners::Records;
+using Lists = Corners::Chains::Lists;
+
+Corner<uint32_t>& corner(Records& records, uint32_t index) {
+  return records[index].corner;
+}
+
+// The slots of queues, counted through all records.
+uint32_t* slots(Records& records) {
+  return reinterpret_cast<uint32_t*>(&records[0]);
+}
+
+/// The queues in which begins wait; in the others tails do.
+struct BeginQueues {
+  bool has[queue_count];
+};
+
+void note_ray(BeginQueues& queues, Way way) {
+  if (way.is_ahead()) queues.has[way.queue_in()] = true;
+}
+
+BeginQueues begin_queues() {
+  constexpr uint8_t faces[] = {straight_way, downward_way, upward_way};
+  BeginQueues queues{};
+  for (const AxisTable& axis : sector_table.axis)
+    for (const auto& ways : axis.way) {
+      for (const uint8_t face : faces) note_ray(queues, ways[face]);
+      for (const auto& cells : sector_table.cell)
+        for (const CellAtVertex& cell : cells) note_ray(queues, ways[cell.edges >> 4]);
+    }
+  return queues;
+}
+
+/// The voxels before this one have been visited.
+struct Front {
+  int32_t x, y, z;
+
+  bool has_passed(const Vertex& v) const {
+    const int32_t by[] = {(v.z >> 1) - z, (v.y >> 1) - y, (v.x >> 1) - x};
+    return (by[0] != 0 ? by[0] : by[1] != 0 ? by[1] : by[2]) < 0;
+  }
+};
+
+bool is_centroid(const Vertex& v) {
+  return (v.x & v.y & v.z & 1) != 0;
+}
+
+using Add = void(Records&, uint32_t&, const Lists::Slot&);
+
+// Adds a straight side to a list, in as many runs as it takes.
+void add_runs(Records& records, uint32_t& list, Direction direction, uint32_t length, Add& add) {
+  while (length > 0) {
+    const uint32_t taken = length < longest_short_run ? length : longest_short_run;
+    Lists::Slot slot;
+    slot.run = short_run(direction, taken);
+    add(records, list, slot);
+    length -= taken;
+  }
+}
+// The side from a corner to the next.
+void add_side(Records& records, uint32_t& list, CornerCode from, CornerCode to, Add& add) {
+  add_runs(records, list, sector_table.direction(from.incidence(), from.onwards()),
+           links_between(from, to), add);
+}
+
+/// Makes fragments of records out of lists of corners, which it gives back.
+class HandOver {
+ public:
+  HandOver(Corners::Chains& chains, const Front& front)
+      : chains_(chains), records_(chains.records()), front_(front) {}
+
+  /// A begin that waits at a corner: hands it over with all up to the origin of the arm to the
+  /// tail, which stays behind and names it, unless the fragment ends there, at a seam.
+  void hand_over_begin(uint8_t queue, uint32_t at) {
+    uint32_t list = no_record;
+    const CornerCode first = corner(records_, at).code();
+    const uint32_t begin = add_end(queue, first, first.came(), opposite_link(first.came()), list);
+    uint32_t origin = at;
+    while (!corner(records_, origin).code().is_origin()) origin = corner(records_, origin).next;
+    const uint32_t last = corner(records_, origin).mate;
+    append_sides(at, last, list);
+    if (corner(records_, last).code().ends_at_seam()) {
+      records_.give(last);
+      return chains_.connect(begin, loose_end<uint32_t>(), list);
+    }
+    records_[begin].end.last = list;
+    corner(records_, last).next = begin;
+    corner(records_, last).mate = no_record;
+  }
+
+  /// A tail that waits at a corner: hands it over with the arm to it, and with all from the seam on
+  /// where the fragment begins there.
+  void hand_over_tail(uint8_t queue, uint32_t at) {
+    uint32_t list = no_record;
+    CornerCode code = corner(records_, at).code();
+    if (code.begins_at_seam() && !front_.has_passed(code.vertex())) {
+      records_.give(at);
+      return chains_.lose_in(queue);
+    }
+    const uint32_t tail = add_end(queue, code, code.onwards(), code.onwards(), list);
+    while (!code.is_origin()) {
+      const uint32_t before = corner(records_, at).next;
+      const CornerCode code_before = corner(records_, before).code();
+      add_side(records_, list, code_before, code, Lists::prepend);
+      records_.give(at);
+      at = before;
+      code = code_before;
+    }
+    const uint32_t first = corner(records_, at).mate;
+    uint32_t begin = corner(records_, at).next, list_before = no_record;
+    if (first == no_record) {
+      list_before = records_[begin].end.last;
+    } else {
+      const CornerCode seam = corner(records_, first).code();
+      begin = loose_end<uint32_t>(sector_table.direction(seam.incidence(), seam.onwards()));
+      append_sides(first, at, list_before);
+    }
+    records_.give(at);
+    chains_.connect(begin, tail, Lists::concatenate(records_, list_before, list));
+  }
+
+ private:
+  // Appends the sides between two corners to a list, and gives back the corners but the last.
+  void append_sides(uint32_t at, uint32_t last, uint32_t& list) {
+    while (at != last) {
+      const uint32_t next = corner(records_, at).next;
+      append_side(records_, list, corner(records_, at).code(), corner(records_, next).code());
+      records_.give(at);
+      at = next;
+    }
+  }
+  // An end that waits, on a side by a link. What has been passed of the side already, ahead of the
+  // corner, goes into the list: the rest is short.
+  uint32_t add_end(uint8_t queue, CornerCode at, Link side, Link ahead, uint32_t& list) {
+    Vertex vertex = at.vertex();
+    const Direction direction = sector_table.direction(at.incidence(), side);
+    const Vertex step = link_vector(ahead);
+    // A chain that comes may turn at the centroid on the way: see corner_passes().
+    const uint32_t passed =
+        side != ahead && is_centroid(vertex + step) ? 0 : links_passed(vertex, step);
+    add_runs(records_, list, direction, passed, Lists::append);
+    move(vertex, ahead, passed);
+    return chains_.wait_in(queue, Side(direction, place_of(vertex)));
+  }
+  // How many links an end has surely passed beyond a corner. From a centroid there may be one alone
+  // that leads back a little, to a vertex ahead.
+  uint32_t links_passed(const Vertex& corner, const Vertex& step) const {
+    const auto passed = [](int32_t coordinate, int32_t by, int32_t voxel) {
+      const int32_t links = (2 * voxel - 2 - coordinate) / by;
+      return by > 0 && links > 0 ? static_cast<uint32_t>(links) : 0;
+    };
+    if (step.z != 0) return passed(corner.z, step.z, front_.z);
+    if (step.y != 0) return passed(corner.y, step.y, front_.y);
+    return passed(corner.x, step.x, front_.x);
+  }
+
+  Corners::Chains& chains_;
+  Records& records_;
+  Front front_;
+};
+
+}  // namespace
+
+void append_side(Records& records, uint32_t& list, CornerCode from, CornerCode to) {
+  add_side(records, list, from, to, Lists::append);
+}
+
+// ---- room ----
+
+bool Corners::start(Records& records) {
+  constexpr uint32_t block = least_slots / slots_per_record;
+  corners_ = free_corners_ = free_places_ = 0;
+  free_ = no_record;
+  joins_ = next_join_ = 0;
+  if (records.available() < least_records) return false;
+  for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
+    count_[exit_of(queue)] = count_[entry_of(queue)] = 0;
+    set_ring(records, queue, least_slots - 1, records.take_fresh(block));
+  }
+  return true;
+}
+
+// Gives a queue a ring of slots in a block of records. They are written, as all records in use are.
+void Corners::set_ring(Records& records, uint32_t queue, uint32_t mask, uint32_t block) {
+  const uint32_t first = block * slots_per_record;
+  for (uint32_t i = 0; i <= mask; ++i) slots(records)[first + i] = 0;
+  mask_[exit_of(queue)] = mask_[entry_of(queue)] = mask;
+  first_[exit_of(queue)] = first_[entry_of(queue)] = first;
+}
+
+bool Corners::find_room(Records& records, uint32_t corners, uint32_t edges) {
+  const uint32_t more = corners > free_corners_ ? corners - free_corners_ : 0;
+  if (records.available() < more + reserve_of(corners_ + more)) return false;
+  add_corners(records, more);
+  return edges <= free_places_ || find_places(records);
+}
+
+void Corners::add_corners(Records& records, uint32_t count) {
+  corners_ += count;
+  free_corners_ += count;
+  for (; count > 0; --count) {
+    const uint32_t index = records.take();
+    Corner<uint32_t>& made = corner(records, index);
+    made.next = free_;
+    made.mate = no_record;
+    made.set_code(CornerCode(0));
+    free_ = index;
+  }
+}
+
+// Makes room in the queues: each has a free place at least for each one that is taken.
+bool Corners::find_places(Records& records) {
+  free_places_ = UINT32_MAX;
+  for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
+    const uint32_t mask = mask_[entry_of(queue)];
+    if (waiting(queue) > mask / 2 && !grow(records, queue)) return false;
+    const uint32_t free = mask_[entry_of(queue)] + 1 - waiting(queue);
+    if (free < free_places_) free_places_ = free;
+  }
+  return true;
+}
+
+// Makes a queue twice as long.
+DISCMC_NOINLINE bool Corners::grow(Records& records, uint32_t queue) {
+  const uint32_t old_mask = mask_[entry_of(queue)], old_first = first_[entry_of(queue)];
+  const uint32_t mask = 2 * old_mask + 1;
+  const uint32_t old_block = (old_mask + 1) / slots_per_record;
+  const bool has_room = records.available() >= reserve_of(corners_) + 2 * old_block;
+  const uint32_t block = has_room ? records.take_fresh(2 * old_block) : no_record;
+  if (block == no_record) return false;
+  set_ring(records, queue, mask, block);
+  uint32_t* const slot = slots(records);
+  for (uint32_t i = count_[exit_of(queue)]; i != count_[entry_of(queue)]; ++i)
+    slot[first_[entry_of(queue)] + (i & mask)] = slot[old_first + (i & old_mask)];
+  for (uint32_t i = 0; i < old_block; ++i) records.give(old_first / slots_per_record + i);
+  return true;
+}
+
+// ---- chains ----
+
+void Corners::take(Records& records, const LearntPasses& passes) {
+  Record<uint32_t, NoNormal>* const record = &records[0];
+  uint32_t* const slot = slots(records);
+  const NumberedPasses& numbered = passes.numbered();
+  uint32_t free = free_;
+  uint32_t joins = 0;
+  uint32_t taken = passes.count();
+  for (const FoundPass found : passes) {
+    const CornerPass& pass = numbered[found];
+    uint32_t& in_slot = slot[first_[pass.in] + (count_[pass.in]++ & mask_[pass.in])];
+    uint32_t& out_slot = slot[first_[pass.out] + (count_[pass.out]++ & mask_[pass.out])];
+    const uint32_t from = in_slot, to = out_slot;
+    const uint32_t before = is_entry(pass.in) ? to : from;
+    join_[joins] = {free, to};
+    joins += pass.joins;
+    Corner<uint32_t>& corner = record[free].corner;
+    const uint32_t next_free = corner.next;
+    // Where there is no corner none is made: what goes on is what was there before.
+    const auto if_straight = static_cast<uint32_t>(int32_t{pass.if_straight});
+    const uint32_t next_change = (before ^ next_free) & if_straight;
+    const uint32_t slot_change = (before ^ free) & if_straight;
+    corner.next = before ^ next_change;
+    corner.mate = free;
+    corner.set_code(CornerCode(found + pass.corner));
+    in_slot = out_slot = free ^ slot_change;
+    free = next_free ^ next_change ^ slot_change;
+    taken += if_straight;
+  }
+  free_ = free;
+  free_corners_ -= taken;
+  free_places_ -= passes.edges();
+  joins_ = joins;
+}
+
+void Corners::cut_at_seam(Records& records, const Pass& pass, const Vertex& vertex) {
+  const auto corner_at = [&](const Vertex& at, Link came, Link onwards) {
+    return CornerCode(CornerCode::position(at) |
+                      CornerCode::sides(pass.incidence, came, onwards, true));
+  };
+  if (pass.in >= first_rising_queue)
+    add_at_seam(records, pass.in, pass.comes_from_ahead,
+                corner_at(vertex, pass.came, CornerCode::beyond_seam));
+  if (pass.out >= first_rising_queue)
+    add_at_seam(records, pass.out, pass.goes_ahead(),
+                corner_at(Chains::next_vertex(pass, vertex), CornerCode::beyond_seam, pass.second));
+}
+
+// Adds an origin that waits for what comes, or meets what has waited.
+void Corners::add_at_seam(Records& records, uint8_t queue, bool waits, CornerCode code) {
+  if (free_corners_ == 0) add_corners(records, 1);
+  --free_corners_;
+  const uint32_t index = free_;
+  Corner<uint32_t>& made = corner(records, index);
+  free_ = made.next;
+  made.mate = index;
+  made.set_code(code);
+  const Port port = waits ? entry_of(queue) : exit_of(queue);
+  uint32_t& slot = slots(records)[first_[port] + (count_[port]++ & mask_[port])];
+  if (waits) {
+    slot = index;
+    --free_places_;
+    return;
+  }
+  made.next = code.ends_at_seam() ? slot : index;
+  join_[joins_++] = {index, code.ends_at_seam() ? index : slot};
+}
+
+uint32_t Corners::close_chain(Records& records) {
+  while (next_join_ != joins_) {
+    const Join join = join_[next_join_++];
+    // The arm to the tail that came, turned round.
+    uint32_t from = corner(records, join.corner).next;
+    for (uint32_t after = join.corner;;) {
+      Corner<uint32_t>& turned = corner(records, from);
+      const uint32_t before = turned.next;
+      turned.next = after;
+      if (turned.code().is_origin()) break;
+      after = from;
+      from = before;
+    }
+    // The arm from the begin that waited.
+    corner(records, join.corner).next = join.to;
+    uint32_t to = join.to;
+    while (!corner(records, to).code().is_origin()) to = corner(records, to).next;
+    const uint32_t begin = corner(records, from).mate;
+    if (begin == to) return join.corner;
+    const uint32_t tail = corner(records, to).mate;
+    corner(records, begin).mate = tail;
+    corner(records, tail).mate = begin;
+    if (corner(records, begin).code().begins_at_seam() &&
+        corner(records, tail).code().ends_at_seam()) {
+      corner(records, tail).next = begin;
+      return begin;
+    }
+  }
+  joins_ = next_join_ = 0;
+  return no_record;
+}
+
+void Corners::give(Records& records, uint32_t chain, uint32_t count) {
+  const uint32_t second = corner(records, chain).next;
+  corner(records, chain).next = free_;
+  free_ = second;
+  free_corners_ += count;
+}
+
+// ---- handing over ----
+
+void Corners::hand_over(Chains& chains, const SweptRow& row, uint32_t word) {
+  Records& records = chains.records();
+  const BeginQueues begins = begin_queues();
+  HandOver fragments(chains, {static_cast<int32_t>(column_of(word, 1)), row.y, row.z});
+  const auto hand_over_from = [&](uint8_t queue) {
+    for (uint32_t i = count_[exit_of(queue)]; i != count_[entry_of(queue)]; ++i) {
+      const uint32_t at = slots(records)[first_[exit_of(queue)] + (i & mask_[exit_of(queue)])];
+      if (begins.has[queue])
+        fragments.hand_over_begin(queue, at);
+      else
+        fragments.hand_over_tail(queue, at);
+    }
+  };
+  // The begins first: a tail finds that of its fragment at the origin.
+  for (uint8_t queue = 0; queue < queue_count; ++queue)
+    if (begins.has[queue]) hand_over_from(queue);
+  for (uint8_t queue = 0; queue < queue_count; ++queue)
+    if (!begins.has[queue]) hand_over_from(queue);
+  give_all(records);
+}
+
+// Gives back what no fragment uses.
+void Corners::give_all(Records& records) {
+  while (free_ != no_record) {
+    const uint32_t next = corner(records, free_).next;
+    records.give(free_);
+    free_ = next;
+  }
+  for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
+    const uint32_t block = first_[exit_of(queue)] / slots_per_record;
+    for (uint32_t i = 0; i <= mask_[exit_of(queue)] / slots_per_record; ++i)
+      records.give(block + i);
+  }
+}
+
+}  // namespace discmc::trace

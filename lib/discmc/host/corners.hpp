@@ -1,0 +1,112 @@
+// Fragments as lists of corners: how a host keeps them while it has memory to spare.
+//
+// A pass writes one corner at most and reads nothing but the queues; what waits there is the number
+// of a corner: the last one of a chain that goes on, or the first one of a chain that comes. Every
+// corner names the one that was there before it, up to the origin, where the fragment began to be
+// traced. So a fragment has two arms, to its tail and to its begin, each known from its end. Where
+// chains meet the two arms there are walked once, to turn one of them round: what lies between
+// their origins is then a list in the chain's direction. The origins at the ends of that list name
+// each other: they are mates.
+//
+// At the seam of a slab a chain that comes from beyond begins, and one that goes there ends, at an
+// origin of which only one end waits. A fragment between two of these is complete, as a ring is.
+//
+// Corners and queues lie in the pool of records: a checkpoint has them, and those of no more use
+// are records again.
+#ifndef DISCMC_TRACE_CORNERS_HPP
+#define DISCMC_TRACE_CORNERS_HPP
+
+#include <discmc/host/learnt_passes.hpp>
+#include <discmc/trace/fragments.hpp>
+
+namespace discmc::trace {
+
+class Corners {
+ public:
+  using Chains = Fragments<uint32_t, NoNormal>;
+  using Records = Chains::Records;
+
+  // Of the ring of a queue.
+  static constexpr uint32_t slots_per_record =
+      sizeof(Record<uint32_t, NoNormal>) / sizeof(uint32_t);
+  static constexpr uint32_t least_slots = 512;
+  static_assert(least_slots / 2 >= LearntPasses::most_edges, "a queue that is half full has room");
+  /// Twice what queues take.
+  static constexpr uint32_t least_records = 2 * (inner_queue + 1) * least_slots / slots_per_record;
+
+  /// Begins with records that have just been cleared. False when they are fewer than the least.
+  bool start(Records& records);
+
+  /// Makes room for so many corners, made at so many edges. False when too many records would be in
+  /// use: then hand_over().
+  bool make_room(Records& records, uint32_t corners, uint32_t edges) {
+    const bool has_room = records.available() >= reserve_of(corners_) && corners <= free_corners_ &&
+                          edges <= free_places_;
+    return has_room || find_room(records, corners, edges);
+  }
+
+  /// Takes passes in. Limit: there is room, and all rings have been closed.
+  void take(Records& records, const LearntPasses& passes);
+
+  /// The most corners that cut_at_seam() makes of the passes at a vertex.
+  static constexpr uint32_t most_cut = 2 * PassList::most;
+  /// Cuts a chain off at a seam, at a vertex of the slice beyond it: there it ends, and at the next
+  /// vertex it begins. Below a slab, the end waits for what comes; above, it is met. Limit: below,
+  /// as take(); above, all records may be used that are set aside, and there is no hand_over().
+  void cut_at_seam(Records& records, const Pass& pass, const Vertex& vertex);
+
+  /// Joins the chains that have met, in the order in which they did, until a ring is closed, or a
+  /// fragment has come to seams at both its ends: a corner of it, the first one of a fragment, or
+  /// no_record when there are no more. Its corners name one another in its direction; the last one
+  /// of a fragment names the first.
+  uint32_t close_chain(Records& records);
+
+  /// Gives the corners of a closed chain back, of which one is named. count: how many they are.
+  void give(Records& records, uint32_t chain, uint32_t count);
+
+  /// Hands all fragments over, when a sweep has come to a place.
+  void hand_over(Chains& chains, const SweptRow& row, uint32_t word);
+
+ private:
+  // For handing over, records are set aside: a corner that waits at both its ends becomes two ends
+  // and, as both its sides may be long, up to six records of runs.
+  static constexpr uint32_t records_a_corner = 10;
+  static constexpr uint32_t most_joins = LearntPasses::most_edges * PassList::most;
+
+  /// Chains that have met: the one that comes names the corner before; `to` is the one that goes.
+  struct Join {
+    uint32_t corner, to;
+  };
+
+  static uint32_t reserve_of(uint32_t corners) { return records_a_corner * corners; }
+  bool find_room(Records& records, uint32_t corners, uint32_t edges);
+  void add_corners(Records& records, uint32_t count);
+  void add_at_seam(Records& records, uint8_t queue, bool waits, CornerCode code);
+  bool find_places(Records& records);
+  bool grow(Records& records, uint32_t queue);
+  void give_all(Records& records);
+  void set_ring(Records& records, uint32_t queue, uint32_t mask, uint32_t block);
+  uint32_t waiting(uint32_t queue) const {
+    return count_[entry_of(queue)] - count_[exit_of(queue)];
+  }
+
+  uint32_t corners_ = 0;       // all of them
+  uint32_t free_ = no_record;  // those to be used next, in a list
+  uint32_t free_corners_ = 0;
+  uint32_t free_places_ = 0;  // no queue has fewer
+  uint32_t joins_ = 0;
+  uint32_t next_join_ = 0;
+  // Queues are rings of slots. By port: how many have been put in or taken out there; by either
+  // port of a queue: the slots of its ring less one, and the first of them.
+  uint32_t count_[ports] = {};
+  uint32_t mask_[ports] = {};
+  uint32_t first_[ports] = {};
+  Join join_[most_joins + 1] = {};
+};
+
+/// Appends the straight side between two corners to a list of runs.
+void append_side(Corners::Records& records, uint32_t& list, CornerCode from, CornerCode to);
+
+}  // namespace discmc::trace
+
+#endif

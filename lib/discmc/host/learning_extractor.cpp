@@ -1,0 +1,12 @@
+// The extractor that learns: a file of its own, so that firmware does not link it.
+#include <discmc/host/learning_extractor.hpp>
+#include <discmc/trace/extractor_definitions.hpp>
+
+namespace discmc {
+
+template class Extractor<uint32_t, NoNormals, trace::CornerSweep>;
+template PushResult LearningExtractor::push_samples(const uint8_t*, uint32_t, uint32_t);
+template PushResult LearningExtractor::push_samples(const uint16_t*, uint32_t, uint32_t);
+template PushResult LearningExtractor::push_samples(const int16_t*, uint32_t, uint32_t);
+
+}  // namespace discmc

@@ -1,0 +1,172 @@
+// The readers of the page read what those of the command read, or refuse it with a reason.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { gunzipSync } from 'node:zlib';
+import { openFiles } from '../../../ports/web/page/formats/volume_file.js';
+import { polygonsByCommand, workFolder, command } from './command.js';
+import { asFile, openVolume, polygonsOf } from './module_of_page.js';
+import { nrrdOf, roughBall } from './ball.js';
+
+const folder = workFolder(after);
+const volumes = new URL('../command/volumes/', import.meta.url).pathname;
+
+// That of a file, as the command tells it.
+function assertSpacing(spacing, path) {
+  const told = /^spacing (.*)$/m.exec(command('info', path).toString())[1].split(' ').map(Number);
+  spacing.forEach((step, axis) =>
+    assert.ok(Math.abs(step - told[axis]) < 1e-6, `${spacing}, and the command has ${told}`));
+}
+
+const files = ['nrrd', 'metaimage', 'nifti1', 'nifti2', 'numpy'].flatMap((format) =>
+  readdirSync(join(volumes, format)).map((name) => join(format, name)));
+const isRefused = /text|bzip2|frame1/;
+const isData = /\.(img|raw|raw\.gz)$/;
+
+for (const file of files.filter((each) => !isData.test(each))) {
+  const path = join(volumes, file);
+  if (isRefused.test(file))
+    test(`${file} is refused by its name, with a remedy`, () =>
+      assert.rejects(openVolume(path), /^FileError: [\w.-]+: .+; .+$/s));
+  else
+    test(`${file} is read as by the command`, async () => {
+      const beside = files.filter((each) => isData.test(each) && each.startsWith(file.split('.')[0]))
+        .map((each) => join(volumes, each));
+      const { info, module } = await openVolume([path, ...beside]);
+      const { automatic } = module.measure();
+      module.extract(automatic, false);
+      assert.equal(await polygonsOf(module),
+        polygonsByCommand(folder, 'extract', '--quiet', path, '--iso', 'auto'));
+      assertSpacing(info.spacing, path);
+    });
+}
+
+test('headerless samples take their layout from the name, as a proposal', async () => {
+  const ball = roughBall();
+  const path = join(folder, 'ball_48x40x36_i16.raw');
+  writeFileSync(path, Buffer.from(ball.samples.buffer));
+  await assert.rejects(openFiles([asFile(path)]), /no known header/);
+  const { proposedLayout } = await import('../../../ports/web/page/formats/raw.js');
+  const layout = proposedLayout('ball_48x40x36_i16.raw', ball.samples.byteLength);
+  assert.deepEqual(layout, { dims: [48, 40, 36], type: 'i16', bigEndian: false, spacing: [1, 1, 1] });
+  const { module } = await openVolume(path, layout);
+  module.extract(400, false);
+  assert.equal(await polygonsOf(module), polygonsByCommand(folder, 'extract', '--quiet', path, '--dims',
+    '48,40,36', '--type', 'i16', '--iso', '400'));
+});
+
+test('sizes beyond memory are refused before anything is allocated', async () => {
+  const path = join(folder, 'huge.nrrd');
+  writeFileSync(path, nrrdOf({ dims: [16000, 16000, 16000], spacing: [1, 1, 1], samples: new Int16Array(9) }));
+  await assert.rejects(openVolume(path), /16000 x 16000 x 16000 voxels are .* MiB; .*at most 1,024 MiB; .*--shrink/);
+});
+
+const aNifti = readFileSync(join(volumes, 'nifti1', 'i16-little.nii'));
+const changed = (change) => {
+  const bytes = Buffer.from(aNifti);
+  change(bytes);
+  return bytes;
+};
+const wrongHeaders = {
+  'lines.nrrd': [nrrdOf(roughBall(8, 8, 8), 'line skip: 1e999\n'), /of Infinity lines .* are there; correct/],
+  'short.npy': [Buffer.from('\x93NUMPY', 'latin1'), /cut off; save/],
+  'half.npy': [Buffer.from("\x93NUMPY\x01\0\x40\0{'descr': '<f2', 'shape': (1, 1, 1), }", 'latin1'), /not of numbers; save/],
+  'none.nii': [changed((bytes) => bytes.writeInt16LE(0, 40)), /gives 0 dimensions; correct/],
+  'nowhere.nii': [changed((bytes) => bytes.writeFloatLE(NaN, 108)), /vox_offset is NaN; correct/],
+};
+for (const [name, [bytes, message]] of Object.entries(wrongHeaders))
+  test(`${name} is refused for what its header says`, { timeout: 10000 }, async () => {
+    const path = join(folder, name);
+    writeFileSync(path, bytes);
+    await assert.rejects(openVolume(path), message);
+  });
+
+test('a volume that is cut off says how much is missing', async () => {
+  const path = join(folder, 'cut.nrrd');
+  writeFileSync(path, nrrdOf({ dims: [16, 16, 16], spacing: [1, 1, 1], samples: new Int16Array(9) }));
+  await assert.rejects(openVolume(path), /ends after 18 bytes/);
+});
+
+test('the axes of oblique and mirrored volumes are those of the command', async () => {
+  const backwards = join(folder, 'backwards.nrrd');
+  writeFileSync(backwards, nrrdOf({ ...roughBall(8, 8, 8), spacing: [0.5, -0.75, 1.25] }));
+  assertSpacing((await openFiles([asFile(backwards)])).info.spacing, backwards);
+  const directions = [
+    '(-0.5,0,0) (0,0.75,0) (0,0,1.25)', '(0.35,0.35,0) (-0.35,0.35,0) (0,0,1.25)',
+    '(0,0.75,0) (0.5,0,0) (0,0,1.25)', '(0.5,0.1,0) (-0.1,0.75,0) (0,0,-1.25)',
+  ];
+  for (const each of directions) {
+    const path = join(folder, 'turned.nrrd');
+    const ball = roughBall(8, 8, 8);
+    const file = nrrdOf(ball).toString('latin1').replace(/spacings: .*\n/,
+      `space: left-posterior-superior\nspace directions: ${each}\n`);
+    writeFileSync(path, file, 'latin1');
+    const { info } = await openFiles([asFile(path)]);
+    assertSpacing(info.spacing, path);
+  }
+});
+
+test('left, posterior and superior are told as the surface has them, if they are known', async () => {
+  const oblique = Math.SQRT1_2;
+  for (const [space, directions, expected] of [
+    ['left-posterior-superior', '(1,0,0) (0,2,0) (0,0,3)', [[1, 0, 0], [0, 1, 0], [0, 0, 1]]],
+    ['right-anterior-superior', '(1,0,0) (0,2,0) (0,0,3)', [[-1, 0, 0], [0, -1, 0], [0, 0, 1]]],
+    ['left-posterior-superior', '(-1,0,0) (0,-2,0) (0,0,3)', [[1, 0, 0], [0, 1, 0], [0, 0, 1]]],
+    ['left-posterior-superior', '(0,1,0) (0,0,2) (3,0,0)', [[0, 0, 1], [1, 0, 0], [0, 1, 0]]],
+    ['left-posterior-superior', `(1,0,0) (0,${oblique},${oblique}) (0,${-oblique},${oblique})`,
+      [[1, 0, 0], [0, oblique, -oblique], [0, oblique, oblique]]]]) {
+    const path = join(folder, 'placed.nrrd');
+    writeFileSync(path, nrrdOf(roughBall(8, 8, 8)).toString('latin1').replace(/spacings: .*\n/,
+      `space: ${space}\nspace directions: ${directions}\n`), 'latin1');
+    const { info } = await openFiles([asFile(path)]);
+    info.upright.flat().forEach((part, i) =>
+      assert.ok(Math.abs(part - expected.flat()[i]) < 1e-12, `${directions}: ${info.upright}`));
+  }
+  const path = join(folder, 'unplaced.nrrd');
+  writeFileSync(path, nrrdOf(roughBall(8, 8, 8)));
+  assert.equal((await openFiles([asFile(path)])).info.upright, undefined);
+});
+
+test('a page has the directions of its volume inside, or none where there are none', async () => {
+  for (const header of ['', 'space: left-posterior-superior\nspace directions: (0,0.5,0) (0,0,2) (1,0,0)\n']) {
+    const path = join(folder, 'v.nrrd');
+    writeFileSync(path, nrrdOf({ ...roughBall(8, 8, 8), spacing: [0.5, -0.75, 1.25] }).toString('latin1')
+      .replace(header ? /spacings: .*\n/ : /^$/, header), 'latin1');
+    const page = command('view', path, '-o', '-').toString();
+    const inside = /data-encoding="gzip">([^<]*)</.exec(page)[1];
+    const file = Object.assign(new Blob([gunzipSync(Buffer.from(inside, 'base64'))]), { name: 'v.nii' });
+    const { info } = await openFiles([file]), own = (await openFiles([asFile(path)])).info;
+    const withoutSignsOfZero = (rows) => rows?.map((row) => row.map((part) => part + 0));
+    assert.deepEqual(withoutSignsOfZero(info.upright), withoutSignsOfZero(own.upright));
+    assert.equal(info.upright === undefined, header === '');
+    if (!header) assert.deepEqual(info.spacing, own.spacing);
+  }
+});
+
+const dicom = join(volumes, 'dicom');
+const imagesIn = (folder) => readdirSync(join(dicom, folder)).map((name) => join(dicom, folder, name));
+
+for (const [name, paths] of [['series', imagesIn('series')], ['scaled', imagesIn('scaled')],
+  ...['u16', 'u8', 'big', 'implicit', 'little', 'u16-jpeg', 'u8-jpeg', 'u16-rle', 'u8-rle'].map((name) => [`${name}.dcm`, [join(dicom, `${name}.dcm`)]])])
+  test(`dicom/${name} is read as by the command`, async () => {
+    const { info, module } = await openVolume(paths.reverse());
+    const { otsu } = module.measure();
+    module.extract(otsu, false);
+    assert.equal(await polygonsOf(module),
+      polygonsByCommand(folder, 'extract', '--quiet', join(dicom, name), '--iso', 'otsu'));
+    assertSpacing(info.spacing, join(dicom, name));
+  });
+
+for (const name of ['u16-j2k', 'u16-jpegls', 'u8-lossy', 'colour', 'deflated', 'report'])
+  test(`dicom/${name}.dcm is refused with a remedy`, () =>
+    assert.rejects(openVolume(join(dicom, `${name}.dcm`)), /^FileError: .+: .+; .+$/s));
+
+test('a series with a slice that is missing in its middle is refused', async () => {
+  const images = imagesIn('series');
+  const opened = await Promise.allSettled(images.map((left) =>
+    openVolume(images.filter((image) => image !== left))));
+  const reasons = opened.flatMap(({ reason }) => (reason ? [reason.message] : []));
+  assert.equal(reasons.length, images.length - 2, 'all but the first and the last');
+  for (const reason of reasons) assert.match(reason, /mm away, and others .*--allow-gaps/);
+});

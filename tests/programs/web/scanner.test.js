@@ -1,0 +1,24 @@
+// Firmware in QEMU whose stream is served: scripts/tools/show-scanner.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { nrrdOf, roughBall } from './ball.js';
+import { command, servedBy, workFolder } from './command.js';
+
+const script = fileURLToPath(new URL('../../../scripts/tools/show-scanner', import.meta.url));
+const build = dirname(process.env.DISCMC_COMMAND);
+
+test('the page gets what the firmware makes of the volume, byte for byte', async (t) => {
+  const folder = workFolder(after);
+  const volume = join(folder, 'ball.nrrd'), stream = join(folder, 'ball.dmc');
+  writeFileSync(volume, nrrdOf(roughBall()));
+  process.env.DISCMC_BUILD = build;
+  const { address } = await servedBy(t, script, '--no-open', '--baud', '921600', volume, '400');
+  const sent = Buffer.from(await (await fetch(`${address}data`)).arrayBuffer());
+  const memory = readFileSync(join(build, 'scanner/scan.hpp'), 'utf8').match(/arena_bytes = (\d+)/)[1];
+  command('extract', '--quiet', volume, '--iso', '400', '--memory', memory, '-o', stream);
+  const mark = Buffer.from([0]); // a device that starts ends the frame that a reset has cut off
+  assert.ok(sent.equals(Buffer.concat([mark, readFileSync(stream)])), `${sent.length} bytes came`);
+});

@@ -1,0 +1,62 @@
+// A merged polygon and what tests ask of a set of them: is it the same, and what does it count?
+#ifndef DISCMC_TESTS_ORACLE_REGION_HPP
+#define DISCMC_TESTS_ORACLE_REGION_HPP
+
+#include <cstdint>
+#include <discmc/geometry/facet_table.hpp>
+#include <string>
+#include <vector>
+
+#include "volume.hpp"
+
+namespace discmc::reference {
+
+/// A closed ring, every vertex of its unit links listed once. Units: half-steps.
+using Ring = std::vector<Vertex>;
+
+/// A merged polygon: its outer ring first, counter-clockwise seen from the normal's tip, then
+/// holes. The rings of a reference merge are simple: no vertex twice in a ring, though rings may
+/// touch.
+struct Region {
+  Incidence incidence;
+  std::vector<Ring> rings;
+};
+
+bool operator==(const Region& a, const Region& b);
+inline bool operator!=(const Region& a, const Region& b) {
+  return !(a == b);
+}
+
+/// By z, then y, then x.
+bool before(const Vertex& a, const Vertex& b);
+
+/// The same regions in an order that depends on nothing but the regions: two results compare
+/// with ==. A ring starts at its smallest vertex (by z, y, x), holes and regions are sorted.
+std::vector<Region> canonical(std::vector<Region> regions);
+
+/// The first difference of two canonical results in words, or an empty string.
+std::string describe_difference(const std::vector<Region>& a, const std::vector<Region>& b);
+
+/// Twice a ring's area times the length of the incidence's normal, an integer: positive when the
+/// ring is counter-clockwise. Units: square half-steps.
+int64_t signed_area(Incidence incidence, const Ring& ring);
+
+/// What can be counted of a volume's surface.
+struct Counts {
+  int64_t facets;
+  int64_t classic_triangles;  ///< what classic Marching Cubes would make
+  int64_t regions;
+  int64_t rings;
+  int64_t holes;
+  int64_t links;
+  int64_t enclosed;     ///< volume by cells. Units: 48ths of a cell
+  int64_t six_volumes;  ///< six times the volume of the polygons. Units: cubic half-steps
+};
+
+/// A cell has eight cubic half-steps, so `enclosed` and `six_volumes` of a closed surface are equal
+/// numbers (a lone voxel: 8). With an open border only the other counts mean something.
+Counts counts(const BitVolume& volume, bool closed, const std::vector<Region>& regions);
+
+}  // namespace discmc::reference
+
+#endif

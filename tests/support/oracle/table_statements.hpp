@@ -1,0 +1,35 @@
+// What must hold of the derived tables, so that any wrong byte breaks it. Statements about the
+// tables as data: none uses the code that derives them but the loops of cell.hpp, of which
+// cell_test.cpp speaks.
+#ifndef DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
+#define DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
+
+#include <discmc/geometry/facet_table.hpp>
+#include <discmc/stream/region_model.hpp>
+
+namespace discmc::reference {
+
+/// The three tables of facets.
+struct FacetTables {
+  FacetTable table;
+  FacetRings rings;
+  CellFacts facts;
+};
+
+/// The probabilities of the stream's contexts.
+struct ModelTable {
+  Probability of[context::count];
+};
+
+/// What the library has.
+FacetTables facet_tables();
+ModelTable model_table();
+
+/// The first statement that a table breaks, in words, or nullptr. Any bytes may be in the table.
+const char* broken(const LinkTable& links);
+const char* broken(const FacetTables& facets);
+const char* broken(const ModelTable& model);
+
+}  // namespace discmc::reference
+
+#endif

@@ -1,0 +1,104 @@
+// Volumes of on and off voxels, and the shapes that the tests are made of.
+//
+// Everything here is integers, so that a volume is the same on every machine.
+#ifndef DISCMC_TESTS_ORACLE_VOLUME_HPP
+#define DISCMC_TESTS_ORACLE_VOLUME_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <discmc/geometry/cell.hpp>
+#include <vector>
+
+namespace discmc::reference {
+
+/// Units: voxels.
+struct Size {
+  uint32_t width, height, depth;
+};
+
+/// A whole volume in memory; anywhere outside it is off.
+struct BitVolume {
+  uint32_t width, height, depth;
+  std::vector<uint8_t> on;  ///< 0 or 1 a voxel; x runs fastest, then y, then z
+
+  explicit BitVolume(Size size)
+      : width(size.width), height(size.height), depth(size.depth), on(voxels()) {}
+
+  size_t voxels() const { return size_t{width} * height * depth; }
+  size_t index(int64_t x, int64_t y, int64_t z) const {
+    const auto row = static_cast<size_t>(z) * height + static_cast<size_t>(y);
+    return row * width + static_cast<size_t>(x);
+  }
+  bool contains(int64_t x, int64_t y, int64_t z) const {
+    return x >= 0 && y >= 0 && z >= 0 && x < width && y < height && z < depth;
+  }
+  bool at(int64_t x, int64_t y, int64_t z) const {
+    return contains(x, y, z) && on[index(x, y, z)] != 0;
+  }
+
+  /// The configuration of the cell whose corner 0 is the voxel `cell`. Units: cells.
+  Configuration configuration(Vertex cell) const {
+    unsigned bits = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const bool is_on =
+          at(cell.x + (corner & 1), cell.y + (corner >> 1 & 1), cell.z + (corner >> 2));
+      bits |= static_cast<unsigned>(is_on) << corner;
+    }
+    return static_cast<Configuration>(bits);
+  }
+};
+
+/// Calls visit(cell, configuration) for every cell in the order of a sweep: from -1 to the last
+/// voxel when `closed` adds a halo of off voxels, else only those with eight voxels.
+template <typename Visit>
+void for_each_cell(const BitVolume& volume, bool closed, Visit visit) {
+  const int32_t first = closed ? -1 : 0;
+  const auto end = [&](uint32_t voxels) { return static_cast<int32_t>(voxels) - (closed ? 0 : 1); };
+  for (int32_t z = first; z < end(volume.depth); ++z)
+    for (int32_t y = first; y < end(volume.height); ++y)
+      for (int32_t x = first; x < end(volume.width); ++x) {
+        const Vertex cell{x, y, z};
+        visit(cell, volume.configuration(cell));
+      }
+}
+
+/// On where the squared distance from the centre is at most `radius_squared`.
+/// Units: the centre in half-steps, so that it may lie between voxels; the radius in voxels.
+BitVolume ball(Size size, Vertex centre, int64_t radius_squared);
+
+/// On from the voxel `first` to the voxel `last`, both included. Units: voxels.
+BitVolume box(Size size, Vertex first, Vertex last);
+
+/// A ring about the volume's centre, its axis along z. Units: half-steps.
+BitVolume torus(Size size, int64_t ring_radius, int64_t tube_radius);
+
+/// Every second voxel: only corner facets, and as many cells as there can be.
+BitVolume checkerboard(Size size);
+
+/// A checkerboard in x and y that does not change with z.
+BitVolume columns(Size size);
+
+/// One cell's corners, repeated every two voxels along each axis.
+BitVolume tiling(Size size, Configuration configuration);
+
+/// Of all tilings one of those with the most links in its rings.
+inline BitVolume tiling_61(Size size) {
+  return tiling(size, 61);
+}
+
+/// Each voxel on with a chance of `density` in 256, from a generator of our own.
+BitVolume random(Size size, uint32_t density, uint64_t seed);
+
+/// Teeth that only the last row joins: a sweep learns late that they are one region.
+BitVolume comb(Size size);
+
+/// A wall two voxels thick that winds inwards in every slice: its top and bottom have rings almost
+/// as long as a ring can be. Limit: no side is 0.
+BitVolume spiral(Size size);
+
+/// Voxel number i (x fastest) is on where bit i is set. Limit: 64 voxels.
+BitVolume from_bits(Size size, uint64_t bits);
+
+}  // namespace discmc::reference
+
+#endif

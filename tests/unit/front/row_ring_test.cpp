@@ -1,0 +1,300 @@
+// The ring of rows beside a list of what came, one thread after the other; with an interrupt after
+// every instruction of the other side; and with a second thread.
+#include <discmc/front/row_ring.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "oracle/scan.hpp"
+#include "oracle/single_step.hpp"
+#include "oracle/stream.hpp"
+#include "oracle/thinned.hpp"
+
+using namespace discmc;
+using Next = RowRing::Next;
+using reference::Block;
+
+namespace {
+
+constexpr uint32_t row_bytes = 2;
+
+struct Ring : RowRing {
+  explicit Ring(uint32_t rows) : block(bytes_for(row_bytes, rows)) {
+    REQUIRE(start(row_bytes, rows, block.memory()) == Status::ok);
+  }
+  Block block;
+};
+
+// What a sensor does: the row goes into the ring, its bytes all of its number, or is lost.
+bool bring(RowRing& ring, uint32_t ahead = 0) {
+  void* const row = ring.free_row(ahead);
+  if (row == nullptr) {
+    ring.lose();
+    return false;
+  }
+  std::memset(row, static_cast<int>(ring.came() & 0xFF), row_bytes);
+  ring.fill();
+  return true;
+}
+
+bool is_row(const RowRing& ring, uint32_t number) {
+  const auto* const bytes = static_cast<const uint8_t*>(ring.row());
+  for (uint32_t i = 0; i < row_bytes; ++i)
+    if (bytes[i] != (number & 0xFF)) return false;
+  return true;
+}
+
+// What a task has seen so far: a character a row, in their order.
+struct Task {
+  std::string seen;
+  bool is_right = true;
+  bool has_ended = false;
+
+  // Takes what there is, at most so much; returns how much.
+  uint32_t take(RowRing& ring, uint32_t most) {
+    for (uint32_t taken = 0; taken < most; ++taken) {
+      const Next next = ring.next();
+      if (next == Next::nothing || next == Next::end) {
+        has_ended = next == Next::end;
+        return taken;
+      }
+      is_right = is_right && !has_ended && ring.passed() == seen.size() &&
+                 (next == Next::lost || is_row(ring, ring.passed()));
+      seen += next == Next::row ? 'r' : 'l';
+      ring.pass();
+    }
+    return most;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("rows come out in their order, and lost ones in their place") {
+  Ring ring(2);
+  Task task;
+  CHECK(ring.next() == Next::nothing);
+  CHECK(bring(ring));
+  CHECK(bring(ring));
+  CHECK_FALSE(bring(ring));  // there is no room
+  task.take(ring, 1);
+  CHECK(bring(ring));
+  ring.lose(2);
+  task.take(ring, 100);
+  CHECK(task.seen == "rrlrll");
+  CHECK(ring.next() == Next::nothing);
+  CHECK(ring.lost() == 3);
+  CHECK(ring.came() == 6);
+  CHECK(ring.passed() == 6);
+  ring.lose();
+  ring.end();
+  CHECK_FALSE(task.has_ended);
+  task.take(ring, 100);
+  CHECK(task.seen == "rrlrlll");
+  CHECK(task.has_ended);
+  CHECK(task.is_right);
+  CHECK(ring.block.is_intact());
+}
+
+TEST_CASE("rows ahead of the next one are free as long as there is room for them") {
+  for (const uint32_t rows : {1U, 2U, 3U, 7U}) {
+    Ring ring(rows);
+    Task task;
+    // From every place in the ring.
+    for (uint32_t round = 0; round < 2 * rows + 1; ++round) {
+      for (uint32_t full = 0; full <= rows; ++full) {
+        CAPTURE(rows);
+        CAPTURE(full);
+        for (uint32_t ahead = 0; ahead < rows + 2; ++ahead)
+          CHECK((ring.free_row(ahead) != nullptr) == (full + ahead < rows));
+        if (full + 1 < rows) {
+          // What is ahead now is what is next behind a row.
+          void* const then = ring.free_row(1);
+          CHECK(bring(ring));
+          CHECK(ring.free_row() == then);
+        } else {
+          CHECK(bring(ring) == (full < rows));
+        }
+      }
+      task.take(ring, 100);
+      CHECK(bring(ring));  // so that the next round begins a place further
+      task.take(ring, 100);
+    }
+    CHECK(task.is_right);
+    CHECK(ring.block.is_intact());
+  }
+}
+
+TEST_CASE("rows that lie one behind the other begin where the memory is aligned") {
+  alignas(32) static uint8_t memory[RowRing::bytes_for(64, 3)];
+  RowRing ring;
+  REQUIRE(ring.start(64, 3, memory_of(memory)) == Status::ok);
+  for (uint32_t ahead = 0; ahead < 3; ++ahead) CHECK(ring.free_row(ahead) == memory + 64 * ahead);
+}
+
+TEST_CASE("a ring refuses no rows, empty ones, and too little memory; then nothing has changed") {
+  Ring ring(3);
+  CHECK(bring(ring));
+  Block block(RowRing::bytes_for(row_bytes, 3) - 1);
+  CHECK(ring.start(row_bytes, 3, block.memory()) == Status::too_little_memory);
+  CHECK(ring.start(row_bytes, 3, {}) == Status::too_little_memory);
+  CHECK(ring.start(0, 3, block.memory()) == Status::bad_capacities);
+  CHECK(ring.start(row_bytes, 0, block.memory()) == Status::bad_capacities);
+  CHECK(ring.start(UINT32_MAX, UINT32_MAX, {block.memory().data, SIZE_MAX}) ==
+        Status::bad_capacities);
+  CHECK(ring.next() == Next::row);
+  CHECK(is_row(ring, 0));
+  CHECK(ring.free_row(1) != nullptr);
+  CHECK(ring.free_row(2) == nullptr);
+}
+
+TEST_CASE("a ring that is not started has no room, and nothing comes") {
+  RowRing ring;
+  CHECK(ring.free_row() == nullptr);
+  CHECK(ring.next() == Next::nothing);
+}
+
+TEST_CASE("a ring that is started again begins anew") {
+  Ring ring(3);
+  for (int row = 0; row < 2; ++row) CHECK(bring(ring));
+  ring.lose();
+  ring.end();
+  Task before;
+  before.take(ring, 1);
+  REQUIRE(ring.start(row_bytes, 3, ring.block.memory()) == Status::ok);
+  CHECK(ring.next() == Next::nothing);
+  Task task;
+  for (int row = 0; row < 3; ++row) CHECK(bring(ring));
+  task.take(ring, 100);
+  CHECK(task.seen == "rrr");
+  CHECK(task.is_right);
+}
+
+TEST_CASE("any order of what either side does gives the rows that came") {
+  test::Chance chance(7);
+  for (const uint32_t rows : {1U, 2U, 3U, 5U, 8U}) {
+    Ring ring(rows);
+    Task task;
+    std::string came;
+    for (int step = 0; step < 20000; ++step) {
+      if (chance.below(2) == 0) {
+        task.take(ring, 1 + chance.below(rows + 2));
+      } else if (chance.below(8) == 0) {
+        const uint32_t lost = chance.below(4);
+        ring.lose(lost);
+        came.append(lost, 'l');
+      } else {
+        came += bring(ring) ? 'r' : 'l';
+      }
+    }
+    ring.end();
+    task.take(ring, UINT32_MAX);
+    CHECK(task.has_ended);
+    CHECK(task.seen == came);
+    CHECK(task.is_right);
+    CHECK(ring.block.is_intact());
+  }
+}
+
+// ---- interrupts ----
+
+namespace {
+
+// In a ring of two so many rows came, and so many of them were passed.
+struct State {
+  uint32_t came, passed;
+};
+constexpr State states[] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1, 1}, {3, 2}};
+
+struct Situation {
+  Ring ring{2};
+  Task task;
+  std::string came;
+
+  explicit Situation(const State& state) {
+    // No memory is allocated later.
+    came.reserve(16);
+    task.seen.reserve(16);
+    for (uint32_t i = 0; i < state.came; ++i) come();
+    task.take(ring, state.passed);
+  }
+  void come() { came += bring(ring) ? 'r' : 'l'; }
+};
+
+void check(Situation& situation) {
+  situation.ring.end();
+  situation.task.take(situation.ring, 100);
+  CHECK(situation.task.has_ended);
+  CHECK(situation.task.seen == situation.came);
+  CHECK(situation.task.is_right);
+}
+
+}  // namespace
+
+TEST_CASE("an interrupt brings rows after any instruction of the task") {
+  if (!reference::can_single_step) return;
+  for (const State& state : states)
+    for (const uint32_t rows : {1U, 3U})
+      for (uint64_t at = 1;; at += reference::step(3)) {
+        Situation situation(state);
+        const bool came = reference::interrupted(
+            at, [&] { situation.task.take(situation.ring, 2); },
+            [&] {
+              for (uint32_t row = 0; row < rows; ++row) situation.come();
+              if (rows > 1) situation.ring.end();
+            });
+        check(situation);
+        if (!came) break;
+      }
+}
+
+TEST_CASE("a task that takes rows after any instruction of the interrupt finds those that came") {
+  if (!reference::can_single_step) return;
+  for (const State& state : states)
+    for (uint64_t at = 1;; ++at) {
+      Situation situation(state);
+      const bool came = reference::interrupted(
+          at,
+          [&] {
+            situation.come();
+            situation.ring.lose();
+            situation.came += 'l';
+          },
+          [&] { situation.task.take(situation.ring, 3); });
+      check(situation);
+      if (!came) break;
+    }
+}
+
+// ---- threads: also run by the thread sanitizer ----
+
+TEST_CASE("a second thread brings rows faster and slower than they are taken") {
+  constexpr uint32_t all = 5000;
+  for (const uint32_t rows : {1U, 2U, 5U}) {
+    Ring ring(rows);
+    std::string came;
+    std::thread sensor([&ring, &came] {
+      test::Chance chance(3);
+      for (uint32_t row = 0; row < all; ++row) {
+        came += bring(ring) ? 'r' : 'l';
+        // Now a burst, and now one by one.
+        if (row % 64 >= 16 && chance.below(2) == 0)
+          while (ring.free_row() == nullptr) std::this_thread::yield();
+      }
+      ring.end();
+    });
+    Task task;
+    while (!task.has_ended)
+      if (task.take(ring, 100) == 0) std::this_thread::yield();
+    sensor.join();
+    CHECK(task.seen == came);
+    CHECK(task.is_right);
+    CHECK(ring.lost() == static_cast<uint32_t>(std::count(came.begin(), came.end(), 'l')));
+    CHECK(came.find('r') != std::string::npos);
+  }
+}

@@ -1,0 +1,312 @@
+// Statements about one cell and its loops, and about two cells that share a face; by exhaustion.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <discmc/geometry/cell.hpp>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "oracle/cell_symmetry.hpp"
+
+using namespace discmc;
+using test::cell_symmetries;
+using test::CellSymmetry;
+
+namespace {
+
+bool is_on(Configuration configuration, int corner) {
+  return (configuration >> corner & 1) != 0;
+}
+
+struct CellEdge {
+  int corner_a, corner_b;
+};
+
+std::vector<CellEdge> cell_edges() {
+  std::vector<CellEdge> edges;
+  for (int a = 0; a < 8; ++a)
+    for (int axis = 1; axis < 8; axis *= 2)
+      if ((a & axis) == 0) edges.push_back({a, a | axis});
+  return edges;
+}
+
+// Where the surface crosses the cell's edges.
+std::set<Point> crossings(Configuration configuration) {
+  std::set<Point> points;
+  for (const CellEdge& edge : cell_edges())
+    if (is_on(configuration, edge.corner_a) != is_on(configuration, edge.corner_b))
+      points.insert(derive::midpoint(edge.corner_a, edge.corner_b));
+  return points;
+}
+
+struct LoopLink {
+  Point from, to;
+};
+
+std::vector<LoopLink> loop_links(Configuration configuration) {
+  const Loops loops = derive::loops(configuration);
+  std::vector<LoopLink> result;
+  for (int l = 0; l < loops.count; ++l)
+    for (int i = 0; i < loops.loop[l].count; ++i)
+      result.push_back(
+          {loops.loop[l].point[i], loops.loop[l].point[(i + 1) % loops.loop[l].count]});
+  return result;
+}
+
+template <typename Check>
+void for_each_configuration(Check check) {
+  for (int c = 0; c < configurations; ++c) {
+    CAPTURE(c);
+    check(static_cast<Configuration>(c));
+  }
+}
+
+Vertex inward(int face) {
+  const int sign = face < 3 ? 1 : -1;
+  const int axis = face % 3;
+  return {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+}
+
+// A face whose on corners are opposite: there are two ways to join its four crossings.
+bool is_ambiguous(Configuration configuration, int face) {
+  const derive::FaceCorners ring = derive::face_corners(face);
+  const bool first = is_on(configuration, ring.corner[0]);
+  return first == is_on(configuration, ring.corner[2]) &&
+         first != is_on(configuration, ring.corner[1]) &&
+         first != is_on(configuration, ring.corner[3]);
+}
+
+// Which of a face's corners lie on the left of a link, seen from inside the cell.
+std::vector<int> corners_on_left(int face, const LoopLink& link) {
+  const Vertex from = position(link.from);
+  const Vertex along = position(link.to) - from;
+  std::vector<int> left;
+  for (const int corner : derive::face_corners(face).corner)
+    if (dot(cross(along, derive::corner_position(corner) - from), inward(face)) > 0)
+      left.push_back(corner);
+  return left;
+}
+
+using LinkSet = std::set<std::pair<Point, Point>>;
+
+LinkSet link_set(Configuration configuration) {
+  LinkSet set;
+  for (const LoopLink& link : loop_links(configuration)) set.insert({link.from, link.to});
+  return set;
+}
+
+LinkSet links_on(int face, Configuration configuration, const Vertex& shift) {
+  LinkSet set;
+  for (const LoopLink& link : loop_links(configuration))
+    if (face_of(link.from, link.to) == face)
+      set.insert({point_at(position(link.from) + shift), point_at(position(link.to) + shift)});
+  return set;
+}
+
+// All configurations of two cells side by side: 12 voxels.
+template <typename Check>
+void for_each_pair(int axis, Check check) {
+  const int bit = 1 << axis;
+  const auto fit = [&](int cell, int next) {
+    for (int corner = 0; corner < 8; ++corner)
+      if ((corner & bit) == 0 && (cell >> (corner | bit) & 1) != (next >> corner & 1)) return false;
+    return true;
+  };
+  for (int cell = 0; cell < configurations; ++cell)
+    for (int next = 0; next < configurations; ++next)
+      if (fit(cell, next))
+        check(static_cast<Configuration>(cell), static_cast<Configuration>(next));
+}
+
+}  // namespace
+
+TEST_CASE("a point and its position name each other") {
+  for (Point point = 0; point < point_codes; ++point) CHECK(point_at(position(point)) == point);
+  CHECK(point_at({2, 2, 2}) == point_codes - 1);
+  CHECK(position(centroid) == Vertex{1, 1, 1});
+}
+
+TEST_CASE("corner c lies at (c & 1, c >> 1 & 1, c >> 2), two half-steps apart") {
+  CHECK(derive::corner_position(0) == Vertex{0, 0, 0});
+  CHECK(derive::corner_position(1) == Vertex{2, 0, 0});
+  CHECK(derive::corner_position(2) == Vertex{0, 2, 0});
+  CHECK(derive::corner_position(4) == Vertex{0, 0, 2});
+  CHECK(derive::corner_position(7) == Vertex{2, 2, 2});
+}
+
+TEST_CASE("the twelve edge midpoints are the points with one odd coordinate") {
+  std::set<Point> midpoints;
+  for (const CellEdge& edge : cell_edges())
+    midpoints.insert(derive::midpoint(edge.corner_a, edge.corner_b));
+  CHECK(midpoints.size() == 12);
+  for (int i = 0; i < 27; ++i) {
+    const Vertex p{i % 3, i / 3 % 3, i / 9};
+    CHECK((midpoints.count(point_at(p)) == 1) == (p.x % 2 + p.y % 2 + p.z % 2 == 1));
+  }
+}
+
+TEST_CASE("a face's four corners lie on it, counter-clockwise seen from inside the cell") {
+  for (int face = 0; face < faces; ++face) {
+    CAPTURE(face);
+    const derive::FaceCorners ring = derive::face_corners(face);
+    const int32_t plane = face < 3 ? 0 : -2;
+    for (int i = 0; i < 4; ++i) {
+      const Vertex before = derive::corner_position(ring.corner[i]);
+      const Vertex here = derive::corner_position(ring.corner[(i + 1) % 4]);
+      const Vertex after = derive::corner_position(ring.corner[(i + 2) % 4]);
+      CHECK(dot(inward(face), here) == plane);
+      CHECK(cross(here - before, after - here) ==
+            inward(face) + inward(face) + inward(face) + inward(face));
+    }
+  }
+}
+
+TEST_CASE("two edge midpoints share one face or none, and face_of tells which") {
+  for (const CellEdge& a : cell_edges())
+    for (const CellEdge& b : cell_edges()) {
+      const Point from = derive::midpoint(a.corner_a, a.corner_b);
+      const Point to = derive::midpoint(b.corner_a, b.corner_b);
+      if (from == to) continue;
+      int shared = faces;
+      int count = 0;
+      for (int face = 0; face < faces; ++face) {
+        const int32_t plane = face < 3 ? 0 : -2;
+        if (dot(inward(face), position(from)) != plane) continue;
+        if (dot(inward(face), position(to)) != plane) continue;
+        shared = face;
+        ++count;
+      }
+      CHECK(count <= 1);
+      CHECK(face_of(from, to) == shared);
+    }
+}
+
+TEST_CASE("a link to the centroid lies on no face") {
+  for (const CellEdge& edge : cell_edges()) {
+    const Point point = derive::midpoint(edge.corner_a, edge.corner_b);
+    CHECK(face_of(point, centroid) == faces);
+    CHECK(face_of(centroid, point) == faces);
+  }
+}
+
+TEST_CASE("the loops of a cell pass every crossing of its edges once, and nothing else") {
+  for_each_configuration([](Configuration configuration) {
+    std::multiset<Point> passed;
+    for (const LoopLink& link : loop_links(configuration)) passed.insert(link.from);
+    const std::set<Point> crossed = crossings(configuration);
+    CHECK(std::equal(passed.begin(), passed.end(), crossed.begin(), crossed.end()));
+  });
+}
+
+TEST_CASE("every link of a loop lies on a face and is a link of the lattice") {
+  for_each_configuration([](Configuration configuration) {
+    for (const LoopLink& link : loop_links(configuration)) {
+      CHECK(face_of(link.from, link.to) < faces);
+      CHECK(derive::link_of(links, position(link.to) - position(link.from)) < link_codes);
+    }
+  });
+}
+
+TEST_CASE("a loop has 3 to 7 links, a cell up to 4 loops; all of these occur") {
+  std::set<int> lengths;
+  std::set<int> loop_counts;
+  for_each_configuration([&](Configuration configuration) {
+    const Loops loops = derive::loops(configuration);
+    loop_counts.insert(loops.count);
+    for (int l = 0; l < loops.count; ++l) lengths.insert(loops.loop[l].count);
+  });
+  CHECK(lengths == std::set<int>{3, 4, 5, 6, 7});
+  CHECK(loop_counts == std::set<int>{0, 1, 2, 3, 4});
+}
+
+TEST_CASE("a cell has at most 12 links on its faces, at most 6 of them on faces already visited") {
+  size_t most = 0;
+  std::ptrdiff_t most_behind = 0;
+  for_each_configuration([&](Configuration configuration) {
+    const std::vector<LoopLink> all = loop_links(configuration);
+    most = std::max(most, all.size());
+    most_behind = std::max(most_behind, std::count_if(all.begin(), all.end(), [](auto& link) {
+                             return face_of(link.from, link.to) <= face_below;
+                           }));
+  });
+  CHECK(most == 12);
+  CHECK(most_behind == 6);
+}
+
+TEST_CASE("each link has on corners on its left and off corners on its right, seen from inside") {
+  for_each_configuration([](Configuration configuration) {
+    for (const LoopLink& link : loop_links(configuration)) {
+      const int face = face_of(link.from, link.to);
+      const std::vector<int> left = corners_on_left(face, link);
+      for (const int corner : derive::face_corners(face).corner) {
+        const bool on_left = std::find(left.begin(), left.end(), corner) != left.end();
+        // On an ambiguous face, beyond a link is the other on corner, which has a link of its own.
+        if (on_left || !is_ambiguous(configuration, face))
+          CHECK(is_on(configuration, corner) == on_left);
+      }
+    }
+  });
+}
+
+TEST_CASE("on an ambiguous face the on corners are separated: each is cut off by a link") {
+  int ambiguous = 0;
+  for_each_configuration([&](Configuration configuration) {
+    for (const LoopLink& link : loop_links(configuration)) {
+      const int face = face_of(link.from, link.to);
+      if (!is_ambiguous(configuration, face)) continue;
+      ++ambiguous;
+      CHECK(corners_on_left(face, link).size() == 1);
+    }
+  });
+  CHECK(ambiguous == 2 * 2 * faces * 16);
+}
+
+TEST_CASE("two cells that share a face run through the same links on it, in opposite directions") {
+  for (int axis = 0; axis < 3; ++axis) {
+    CAPTURE(axis);
+    int pairs = 0;
+    for_each_pair(axis, [&](Configuration cell, Configuration next) {
+      ++pairs;
+      // Both in the coordinates of the second cell.
+      const LinkSet from_cell = links_on(axis + 3, cell, -inward(axis) - inward(axis));
+      LinkSet turned_round;
+      for (const auto& [from, to] : links_on(axis, next, {0, 0, 0}))
+        turned_round.insert({to, from});
+      if (from_cell != turned_round) FAIL_CHECK("cells ", int{cell}, " and ", int{next});
+    });
+    CHECK(pairs == 4096);
+  }
+}
+
+TEST_CASE("a cell turned or mirrored has its loops turned or mirrored") {
+  const std::vector<CellSymmetry> symmetries = cell_symmetries();
+  CHECK(symmetries.size() == 48);
+  CHECK(std::count_if(symmetries.begin(), symmetries.end(),
+                      [](const CellSymmetry& symmetry) { return symmetry.is_mirror(); }) == 24);
+  for_each_configuration([&](Configuration configuration) {
+    const std::vector<LoopLink> all = loop_links(configuration);
+    for (const CellSymmetry& symmetry : symmetries) {
+      LinkSet moved;
+      for (const LoopLink& link : all) {
+        const Point from = symmetry.point(link.from);
+        const Point to = symmetry.point(link.to);
+        moved.insert(symmetry.is_mirror() ? std::pair(to, from) : std::pair(from, to));
+      }
+      CHECK(moved == link_set(symmetry.configuration(configuration)));
+    }
+  });
+}
+
+TEST_CASE("without an ambiguous face, on and off swapped turn the loops round") {
+  int plain = 0;
+  for_each_configuration([&](Configuration configuration) {
+    for (int face = 0; face < faces; ++face)
+      if (is_ambiguous(configuration, face)) return;
+    ++plain;
+    LinkSet reversed;
+    for (const LoopLink& link : loop_links(configuration)) reversed.insert({link.to, link.from});
+    CHECK(reversed == link_set(static_cast<Configuration>(~configuration)));
+  });
+  CHECK(plain > 100);
+}

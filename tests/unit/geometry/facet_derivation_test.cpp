@@ -1,0 +1,39 @@
+// The derivation of the facet tables, which the compiler does, done once more at run time: so it is
+// the same wherever it is done, and the coverage of its source can be told.
+//
+// The source is compiled in here; the library's object of it is then not linked.
+#include <discmc/geometry/facet_table.cpp>
+
+#include <doctest/doctest.h>
+
+namespace discmc {
+namespace {
+
+TEST_CASE("the facet tables are the same when they are derived at run time") {
+  Derived again{};
+  again = derive_all();  // what is initialised the compiler would work out
+  for (int c = 0; c <= configurations; ++c) CHECK(again.table.first[c] == facet_table.first[c]);
+  for (int i = 0; i < FacetTable::total; ++i) CHECK(again.table.facet[i] == facet_table.facet[i]);
+  for (int facet = 0; facet < 256; ++facet) {
+    const FacetRing& ring = again.rings.ring[facet];
+    REQUIRE(ring.count == facet_rings.ring[facet].count);
+    for (int i = 0; i < ring.count; ++i) CHECK(ring.point[i] == facet_rings.ring[facet].point[i]);
+  }
+  for (int c = 0; c < configurations; ++c) {
+    CHECK(again.facts.facets[c] == cell_facts.facets[c]);
+    CHECK(again.facts.classic_triangles[c] == cell_facts.classic_triangles[c]);
+    CHECK(again.facts.enclosed[c] == cell_facts.enclosed[c]);
+  }
+}
+
+TEST_CASE("what the tables are asserted to hold is counted right, and other counts are not held") {
+  CHECK(configurations_with(7) == 32);
+  CHECK(configurations_with(8) == 0);
+  CHECK(occurs(3, 93));
+  CHECK_FALSE(occurs(3, 92));
+  CHECK_FALSE(occurs(1, 45));
+  CHECK(facets_with_ring() == 112);
+}
+
+}  // namespace
+}  // namespace discmc
