@@ -147,7 +147,7 @@ class Extractor {
   bool is_suspended() const;
 
   /// Totals so far, and all of them once the scan is finished.
-  Statistics statistics() const { return statistics_; }
+  const Statistics& statistics() const { return statistics_; }
   const Limits& limits() const { return limits_; }
   const Capacities& capacities() const { return capacities_; }
   HighWater high_water() const {

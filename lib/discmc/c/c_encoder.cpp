@@ -3,18 +3,6 @@
 
 namespace discmc {
 
-namespace {
-
-// A header of C's, which may be the caller's, is the beginning of one of C++'s.
-StreamHeader whole(const discmc_stream_header& from) {
-  StreamHeader header;
-  for (size_t i = 0; i < sizeof from; ++i)
-    reinterpret_cast<uint8_t*>(&header)[i] = reinterpret_cast<const uint8_t*>(&from)[i];
-  return header;
-}
-
-}  // namespace
-
 extern "C" {
 
 discmc_status discmc_encoder_start(discmc_encoder** encoder, const discmc_encoder_config* config) {
@@ -31,21 +19,16 @@ discmc_status discmc_encoder_restore(discmc_encoder** encoder,
   });
 }
 discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part) {
-  (void)encoder->seal.close(encoder->kind->object_bytes);
-  *part = encoder->seal.memory;  // as long as that of the config, wherever the object lies in it
+  encoder->close(sizeof *encoder);
+  *part = encoder->memory;  // as long as that of the config, wherever the object lies in it
   return DISCMC_OK;
 }
 
+// The header of a start is the beginning of one of C++'s, and no more is read.
 discmc_sink_result discmc_encoder_take(void* encoder, const discmc_event* event) {
   Encoder& object = static_cast<discmc_encoder*>(encoder)->encoder;
-  const Event& same = reinterpret_cast<const Event&>(*event);
-  if (same.kind != Event::Kind::start) return static_cast<discmc_sink_result>(object.take(same));
-  const StreamHeader header = whole(*event->of.header);
-  Event start = same;
-  start.header = &header;
-  return static_cast<discmc_sink_result>(object.take(start));
+  return static_cast<discmc_sink_result>(object.take(reinterpret_cast<const Event&>(*event)));
 }
-
 discmc_status discmc_encoder_write_record(discmc_encoder* encoder,
                                           const discmc_application_record* record) {
   return c(encoder->encoder.tell(cpp(*record)));

@@ -2,16 +2,12 @@
 #include <discmc/c/values.hpp>
 #include <discmc/slice_encoder.hpp>
 
-struct discmc_slice_encoder {
-  discmc::Seal seal;
-  const discmc_slice_kind* kind;
+struct discmc_slice_encoder : discmc::Sealed {
   discmc::SliceEncoder encoder;
   uint32_t row_voxels;
 };
 
-struct discmc_slice_kind {
-  uint32_t layout;
-  uint32_t object_bytes;
+struct discmc_slice_kind : discmc::Kind {
   discmc_sample_type type;
   discmc_push_result (*push)(discmc::SliceEncoder& encoder, uint32_t width, const void* samples,
                              uint32_t count, uint32_t stride);
@@ -45,9 +41,10 @@ StreamHeader header_of(const discmc_slice_encoder_config& config) {
 }
 
 template <class Sample>
-constexpr discmc_slice_kind slice_kind = {sizeof(discmc_slice_encoder) | SliceEncoder::layout << 20,
-                                          sizeof(discmc_slice_encoder), type_of<Sample>,
-                                          push_as<Sample, SliceEncoder>};
+constexpr discmc_slice_kind slice_kind = {
+    {sizeof(discmc_slice_encoder) | SliceEncoder::layout << 20, sizeof(discmc_slice_encoder)},
+    type_of<Sample>,
+    push_as<Sample, SliceEncoder>};
 
 }  // namespace
 
@@ -82,14 +79,17 @@ discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
 
 discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encoder, discmc_memory* part) {
   if (encoder->encoder.is_suspended()) return DISCMC_SUSPENDED;
-  *part = encoder->seal.close(sizeof *encoder + encoder->encoder.bytes_used());
+  const size_t bytes = sizeof *encoder + encoder->encoder.bytes_used();
+  encoder->close(bytes);
+  *part = encoder->part(bytes);
   return DISCMC_OK;
 }
 
 discmc_push_result discmc_slice_encoder_push(discmc_slice_encoder* encoder, discmc_sample_type type,
                                              const void* samples, uint32_t count, uint32_t stride) {
-  if (type != encoder->kind->type) return {DISCMC_BAD_SAMPLES, 0};
-  return encoder->kind->push(encoder->encoder, encoder->row_voxels, samples, count, stride);
+  const auto& kind = static_cast<const discmc_slice_kind&>(*encoder->kind);
+  if (type != kind.type) return {DISCMC_BAD_SAMPLES, 0};
+  return kind.push(encoder->encoder, encoder->row_voxels, samples, count, stride);
 }
 discmc_push_result discmc_slice_encoder_skip_row(discmc_slice_encoder* encoder,
                                                  uint8_t substitute) {

@@ -5,15 +5,11 @@
 #include <discmc/c/object.hpp>
 #include <discmc/encoder.hpp>
 
-struct discmc_encoder {
-  discmc::Seal seal;
-  const discmc_encoder_kind* kind;
+struct discmc_encoder : discmc::Sealed {
   discmc::Encoder encoder;
 };
 
-struct discmc_encoder_kind {
-  uint32_t layout;
-  uint32_t object_bytes;
+struct discmc_encoder_kind : discmc::Kind {
   void (*prepare)(discmc::Encoder& encoder);  // before start() and restore()
 };
 
@@ -21,7 +17,7 @@ namespace discmc {
 
 constexpr discmc_encoder_kind encoder_kind(uint32_t number, void (*prepare)(Encoder& encoder)) {
   constexpr auto bytes = static_cast<uint32_t>(sizeof(discmc_encoder));
-  return {bytes | number << 16 | Encoder::layout << 20, bytes, prepare};
+  return {{bytes | number << 16 | Encoder::layout << 20, bytes}, prepare};
 }
 
 }  // namespace discmc

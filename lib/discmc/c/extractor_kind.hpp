@@ -11,26 +11,40 @@ namespace discmc {
 
 /// What can be seen of an extractor of any type.
 struct ExtractorView {
-  Statistics statistics;
-  Limits limits;
-  Capacities capacities;
+  const Statistics* statistics;
+  const Limits* limits;
+  const Capacities* capacities;
   HighWater high_water;
   uint32_t slices, rows;
   bool is_suspended;
 };
 
-}  // namespace discmc
-
-struct discmc_extractor {
-  discmc::Seal seal;
-  const discmc_extractor_kind* kind;
+/// What the memory of a scan depends on besides its limits and records.
+struct ScanSizes {
+  uint8_t index_bytes;
+  uint8_t record_bytes;
+  uint8_t sample_bytes;  ///< of those that are kept for normals, or 0
 };
 
-struct discmc_extractor_kind {
-  uint32_t layout;
-  uint32_t object_bytes;
-  uint8_t index_bytes;
-  uint8_t sample_bytes;  ///< of those that are kept for normals, or 0
+/// As bytes_for(), in one piece of code for all.
+constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t records) {
+  uint64_t bytes =
+      bytes_for<uint16_t>(limits, {0, 0}) + Arena::bytes_of(records, sizes.record_bytes);
+  if (sizes.index_bytes > sizeof(uint16_t))
+    bytes += bytes_for<uint32_t>({1, 1}, {0, 0}) - bytes_for<uint16_t>({1, 1}, {0, 0});
+  const uint32_t rows = GradientNormals<uint8_t>::ring_rows(limits);
+  if (sizes.sample_bytes > 0)
+    bytes += Arena::bytes_of(rows * limits.width, sizes.sample_bytes) +
+             Arena::bytes_of(rows, sizeof(uint16_t));
+  return bytes;
+}
+
+}  // namespace discmc
+
+struct discmc_extractor : discmc::Sealed {};
+
+struct discmc_extractor_kind : discmc::Kind {
+  discmc::ScanSizes sizes;
   /// What of the memory is left, the scan uses. `restores`: the object is one that was saved.
   discmc::Status (*start)(discmc_extractor& extractor, const discmc_extractor_config& config,
                           discmc::Memory memory, bool restores);
@@ -60,6 +74,11 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
   struct Stored : discmc_extractor {
     WithSink<Scanner> with_sink;
   };
+
+  static constexpr ScanSizes sizes = {sizeof(Index), sizing::record_bytes<Index, Normals>,
+                                      Normals::type / 2};
+  static_assert(bytes_of_scan(sizes, {31, 7}, 5) == bytes_for<Index, Normals>({31, 7}, {5, 0}),
+                "it is as many bytes");
 
   static Scanner& in(discmc_extractor& extractor) {
     return static_cast<Stored&>(extractor).with_sink.object;
@@ -105,9 +124,9 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
 
   static void look(const discmc_extractor& extractor, ExtractorView& view) {
     const Scanner& scanner = static_cast<const Stored&>(extractor).with_sink.object;
-    view.statistics = scanner.statistics();
-    view.limits = scanner.limits();
-    view.capacities = scanner.capacities();
+    view.statistics = &scanner.statistics();
+    view.limits = &scanner.limits();
+    view.capacities = &scanner.capacities();
     view.high_water = scanner.high_water();
     view.slices = scanner.slices();
     view.rows = scanner.rows();
@@ -115,10 +134,8 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
   }
 
   static constexpr discmc_extractor_kind functions = {
-      sizeof(Stored) | Scanner::layout << 20,
-      sizeof(Stored),
-      sizeof(Index),
-      static_cast<uint8_t>(Normals::type / 2),
+      {sizeof(Stored) | Scanner::layout << 20, sizeof(Stored)},
+      sizes,
       start,
       push,
       [](discmc_extractor& extractor, Substitute substitute) {

@@ -14,13 +14,10 @@ constexpr uint64_t bytes_with_object(size_t object_bytes, uint64_t rest) {
   return object_alignment - 1 + object_bytes + rest;
 }
 
-/// Where an object of so many bytes lies in a memory, and what of the memory is left; null if it
-/// has no room.
-void* place_object(const discmc_memory& memory, size_t object_bytes, Memory& rest);
-/// The same, and fills the place with zeros, which are an object that was never started.
+/// Where an object of so many bytes lies in a memory, filled with zeros, which are an object that
+/// was never started; and what of the memory is left. Null if the memory has no room.
 void* begin_object(const discmc_memory& memory, size_t object_bytes, Memory& rest);
 
-/// The same for an object of a type.
 template <class Object>
 Object* begin(const discmc_memory& memory, Memory& rest) {
   static_assert(alignof(Object) <= object_alignment, "objects are aligned");
@@ -28,56 +25,49 @@ Object* begin(const discmc_memory& memory, Memory& rest) {
   return static_cast<Object*>(begin_object(memory, sizeof(Object), rest));
 }
 
-/// What an object that can be saved begins with.
-struct Seal {
-  uint32_t checksum;     // of the bytes that follow this
-  uint32_t layout;       // of the object: another build, or kind, has another number
-  size_t bytes;          // that are sealed, from here on
-  discmc_memory memory;  // of the config
-
-  /// So many bytes from here on, and what lies before them in the memory.
-  discmc_memory part(size_t bytes_from_here) const {
-    const auto before = reinterpret_cast<const uint8_t*>(this) - static_cast<uint8_t*>(memory.data);
-    return {memory.data, static_cast<size_t>(before) + bytes_from_here};
-  }
-  /// Seals them, and returns the same.
-  discmc_memory close(size_t bytes_from_here);
+/// What kinds begin with.
+struct Kind {
+  uint32_t layout;  ///< of the object: another build, or kind, has another number
+  uint32_t object_bytes;
 };
 
-/// Whether bytes are those that were sealed with this layout, as far as they lie within so many.
-bool is_whole(const Seal& seal, uint32_t layout, size_t most_bytes);
+/// What an object that has a kind, and can be saved, begins with.
+struct Sealed {
+  uint32_t checksum;  // of the bytes that follow this
+  uint32_t layout;
+  size_t bytes;          // that are sealed, from here on
+  discmc_memory memory;  // of the config
+  const Kind* kind;
 
-/// Starts the object of a config by `start`, at the beginning of its memory. It begins with a seal
-/// and a kind.
-template <class Object, class Config, class Start>
-discmc_status start(Object** object, const Config& config, Start start) {
-  static_assert(alignof(Object) <= object_alignment, "objects are aligned");
+  /// Seals so many bytes from here on.
+  void close(size_t bytes_from_here);
+  /// The first bytes of the memory: those, and what lies before them.
+  discmc_memory part(size_t bytes_from_here) const;
+};
+
+/// The object of a config: one that was never started; one that was sealed there, or null and why.
+Sealed* begin_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest);
+Sealed* open_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest,
+                    discmc_status& status);
+
+/// Starts the object of a config: `call` says how, of the object and the rest of its memory.
+template <class Object, class Config, class Call>
+discmc_status start(Object** object, const Config& config, Call call) {
   Memory rest;
-  auto* const place =
-      static_cast<Object*>(begin_object(config.memory, config.kind->object_bytes, rest));
-  if (place == nullptr) return DISCMC_TOO_LITTLE_MEMORY;
-  place->seal.layout = config.kind->layout;
-  place->seal.memory = config.memory;
-  place->kind = config.kind;
-  const Status status = start(*place, rest);
-  if (status == Status::ok) *object = place;
+  auto* const begun = static_cast<Object*>(begin_sealed(config.memory, *config.kind, rest));
+  if (begun == nullptr) return DISCMC_TOO_LITTLE_MEMORY;
+  const Status status = call(*begun, rest);
+  if (status == Status::ok) *object = begun;
   return static_cast<discmc_status>(status);
 }
-
-/// The same of an object that was sealed there.
-template <class Object, class Config, class Start>
-discmc_status restore(Object** object, const Config& config, Start start) {
+template <class Object, class Config, class Call>
+discmc_status restore(Object** object, const Config& config, Call call) {
   Memory rest;
-  auto* const place =
-      static_cast<Object*>(place_object(config.memory, config.kind->object_bytes, rest));
-  if (place == nullptr) return DISCMC_TOO_LITTLE_MEMORY;
-  if (!is_whole(place->seal, config.kind->layout, config.kind->object_bytes + rest.bytes))
-    return DISCMC_BAD_CHECKPOINT;
-  place->seal.memory = config.memory;
-  place->kind = config.kind;
-  const Status status = start(*place, rest);
-  if (status == Status::ok) *object = place;
-  return static_cast<discmc_status>(status);
+  discmc_status status;
+  auto* const opened = static_cast<Object*>(open_sealed(config.memory, *config.kind, rest, status));
+  if (opened != nullptr) status = static_cast<discmc_status>(call(*opened, rest));
+  if (status == DISCMC_OK) *object = opened;
+  return status;
 }
 
 }  // namespace discmc

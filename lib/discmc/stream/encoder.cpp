@@ -45,8 +45,10 @@ Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
 }
 
 // The header is what the label says and what the extractor knows.
+// Of the header of a scan nothing is read that only streams of slices have.
 Answer Encoder::begin_stream(const StreamHeader& scan) {
-  if (!packets_.has_output() || !scan.is_valid()) return Answer::never;
+  const Limits limits{scan.width, scan.height, scan.border};
+  if (!packets_.has_output() || !limits.is_valid()) return Answer::never;
   StreamHeader& header = packets_.header();
   if (state_ != State::idle) {
     if (!drain()) return Answer::not_now;
