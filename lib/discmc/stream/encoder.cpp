@@ -204,8 +204,9 @@ bool Encoder::put(const Event& event) {
 }
 
 // Puts a mark, or the record, into the packet. A record that cannot be encoded whole, or is longer
-// than a packet, goes in parts. False when something is left for the next packet.
-bool Encoder::fill_packet(const Event& event) {
+// than a packet, goes in parts. False when something is left for the next packet. Inlined, as the
+// two take less stack together.
+DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
   const Model before = model_;
   uint32_t words = record_.count;
   for (;;) {
@@ -228,7 +229,7 @@ bool Encoder::fill_packet(const Event& event) {
   return record_.count == 0;
 }
 
-inline bool Encoder::encode_whole(const Event& event) {
+bool Encoder::encode_whole(const Event& event) {
   switch (event.kind) {
     case Event::Kind::layer:
       model_.record_kind(RecordKind::layer);
@@ -249,7 +250,7 @@ inline bool Encoder::encode_whole(const Event& event) {
 }
 
 // Encodes the first words of the record as a part. False when fewer fit: `words` says how many.
-inline bool Encoder::encode_part(uint32_t& words, Event::Kind cause) {
+bool Encoder::encode_part(uint32_t& words, Event::Kind cause) {
   model_.record_kind(RecordKind::part);
   model_.part(record_);
   for (uint32_t i = 0; i < words;) {

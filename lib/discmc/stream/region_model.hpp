@@ -234,9 +234,10 @@ constexpr uint32_t max_compact_length = 0xFFFF;
 
 // ---- implementation ----
 
-// Three bits. Nodes are numbered from 1, those below a node by twice its number and one more.
+// Three bits. Nodes are numbered from 1, those below a node by twice its number and one more. Not
+// inlined: it takes 200 bytes, and is called in three places.
 template <class Coder>
-uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
+DISCMC_NOINLINE uint32_t RegionModel<Coder>::tree(uint32_t first, uint32_t value) {
   uint32_t node = 1;
   for (uint32_t bits = 3; bits-- > 0;) {
     const uint32_t context = first == context::even ? first : first + node - 1;
@@ -429,9 +430,8 @@ void RegionModel<Coder>::part(Record& record) {
   record.is_fragment = code_bit(context::part_kind, record.is_fragment);
   record.continues = code_bit(context::part_kind + 1, record.continues);
   record.incidence = incidence(record.incidence);
-  begin_chain(ChainKind::further);
-  if (!record.is_fragment || record.continues) return;
-  record.came = direction(record.came);
+  if (record.is_fragment && !record.continues)
+    record.came = static_cast<Direction>(tree(context::even, record.came));
   begin_chain(ChainKind::further);
 }
 
