@@ -1,12 +1,13 @@
 // Fuzz target. The promise: any small volume, fed in any portions, in any memory, to a sink that
 // refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined;
-// nothing is loose in the memory of the worst case; and neither index width, portions, refusals nor
-// what a host learns show.
+// nothing is loose in the memory of the worst case; neither index width, portions, refusals nor
+// what a host learns show; and the rings come apart into simple ones of the same area.
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
 
 #include <discmc/host/learning_extractor.hpp>
+#include <discmc/polygon.hpp>
 
 #include <algorithm>
 
@@ -234,6 +235,52 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   return log;
 }
 
+// In arrays of exactly their size.
+void check_ring(Incidence incidence, const Vertex& start, const std::vector<Run>& runs) {
+  const auto count = static_cast<uint32_t>(runs.size());
+  const int64_t area = twice_area(incidence, runs.data(), count);
+  const auto links = static_cast<uint32_t>(link_count(runs.data(), count));
+  std::vector<Vertex> vertices(links);
+  unfold(incidence, start, runs.data(), count, vertices.data());
+  require(twice_area(incidence, vertices.data(), links) == area,
+          "a chain and its vertices have different areas");
+  struct Sum {
+    Incidence incidence;
+    int64_t area;
+  } sum{incidence, 0};
+  const RingReceiver receiver{&sum, [](void* context, const Vertex* ring, uint32_t length) {
+                                auto& to = *static_cast<Sum*>(context);
+                                require(length >= 3, "a simple ring of fewer than three vertices");
+                                const int64_t part = twice_area(to.incidence, ring, length);
+                                require(part != 0, "a simple ring without an area");
+                                to.area += part;
+                                std::vector<Vertex> corners(ring, ring + length);
+                                const uint32_t left = keep_corners(corners.data(), length);
+                                require(twice_area(to.incidence, corners.data(), left) == part,
+                                        "corners alone have another area");
+                              }};
+  std::vector<uint32_t> scratch(size_t{2} * links);
+  split_ring(vertices.data(), links, scratch.data(), receiver);
+  require(sum.area == area, "simple rings have another area than their ring");
+}
+
+void check_rings(const Events& events) {
+  using Kind = Event::Kind;
+  Vertex start{};
+  std::vector<Run> runs;
+  Incidence incidence = 0;
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
+    const bool is_ring = event.kind == Kind::ring;
+    if ((is_ring || event.kind == Kind::region_end) && !runs.empty())
+      check_ring(incidence, start, runs);
+    if (event.kind != Kind::run) runs.clear();
+    if (event.kind == Kind::run) runs.push_back(event.run);
+    if (event.kind == Kind::region) incidence = event.incidence;
+    if (is_ring) start = event.start;
+  }
+}
+
 void check_surface(const Scenario& scenario, const Collector& collector) {
   const bool closed = scenario.limits.border == Border::closed;
   require(collector.was_abandoned() == scenario.is_abandoned, "the sink is told another ending");
@@ -267,6 +314,7 @@ void check(const Scenario& scenario) {
   const EventLog log =
       scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
   check_surface(scenario, collected(log.events));
+  check_rings(log.events);
   const EventLog learnt = run<uint32_t, LearningExtractor>(scenario, refuses);
   require(learnt.events == log.events, "a host that learns gives other events");
   check_corners(scenario, refuses);
