@@ -1,4 +1,4 @@
-// What those that take rows of samples have in common: Extractor and SliceEncoder.
+// What those that take rows of samples have in common.
 #ifndef DISCMC_ROW_INPUT_HPP
 #define DISCMC_ROW_INPUT_HPP
 
@@ -19,6 +19,12 @@ inline constexpr bool is_sample<int16_t> = true;
 /// Tells the types of samples apart.
 template <class Sample>
 constexpr uint32_t sample_type = 2 * sizeof(Sample) + (static_cast<Sample>(-1) < 0 ? 1 : 0);
+
+/// How many of the samples given belong to the row that arrives, of which `column` are there.
+constexpr uint32_t samples_of_row(uint32_t given, uint32_t column, uint32_t width) {
+  const uint32_t room = width - column;
+  return given < room ? given : room;
+}
 
 /// What stands in for a row that never came.
 enum class Substitute : uint8_t { off, previous_row };

@@ -58,9 +58,7 @@ class SampleWindow {
     if (width_ == 0) return Status::not_started;
     if (is_ended_) return Status::finished;
     for (uint32_t done = 0; done < count;) {
-      const uint32_t room = width_ - rows_.column();
-      const uint32_t left = count - done;
-      const uint32_t taken = left < room ? left : room;
+      const uint32_t taken = samples_of_row(count - done, rows_.column(), width_);
       rows_.append(samples + size_t{done} * stride, taken, stride);
       if (rows_.row_is_complete()) rows_.next_row();
       done += taken;

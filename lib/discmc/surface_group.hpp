@@ -33,15 +33,14 @@ class SurfaceGroup {
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     PushResult result{resume(), 0};
     while (result.status == Status::ok && result.samples < count) {
-      const uint32_t room = width_ - column_;
-      const uint32_t left = count - result.samples;
-      const uint32_t taken = left < room ? left : room;
+      const uint32_t taken = samples_of_row(count - result.samples, column_, width_);
       const Sample* const next = samples + size_t{result.samples} * stride;
       result.status =
           for_each([&](Scanner& scanner) { return scanner.push(next, taken, stride).status; });
       if (is_error(result.status)) break;
       result.samples += taken;
-      column_ = taken == room ? 0 : column_ + taken;
+      column_ += taken;
+      if (column_ == width_) column_ = 0;
     }
     return result;
   }

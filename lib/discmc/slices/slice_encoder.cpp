@@ -52,9 +52,8 @@ template <class Sample>
 PushResult SliceEncoder::push_samples(const Sample* samples, uint32_t count, uint32_t stride) {
   PushResult result{ready_for_row(), 0};
   while (result.status == Status::ok && result.samples < count) {
-    const uint32_t room = packets_.header().width - column();
-    const uint32_t left = count - result.samples;
-    const uint32_t taken = left < room ? left : room;
+    const uint32_t taken =
+        samples_of_row(count - result.samples, column(), packets_.header().width);
     const Sample* const next = samples + size_t{result.samples} * stride;
     for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
       surfaces_[surface].rows.append(next, taken, stride, packets_.header().threshold_of(surface));

@@ -94,9 +94,8 @@ PushResult Extractor<Index, Normals, Sweep>::push_samples(const Sample* samples,
                                                           uint32_t stride) {
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
-    const uint32_t room = limits_.width - intake_.column(rows_);
-    const uint32_t left = count - result.samples;
-    const uint32_t taken = left < room ? left : room;
+    const uint32_t taken =
+        samples_of_row(count - result.samples, intake_.column(rows_), limits_.width);
     note(intake_.append(rows_, samples + size_t{result.samples} * stride, taken, stride,
                         threshold_));
     result.samples += taken;
