@@ -233,7 +233,7 @@ class BothNormals {
   SinkInC c_;
   SinkInCpp cpp_;
   std::unique_ptr<BothBlocks> blocks_;
-  Extractor<Index, GradientNormals<Sample>> in_cpp_;
+  NormalExtractor<Index, Sample> in_cpp_;
 };
 
 /// Makes every call twice, in C and in C++.

@@ -7,6 +7,7 @@
 #include <discmc/discmc.h>
 
 #include <discmc/c_extractors.hpp>
+#include <discmc/gradient_normals.hpp>
 
 struct discmc_normal_kind {
   using Limits = discmc::Limits;
@@ -67,7 +68,7 @@ void become(discmc_normal_extractor* extractor, const discmc_normal_kind* kind) 
 template <class Index, class Sample>
 struct NormalKind {
   using Normals = GradientNormals<Sample>;
-  using Scanner = Extractor<Index, Normals>;
+  using Scanner = NormalExtractor<Index, Sample>;
   using Object = discmc_normal_extractor;
 
   static_assert(fits<StoredNormals<Scanner>, discmc_normal_extractor> &&
@@ -97,7 +98,7 @@ struct NormalKind {
   static discmc_push_result skip_row(Object& object, uint8_t substitute) {
     return c(in(object).skip_row(static_cast<Substitute>(substitute)));
   }
-  template <Status (Scanner::*method)()>
+  template <auto method>
   static discmc_status call(Object& object) {
     return c((in(object).*method)());
   }

@@ -169,7 +169,7 @@ NormalScan scan_with_normals(uint32_t extent, double radius, bool is_disturbed) 
   discmc::reference::Block block(
       discmc::bytes_for<uint32_t, Normals>(limits, discmc::reference::ample));
   EventLog log;
-  discmc::Extractor<uint32_t, Normals> extractor;
+  discmc::NormalExtractor32<uint8_t> extractor;
   extractor.set_spacing(uneven_spacing);
   discmc::reference::require_ok(
       extractor.start(limits, discmc::reference::ample, 100, block.memory(), discmc::sink_to(log)));

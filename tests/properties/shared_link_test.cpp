@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <discmc/gradient_normals.hpp>
 #include <discmc/shared_output.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
@@ -230,7 +231,7 @@ TEST_CASE("an extractor that knows the spacing says it once, for the stream as w
   NormalEncoder encoder;
   require_ok(encoder.start({0, {5, 5, 5}}, line.output()));
   Bytes memory(minimum_bytes<uint16_t, Normals>({8, 8}));
-  Extractor<uint16_t, Normals> extractor;
+  NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing({1000, 2000, -3000});
   require_ok(extractor.start({8, 8}, 1, {memory.data(), memory.size()}, sink_to(encoder)));
   CHECK(encoder.flush());

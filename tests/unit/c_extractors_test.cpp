@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cstring>
+#include <discmc/gradient_normals.hpp>
 #include <discmc/learning_extractor.hpp>
 #include <memory>
 #include <new>
@@ -139,7 +140,7 @@ struct Learning {
 };
 
 template <class Index, class Sample>
-using WithNormals = Extractor<Index, GradientNormals<Sample>>;
+using WithNormals = NormalExtractor<Index, Sample>;
 
 #define ALL_EXTRACTORS                                                             \
   Normals<discmc_normals_u8, WithNormals<uint16_t, uint8_t>, uint8_t>,             \
