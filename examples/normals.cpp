@@ -12,7 +12,7 @@ constexpr int32_t spacing_nm[] = {500000, 500000, 1000000};
 
 using Normals = GradientNormals<uint8_t>;  // of the samples' type
 static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 8 * 1024];
-static Extractor<uint16_t, Normals> extractor;
+static NormalExtractor16<uint8_t> extractor;
 static Encoder encoder;
 
 static Status begin(const ByteOutput& output) {

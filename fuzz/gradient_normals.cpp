@@ -4,7 +4,6 @@
 //   fuzz_gradient_normals -max_len=400 corpus/gradient_normals    with libFuzzer
 //   fuzz_gradient_normals corpus/gradient_normals                 with replay_main.cpp
 #include <algorithm>
-#include <discmc/extractor.hpp>
 #include <memory>
 
 #include "input.hpp"
@@ -57,7 +56,7 @@ void push(Scan& scan, const Sample* samples, uint32_t count, uint32_t portion) {
 
 template <class Normals, class Sample>
 Events events_of(const SampleVolume<Sample>& volume, const Setting& setting, const Script& script) {
-  using Scan = Extractor<uint16_t, Normals>;
+  using Scan = typename ExtractorOf<uint16_t, Normals>::Type;
   const size_t bytes = bytes_for<uint16_t, Normals>(setting.limits, setting.capacities);
   const std::unique_ptr<uint8_t[]> memory(new uint8_t[bytes]);
   EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);

@@ -17,7 +17,6 @@
 
 #include <discmc/capacities.hpp>
 #include <discmc/checkpoint.hpp>
-#include <discmc/gradient_normals.hpp>
 #include <discmc/row_input.hpp>
 #include <discmc/trace/sweep.hpp>
 
@@ -29,51 +28,32 @@ struct HighWater {
   uint32_t holes;
 };
 
-/// Takes the samples of a scan, and hands its regions to a Sink. Index is uint16_t (up to 32,759
-/// records; firmware) or uint32_t (hosts). The events do not depend on it, given the same
-/// capacities. Normals is NoNormals, or GradientNormals<Sample>: then push() takes samples of this
-/// type alone, keeps those of four slices in the memory, and sweeps a slice and a row later; the
-/// events are the same but for the normals in them. Sweep: another is that of
-/// learning_extractor.hpp. It is neither copied nor moved, but by save() and restore(): two would
-/// write to the same memory.
-template <class Index, class Normals = NoNormals,
-          class Sweep = trace::Sweep<Index, typename Normals::Normal>>
-class Extractor {
+/// What every extractor does: takes the samples of a scan, and hands its regions to a Sink. Use
+/// Extractor, NormalExtractor (gradient_normals.hpp) or LearningExtractor (learning_extractor.hpp).
+/// Index is uint16_t (up to 32,759 records; firmware) or uint32_t (hosts). The events do not depend
+/// on it, given the same capacities. An extractor is neither copied nor moved, but by save() and
+/// restore(): two would write to the same memory.
+template <class Index, class Intake, class Sweep>
+class BasicExtractor {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
 
  public:
-  Extractor() = default;
-
   /// Begins a scan with as many records as the memory has room for (default_capacities()).
   /// threshold: a voxel is on where its sample is >= threshold.
-  /// memory: at least minimum_bytes<Index, Normals>(limits); Owner: the caller, for as long as the
+  /// memory: at least minimum_bytes<Index>(limits); Owner: the caller, for as long as the
   /// scan lasts. Errors: bad_limits, bad_sink (also a sink that does not take the start of the
   /// scan, such as an encoder that was not started), too_little_memory; then memory is untouched.
   /// Cost: a write for each queue, and for each word of a row.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
-    return start(limits, default_capacities<Index, Normals>(limits, memory.bytes), threshold,
-                 memory, sink);
+    return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,
+                 sink);
   }
 
-  /// The same with explicit capacities: memory of at least
-  /// bytes_for<Index, Normals>(limits, capacities).
+  /// The same with explicit capacities: memory of at least bytes_for<Index>(limits, capacities).
   /// Errors: also bad_capacities.
   [[nodiscard]] Status start(const Limits& limits, const Capacities& capacities, int32_t threshold,
-                             Memory memory, const Sink& sink) {
-    // Decided here, where limits may be constants: then the linker drops what slabs alone need.
-    return start(limits, capacities, threshold, memory, sink, at_seam_of(limits.slab));
-  }
-
-  /// Tells how far apart voxels are, for the normals of the scans to come, until told otherwise:
-  /// without it voxels are cubes. The start of the scan tells it to the stream. spacing_nm:
-  /// negative where an axis is mirrored; Units: nanometres. Limit: GradientNormals, and not during
-  /// a scan, whose normals would differ from then on.
-  template <class N = Normals>
-  void set_spacing(const int32_t (&spacing_nm)[3]) {
-    static_assert(N::holds_samples, "an extractor without normals has no use for the spacing");
-    intake_.set_spacing(spacing_nm);
-  }
+                             Memory memory, const Sink& sink);
 
   /// Begins the next scan with the limits, threshold, memory and sink of the last start(). Errors:
   /// not_started, bad_sink (it does not take the start of the scan).
@@ -88,19 +68,15 @@ class Extractor {
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
-    static_assert(!Normals::holds_samples || Normals::type == sample_type<Sample>,
+    static_assert(!Intake::holds_samples || Intake::type == sample_type<Sample>,
                   "samples must be of the type that the normals are made of");
     return push_samples(samples, count, stride);
   }
 
   /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0.
   /// Errors: as push(), row_in_progress. PushResult::samples is the width when the row was taken,
-  /// else 0. Limit: NoNormals.
-  template <class N = Normals>
-  PushResult push_bits(const uint8_t* bits) {
-    static_assert(!N::holds_samples, "bits have no gradient: push samples");
-    return push_row_of_bits(bits);
-  }
+  /// else 0.
+  PushResult push_bits(const uint8_t* bits);
 
   /// Stands in for a row that never came; the sink is told. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
@@ -118,37 +94,30 @@ class Extractor {
   [[nodiscard]] Status abandon();
 
   /// Writes down where the scan is; with the first bytes_used() bytes of the memory that is all of
-  /// it. Errors: not_started. Status::more: resume() first. Cost: a checksum of those bytes.
-  [[nodiscard]] Status save(Checkpoint<Extractor>& checkpoint) const;
+  /// it. Any: the type of this extractor. Errors: not_started. Status::more: resume() first. Cost:
+  /// a checksum of those bytes.
+  template <class Any>
+  [[nodiscard]] Status save(Checkpoint<Any>& checkpoint) const;
 
   /// Goes on where a checkpoint was saved. memory: as many bytes as start() was given, the first
   /// ones as they were then; it may lie elsewhere, with the same alignment modulo 4; Owner: as of
   /// start(). Errors: too_little_memory, bad_checkpoint, bad_sink. Cost: as save().
-  [[nodiscard]] Status restore(const Checkpoint<Extractor>& checkpoint, Memory memory,
-                               const Sink& sink);
+  template <class Any>
+  [[nodiscard]] Status restore(const Checkpoint<Any>& checkpoint, Memory memory, const Sink& sink);
 
   /// Goes on as restore() does, where the bytes of this object itself have been read back, with
   /// those of the memory: for objects that are saved where they lie, as those of C. Limit: they are
   /// as they were. Errors: bad_sink, too_little_memory.
   [[nodiscard]] Status continue_in(Memory memory, const Sink& sink);
 
-  /// Remembers in this memory, besides that of start(), what it works out of neighbourhoods, from
-  /// this scan to the next: 1 MiB is a good size. Call it at any time; what was remembered
-  /// elsewhere is forgotten. Nothing is remembered before, and after restore(). Owner: the memory
-  /// is the caller's, for as long as scans last. Limit: a LearningExtractor. Cost: a quarter of it
-  /// is written.
-  template <class S = Sweep>
-  void learn_in(Memory memory) {
-    S& sweep = sweep_;
-    sweep.learn_in(memory);
-  }
-
   /// Whether the sink has refused something that is due: then resume() before save().
   bool is_suspended() const;
 
   /// Totals so far, and all of them once the scan is finished.
   const Statistics& statistics() const { return statistics_; }
-  const Limits& limits() const { return limits_; }
+  Limits limits() const {
+    return {width_, height_, border_, {first_slice_, continues_below_, continues_above_}};
+  }
   const Capacities& capacities() const { return capacities_; }
   HighWater high_water() const {
     return {sweep_.fragments().records().high_water(), sweep_.delivery().holes().high_water()};
@@ -161,34 +130,30 @@ class Extractor {
   uint32_t rows() const { return intake_.rows(rows_); }
 
   /// Of what a checkpoint holds: see CheckpointHead.
-  static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Normals::type << 8;
+  static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Intake::type << 8;
+
+ protected:
+  BasicExtractor() = default;
+  BasicExtractor(const BasicExtractor&) = default;
+  BasicExtractor& operator=(const BasicExtractor&) = default;
+
+  Intake& intake() { return intake_; }
+  Sweep& sweep() { return sweep_; }
 
  private:
-  friend struct Checkpoint<Extractor>;
-  Extractor(const Extractor&) = default;
-  Extractor& operator=(const Extractor&) = default;
-
   enum class State : uint8_t { idle, scanning, finishing, finished };
-  using Normal = typename Normals::Normal;
-  using Chains = trace::Fragments<Index, Normal>;
-  using AtSeam = typename Chains::AtSeam;
 
-  static AtSeam at_seam_of(const Slab& slab) {
-    return slab.is_part() ? Chains::cut_at_seam : nullptr;
-  }
-
-  Status start(const Limits& limits, const Capacities& capacities, int32_t threshold, Memory memory,
-               const Sink& sink, AtSeam at_seam);
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
-  PushResult push_row_of_bits(const uint8_t* bits);
-  bool lay_out(Memory memory);
+  bool lay_out(const Limits& limits, Memory memory);
+  void forget_addresses();
   void clear();
   Status ready_for_samples();
   void note(Arrival arrival);
 
   bool work();
   uint32_t rows_outside(int32_t y) const;
+  trace::RowPlace place() const;
   bool sweep_row();
   int32_t middle_slice() const;
   uint32_t ready_rows() const;
@@ -204,17 +169,33 @@ class Extractor {
   bool abandoned_ = false;
   bool skip_untold_ = false;
   bool skip_repeated_ = false;
-  bool chains_are_ended_ = false;  // at the row under way above a slab
-  uint32_t swept_rows_ = 0;        // of the middle slice
+  Border border_ = Border::closed;
+  bool continues_below_ = false;  // of the slab
+  bool continues_above_ = false;
+  uint32_t swept_rows_ = 0;  // of the middle slice
   int32_t threshold_ = 0;
-  Limits limits_{};
+  uint32_t width_ = 0;
+  uint32_t height_ = 0;
+  uint32_t first_slice_ = 0;  // of the slab
   Sink sink_;
-  Normals intake_;
+  Intake intake_;
   trace::BitRows rows_;
   Sweep sweep_;
   Statistics statistics_{};
   Capacities capacities_{};
   Memory memory_;
+};
+
+/// The extractor of firmware, and of hosts that want no more.
+template <class Index>
+class Extractor : public BasicExtractor<Index, NoNormals, trace::Sweep<Index, NoNormal>> {
+ public:
+  Extractor() = default;
+
+ private:
+  friend struct Checkpoint<Extractor>;
+  Extractor(const Extractor&) = default;
+  Extractor& operator=(const Extractor&) = default;
 };
 
 using Extractor16 = Extractor<uint16_t>;

@@ -3,7 +3,7 @@
 //
 //   using Normals = GradientNormals<uint8_t>;           // of the samples' type
 //   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
-//   static Extractor<uint16_t, Normals> extractor;      // used like any other
+//   static NormalExtractor16<uint8_t> extractor;        // used like any other
 //   encoder.encode_normals();                           // or they are left out of the stream
 //   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
@@ -14,8 +14,7 @@
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
-#include <discmc/row_input.hpp>
-#include <discmc/trace/intake.hpp>
+#include <discmc/extractor.hpp>
 #include <discmc/trace/sample_rows.hpp>
 
 namespace discmc {
@@ -49,6 +48,10 @@ class GradientNormals {
   void clear() {
     samples_.clear();
     waiting_ = 0;
+  }
+  void forget_addresses() {
+    samples_.forget_addresses();
+    given_ = nullptr;
   }
 
   /// How the normals are bent where voxels are not cubes. Units: nanometres
@@ -146,6 +149,36 @@ class GradientNormals {
   int32_t first_z_ = 0;  // of the samples in the volume
   uint32_t waiting_ = 0;
 };
+
+/// An extractor that makes normals. It takes samples of this type alone, keeps those of four slices
+/// in the memory, and sweeps a slice and a row later. The events are the same as without normals,
+/// but for the normals in them. memory: at least
+/// minimum_bytes<Index, GradientNormals<Sample>>(limits); the same for explicit capacities.
+template <class Index, class Sample>
+class NormalExtractor
+    : public BasicExtractor<Index, GradientNormals<Sample>, trace::Sweep<Index, OctahedralNormal>> {
+ public:
+  NormalExtractor() = default;
+
+  /// Tells how far apart voxels are, for the normals of the scans to come, until told otherwise:
+  /// without it voxels are cubes. The start of the scan tells it to the stream. spacing_nm:
+  /// negative where an axis is mirrored; Units: nanometres. Limit: not during a scan, whose normals
+  /// would differ from then on.
+  void set_spacing(const int32_t (&spacing_nm)[3]) { this->intake().set_spacing(spacing_nm); }
+
+  /// Bits have no gradient.
+  PushResult push_bits(const uint8_t* bits) = delete;
+
+ private:
+  friend struct Checkpoint<NormalExtractor>;
+  NormalExtractor(const NormalExtractor&) = default;
+  NormalExtractor& operator=(const NormalExtractor&) = default;
+};
+
+template <class Sample>
+using NormalExtractor16 = NormalExtractor<uint16_t, Sample>;
+template <class Sample>
+using NormalExtractor32 = NormalExtractor<uint32_t, Sample>;
 
 }  // namespace discmc
 

@@ -31,6 +31,9 @@ class RecordAccount {
     available_ = capacity_;
   }
 
+  /// Forgets where the records lie, until start().
+  void forget_addresses() { records_ = nullptr; }
+
   uint32_t capacity() const { return capacity_; }
   /// Records that may be taken; those in use, and reserved.
   uint32_t available() const { return available_; }

@@ -54,7 +54,7 @@ std::string stream_with_normals() {
   discmc::test::Line line;
   discmc::test::NormalEncoder encoder;
   discmc::reference::require_ok(encoder.start(header.label(), line.output()));
-  discmc::Extractor<std::uint32_t, WithNormals> extractor;
+  discmc::NormalExtractor32<std::uint16_t> extractor;
   extractor.set_spacing(header.spacing_nm);
   discmc::reference::require_ok(
       extractor.start(limits, header.threshold, block.memory(), discmc::sink_to(encoder)));

@@ -235,7 +235,7 @@ TEST_CASE("a stream of an extractor with normals comes through") {
     samples[i] = static_cast<uint8_t>((samples[i - 1] + samples[i] + samples[i + 24]) / 3);
   Block block(bytes_for<uint16_t, GradientNormals<uint8_t>>(limits, capacities));
   EventLog log;
-  Extractor<uint16_t, GradientNormals<uint8_t>> extractor;
+  NormalExtractor16<uint8_t> extractor;
   require_ok(extractor.start(limits, capacities, 120, block.memory(), sink_to(log)));
   push_all(extractor, samples);
   finish_all(extractor);

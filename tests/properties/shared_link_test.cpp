@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <discmc/byte_output.hpp>
+#include <discmc/gradient_normals.hpp>
 #include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
 
@@ -227,10 +228,10 @@ TEST_CASE("a header says what the extractor was started with, and what the label
 TEST_CASE("an extractor that knows the spacing says it once, for the stream as well") {
   using Normals = GradientNormals<uint8_t>;
   Line line;
-  NormalEncoder encoder;
+  discmc::test::NormalEncoder encoder;
   require_ok(encoder.start({0, {5, 5, 5}}, line.output()));
   Bytes memory(minimum_bytes<uint16_t, Normals>({8, 8}));
-  Extractor<uint16_t, Normals> extractor;
+  NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing({1000, 2000, -3000});
   require_ok(extractor.start({8, 8}, 1, {memory.data(), memory.size()}, sink_to(encoder)));
   CHECK(encoder.flush());

@@ -24,7 +24,7 @@ constexpr bool is_plain_bytes =
 TEST_CASE("what works in the caller's memory or points into itself stays where it is") {
   static_assert(stays_where_it_is<Extractor16> && stays_where_it_is<Extractor32> &&
                     stays_where_it_is<LearningExtractor> &&
-                    stays_where_it_is<Extractor<uint16_t, GradientNormals<int16_t>>>,
+                    stays_where_it_is<NormalExtractor16<int16_t>>,
                 "two extractors would write to one memory");
   static_assert(stays_where_it_is<Encoder> && stays_where_it_is<SliceEncoder> &&
                     stays_where_it_is<Decoder> && stays_where_it_is<SliceDecoder> &&

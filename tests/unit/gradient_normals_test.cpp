@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <discmc/extractor.hpp>
 #include <discmc/sample_window.hpp>
 #include <vector>
 
@@ -35,7 +34,7 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
   const Limits limits{volume.size.width, volume.size.height, setting.border, setting.slab};
   Block block(bytes_for<Index, Normals>(limits, setting.capacities));
   EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
-  Extractor<Index, Normals> extractor;
+  typename ExtractorOf<Index, Normals>::Type extractor;
   if constexpr (Normals::holds_samples) extractor.set_spacing(uneven_spacing);
   require_ok(
       extractor.start(limits, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
@@ -143,7 +142,7 @@ TEST_CASE("a scan that begins anew knows nothing of the one before") {
   using Normals = WithNormals<uint8_t>;
   Block block(bytes_for<uint16_t, Normals>(larger, setting.capacities));
   EventLog log;
-  Extractor<uint16_t, Normals> extractor;
+  NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing(uneven_spacing);
   require_ok(
       extractor.start(larger, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
@@ -209,7 +208,7 @@ TEST_CASE("a slice is swept when a slice and a row behind it have come, out of f
   const std::vector<uint8_t> samples(7 * limits.width, 0);
   Block block(minimum_bytes<uint16_t, Normals>(limits));
   EventLog log;
-  Extractor<uint16_t, Normals> extractor;
+  NormalExtractor16<uint8_t> extractor;
   require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
   CHECK_FALSE(log.starts.front().has_spacing());
   for (const int32_t spacing : log.starts.front().spacing_nm) CHECK(spacing == 0);
@@ -244,7 +243,7 @@ Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<R
   const Limits limits{volume.size.width, volume.size.height};
   Block block(bytes_for<uint16_t, Normals>(limits, ample));
   EventLog log;
-  Extractor<uint16_t, Normals> extractor;
+  typename ExtractorOf<uint16_t, Normals>::Type extractor;
   if constexpr (Normals::holds_samples) extractor.set_spacing(uneven_spacing);
   require_ok(extractor.start(limits, ample, threshold, block.memory(), sink_to(log)));
   const uint8_t* samples = volume.samples.data();
@@ -336,7 +335,7 @@ TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is j
     SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);
     Block block(bytes_for<uint16_t, WithNormals<uint8_t>>(limits, least));
     EventLog log;
-    Extractor<uint16_t, WithNormals<uint8_t>> extractor;
+    NormalExtractor16<uint8_t> extractor;
     extractor.set_spacing(uneven_spacing);
     require_ok(extractor.start(limits, least, threshold, block.memory(), sink_to(log)));
     require_ok(extractor.push(volume.samples.data(), given).status);
@@ -354,7 +353,7 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
   const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 9);
   const Setting setting{128, Border::closed, ample};
   const Events whole = events_of<uint16_t, WithNormals<uint8_t>>(volume, setting);
-  using Scan = Extractor<uint16_t, WithNormals<uint8_t>>;
+  using Scan = NormalExtractor16<uint8_t>;
   for (uint32_t row = 0; row <= size.height * size.depth; ++row) {
     const size_t bytes = bytes_for<uint16_t, WithNormals<uint8_t>>(limits, setting.capacities);
     std::vector<uint8_t> memory(bytes), later(bytes);
@@ -380,8 +379,8 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
 }
 
 TEST_CASE("a checkpoint of samples of another type is refused") {
-  using Scan = Extractor<uint16_t, WithNormals<uint16_t>>;
-  using Other = Extractor<uint16_t, WithNormals<int16_t>>;
+  using Scan = NormalExtractor16<uint16_t>;
+  using Other = NormalExtractor16<int16_t>;
   const Limits limits{8, 6};
   Block block(minimum_bytes<uint16_t, WithNormals<uint16_t>>(limits));
   EventLog log;
@@ -406,7 +405,7 @@ TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
   Block block(least);
   const Memory memory = block.memory();
   EventLog log;
-  Extractor<uint16_t, Normals> extractor;
+  NormalExtractor16<uint16_t> extractor;
   CHECK(extractor.start(limits, 1, {memory.data, least - 1}, sink_to(log)) ==
         Status::too_little_memory);
   CHECK(extractor.start(limits, 1, memory, sink_to(log)) == Status::ok);

@@ -5,7 +5,7 @@
 namespace discmc {
 
 template <class Sample>
-using NormalKind = ExtractorKind<Extractor<uint16_t, GradientNormals<Sample>>, Sample>;
+using NormalKind = ExtractorKind<NormalExtractor16<Sample>, Sample>;
 
 template <class Sample>
 constexpr bool size_suffices =

@@ -5,14 +5,14 @@
 
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
-#include <discmc/extractor.hpp>
+#include <discmc/gradient_normals.hpp>
 
 namespace discmc {
 
 /// What can be seen of an extractor of any type.
 struct ExtractorView {
   const Statistics* statistics;
-  const Limits* limits;
+  Limits limits;
   const Capacities* capacities;
   HighWater high_water;
   uint32_t slices, rows;
@@ -65,20 +65,28 @@ constexpr size_t learnt_bytes = (size_t{1} << 20) + Arena::alignment;
 template <class Scanner>
 constexpr bool learns = false;
 
-template <class Scanner, class... Samples>
-struct ExtractorKind;
+/// What the type of an extractor says, whichever class of its own it has.
+template <class Index, class Intake, class Sweep>
+struct ExtractorType {
+  static constexpr ScanSizes sizes = {sizeof(Index), sizing::record_bytes<Index, Intake>,
+                                      Intake::type / 2};
+  static_assert(bytes_of_scan(sizes, {31, 7}, 5) == bytes_for<Index, Intake>({31, 7}, {5, 0}),
+                "it is as many bytes");
+  static constexpr bool has_normals = Intake::holds_samples;
+  static Capacities capacities(const Limits& limits, uint64_t bytes) {
+    return default_capacities<Index, Intake>(limits, bytes);
+  }
+};
+template <class Index, class Intake, class Sweep>
+ExtractorType<Index, Intake, Sweep> type_of_extractor(
+    const BasicExtractor<Index, Intake, Sweep>& extractor);
 
-template <class Index, class Normals, class Sweep, class... Samples>
-struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
-  using Scanner = Extractor<Index, Normals, Sweep>;
+template <class Scanner, class... Samples>
+struct ExtractorKind {
+  using Type = decltype(type_of_extractor(*static_cast<const Scanner*>(nullptr)));
   struct Stored : discmc_extractor {
     WithSink<Scanner> with_sink;
   };
-
-  static constexpr ScanSizes sizes = {sizeof(Index), sizing::record_bytes<Index, Normals>,
-                                      Normals::type / 2};
-  static_assert(bytes_of_scan(sizes, {31, 7}, 5) == bytes_for<Index, Normals>({31, 7}, {5, 0}),
-                "it is as many bytes");
 
   static Scanner& in(discmc_extractor& extractor) {
     return static_cast<Stored&>(extractor).with_sink.object;
@@ -94,12 +102,12 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
       scanner.learn_in({static_cast<uint8_t*>(memory.data) + memory.bytes, learnt});
     }
     if (restores) return scanner.continue_in(memory, sink);
-    if constexpr (Normals::holds_samples) scanner.set_spacing(config.spacing_nm);
+    if constexpr (Type::has_normals) scanner.set_spacing(config.spacing_nm);
     Limits limits = cpp(config.limits);
     limits.slab = {config.slab.first, config.slab.continues_below != 0,
                    config.slab.continues_above != 0};
     const Capacities capacities = config.records == 0
-                                      ? default_capacities<Index, Normals>(limits, memory.bytes)
+                                      ? Type::capacities(limits, memory.bytes)
                                       : Capacities{config.records, config.records / 16};
     return scanner.start(limits, capacities, config.threshold, memory, sink);
   }
@@ -117,7 +125,7 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
     return result;
   }
 
-  template <Status (Scanner::*method)()>
+  template <auto method>
   static Status call(discmc_extractor& extractor) {
     return (in(extractor).*method)();
   }
@@ -125,7 +133,7 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
   static void look(const discmc_extractor& extractor, ExtractorView& view) {
     const Scanner& scanner = static_cast<const Stored&>(extractor).with_sink.object;
     view.statistics = &scanner.statistics();
-    view.limits = &scanner.limits();
+    view.limits = scanner.limits();
     view.capacities = &scanner.capacities();
     view.high_water = scanner.high_water();
     view.slices = scanner.slices();
@@ -135,7 +143,7 @@ struct ExtractorKind<Extractor<Index, Normals, Sweep>, Samples...> {
 
   static constexpr discmc_extractor_kind functions = {
       {sizeof(Stored) | Scanner::layout << 20, sizeof(Stored)},
-      sizes,
+      Type::sizes,
       start,
       push,
       [](discmc_extractor& extractor, Substitute substitute) {

@@ -26,30 +26,33 @@ bool is_hole(CornerCode start) {
 }  // namespace
 
 void CornerSweep::clear() {
-  plain_.clear();
+  Plain::clear();
   passes_beyond_.clear();
   is_suspended_ = false;
-  keeps_corners_ = corners_.start(fragments().records());
+  keeps_corners_ = corners_.start(records());
 }
 
-void CornerSweep::forget() {
-  plain_.forget();
-  passes_ = {};
+void CornerSweep::forget_addresses() {
+  Plain::forget_addresses();
+  learnt_ = {};
 }
 
 bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
                         Statistics& statistics) {
-  if (row.work == RowWork::open_seam) {
+  if (row.place == RowPlace::below_slab) {
     open_seam(row);
     return true;
   }
   if (keeps_corners_) {
-    const bool is_own = row.work == RowWork::take_passes;
     is_suspended_ =
-        !(is_own ? sweep_corners(row, sink, statistics) : close_seam(row, sink, statistics));
+        !(row.is_own() ? sweep_corners(row, sink, statistics) : close_seam(row, sink, statistics));
     if (is_suspended_) return false;
   }
-  return keeps_corners_ || plain_.sweep(row, normals, sink, statistics);
+  if (keeps_corners_) return true;
+  // What comes from below a slab waits, or was counted as lost.
+  SweptRow rest = row;
+  if (row.is_own()) rest.place = RowPlace::inside;
+  return Plain::sweep(rest, normals, sink, statistics);
 }
 
 // ---- seams ----
@@ -57,32 +60,33 @@ bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sin
 // Sweeps a row of the slice below a slab. Whether a link that leads up from it is boundary depends
 // on the cells above alone, which take part: so all ends are there that those of the slab wait for.
 void CornerSweep::open_seam(const SweptRow& row) {
-  Records& records = fragments().records();
-  while (passes_beyond_.find(row, plain_.counts())) {
+  while (passes_beyond_.find(row, counts_)) {
     constexpr uint32_t most = Corners::most_cut;
     if (keeps_corners_ &&
-        (row.z >= CornerCode::most_slices || !corners_.make_room(records, most, most)))
+        (row.z >= CornerCode::most_slices || !corners_.make_room(records(), most, most)))
       hand_over(row, 0);
     for (; passes_beyond_.has_next(); passes_beyond_.advance()) {
-      if (keeps_corners_)
-        corners_.cut_at_seam(records, passes_beyond_.pass(), passes_beyond_.vertex());
-      else
-        fragments().lose_at_seam(passes_beyond_.pass());
+      const Pass& pass = passes_beyond_.pass();
+      if (keeps_corners_) {
+        corners_.cut_at_seam(records(), pass, passes_beyond_.vertex());
+      } else {
+        if (pass.in >= first_rising_queue) fragments_.push_lost(pass.in);
+        if (pass.out >= first_rising_queue) fragments_.push_lost(pass.out);
+      }
     }
   }
 }
 
 // Sweeps a row of the slice above a slab: once, as a corner tells where the end is that waits.
 bool CornerSweep::close_seam(const SweptRow& row, const Sink& sink, Statistics& statistics) {
-  if (row.work == RowWork::begin_chains) return true;
   if (is_suspended_ && !go_on_delivering(sink, statistics)) return false;
   do {
     while (passes_beyond_.has_next()) {
-      corners_.cut_at_seam(fragments().records(), passes_beyond_.pass(), passes_beyond_.vertex());
+      corners_.cut_at_seam(records(), passes_beyond_.pass(), passes_beyond_.vertex());
       passes_beyond_.advance();
       if (!deliver_chains(sink, statistics)) return false;
     }
-  } while (passes_beyond_.find(row, plain_.counts()));
+  } while (passes_beyond_.find(row, counts_));
   return true;
 }
 
@@ -92,67 +96,71 @@ bool CornerSweep::close_seam(const SweptRow& row, const Sink& sink, Statistics& 
 bool CornerSweep::sweep_corners(const SweptRow& row, const Sink& sink, Statistics& statistics) {
   if (is_suspended_) {
     if (!go_on_delivering(sink, statistics)) return false;
-  } else if (!passes_.begin_row(row)) {
+  } else if (!learnt_.begin_row(row)) {
     return true;
   }
-  Records& records = fragments().records();
-  SweepCounts counts = plain_.counts();
-  while (passes_.find(row, counts)) {
+  SweepCounts counts = counts_;
+  while (learnt_.find(row, counts)) {
     if (row.z >= CornerCode::most_slices ||
-        !corners_.make_room(records, passes_.count(), passes_.edges())) {
-      hand_over(row, passes_.first_word());
-      plain_.go_on_from(passes_.first_word());
+        !corners_.make_room(records(), learnt_.count(), learnt_.edges())) {
+      hand_over(row, learnt_.first_word());
+      passes_.go_on_from(learnt_.first_word());
       return true;
     }
-    plain_.counts() = counts;
-    corners_.take(records, passes_);
+    counts_ = counts;
+    corners_.take(records(), learnt_);
     if (!deliver_chains(sink, statistics)) return false;
   }
   counts.add_to(statistics);
-  plain_.counts() = counts;
+  counts_ = counts;
   return true;
 }
 
 void CornerSweep::hand_over(const SweptRow& row, uint32_t word) {
-  corners_.hand_over(fragments(), row, word);
+  corners_.hand_over(fragments_, row, word);
   keeps_corners_ = false;
 }
 
 // ---- closed chains ----
 
 bool CornerSweep::go_on_delivering(const Sink& sink, Statistics& statistics) {
-  return delivery().settle(fragments(), sink, statistics) && deliver_chains(sink, statistics);
+  return delivery_.settle(fragments_, sink, statistics) && deliver_chains(sink, statistics);
 }
 
 // Delivers the chains that close as those that have met are joined. False when the sink said "not
 // now".
 bool CornerSweep::deliver_chains(const Sink& sink, Statistics& statistics) {
-  Records& records = fragments().records();
-  while (const uint32_t closed = corners_.close_chain(records)) {
+  while (const uint32_t closed = corners_.close_chain(records())) {
     const Chain chain = chain_of(closed);
     bool is_done;
-    if (chain.code.begins_at_seam() || is_hole(chain.code) ||
-        delivery().has_holes_on(records, chain.code.incidence(), chain.code.vertex())) {
+    if (chain.code.begins_at_seam() || is_hole(chain.code) || may_have_holes(chain)) {
       put_out(chain);
-      is_done = delivery().settle(fragments(), sink, statistics);
+      is_done = delivery_.settle(fragments_, sink, statistics);
     } else {
       is_done = deliver(chain, sink, statistics);
     }
-    corners_.give(records, chain.start, chain.corners);
+    corners_.give(records(), chain.start, chain.corners);
     if (!is_done) return false;
   }
   return true;
 }
 
+// Whether holes wait on the plane of a ring.
+bool CornerSweep::may_have_holes(const Chain& ring) const {
+  const auto& holes = delivery_.holes();
+  return holes.count() > 0 &&
+         holes.has_any(fragments_.records(), ring.code.incidence(), ring.code.vertex());
+}
+
 // Finds where a chain begins: a ring at its last vertex, which is a corner, as Delivery does, and a
 // fragment at the corner that is named.
-CornerSweep::Chain CornerSweep::chain_of(uint32_t closed) const {
-  const Records& records = fragments().records();
-  Chain chain{closed, 0, records[closed].corner.code()};
+CornerSweep::Chain CornerSweep::chain_of(uint32_t closed) {
+  Record<uint32_t, NoNormal>* const records = &fragments_.records()[0];
+  Chain chain{closed, 0, CornerRecord(records[closed]).code()};
   uint64_t last = chain.code.begins_at_seam() ? UINT64_MAX : chain.code.bits();
   uint32_t at = closed;
   do {
-    const Corner<uint32_t>& corner = records[at].corner;
+    const CornerRecord corner(records[at]);
     const CornerCode code = corner.code();
     if (code.bits() > last) {
       last = code.bits();
@@ -160,14 +168,14 @@ CornerSweep::Chain CornerSweep::chain_of(uint32_t closed) const {
       chain.start = at;
     }
     ++chain.corners;
-    at = corner.next;
+    at = corner.next();
   } while (at != closed);
   return chain;
 }
 
 // Delivers a region that is one ring. When the sink says "not now" the ordinary delivery goes on.
 bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& statistics) {
-  const Record<uint32_t, NoNormal>* const records = &fragments().records()[0];
+  Record<uint32_t, NoNormal>* const records = &fragments_.records()[0];
   const Direction* const direction = directions.of[ring.code.incidence()];
   Event event{};
   event.incidence = ring.code.incidence();
@@ -186,8 +194,8 @@ bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& stati
     do {
       const CornerCode from = code;
       do {
-        next = records[next].corner.next;
-        code = records[next].corner.code();
+        next = CornerRecord(records[next]).next();
+        code = CornerRecord(records[next]).code();
       } while (code.onwards() == from.onwards());
       const uint32_t length = links_between(from, code);
       links += length;
@@ -199,7 +207,8 @@ bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& stati
   if (!tell(Event::Kind::region) || !tell(Event::Kind::ring) || !tell_runs() ||
       !tell(Event::Kind::region_end)) {
     put_out(ring);
-    delivery().go_on_behind(taken, fragments(), statistics);
+    delivery_.begin(fragments_);
+    for (; taken > 0; --taken) delivery_.go_on(fragments_, statistics);
     return false;
   }
   statistics.links += links;
@@ -211,9 +220,9 @@ bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& stati
 // Makes of a closed chain what goes out of the fragments.
 void CornerSweep::put_out(const Chain& chain) {
   using Kind = Outgoing<uint32_t>::Kind;
-  Records& records = fragments().records();
+  Records& records = fragments_.records();
   const CornerCode start = chain.code;
-  auto& outgoing = fragments().outgoing();
+  auto& outgoing = fragments_.outgoing();
   outgoing.kind = start.begins_at_seam() ? Kind::fragment : Kind::ring;
   outgoing.incidence = start.incidence();
   outgoing.start = start.vertex();
@@ -221,10 +230,11 @@ void CornerSweep::put_out(const Chain& chain) {
   outgoing.last = no_record;
   uint32_t at = chain.start;
   do {
-    const uint32_t next = records[at].corner.next;
-    append_side(records, outgoing.last, records[at].corner.code(), records[next].corner.code());
-    at = next;
-  } while (at != chain.start && !records[at].corner.code().ends_at_seam());
+    const CornerRecord corner(records[at]);
+    const CornerRecord next(records[corner.next()]);
+    append_side(records, outgoing.last, corner.code(), next.code());
+    at = corner.next();
+  } while (at != chain.start && !CornerRecord(records[at]).code().ends_at_seam());
 }
 
 }  // namespace discmc::trace

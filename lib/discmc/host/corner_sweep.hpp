@@ -11,23 +11,21 @@
 namespace discmc::trace {
 
 /// To an extractor what a Sweep is.
-class CornerSweep {
+class CornerSweep : private Sweep<uint32_t, NoNormal> {
  public:
-  static constexpr bool opens_seams = true;
+  using Plain = Sweep<uint32_t, NoNormal>;
 
-  Corners::Chains& fragments() { return plain_.fragments(); }
-  Delivery<uint32_t, NoNormal>& delivery() { return plain_.delivery(); }
-  const Corners::Chains& fragments() const { return plain_.fragments(); }
-  const Delivery<uint32_t, NoNormal>& delivery() const { return plain_.delivery(); }
+  using Plain::delivery;
+  using Plain::fragments;
+  using Plain::settle_holes;
+  using Plain::start;
 
-  void learn_in(Memory memory) { passes_.learn_in(memory); }
+  void learn_in(Memory memory) { learnt_.learn_in(memory); }
   void clear();
-  void forget();
+  /// Also where what has been learnt lies.
+  void forget_addresses();
   bool sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
              Statistics& statistics);
-  bool settle_holes(const Sink& sink, Statistics& statistics) {
-    return plain_.settle_holes(sink, statistics);
-  }
 
  private:
   using Records = Corners::Records;
@@ -45,15 +43,17 @@ class CornerSweep {
   void hand_over(const SweptRow& row, uint32_t word);
   bool go_on_delivering(const Sink& sink, Statistics& statistics);
   bool deliver_chains(const Sink& sink, Statistics& statistics);
-  Chain chain_of(uint32_t closed) const;
+  bool may_have_holes(const Chain& ring) const;
+  Chain chain_of(uint32_t closed);
   bool deliver(const Chain& ring, const Sink& sink, Statistics& statistics);
   void put_out(const Chain& chain);
 
-  Sweep<uint32_t, NoNormal> plain_;
+  Records& records() { return fragments_.records(); }
+
   bool keeps_corners_ = false;
   bool is_suspended_ = false;  // the sink has said "not now"
   Corners corners_;
-  LearntPasses passes_;
+  LearntPasses learnt_;
   DerivedPasses passes_beyond_;  // of the slices below and above a slab
 };
 

@@ -8,8 +8,8 @@ namespace {
 using Records = Corners::Records;
 using Lists = Corners::Chains::Lists;
 
-Corner<uint32_t>& corner(Records& records, uint32_t index) {
-  return records[index].corner;
+CornerRecord corner(Records& records, uint32_t index) {
+  return CornerRecord(records[index]);
 }
 
 // The slots of queues, counted through all records.
@@ -83,16 +83,16 @@ class HandOver {
     const CornerCode first = corner(records_, at).code();
     const uint32_t begin = add_end(queue, first, first.came(), opposite_link(first.came()), list);
     uint32_t origin = at;
-    while (!corner(records_, origin).code().is_origin()) origin = corner(records_, origin).next;
-    const uint32_t last = corner(records_, origin).mate;
+    while (!corner(records_, origin).code().is_origin()) origin = corner(records_, origin).next();
+    const uint32_t last = corner(records_, origin).mate();
     append_sides(at, last, list);
     if (corner(records_, last).code().ends_at_seam()) {
       records_.give(last);
       return chains_.connect(begin, loose_end<uint32_t>(), list);
     }
     records_[begin].end.last = list;
-    corner(records_, last).next = begin;
-    corner(records_, last).mate = no_record;
+    corner(records_, last).set_next(begin);
+    corner(records_, last).set_mate(no_record);
   }
 
   /// A tail that waits at a corner: hands it over with the arm to it, and with all from the seam on
@@ -102,19 +102,19 @@ class HandOver {
     CornerCode code = corner(records_, at).code();
     if (code.begins_at_seam() && !front_.has_passed(code.vertex())) {
       records_.give(at);
-      return chains_.lose_in(queue);
+      return chains_.push_lost(queue);
     }
     const uint32_t tail = add_end(queue, code, code.onwards(), code.onwards(), list);
     while (!code.is_origin()) {
-      const uint32_t before = corner(records_, at).next;
+      const uint32_t before = corner(records_, at).next();
       const CornerCode code_before = corner(records_, before).code();
       add_side(records_, list, code_before, code, Lists::prepend);
       records_.give(at);
       at = before;
       code = code_before;
     }
-    const uint32_t first = corner(records_, at).mate;
-    uint32_t begin = corner(records_, at).next, list_before = no_record;
+    const uint32_t first = corner(records_, at).mate();
+    uint32_t begin = corner(records_, at).next(), list_before = no_record;
     if (first == no_record) {
       list_before = records_[begin].end.last;
     } else {
@@ -130,7 +130,7 @@ class HandOver {
   // Appends the sides between two corners to a list, and gives back the corners but the last.
   void append_sides(uint32_t at, uint32_t last, uint32_t& list) {
     while (at != last) {
-      const uint32_t next = corner(records_, at).next;
+      const uint32_t next = corner(records_, at).next();
       append_side(records_, list, corner(records_, at).code(), corner(records_, next).code());
       records_.give(at);
       at = next;
@@ -147,7 +147,11 @@ class HandOver {
         side != ahead && is_centroid(vertex + step) ? 0 : links_passed(vertex, step);
     add_runs(records_, list, direction, passed, Lists::append);
     move(vertex, ahead, passed);
-    return chains_.wait_in(queue, Side(direction, place_of(vertex)));
+    const uint32_t end = records_.take();
+    records_[end].end.side = Side(direction, place_of(vertex));
+    records_[end].end.mate = end;  // until it has one
+    chains_.push(queue, end);
+    return end;
   }
   // How many links an end has surely passed beyond a corner. From a centroid there may be one alone
   // that leads back a little, to a vertex ahead.
@@ -207,9 +211,9 @@ void Corners::add_corners(Records& records, uint32_t count) {
   free_corners_ += count;
   for (; count > 0; --count) {
     const uint32_t index = records.take();
-    Corner<uint32_t>& made = corner(records, index);
-    made.next = free_;
-    made.mate = no_record;
+    CornerRecord made = corner(records, index);
+    made.set_next(free_);
+    made.set_mate(no_record);
     made.set_code(CornerCode(0));
     free_ = index;
   }
@@ -260,14 +264,14 @@ void Corners::take(Records& records, const LearntPasses& passes) {
     const uint32_t before = is_entry(pass.in) ? to : from;
     join_[joins] = {free, to};
     joins += pass.joins;
-    Corner<uint32_t>& corner = record[free].corner;
-    const uint32_t next_free = corner.next;
+    CornerRecord corner(record[free]);
+    const uint32_t next_free = corner.next();
     // Where there is no corner none is made: what goes on is what was there before.
     const auto if_straight = static_cast<uint32_t>(int32_t{pass.if_straight});
     const uint32_t next_change = (before ^ next_free) & if_straight;
     const uint32_t slot_change = (before ^ free) & if_straight;
-    corner.next = before ^ next_change;
-    corner.mate = free;
+    corner.set_next(before ^ next_change);
+    corner.set_mate(free);
     corner.set_code(CornerCode(found + pass.corner));
     in_slot = out_slot = free ^ slot_change;
     free = next_free ^ next_change ^ slot_change;
@@ -297,9 +301,9 @@ void Corners::add_at_seam(Records& records, uint8_t queue, bool waits, CornerCod
   if (free_corners_ == 0) add_corners(records, 1);
   --free_corners_;
   const uint32_t index = free_;
-  Corner<uint32_t>& made = corner(records, index);
-  free_ = made.next;
-  made.mate = index;
+  CornerRecord made = corner(records, index);
+  free_ = made.next();
+  made.set_mate(index);
   made.set_code(code);
   const Port port = waits ? entry_of(queue) : exit_of(queue);
   uint32_t& slot = slots(records)[first_[port] + (count_[port]++ & mask_[port])];
@@ -308,7 +312,7 @@ void Corners::add_at_seam(Records& records, uint8_t queue, bool waits, CornerCod
     --free_places_;
     return;
   }
-  made.next = code.ends_at_seam() ? slot : index;
+  made.set_next(code.ends_at_seam() ? slot : index);
   join_[joins_++] = {index, code.ends_at_seam() ? index : slot};
 }
 
@@ -316,27 +320,27 @@ uint32_t Corners::close_chain(Records& records) {
   while (next_join_ != joins_) {
     const Join join = join_[next_join_++];
     // The arm to the tail that came, turned round.
-    uint32_t from = corner(records, join.corner).next;
+    uint32_t from = corner(records, join.corner).next();
     for (uint32_t after = join.corner;;) {
-      Corner<uint32_t>& turned = corner(records, from);
-      const uint32_t before = turned.next;
-      turned.next = after;
+      CornerRecord turned = corner(records, from);
+      const uint32_t before = turned.next();
+      turned.set_next(after);
       if (turned.code().is_origin()) break;
       after = from;
       from = before;
     }
     // The arm from the begin that waited.
-    corner(records, join.corner).next = join.to;
+    corner(records, join.corner).set_next(join.to);
     uint32_t to = join.to;
-    while (!corner(records, to).code().is_origin()) to = corner(records, to).next;
-    const uint32_t begin = corner(records, from).mate;
+    while (!corner(records, to).code().is_origin()) to = corner(records, to).next();
+    const uint32_t begin = corner(records, from).mate();
     if (begin == to) return join.corner;
-    const uint32_t tail = corner(records, to).mate;
-    corner(records, begin).mate = tail;
-    corner(records, tail).mate = begin;
+    const uint32_t tail = corner(records, to).mate();
+    corner(records, begin).set_mate(tail);
+    corner(records, tail).set_mate(begin);
     if (corner(records, begin).code().begins_at_seam() &&
         corner(records, tail).code().ends_at_seam()) {
-      corner(records, tail).next = begin;
+      corner(records, tail).set_next(begin);
       return begin;
     }
   }
@@ -345,8 +349,8 @@ uint32_t Corners::close_chain(Records& records) {
 }
 
 void Corners::give(Records& records, uint32_t chain, uint32_t count) {
-  const uint32_t second = corner(records, chain).next;
-  corner(records, chain).next = free_;
+  const uint32_t second = corner(records, chain).next();
+  corner(records, chain).set_next(free_);
   free_ = second;
   free_corners_ += count;
 }
@@ -377,7 +381,7 @@ void Corners::hand_over(Chains& chains, const SweptRow& row, uint32_t word) {
 // Gives back what no fragment uses.
 void Corners::give_all(Records& records) {
   while (free_ != no_record) {
-    const uint32_t next = corner(records, free_).next;
+    const uint32_t next = corner(records, free_).next();
     records.give(free_);
     free_ = next;
   }

@@ -16,10 +16,42 @@
 #ifndef DISCMC_TRACE_CORNERS_HPP
 #define DISCMC_TRACE_CORNERS_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/host/learnt_passes.hpp>
 #include <discmc/trace/fragments.hpp>
 
 namespace discmc::trace {
+
+/// A corner, in the bytes of a record. What it names is said above.
+class CornerRecord {
+ public:
+  using Record = trace::Record<uint32_t, NoNormal>;
+
+  explicit CornerRecord(Record& record) : bytes_(reinterpret_cast<uint8_t*>(&record)) {}
+
+  uint32_t next() const { return get<uint32_t>(0); }
+  void set_next(uint32_t next) { set(0, next); }
+  uint32_t mate() const { return get<uint32_t>(4); }
+  void set_mate(uint32_t mate) { set(4, mate); }
+  CornerCode code() const { return CornerCode(get<uint64_t>(8)); }
+  void set_code(CornerCode code) { set(8, code.bits()); }
+
+ private:
+  static_assert(sizeof(Record) == 16, "a corner fits a record");
+
+  template <class Value>
+  Value get(size_t at) const {
+    Value value;
+    copy_bytes(&value, bytes_ + at, sizeof value);
+    return value;
+  }
+  template <class Value>
+  void set(size_t at, Value value) {
+    copy_bytes(bytes_ + at, &value, sizeof value);
+  }
+
+  uint8_t* bytes_;
+};
 
 class Corners {
  public:

@@ -4,9 +4,15 @@
 
 namespace discmc {
 
-template class Extractor<uint32_t, NoNormals, trace::CornerSweep>;
-template PushResult LearningExtractor::push_samples(const uint8_t*, uint32_t, uint32_t);
-template PushResult LearningExtractor::push_samples(const uint16_t*, uint32_t, uint32_t);
-template PushResult LearningExtractor::push_samples(const int16_t*, uint32_t, uint32_t);
+template class BasicExtractor<uint32_t, NoNormals, trace::CornerSweep>;
+template PushResult LearningExtractor::BasicExtractor::push_samples(const uint8_t*, uint32_t,
+                                                                    uint32_t);
+template PushResult LearningExtractor::BasicExtractor::push_samples(const uint16_t*, uint32_t,
+                                                                    uint32_t);
+template PushResult LearningExtractor::BasicExtractor::push_samples(const int16_t*, uint32_t,
+                                                                    uint32_t);
+template Status LearningExtractor::BasicExtractor::save(Checkpoint<LearningExtractor>&) const;
+template Status LearningExtractor::BasicExtractor::restore(const Checkpoint<LearningExtractor>&,
+                                                           Memory, const Sink&);
 
 }  // namespace discmc

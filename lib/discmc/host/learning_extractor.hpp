@@ -21,8 +21,21 @@
 
 namespace discmc {
 
-/// Give it memory with learn_in(), before push(); after restore() once more.
-using LearningExtractor = Extractor<uint32_t, NoNormals, trace::CornerSweep>;
+class LearningExtractor : public BasicExtractor<uint32_t, NoNormals, trace::CornerSweep> {
+ public:
+  LearningExtractor() = default;
+
+  /// Remembers in this memory, besides that of start(), what it works out of neighbourhoods, from
+  /// this scan to the next: 1 MiB is a good size. Call it at any time; what was remembered
+  /// elsewhere is forgotten. Nothing is remembered before, and after restore(). Owner: the memory
+  /// is the caller's, for as long as scans last. Cost: a quarter of it is written.
+  void learn_in(Memory memory) { sweep().learn_in(memory); }
+
+ private:
+  friend struct Checkpoint<LearningExtractor>;
+  LearningExtractor(const LearningExtractor&) = default;
+  LearningExtractor& operator=(const LearningExtractor&) = default;
+};
 
 }  // namespace discmc
 

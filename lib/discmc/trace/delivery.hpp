@@ -30,6 +30,7 @@ class Delivery {
     holes_.clear();
     is_delivering_ = false;
   }
+  void forget_addresses() { holes_.start(nullptr); }
 
   /// Delivers what goes out, if anything. False when the sink said "not now": call again.
   bool settle(Chains& chains, const Sink& sink, Statistics& statistics);
@@ -37,15 +38,10 @@ class Delivery {
   /// After the last vertex: delivers holes that still wait, loose. As settle().
   bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);
 
-  /// For a ring that has been told in another way (corner_sweep.hpp): whether holes wait that may
-  /// lie in it; and goes on behind so many events, when the sink did not take the next one.
-  bool has_holes_on(const Records& records, Incidence incidence, const Vertex& start) const {
-    return holes_.count() > 0 && holes_.has_any(records, incidence, start);
-  }
-  void go_on_behind(uint32_t taken, Chains& chains, Statistics& statistics) {
-    begin(chains);
-    for (; taken > 0; --taken) go_on(chains, statistics);
-  }
+  /// What settle() does step by step: begins with what is outgoing, and goes on behind the next
+  /// event, which the sink has taken.
+  void begin(Chains& chains);
+  void go_on(Chains& chains, Statistics& statistics);
 
   const Holes<Index, Normal>& holes() const { return holes_; }
 
@@ -55,12 +51,10 @@ class Delivery {
   using Cursor = RunCursor<Index, Normal>;
   using Slot = typename RunRecord<Index, Normal>::Slot;
 
-  void begin(Chains& chains);
   void begin_ring(const Records& records);
   bool begin_hole(Chains& chains);
   void begin_next_loose(Chains& chains);
   void next_run(const Records& records);
-  void go_on(Chains& chains, Statistics& statistics);
 
   bool is_delivering_ = false;
   bool is_fragment_ = false;

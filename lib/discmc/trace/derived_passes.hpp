@@ -64,7 +64,7 @@ inline bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
     crossings_.of[axis] &= crossings_.of[axis] - 1;
     const uint32_t x = column_of(word_ - 1, bit);
     derive_passes({row.rows, word_ - 1, bit, axis}, row.absent(axis, x), passes_);
-    if (row.work == RowWork::take_passes) counts.add(passes_.parts);
+    if (row.is_own()) counts.add(passes_.parts);
     if (passes_.count == 0) continue;
     vertex_ = row.vertex(axis, x);
     return true;

@@ -93,29 +93,27 @@ class Fragments {
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
   }
+  void forget_addresses() {
+    records_.forget_addresses();
+    queues_.start(nullptr);
+  }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
   /// normals.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
   template <class Normals>
   void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
 
-  /// What a slab does with a chain where it ends. Reached through a pointer: other programs do not
-  /// link it.
-  using AtSeam = void (*)(Fragments& fragments, const Pass& pass, const Vertex& vertex, bool ends);
-  static void cut_at_seam(Fragments& fragments, const Pass& pass, const Vertex& vertex, bool ends);
-  /// at_seam: cut_at_seam, or null for a whole volume.
-  void set_at_seam(AtSeam at_seam) { at_seam_ = at_seam; }
+  /// At a vertex of the slice above a slab: a chain that comes up to it ends there, or one that
+  /// goes down from it begins at the next vertex, loose. Limits and cost as take().
+  void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
-  /// At a vertex of the slice above a slab: the chains that come up to it end there, and those that
-  /// go down from it begin below, loose. Limits and cost as take().
-  void end_at(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, true); }
-  void begin_below(const Pass& pass, const Vertex& vertex) { at_seam_(*this, pass, vertex, false); }
-
+  /// Moves a vertex by a link.
+  DISCMC_NOINLINE static void follow(Vertex& vertex, Link link) { move(vertex, link, 1); }
   /// The vertex that a chain comes to.
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
     Vertex next = vertex;
-    if (pass.has_centroid()) move(next, pass.first, 1);
-    move(next, pass.second, 1);
+    if (pass.has_centroid()) follow(next, pass.first);
+    follow(next, pass.second);
     return next;
   }
 
@@ -124,15 +122,10 @@ class Fragments {
     queues_.lose_from(is_lost ? first_rising_queue : queue_count);
   }
 
-  /// For fragments that have been kept in another way (corners.hpp), while there is room: adds an
-  /// end that waits, or is lost, then makes two ends a fragment with its runs.
-  Index wait_in(uint8_t queue, Side side);
-  void lose_in(uint8_t queue) { push_lost(queue); }
-  /// In the slice below a slab: the ends that lead up are another slab's.
-  void lose_at_seam(const Pass& pass) {
-    if (pass.in >= first_rising_queue) push_lost(pass.in);
-    if (pass.out >= first_rising_queue) push_lost(pass.out);
-  }
+  /// Puts an end that waits, or was lost, behind the others of its queue.
+  void push(uint8_t queue, Index end) { queues_.push(records_, queue, end); }
+  void push_lost(uint8_t queue) { queues_.push_lost(records_, queue); }
+  /// Makes the two ends of a fragment name each other, and one of them its runs.
   void connect(Index begin, Index tail, Index list);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
@@ -179,13 +172,9 @@ class Fragments {
   void turn_back(Index begin, Link onwards, Place corner, Direction came, Normal normal);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, Vertex& at);
-  void end_at_seam(const Pass& pass, const Vertex& vertex);
-  void begin_below_seam(const Pass& pass, const Vertex& vertex);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
 
   Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
-  void push(uint8_t queue, Index end) { queues_.push(records_, queue, end); }
-  void push_lost(uint8_t queue) { queues_.push_lost(records_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
     return spare() >= enough_for_ends_ || spare() >= least_spare(queue, mate);
@@ -211,7 +200,6 @@ class Fragments {
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;
   Queues<Index, Normal> queues_;
-  AtSeam at_seam_ = nullptr;
 };
 
 // ---- implementation ----
@@ -417,7 +405,6 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), corner);
 }
 
-// Makes the two ends of a fragment name each other, and one of them its runs.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
   if (!is_loose(begin)) {
@@ -430,13 +417,22 @@ void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
   }
 }
 
+// ---- at the seam of a slab ----
+
+// The cells above take no part, so that no chain goes up from here: those in rising queues are
+// below.
 template <class Index, class Normal>
-Index Fragments<Index, Normal>::wait_in(uint8_t queue, Side side) {
-  const Index index = records_.take();
-  end(index).side = side;
-  end(index).mate = index;  // until it has one
-  push(queue, index);
-  return index;
+void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bool ends) {
+  Vertex at = ends ? vertex : next_vertex(pass, vertex);
+  const Link along = ends ? pass.came : pass.second;
+  const uint8_t queue = ends ? pass.in : pass.out;
+  if (queue < first_rising_queue) return;
+  const Index index = pop(queue);
+  if (index == no_record) return;
+  if (ends) return end_tail(pass, index, along, at);
+  const Side side = end(index).side;
+  if (side.place() != place_of(at)) turn_back(index, along, place_of(at), side.direction(), {});
+  lose_begin(pass, index, along, at);
 }
 
 // ---- short of records ----
@@ -472,7 +468,7 @@ void Fragments<Index, Normal>::send_if_long(const Pass& pass, const Vertex& vert
   if (!should_send(list)) return;
   // The corner: the vertex, or the centroid behind it.
   Vertex start = vertex;
-  if (record.side.place() != place_of(vertex)) move(start, pass.first, 1);
+  if (record.side.place() != place_of(vertex)) follow(start, pass.first);
   if (!is_tail) return send(pass, index, record.mate, list, start);
   move_to_begin(start, pass.incidence, list);
   send(pass, record.mate, index, list, start);

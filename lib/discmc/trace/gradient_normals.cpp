@@ -1,13 +1,19 @@
 // Extractors with gradient normals: a file of their own, so that plain scanners do not link them.
+#include <discmc/gradient_normals.hpp>
 #include <discmc/trace/extractor_definitions.hpp>
 
 namespace discmc {
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the arguments are types.
-#define DISCMC_INSTANTIATE(Index, Sample)                                                    \
-  template class Extractor<Index, GradientNormals<Sample>>;                                  \
-  template PushResult Extractor<Index, GradientNormals<Sample>>::push_samples(const Sample*, \
-                                                                              uint32_t, uint32_t);
+#define DISCMC_INSTANTIATE(Index, Sample)                                           \
+  template class BasicExtractor<Index, GradientNormals<Sample>,                     \
+                                trace::Sweep<Index, OctahedralNormal>>;             \
+  template PushResult NormalExtractor<Index, Sample>::BasicExtractor::push_samples( \
+      const Sample*, uint32_t, uint32_t);                                           \
+  template Status NormalExtractor<Index, Sample>::BasicExtractor::save(             \
+      Checkpoint<NormalExtractor<Index, Sample>>&) const;                           \
+  template Status NormalExtractor<Index, Sample>::BasicExtractor::restore(          \
+      const Checkpoint<NormalExtractor<Index, Sample>>&, Memory, const Sink&);
 // NOLINTEND(bugprone-macro-parentheses)
 
 DISCMC_INSTANTIATE(uint16_t, uint8_t)

@@ -30,6 +30,7 @@ class NoNormals {
   static constexpr uint64_t bytes_for(const Limits&) { return 0; }
   void start(Arena&, const Limits&) {}
   void clear() {}
+  void forget_addresses() {}
   void tell_spacing(int32_t (&)[3]) const {}
 
   /// Where the samples that arrive are.

@@ -10,7 +10,6 @@
 
 #include <discmc/chain.hpp>
 #include <discmc/compiler.hpp>
-#include <discmc/host/corner.hpp>
 #include <discmc/trace/intake.hpp>
 
 namespace discmc::trace {
@@ -129,25 +128,6 @@ struct HoleStart {
   Vertex get() const { return {x - 1, y - 1, static_cast<int32_t>(z[0] | uint32_t{z[1]} << 16)}; }
 };
 
-/// A corner of a chain on a host: see corners.hpp. With narrow indices none are kept.
-template <class Index>
-struct Corner : Linked<Index> {};
-template <>
-struct Corner<uint32_t> : Linked<uint32_t> {
-  uint32_t mate;
-  uint8_t code_[sizeof(uint64_t)];  // bytes, as records are aligned to four of them
-
-  CornerCode code() const {
-    uint64_t bits;
-    copy_bytes(&bits, code_, sizeof bits);
-    return CornerCode(bits);
-  }
-  void set_code(CornerCode code) {
-    const uint64_t bits = code.bits();
-    copy_bytes(code_, &bits, sizeof bits);
-  }
-};
-
 template <class Index, class Normal>
 union Record {
   Linked<Index> linked;
@@ -155,7 +135,6 @@ union Record {
   RunRecord<Index, Normal> runs;
   Hole<Index> hole;
   HoleStart<Index> hole_start;
-  Corner<Index> corner;
 };
 
 }  // namespace discmc::trace

@@ -11,22 +11,30 @@ namespace discmc::trace {
 template <class Index, class Normal>
 class Sweep {
  public:
-  /// Whether the slice below a slab is swept, too. If not, what comes from there is lost.
-  static constexpr bool opens_seams = false;
-
-  Fragments<Index, Normal>& fragments() { return fragments_; }
-  Delivery<Index, Normal>& delivery() { return delivery_; }
-  const Fragments<Index, Normal>& fragments() const { return fragments_; }
-  const Delivery<Index, Normal>& delivery() const { return delivery_; }
-
+  /// Takes its part of the arena, and writes nothing there: clear() does. The records come last, so
+  /// that those never used are behind all that is in use.
+  void start(Arena& arena, const Capacities& capacities) {
+    auto* const queues = arena.take<Queue<Index>>(queue_count);
+    auto* const holes = arena.take<Index>(sizing::hole_lists);
+    auto* const records = arena.take<Record<Index, Normal>>(capacities.records);
+    fragments_.start(records, capacities.records, queues);
+    delivery_.start(holes, capacities.holes);
+  }
   void clear() {
     fragments_.clear();
     delivery_.clear();
     passes_.clear();
     counts_ = {};
+    chains_are_ended_ = false;
   }
-  /// Forgets all addresses.
-  void forget() { fragments_.set_at_seam(nullptr); }
+  /// Forgets where its memory lies, until start().
+  void forget_addresses() {
+    fragments_.forget_addresses();
+    delivery_.forget_addresses();
+  }
+
+  const Fragments<Index, Normal>& fragments() const { return fragments_; }
+  const Delivery<Index, Normal>& delivery() const { return delivery_; }
 
   /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
   template <class Normals>
@@ -37,34 +45,48 @@ class Sweep {
     return delivery_.settle_holes(fragments_, sink, statistics);
   }
 
-  /// For a sweep that has come as far as a word of a row in another way: what it has counted, and
-  /// where to go on.
-  SweepCounts& counts() { return counts_; }
-  void go_on_from(uint32_t word) { passes_.go_on_from(word); }
+ protected:
+  template <class Normals>
+  bool take_passes(const SweptRow& row, const Normals& normals, const Sink& sink,
+                   Statistics& statistics);
 
- private:
+  bool chains_are_ended_ = false;  // at the row under way above a slab
   DerivedPasses passes_;
   SweepCounts counts_;
   Fragments<Index, Normal> fragments_;
   Delivery<Index, Normal> delivery_;
 };
 
+// Nothing is swept below a slab: what comes from there is lost. Above it a row is swept twice: as
+// an end does not know where it is, the chains that come up to a vertex are ended there first, and
+// those that go down from it begin there then.
 template <class Index, class Normal>
 template <class Normals>
 bool Sweep<Index, Normal>::sweep(const SweptRow& row, const Normals& normals, const Sink& sink,
                                  Statistics& statistics) {
+  if (row.place == RowPlace::below_slab) return true;
+  fragments_.set_below_is_lost(row.place == RowPlace::first_of_slab);
+  for (;;) {
+    if (!take_passes(row, normals, sink, statistics)) return false;
+    chains_are_ended_ = row.place == RowPlace::above_slab && !chains_are_ended_;
+    if (!chains_are_ended_) return true;
+  }
+}
+
+template <class Index, class Normal>
+template <class Normals>
+bool Sweep<Index, Normal>::take_passes(const SweptRow& row, const Normals& normals,
+                                       const Sink& sink, Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   do {
     while (passes_.has_next()) {
       const Pass& pass = passes_.pass();
       const Vertex& vertex = passes_.vertex();
       passes_.advance();
-      if (row.work == RowWork::take_passes)
+      if (row.is_own())
         fragments_.take(pass, vertex, normals);
-      else if (row.work == RowWork::end_chains)
-        fragments_.end_at(pass, vertex);
       else
-        fragments_.begin_below(pass, vertex);
+        fragments_.cut_at(pass, vertex, !chains_are_ended_);
       if (fragments_.has_outgoing() && !delivery_.settle(fragments_, sink, statistics))
         return false;
     }

@@ -11,12 +11,12 @@
 
 namespace discmc::trace {
 
-/// What is done at the vertices of a row.
-enum class RowWork : uint8_t {
-  take_passes,
-  open_seam,    ///< below a slab: the ends wait that are another slab's
-  end_chains,   ///< above a slab: the chains that come up to it end,
-  begin_chains  ///< and those that go down from it begin
+/// Which slice a row is of.
+enum class RowPlace : uint8_t {
+  inside,
+  first_of_slab,  ///< what comes up to it is another slab's
+  below_slab,     ///< the slice of context below a slab
+  above_slab,     ///< and that above
 };
 
 /// A row of voxels and what of its surroundings takes part.
@@ -26,11 +26,13 @@ struct SweptRow {
   uint32_t width;
   int32_t y, z;
   uint32_t absent_rows;  ///< rows of cells (CellRowBits) that take no part
-  RowWork work;
-  bool has_open_ends;  ///< its first and its last column are those of an open border
-  bool has_y, has_z;   ///< whether edges along y and z are visited
-  uint8_t missing[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
+  RowPlace place;
+  bool has_open_ends;     ///< its first and its last column are those of an open border
+  bool has_y, has_z;      ///< whether edges along y and z are visited
+  uint8_t missing[3];     ///< by axis of an edge: quadrants whose row of cells takes no part
 
+  /// Whether it is none of context.
+  bool is_own() const { return place <= RowPlace::first_of_slab; }
   /// Sets what follows from absent_rows. Where no cells behind, or above, take part, no edges along
   /// y, or z, are visited.
   void set_missing() {

@@ -98,14 +98,13 @@ Limits limits_of(const VolumeInfo& info, const ExtractionOptions& options) {
   return limits;
 }
 
-template <class Normals>
+template <class Normals, class Narrow, class Wide>
 std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptions& options,
                                      const std::vector<SurfaceRequest>& surfaces) {
   const Limits limits = limits_of(volume.info(), options);
   const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
-  return arena.has_narrow_indices
-             ? scan<Extractor<std::uint16_t, Normals>>(volume, limits, options, arena, surfaces)
-             : scan<Extractor<std::uint32_t, Normals>>(volume, limits, options, arena, surfaces);
+  return arena.has_narrow_indices ? scan<Narrow>(volume, limits, options, arena, surfaces)
+                                  : scan<Wide>(volume, limits, options, arena, surfaces);
 }
 
 // On a host, with no device in mind.
@@ -171,11 +170,14 @@ std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& o
   if (!options.normals) {
     const bool is_of_device =
         options.measures_memory || options.memory > 0 || options.capacities.has_value();
-    return is_of_device ? extract_with<NoNormals>(volume, options, surfaces)
-                        : extract_fast(volume, options, surfaces);
+    return is_of_device
+               ? extract_with<NoNormals, Extractor16, Extractor32>(volume, options, surfaces)
+               : extract_fast(volume, options, surfaces);
   }
   return with_scanner_type(volume.info().type, [&](auto type) {
-    return extract_with<GradientNormals<decltype(type)>>(volume, options, surfaces);
+    using Sample = decltype(type);
+    return extract_with<GradientNormals<Sample>, NormalExtractor16<Sample>,
+                        NormalExtractor32<Sample>>(volume, options, surfaces);
   });
 }
 

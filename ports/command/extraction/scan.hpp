@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_EXTRACTION_SCAN_HPP
 #define DISCMC_COMMAND_EXTRACTION_SCAN_HPP
 
+#include <discmc/gradient_normals.hpp>
 #include <discmc/host/learning_extractor.hpp>
 #include <discmc/surface_group.hpp>
 
@@ -40,7 +41,7 @@ struct SampleOf {
   using Type = void;
 };
 template <class Index, class Sample>
-struct SampleOf<Extractor<Index, GradientNormals<Sample>>> {
+struct SampleOf<NormalExtractor<Index, Sample>> {
   using Type = Sample;
 };
 template <class AnyExtractor>

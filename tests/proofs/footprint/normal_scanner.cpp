@@ -1,9 +1,9 @@
 // Flash: a scanner of 8-bit samples that tells normals.
 #include <discmc/encoder.hpp>
-#include <discmc/extractor.hpp>
+#include <discmc/gradient_normals.hpp>
 
 using namespace discmc;
-using Scanner = Extractor<uint16_t, GradientNormals<uint8_t>>;
+using Scanner = NormalExtractor16<uint8_t>;
 
 // What a firmware knows at compile time.
 constexpr Limits limits{64, 64};

@@ -5,7 +5,7 @@
 #include <board.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
-#include <discmc/extractor.hpp>
+#include <discmc/gradient_normals.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_decoder.hpp>
 
@@ -216,11 +216,11 @@ constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Bor
 alignas(8) uint8_t memory[bytes_for<uint32_t>(sizes[0], rooms[3])];
 Wire wire_between;
 
-template <class Index, class Sample, class Normals = NoNormals>
+template <class AnyExtractor, class Sample, bool has_normals>
 class Scan {
  public:
   bool start(const Limits& limits, const Capacities& capacities) {
-    if constexpr (Normals::holds_samples) extractor_.set_spacing({1, -2, 3});
+    if constexpr (has_normals) extractor_.set_spacing({1, -2, 3});
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
            is_done(extractor_.start(limits, capacities, on_from, memory_of(memory),
@@ -232,7 +232,7 @@ class Scan {
     const auto value = [&](uint32_t x) { return volume({static_cast<int32_t>(x), y, z}); };
     switch (y % 4) {
       case 1: {
-        if (Normals::holds_samples) return push_samples(value, 7, 1);
+        if (has_normals) return push_samples(value, 7, 1);
         uint8_t bits[(width + 7) / 8] = {};
         for (uint32_t x = 0; x < width; ++x)
           if (value(x) >= threshold) bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | 1 << x % 8);
@@ -264,7 +264,7 @@ class Scan {
   }
 
   bool push_bits([[maybe_unused]] const uint8_t* bits) {
-    if constexpr (Normals::holds_samples)
+    if constexpr (has_normals)
       return false;
     else
       return is_done(extractor_.push_bits(bits).status);
@@ -284,15 +284,15 @@ class Scan {
     return true;
   }
 
-  Extractor<Index, Normals> extractor_;
+  AnyExtractor extractor_;
 };
 
 // Scans a volume. The events are `expected`, where that is not 0 as before the first scan.
 // By itself, as all scans in one function take more stack than the smallest board has.
-template <class Index, class Sample, class Normals = NoNormals>
+template <class AnyExtractor, class Sample, bool has_normals = false>
 [[gnu::noinline]] bool scan(Volume volume, const Limits& limits, const Capacities& capacities,
                             uint64_t& expected) {
-  static Scan<Index, Sample, Normals> scan;
+  static Scan<AnyExtractor, Sample, has_normals> scan;
   if (!scan.start(limits, capacities)) return false;
   // Scans of an open volume are broken off in the middle of the last slice.
   const bool abandons = limits.border == Border::open;
@@ -312,7 +312,7 @@ template <class Index, class Sample, class Normals = NoNormals>
 template <class Index, class Sample>
 bool scan_with_normals(Volume volume, const Limits& limits) {
   uint64_t hash = 0;
-  return scan<Index, Sample, GradientNormals<Sample>>(volume, limits, rooms[1], hash);
+  return scan<NormalExtractor<Index, Sample>, Sample, true>(volume, limits, rooms[1], hash);
 }
 
 // ---- slices ----
@@ -398,9 +398,9 @@ bool scan_all() {
     for (const Capacities& capacities : rooms) {
       const Limits limits = sizes[turn++ % 2];
       uint64_t hash = 0;
-      if (!scan<uint16_t, uint8_t>(volume, limits, capacities, hash) ||
-          !scan<uint32_t, uint16_t>(volume, limits, capacities, hash) ||
-          !scan<uint16_t, int16_t>(volume, limits, capacities, hash))
+      if (!scan<Extractor16, uint8_t>(volume, limits, capacities, hash) ||
+          !scan<Extractor32, uint16_t>(volume, limits, capacities, hash) ||
+          !scan<Extractor16, int16_t>(volume, limits, capacities, hash))
         return false;
     }
     if (!scan_with_normals<uint16_t, uint8_t>(volume, sizes[turn % 2]) ||

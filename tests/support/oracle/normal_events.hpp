@@ -2,13 +2,23 @@
 #ifndef DISCMC_TESTS_NORMAL_EVENTS_HPP
 #define DISCMC_TESTS_NORMAL_EVENTS_HPP
 
-#include <discmc/normal.hpp>
+#include <discmc/gradient_normals.hpp>
 #include <vector>
 
 #include "gradient.hpp"
 #include "stream.hpp"
 
 namespace discmc::test {
+
+/// The extractor that keeps the samples for such normals, or for none.
+template <class Index, class Normals>
+struct ExtractorOf {
+  using Type = Extractor<Index>;
+};
+template <class Index, class Sample>
+struct ExtractorOf<Index, GradientNormals<Sample>> {
+  using Type = NormalExtractor<Index, Sample>;
+};
 
 /// Of voxels that are no cubes; the y axis is mirrored.
 constexpr int32_t uneven_spacing[3] = {700, -1000, 1500};

@@ -59,8 +59,8 @@ inline Limits limits_of(const BitVolume& volume, Border border) {
 }
 
 /// Pushes all samples, resuming as often as it takes. Errors: throws when a status is one.
-template <class Index, class Normals, class Sweep, class Sample>
-void push_all(Extractor<Index, Normals, Sweep>& extractor, const std::vector<Sample>& samples,
+template <class AnyExtractor, class Sample>
+void push_all(AnyExtractor& extractor, const std::vector<Sample>& samples,
               uint32_t chunk = 0) {
   const auto total = static_cast<uint32_t>(samples.size());
   for (uint32_t at = 0; at < total;) {
@@ -74,8 +74,8 @@ void push_all(Extractor<Index, Normals, Sweep>& extractor, const std::vector<Sam
 }
 
 /// Ends a scan, resuming as often as it takes.
-template <class Index, class Normals, class Sweep>
-void finish_all(Extractor<Index, Normals, Sweep>& extractor) {
+template <class AnyExtractor>
+void finish_all(AnyExtractor& extractor) {
   Status status = extractor.finish();
   while (status == Status::more) status = extractor.finish();
   if (status != Status::ok) throw std::runtime_error(text(status));

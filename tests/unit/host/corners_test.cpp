@@ -71,9 +71,10 @@ constexpr uint32_t plenty = 250000;
 template <class Sweep>
 class Scanner {
  public:
-  explicit Scanner(uint32_t records) : memory_(records) {
-    sweep_->fragments().start(memory_.data(), records, queues_);
-    sweep_->delivery().start(holes_, 1000);
+  explicit Scanner(uint32_t records)
+      : memory_(bytes_for<uint32_t>({1, 1}, {records, 1000})) {
+    Arena arena({memory_.data(), memory_.size()});
+    sweep_->start(arena, {records, 1000});
   }
 
   // lowest: the number of the volume's first slice.
@@ -112,9 +113,7 @@ class Scanner {
   }
 
   std::unique_ptr<Sweep> sweep_ = std::make_unique<Sweep>();
-  std::vector<trace::Record<uint32_t, NoNormal>> memory_;
-  trace::Queue<uint32_t> queues_[trace::queue_count];
-  uint32_t holes_[sizing::hole_lists];
+  std::vector<uint8_t> memory_;
 };
 
 using Corner = Scanner<trace::CornerSweep>;
