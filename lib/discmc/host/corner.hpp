@@ -1,6 +1,6 @@
 // A corner of a chain: where it is and how the chain turns there, in 64 bits.
-#ifndef DISCMC_TRACE_CORNER_HPP
-#define DISCMC_TRACE_CORNER_HPP
+#ifndef DISCMC_HOST_CORNER_HPP
+#define DISCMC_HOST_CORNER_HPP
 
 #include <discmc/lattice.hpp>
 

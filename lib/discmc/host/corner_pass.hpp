@@ -1,6 +1,6 @@
 // A pass as hosts take it: written so that all passes are taken by the same instructions.
-#ifndef DISCMC_TRACE_CORNER_PASS_HPP
-#define DISCMC_TRACE_CORNER_PASS_HPP
+#ifndef DISCMC_HOST_CORNER_PASS_HPP
+#define DISCMC_HOST_CORNER_PASS_HPP
 
 #include <discmc/host/corner.hpp>
 #include <discmc/trace/passes.hpp>

@@ -2,8 +2,8 @@
 //
 // Then fragments are lists of corners (corners.hpp). When too many records would be in use they are
 // handed over to the sweep that firmware has, which goes on.
-#ifndef DISCMC_TRACE_CORNER_SWEEP_HPP
-#define DISCMC_TRACE_CORNER_SWEEP_HPP
+#ifndef DISCMC_HOST_CORNER_SWEEP_HPP
+#define DISCMC_HOST_CORNER_SWEEP_HPP
 
 #include <discmc/host/corners.hpp>
 #include <discmc/trace/sweep.hpp>

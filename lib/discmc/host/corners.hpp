@@ -13,8 +13,8 @@
 //
 // Corners and queues lie in the pool of records: a checkpoint has them, and those of no more use
 // are records again.
-#ifndef DISCMC_TRACE_CORNERS_HPP
-#define DISCMC_TRACE_CORNERS_HPP
+#ifndef DISCMC_HOST_CORNERS_HPP
+#define DISCMC_HOST_CORNERS_HPP
 
 #include <discmc/compiler.hpp>
 #include <discmc/host/learnt_passes.hpp>

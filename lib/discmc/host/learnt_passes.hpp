@@ -5,8 +5,8 @@
 // neighbourhood is a quarter of a cache line. Edges are collected and then looked up, many at a
 // time, each in a loop of its own: so hardly a branch depends on the surface, and look-ups do not
 // wait for one another.
-#ifndef DISCMC_TRACE_LEARNT_PASSES_HPP
-#define DISCMC_TRACE_LEARNT_PASSES_HPP
+#ifndef DISCMC_HOST_LEARNT_PASSES_HPP
+#define DISCMC_HOST_LEARNT_PASSES_HPP
 
 #include <discmc/arena.hpp>
 #include <discmc/host/numbered_passes.hpp>

@@ -1,6 +1,6 @@
 // Passes by number: two bytes name a corner pass, and what a sweep needs of it is at hand.
-#ifndef DISCMC_TRACE_NUMBERED_PASSES_HPP
-#define DISCMC_TRACE_NUMBERED_PASSES_HPP
+#ifndef DISCMC_HOST_NUMBERED_PASSES_HPP
+#define DISCMC_HOST_NUMBERED_PASSES_HPP
 
 #include <discmc/host/corner_pass.hpp>
 

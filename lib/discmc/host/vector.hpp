@@ -1,7 +1,7 @@
 // The vector registers of a host: AVX2 or SSE2 on x86, NEON on AArch64, whichever the compiler may
 // use. Firmware is compiled freestanding and does without.
-#ifndef DISCMC_TRACE_VECTOR_HPP
-#define DISCMC_TRACE_VECTOR_HPP
+#ifndef DISCMC_HOST_VECTOR_HPP
+#define DISCMC_HOST_VECTOR_HPP
 
 #include <discmc/compiler.hpp>
 

@@ -1,6 +1,6 @@
 // Comparing 32 samples with a threshold at once, where there are vectors.
-#ifndef DISCMC_TRACE_VECTOR_THRESHOLD_HPP
-#define DISCMC_TRACE_VECTOR_THRESHOLD_HPP
+#ifndef DISCMC_HOST_VECTOR_THRESHOLD_HPP
+#define DISCMC_HOST_VECTOR_THRESHOLD_HPP
 
 #include <discmc/compiler.hpp>
 #include <discmc/host/vector.hpp>

@@ -143,7 +143,7 @@ void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
 
 template <class Sample>
 void compare_normals(const discmc_extractor_kind& kind, discmc_sample_type type) {
-  using Scanner = Extractor<uint16_t, GradientNormals<Sample>>;
+  using Scanner = NormalExtractor16<Sample>;
   compare<Scanner, Sample>(kind, type, make_samples<Sample>(), 0);
   compare<Scanner, Sample>(kind, type, make_samples<Sample>(), 20000);
 }
