@@ -66,7 +66,7 @@ static discmc_status power_on(void) {
       .program_bytes = PROGRAM_BYTES,
       .block_bytes = BLOCK_BYTES,
       .blocks = BLOCKS,
-      .most_bytes = sizeof encoder_memory + sizeof extractor_memory,
+      .max_bytes = sizeof encoder_memory + sizeof extractor_memory,
       .memory = {store_memory, sizeof store_memory},
   };
   const discmc_encoder_config stream_config = {

@@ -24,13 +24,13 @@ static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, dense
 }
 
 static bool succeeds(Status status) {
-  while (status == Status::more) status = extractor.resume();  // the UART is busy: sleep here
+  while (status == Status::suspended) status = extractor.resume();  // the UART is busy: sleep here
   return status == Status::ok;
 }
 
 int main() {
   bool good = succeeds(encoder.start({size}, {nullptr, uart_write})) &&
-              succeeds(extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)));
+              succeeds(extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)));
   for (int32_t i = 0; good && i < size * size; ++i) {
     uint8_t row[size];
     for (int32_t x = 0; x < size; ++x) row[x] = sample_at(x, i % size, i / size);

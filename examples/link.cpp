@@ -27,7 +27,7 @@ class Receiver {
   bool start(uint8_t channel) {
     channel_ = channel;
     regions_ = lost_rows_ = 0;
-    return decoder_.start(discmc::memory_of(memory_), discmc::sink_to(*this), channel) ==
+    return decoder_.start(discmc::memory_of(memory_), discmc::make_sink(*this), channel) ==
            discmc::Status::ok;
   }
 
@@ -38,8 +38,8 @@ class Receiver {
       const void* const zero = memchr(bytes + taken, 0, count - taken);
       const size_t end =
           zero == nullptr ? count : size_t(static_cast<const uint8_t*>(zero) - bytes) + 1;
-      discmc::Decoded decoded{discmc::Status::more, 0};  // it may be so of many lost rows
-      for (; decoded.status == discmc::Status::more; taken += decoded.bytes)
+      discmc::Decoded decoded{discmc::Status::suspended, 0};  // it may be so of many lost rows
+      for (; decoded.status == discmc::Status::suspended; taken += decoded.bytes)
         decoded = decoder_.push(bytes + taken, end - taken);
       if (decoded.status != discmc::Status::ok) return false;
       if (decoder_.report().has_trailer && !end_scan()) return false;
@@ -47,12 +47,12 @@ class Receiver {
     return true;
   }
 
-  discmc::Answer take(const discmc::Event& event) {
+  discmc::SinkResult take(const discmc::Event& event) {
     // Of a stream of slices the report counts rows alone, so regions are counted here.
     if (event.kind == discmc::Event::Kind::region_end) ++regions_;
     if (event.kind == discmc::Event::Kind::skipped) ++lost_rows_;  // the device skips none
     if (event.kind == discmc::Event::Kind::application) note(*event.application);
-    return discmc::Answer::taken;
+    return discmc::SinkResult::accepted;
   }
 
   uint32_t complete_scans() const { return complete_scans_; }
@@ -114,7 +114,7 @@ uint64_t dropped_from = 0;
 // dropped until it is back.
 bool waits(discmc::Status status) {
   static unsigned refusals = 0;
-  refusals = status == discmc::Status::more ? refusals + 1 : 0;
+  refusals = status == discmc::Status::suspended ? refusals + 1 : 0;
   if (refusals == 100) {
     is_dropping = true;
     dropped_from = encoder.bytes();
@@ -135,8 +135,8 @@ bool succeeds(discmc::Status status) {
 }
 
 bool tells(const discmc::ApplicationRecord& record) {
-  discmc::Status status = encoder.tell(record);
-  while (waits(status)) status = encoder.tell(record);  // it is not taken yet
+  discmc::Status status = encoder.write_record(record);
+  while (waits(status)) status = encoder.write_record(record);  // it is not taken yet
   return status == discmc::Status::ok;
 }
 

@@ -85,7 +85,7 @@ bool scan(Scanner& scanner, bool is_ball, Measured& measured) {
 
 bool scan_regions(bool is_ball, Measured& measured) {
   return encoder.start({depth}, {nullptr, take_all}) == Status::ok &&
-         extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)) == Status::ok &&
+         extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok &&
          scan(extractor, is_ball, measured);
 }
 

@@ -20,7 +20,7 @@ static Status begin(const ByteOutput& output) {
   encoder.encode_normals();
   const Status status = encoder.start({size}, output);
   if (status != Status::ok) return status;
-  return extractor.start(limits, threshold, memory_of(memory), sink_to(encoder));
+  return extractor.start(limits, threshold, memory_of(memory), make_sink(encoder));
 }
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle

@@ -20,7 +20,7 @@ namespace {
 
 class Printer {
  public:
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     switch (event.kind) {
       case Event::Kind::region:
         print_normal(event.incidence);
@@ -29,7 +29,7 @@ class Printer {
         std::printf("fragment of ");
         print_normal(event.incidence);
         print_start(event.start);
-        std::printf(" by %d:", event.came);
+        std::printf(" by %d:", event.incoming_direction);
         break;
       case Event::Kind::ring:
         print_start(event.start);
@@ -56,7 +56,7 @@ class Printer {
       case Event::Kind::finish:
         break;
     }
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 
   // The report has those of a stream of regions alone.
@@ -76,10 +76,10 @@ class Printer {
   uint64_t fragments_ = 0;
 };
 
-// Status::more: of many lost rows only some have been skipped yet.
+// Status::suspended: of many lost rows only some have been skipped yet.
 Status push_all(SurfaceDecoder& decoder, const uint8_t* bytes, size_t count) {
-  Decoded decoded{Status::more, 0};
-  for (size_t taken = 0; decoded.status == Status::more; taken += decoded.bytes)
+  Decoded decoded{Status::suspended, 0};
+  for (size_t taken = 0; decoded.status == Status::suspended; taken += decoded.bytes)
     decoded = decoder.push(bytes + taken, count - taken);
   return decoded.status;
 }
@@ -90,18 +90,18 @@ int main() {
   Printer printer;
   std::vector<uint8_t> memory(16 << 20);  // to extract the surface of slices
   SurfaceDecoder decoder;                 // a Decoder does for regions alone, and takes no memory
-  Status status = decoder.start({memory.data(), memory.size()}, sink_to(printer));
+  Status status = decoder.start({memory.data(), memory.size()}, make_sink(printer));
   uint8_t bytes[4096];
   size_t count = 0;
   while (status == Status::ok && (count = std::fread(bytes, 1, sizeof(bytes), stdin)) > 0)
     status = push_all(decoder, bytes, count);
   if (status == Status::ok)
-    while ((status = decoder.finish()) == Status::more) continue;
+    while ((status = decoder.finish()) == Status::suspended) continue;
   const StreamReport& report = decoder.report();
   std::fprintf(stderr,
                "%" PRIu64 " regions, %" PRIu64 " loose fragments in %" PRIu64 " bytes, %s\n",
                printer.regions(), printer.fragments(), report.bytes,
-               status != Status::ok   ? text(status)
+               status != Status::ok   ? to_string(status)
                : report.is_complete() ? "complete"
                                       : "not complete");
   return status == Status::ok && report.is_complete() ? 0 : 1;

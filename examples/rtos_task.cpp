@@ -79,7 +79,7 @@ static bool take(const Row& row, uint32_t& next) {
 // surface.
 static bool scan() {
   if (encoder.start({size}, {nullptr, uart_write}) != Status::ok ||
-      extractor.start(limits, threshold, memory_of(arena), sink_to(encoder)) != Status::ok)
+      extractor.start(limits, threshold, memory_of(arena), make_sink(encoder)) != Status::ok)
     return false;
   read_row(filling->samples, next_number);
   uint32_t next = 0;

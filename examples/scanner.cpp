@@ -27,12 +27,12 @@ void* rows::free_row() {
 }
 
 void rows::row_is_full(uint32_t number) {
-  ring.lose(number - ring.came());
-  ring.fill();
+  ring.drop(number - ring.produced());
+  ring.commit();
 }
 
 void rows::end_of_scan(uint32_t count, bool was_broken_off) {
-  ring.lose(count - ring.came());
+  ring.drop(count - ring.produced());
   broken_off = was_broken_off;
   ring.end();
 }
@@ -49,7 +49,7 @@ Encoder encoder;
 // Sees a call to the library through. While the UART is busy there is nothing else to do: rows that
 // come meanwhile go to the ring, by interrupt.
 bool succeeds(Status status) {
-  while (status == Status::more) {
+  while (status == Status::suspended) {
     board::wait();
     status = extractor.resume();
   }
@@ -68,25 +68,25 @@ bool start() {
   const StreamLabel label{scan::depth, {spacing[0], spacing[1], spacing[2]}};
   return succeeds(encoder.start(label, {nullptr, board::uart_write})) &&
          succeeds(extractor.start(scan::limits, capacities, scan::threshold, memory_of(arena),
-                                  sink_to(encoder)));
+                                  make_sink(encoder)));
 }
 
 bool take_row() {
   const auto* const samples = static_cast<const scan::Sample*>(ring.row());
   const Status status = extractor.push(samples, scan::limits.width).status;
-  ring.pass();  // before the UART is waited for: the next row needs the room
+  ring.pop();  // before the UART is waited for: the next row needs the room
   board::row_is_free();
   return succeeds(status);
 }
 
 // Stands in for a row that was lost.
 bool skip_row() {
-  ring.pass();
+  ring.pop();
   return succeeds(extractor.skip_row(Substitute::previous_row).status);
 }
 
 bool take_all_rows() {
-  for (;;) switch (ring.next()) {
+  for (;;) switch (ring.peek()) {
       case RowRing::Next::row:
         if (!take_row()) return false;
         break;

@@ -19,7 +19,7 @@ using reference::SimulatedFlash;
 
 namespace {
 
-constexpr uint32_t most_bytes = 600;
+constexpr uint32_t max_bytes = 600;
 constexpr FlashGeometry geometries[] = {{16, 64, 25}, {64, 256, 7}, {32, 2048, 2}, {256, 1024, 3}};
 
 /// Bytes that tell their number.
@@ -75,7 +75,7 @@ class Caller {
     flash_.fail_call(UINT64_MAX - flash_.calls);
     new (&store_) CheckpointStore{};
     const Status status =
-        store_.start(flash_.device(), most_bytes, {buffer_.data(), buffer_.size()});
+        store_.start(flash_.device(), max_bytes, {buffer_.data(), buffer_.size()});
     require(status == Status::ok, "start() fails");
     require(store_.has_checkpoint() || newest_ == 0 || is_disturbed_, "the checkpoint is lost");
     if (store_.has_checkpoint()) check();
@@ -95,23 +95,23 @@ class Caller {
   }
 
   void save() {
-    std::vector<uint8_t> bytes = contents_of(++last_, 4 + input_.word() % (most_bytes - 3));
+    std::vector<uint8_t> bytes = contents_of(++last_, 4 + input_.word() % (max_bytes - 3));
     const Memory part{bytes.data(), bytes.size()};
     Status status = store_.save(&part, 1);
-    while (status == Status::more) status = store_.resume();
-    require(status == Status::ok || status == Status::device_error, text(status));
+    while (status == Status::suspended) status = store_.resume();
+    require(status == Status::ok || status == Status::device_error, to_string(status));
     if (status == Status::ok) newest_ = last_;
   }
 
   void begin_in_vain() {
-    std::vector<uint8_t> bytes = contents_of(++last_, most_bytes);
+    std::vector<uint8_t> bytes = contents_of(++last_, max_bytes);
     const Memory part{bytes.data(), bytes.size()};
     Status status = store_.save(&part, 1);
-    for (uint32_t steps = input_.below(8); steps > 0 && status == Status::more; --steps)
+    for (uint32_t steps = input_.below(8); steps > 0 && status == Status::suspended; --steps)
       status = store_.resume();
     if (status == Status::ok) newest_ = last_;
     // Its part goes, so it must not go on.
-    if (status == Status::more) (void)store_.restore(&part, 0);
+    if (status == Status::suspended) (void)store_.restore(&part, 0);
   }
 
   // ---- what somebody else does ----

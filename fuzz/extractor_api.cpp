@@ -23,7 +23,7 @@ using namespace discmc::reference;
 
 namespace {
 
-constexpr size_t most_voxels = 3000;  // of one scan, so that a run takes no longer than it must
+constexpr size_t max_voxels = 3000;  // of one scan, so that a run takes no longer than it must
 
 /// Memory that ends where a heap block ends and begins at any address.
 class Place {
@@ -68,15 +68,15 @@ class Listener {
   /// Whether the last event offered was refused.
   bool refuses_now() const { return refuses_now_; }
 
-  Answer take(const Event& event) try {
-    if (event.kind == Event::Kind::start) return Answer::taken;
+  SinkResult take(const Event& event) try {
+    if (event.kind == Event::Kind::start) return SinkResult::accepted;
     require(log_.has_value(), "an event before any scan");
-    const Answer answer = log_->take(event);
-    refuses_now_ = answer == Answer::not_now;
+    const SinkResult answer = log_->take(event);
+    refuses_now_ = answer == SinkResult::busy;
     return refuses_now_ ? answer : collector_.take(event);
   } catch (const std::exception& error) {
     require(false, error.what());
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 
  private:
@@ -155,7 +155,7 @@ class Caller {
     const uint64_t bytes = read_bytes(needed, is_split);
     auto place = std::make_unique<Place>(bytes, input_.below(4));
     const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : place->memory();
-    Sink sink = sink_to(listener_);
+    Sink sink = make_sink(listener_);
     if ((flags & 0xF0) == 0xF0) sink.take = nullptr;
     const int32_t threshold = read_threshold();
 
@@ -204,7 +204,7 @@ class Caller {
     return {width < 200 ? 1 + width % 9 : 28 + width % 40, 1 + height % 7, border};
   }
 
-  Capacities read_capacities(uint64_t least_bytes) {
+  Capacities read_capacities(uint64_t min_bytes) {
     Capacities capacities = minimum_capacities();
     const uint32_t kind = input_.below(8);
     if (kind == 0) return capacities;
@@ -214,7 +214,7 @@ class Caller {
           input_.below(2) != 0 ? capacities.records - 1 : UINT32_MAX - input_.byte();
       return capacities;
     }
-    if (kind == 2) return default_capacities<Index>({9, 9}, least_bytes + 16 * input_.byte());
+    if (kind == 2) return default_capacities<Index>({9, 9}, min_bytes + 16 * input_.byte());
     capacities.records += input_.byte();
     capacities.holes += input_.below(16);
     return capacities;
@@ -251,7 +251,7 @@ class Caller {
     const uint32_t stride = input_.below(16) == 0 ? 0 : 1 + input_.below(3);
     // A stride of 0 is the same sample again and again.
     uint32_t count = input_.byte() % (state_ == State::idle ? 4 : 3 * limits_.width + 2);
-    if (on_.size() + count > most_voxels) count = 0;
+    if (on_.size() + count > max_voxels) count = 0;
     std::vector<uint8_t> on(count);
     for (uint32_t i = 0; i < count; i += 8) {
       const uint32_t bits = input_.byte();
@@ -285,8 +285,9 @@ class Caller {
     }
     require(pushed.samples <= on.size(), "push() took more than it was given");
     on_.insert(on_.end(), on.begin(), on.begin() + pushed.samples);
-    require(pushed.status == Status::more || pushed.status == Status::ok, text(pushed.status));
-    require((pushed.status == Status::more) == is_refused(), "push() and the sink disagree");
+    require(pushed.status == Status::suspended || pushed.status == Status::ok,
+            to_string(pushed.status));
+    require((pushed.status == Status::suspended) == is_refused(), "push() and the sink disagree");
     if (pushed.status == Status::ok)
       require(pushed.samples == on.size(), "push() came to ok and took a part");
     else
@@ -304,19 +305,20 @@ class Caller {
       return;
     }
     if (pushed.samples == 0) {
-      const bool is_suspended = pushed.status == Status::more && was_refused && is_refused();
+      const bool is_suspended = pushed.status == Status::suspended && was_refused && is_refused();
       const bool is_misuse = pushed.status == Status::row_in_progress && !is_between;
       require(is_suspended || is_misuse, "a row is not taken for no reason");
       return;
     }
     require(is_between, "a row taken in the middle of a row");
     require(pushed.samples == limits_.width, "a part of a row taken");
-    require(pushed.status == (is_refused() ? Status::more : Status::ok), text(pushed.status));
+    require(pushed.status == (is_refused() ? Status::suspended : Status::ok),
+            to_string(pushed.status));
     on_.insert(on_.end(), on.begin(), on.end());
   }
 
   bool has_room() const {
-    return state_ == State::idle || on_.size() + limits_.width <= most_voxels;
+    return state_ == State::idle || on_.size() + limits_.width <= max_voxels;
   }
 
   void push_bits() {
@@ -347,7 +349,7 @@ class Caller {
   void resume() {
     const Status status = extractor_.resume();
     const Status expected = state_ == State::idle ? Status::not_started
-                            : is_refused()        ? Status::more
+                            : is_refused()        ? Status::suspended
                                                   : Status::ok;
     require(status == expected, "resume() comes to another status");
     look_for_end(status);
@@ -377,7 +379,7 @@ class Caller {
 
   void ended(Status status) {
     const Status expected = state_ == State::idle ? Status::not_started
-                            : is_refused()        ? Status::more
+                            : is_refused()        ? Status::suspended
                                                   : Status::ok;
     require(status == expected, "an ending comes to another status");
     look_for_end(status);
@@ -404,7 +406,7 @@ class Caller {
   void fail_power() {
     const auto checkpoint = std::make_unique<Checkpoint<Extractor<Index>>>();
     const Status expected = state_ == State::idle ? Status::not_started
-                            : is_refused()        ? Status::more
+                            : is_refused()        ? Status::suspended
                                                   : Status::ok;
     require(extractor_.save(*checkpoint) == expected, "save() comes to another status");
     if (expected != Status::ok) return;
@@ -416,7 +418,7 @@ class Caller {
     check_own_memory();
     place_ = std::move(place);
     new (&extractor_) Extractor<Index>{};
-    const Sink sink = sink_to(listener_);
+    const Sink sink = make_sink(listener_);
     uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % used];
     any = static_cast<uint8_t>(any ^ 1);
     require(extractor_.restore(*checkpoint, memory, sink) == Status::bad_checkpoint,

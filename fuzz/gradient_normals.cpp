@@ -41,8 +41,8 @@ struct Script {
 // Throws where an error comes, which none of the scripts should cause.
 template <class Scan>
 void resume(Scan& scan, Status status) {
-  while (status == Status::more) status = scan.resume();
-  require(status == Status::ok, text(status));
+  while (status == Status::suspended) status = scan.resume();
+  require(status == Status::ok, to_string(status));
 }
 
 template <class Scan, class Sample>
@@ -63,7 +63,7 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting, con
   Scan scan;
   if constexpr (Normals::holds_samples) scan.set_spacing(uneven_spacing);
   resume(scan, scan.start(setting.limits, setting.capacities, setting.threshold,
-                          {memory.get(), bytes}, sink_to(log)));
+                          {memory.get(), bytes}, make_sink(log)));
   const uint32_t width = setting.limits.width;
   const Sample* samples = volume.samples.data();
   for (const Row row : script.rows) {

@@ -45,7 +45,7 @@ void read_scenario(Input& input, Scenario& scenario) {
   scenario.refusals = input.byte() % 200;
   scenario.cuts.loose_outers = input.byte() % 101;
   scenario.cuts.loose_holes = input.byte() % 101;
-  scenario.cuts.most_pieces = 1 + input.below(9);
+  scenario.cuts.max_pieces = 1 + input.below(9);
   if (scenario.plan.order == InputOrder::any)
     scenario.cuts.slab = static_cast<int32_t>(input.below(6));
   scenario.chance = test::Chance(input.word());
@@ -89,7 +89,7 @@ void check_regions(const Joined& joined, const Scenario& scenario,
   JoinPlan other = scenario.plan;
   other.capacities = enough_for(joined.events);
   const Joined second = join(joined.events, other);
-  require(second.status == Status::ok, text(second.status));
+  require(second.status == Status::ok, to_string(second.status));
   const std::string difference =
       describe_difference(canonical(Delivered(second.events).regions), regions);
   require(difference.empty(), difference.c_str());
@@ -140,7 +140,7 @@ void check_any_events(Input& input, Scenario& scenario) {
       // Now and then others, so that some fragments meet.
       const uint32_t changes = input.byte();
       if ((changes & 3) == 0) event.incidence = static_cast<Incidence>(input.below(28));
-      if ((changes & 12) == 0) event.came = static_cast<Direction>(input.below(9));
+      if ((changes & 12) == 0) event.incoming_direction = static_cast<Direction>(input.below(9));
       if ((changes & 48) == 0) event.start.x = static_cast<int32_t>(input.number(UINT32_MAX));
       if ((changes & 192) == 0) event.start.z = static_cast<int32_t>(input.number(UINT32_MAX));
       event.hole = (changes & 5) == 0;

@@ -40,12 +40,12 @@ struct Scenario {
   BitVolume volume;        ///< what the extractor is to see, substitutes included
 };
 
-constexpr uint32_t most_slices = 7;
+constexpr uint32_t max_slices = 7;
 
 Capacities read_capacities(Input& input, const Limits& limits, bool is_wide) {
   switch (input.below(4)) {
     case 0:  // enough for anything
-      return is_wide ? worst_case_capacities(limits, most_slices) : ample;
+      return is_wide ? worst_case_capacities(limits, max_slices) : ample;
     case 1: {
       const uint64_t room = input.word();
       return is_wide ? default_capacities<uint32_t>(limits, minimum_bytes<uint32_t>(limits) + room)
@@ -88,7 +88,7 @@ Scenario read_scenario(Input& input) {
   const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
   // Now and then a row longer than a word.
   const uint32_t width = (flags & 64) != 0 ? 29 + input.below(8) : 1 + input.below(9);
-  Size size{width, 1 + input.below(8), input.below(most_slices)};
+  Size size{width, 1 + input.below(8), input.below(max_slices)};
   // The reference takes longer than all else: few voxels, so that there are many volumes.
   size.depth = std::min(size.depth, 300 / (size.width * size.height));
   Scenario scenario{
@@ -144,7 +144,7 @@ class Feeder {
                             : scenario_.is_abandoned              ? extractor_.abandon()
                                                                   : extractor_.finish();
       if (status == Status::ok) return;
-      require(status == Status::more, text(status));
+      require(status == Status::suspended, to_string(status));
     }
   }
 
@@ -170,7 +170,8 @@ class Feeder {
     for (uint32_t at = 0; at < count;) {
       const uint32_t part = scenario_.chunk < count - at ? scenario_.chunk : count - at;
       const PushResult pushed = extractor_.push(samples + at * stride, part, stride);
-      require(pushed.status == Status::ok || pushed.status == Status::more, text(pushed.status));
+      require(pushed.status == Status::ok || pushed.status == Status::suspended,
+              to_string(pushed.status));
       require(pushed.samples <= part, "push took more than it was given");
       at += pushed.samples;
     }
@@ -196,9 +197,10 @@ class Feeder {
   void whole_row(Call call) {
     for (;;) {
       const PushResult pushed = call();
-      require(pushed.status == Status::ok || pushed.status == Status::more, text(pushed.status));
+      require(pushed.status == Status::ok || pushed.status == Status::suspended,
+              to_string(pushed.status));
       if (pushed.samples == scenario_.limits.width) return;
-      require(pushed.status == Status::more, "a row was not taken, and why is not told");
+      require(pushed.status == Status::suspended, "a row was not taken, and why is not told");
     }
   }
 
@@ -221,8 +223,8 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   Scanner extractor;
   give_memory(extractor);
   const Status started =
-      extractor.start(scenario.limits, scenario.capacities, 1, block.memory(), sink_to(log));
-  require(started == Status::ok, text(started));
+      extractor.start(scenario.limits, scenario.capacities, 1, block.memory(), make_sink(log));
+  require(started == Status::ok, to_string(started));
   Feeder<Scanner> feeder(extractor, scenario);
   feeder.feed_all();
   feeder.end();
@@ -241,7 +243,7 @@ void check_ring(Incidence incidence, const Vertex& start, const std::vector<Run>
   const int64_t area = twice_area(incidence, runs.data(), count);
   const auto links = static_cast<uint32_t>(link_count(runs.data(), count));
   std::vector<Vertex> vertices(links);
-  unfold(incidence, start, runs.data(), count, vertices.data());
+  ring_vertices(incidence, start, runs.data(), count, vertices.data());
   require(twice_area(incidence, vertices.data(), links) == area,
           "a chain and its vertices have different areas");
   struct Sum {
@@ -299,7 +301,7 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
 // With so much memory that a host keeps corners, and more or less beyond it.
 void check_corners(const Scenario& scenario, const EventLog::Refuses& refuses) {
   Scenario large = scenario;
-  large.capacities = {trace::Corners::least_records + scenario.refusal_seed % 64 * 16, 1 << 12};
+  large.capacities = {trace::Corners::min_records + scenario.refusal_seed % 64 * 16, 1 << 12};
   const EventLog corners = run<uint32_t, LearningExtractor>(large, refuses);
   const EventLog records = run<uint32_t>(large, {});
   require(corners.events == records.events, "a host that keeps corners gives other events");

@@ -150,11 +150,11 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   // Text of a byte and a blank may stand for a sample of eight. bzip2 has no such bound, nor has a
   // zip of pictures, and a list may name a file as often as it has lines: what is there is read
   // before it is believed.
-  constexpr size_t most_inflation = 16384;
+  constexpr size_t max_inflation = 16384;
   const bool is_bounded = info.format.find("bzip2") == std::string::npos &&
                           info.format.find("detached") == std::string::npos &&
                           info.format.find(", zip") == std::string::npos;
-  require(!is_bounded || info.slice_bytes() <= most_inflation * file_bytes,
+  require(!is_bounded || info.slice_bytes() <= max_inflation * file_bytes,
           "a slice that no file can hold");
 }
 
@@ -166,13 +166,13 @@ void check_error(const std::string& text) {
 }
 
 Reading read(const fs::path& file, const VolumeOptions& options, size_t file_bytes) {
-  constexpr uint32_t most_slices = 20;
+  constexpr uint32_t max_slices = 20;
   Reading reading;
   try {
     const std::unique_ptr<VolumeReader> reader = open_volume(file, options);
     reading.info = reader->info();
     check_info(reading.info, file_bytes);
-    const uint32_t slices = std::min(reading.info.dims[2], most_slices);
+    const uint32_t slices = std::min(reading.info.dims[2], max_slices);
     Bytes slice(reading.info.slice_bytes());
     for (uint32_t i = 0; i < slices; ++i) {
       reader->read_slice(slice.data());

@@ -42,11 +42,11 @@ Events events_beside_packets(const Bytes& stream) {
   require(begin_stream(encoder, any_header(), line.output()) == Status::ok, "no stream begins");
   EventLog log;
   Decoder decoder;
-  require(decoder.start(sink_to(log)) == Status::ok, "no decoder starts");
-  decoder.pass_whole_regions_to({&encoder, [](void* to, const RecordsPacket& packet) {
-                                   const Status status = static_cast<Encoder*>(to)->append(packet);
-                                   require(status == Status::ok, "a packet is not taken");
-                                 }});
+  require(decoder.start(make_sink(log)) == Status::ok, "no decoder starts");
+  decoder.set_packet_passthrough({&encoder, [](void* to, const RecordsPacket& packet) {
+                                    const Status status = static_cast<Encoder*>(to)->append(packet);
+                                    require(status == Status::ok, "a packet is not taken");
+                                  }});
   static_cast<void>(decoder.push(stream.data(), stream.size()));
   static_cast<void>(decoder.finish());
   return log.events;

@@ -45,14 +45,15 @@ class Arena {
   /// The next array, or null when it does not fit, and from then on.
   template <class T>
   T* take(uint32_t count) {
-    return reinterpret_cast<T*>(take_bytes(bytes_of(count, sizeof(T))));
+    return reinterpret_cast<T*>(take_records(count, sizeof(T)));
   }
 
   /// Whether an array did not fit.
   bool is_exhausted() const { return is_exhausted_; }
 
  private:
-  DISCMC_NOINLINE uint8_t* take_bytes(uint64_t bytes) {
+  uint8_t* take_records(uint32_t count, uint32_t record_bytes) {
+    const uint64_t bytes = bytes_of(count, record_bytes);
     if (bytes > left_) is_exhausted_ = true;
     if (is_exhausted_) return nullptr;
     uint8_t* const place = next_;

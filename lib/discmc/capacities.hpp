@@ -41,7 +41,7 @@ constexpr uint32_t record_bytes = sizeof(Index) == 4       ? 16
 
 /// The most records that an index can count.
 template <class Index>
-constexpr uint32_t most_records = static_cast<Index>(~Index{0}) / 2 - 8;
+constexpr uint32_t max_records = static_cast<Index>(~Index{0}) / 2 - 8;
 
 /// The most records that a cell may come to need: an end and a run for each link of the rings of
 /// its facets.
@@ -82,7 +82,7 @@ constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities)
 template <class Index>
 constexpr bool is_valid(const Capacities& capacities) {
   return capacities.records >= minimum_capacities().records &&
-         capacities.records <= sizing::most_records<Index>;
+         capacities.records <= sizing::max_records<Index>;
 }
 
 /// The least memory with which a scan works: the surface comes out right, in loose fragments of a
@@ -110,7 +110,7 @@ constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) /
                               sizing::record_bytes<Index, Normals>;
   const uint32_t records =
-      least.records + sizing::lesser(affordable, sizing::most_records<Index> - least.records);
+      least.records + sizing::lesser(affordable, sizing::max_records<Index> - least.records);
   return {records, records / 16};
 }
 

@@ -11,7 +11,7 @@
 //
 //   ...               // after the failure: read all three back, the memory into the memory
 //   if (encoder.restore(stream, output) == Status::ok &&
-//       extractor.restore(scan, memory, sink_to(encoder)) == Status::ok)
+//       extractor.restore(scan, memory, make_sink(encoder)) == Status::ok)
 //     ...             // go on with row extractor.rows() of slice extractor.slices()
 //
 // A failure while they are written leaves them torn, which restore() finds out; so write two in

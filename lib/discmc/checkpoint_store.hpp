@@ -4,7 +4,7 @@
 //   store.start(device, most_bytes, buffer)   once: finds the newest whole checkpoint
 //   store.restore(parts, count)               if has_checkpoint(): reads it back
 //   store.erase_ahead(bytes)                  between rows, while a scan goes on: saves time later
-//   store.save(parts, count)                  between two rows; while it says `more`, resume()
+//   store.save(parts, count)                  between two rows; while it says `suspended`, resume()
 //
 // A checkpoint is the bytes of some parts, one behind the other: objects of checkpoint.hpp, and the
 // memory in use. While it is saved they must stay as they are, so the scan stands still, but the
@@ -29,13 +29,13 @@ struct FlashGeometry {
   uint32_t block_bytes = 0;    ///< erased at once; a multiple of program_bytes
   uint32_t blocks = 0;         ///< how many; numbered from 0
 
-  static constexpr uint32_t least_program_bytes = 16;
-  static constexpr uint32_t most_block_bytes = uint32_t{1} << 30;
+  static constexpr uint32_t min_program_bytes = 16;
+  static constexpr uint32_t max_block_bytes = uint32_t{1} << 30;
 
   constexpr uint32_t units_per_block() const { return block_bytes / program_bytes; }
   constexpr bool is_valid() const {
-    return program_bytes >= least_program_bytes && block_bytes >= program_bytes &&
-           block_bytes <= most_block_bytes && block_bytes % program_bytes == 0 && blocks > 0 &&
+    return program_bytes >= min_program_bytes && block_bytes >= program_bytes &&
+           block_bytes <= max_block_bytes && block_bytes % program_bytes == 0 && blocks > 0 &&
            blocks <= UINT32_MAX / units_per_block();
   }
 };
@@ -80,7 +80,7 @@ struct StoredHead {
 /// erased for the first of them.
 struct StorePlan {
   FlashGeometry geometry;
-  uint32_t most_bytes = 0;       ///< of the parts of a checkpoint
+  uint32_t max_bytes = 0;        ///< of the parts of a checkpoint
   uint32_t slot_units = 0;       ///< program units of a slot
   uint32_t slots_per_block = 0;  ///< 1 where a slot has one block or several of its own
   uint32_t blocks_per_slot = 0;  ///< 1 where several slots share a block
@@ -88,7 +88,7 @@ struct StorePlan {
 
   static constexpr uint32_t head_bytes = sizeof(StoredHead);
   static constexpr uint32_t tail_bytes = sizeof(uint32_t);
-  static constexpr uint32_t max_bytes = uint32_t{1} << 30;
+  static constexpr uint32_t max_checkpoint_bytes = uint32_t{1} << 30;
 
   /// Whether one checkpoint stays whole while another is written.
   constexpr bool is_valid() const { return slots >= 2 * slots_per_block && slots > 0; }
@@ -118,10 +118,11 @@ struct StorePlan {
 
 /// How checkpoints of at most so many bytes lie in a flash. Not is_valid() where the geometry is
 /// not, or has no room for two of them in blocks of their own.
-constexpr StorePlan store_plan(const FlashGeometry& geometry, uint32_t most_bytes) {
-  StorePlan plan{geometry, most_bytes};
-  if (!geometry.is_valid() || most_bytes == 0 || most_bytes > StorePlan::max_bytes) return plan;
-  plan.slot_units = plan.units(most_bytes);
+constexpr StorePlan store_plan(const FlashGeometry& geometry, uint32_t max_bytes) {
+  StorePlan plan{geometry, max_bytes};
+  if (!geometry.is_valid() || max_bytes == 0 || max_bytes > StorePlan::max_checkpoint_bytes)
+    return plan;
+  plan.slot_units = plan.units(max_bytes);
   const uint32_t per_block = geometry.units_per_block();
   plan.slots_per_block = plan.slot_units <= per_block ? per_block / plan.slot_units : 1;
   plan.blocks_per_slot = (plan.slot_units + per_block - 1) / per_block;
@@ -145,7 +146,7 @@ class CheckpointStore {
   /// store_plan()), too_little_memory (the buffer). device_error: a read failed, and no checkpoint
   /// was found; the store is started all the same, and may save over what could not be read.
   /// Cost: a unit is read of every slot, all units of the newest, and its checksum.
-  [[nodiscard]] Status start(const FlashDevice& device, uint32_t most_bytes, Memory buffer);
+  [[nodiscard]] Status start(const FlashDevice& device, uint32_t max_bytes, Memory buffer);
 
   /// Whether there is a whole checkpoint, how many bytes it has, and its number: one more than of
   /// the one before. Without one, 0.
@@ -160,14 +161,14 @@ class CheckpointStore {
   [[nodiscard]] Status restore(const Memory* parts, uint32_t count);
 
   /// Erases a block for the next checkpoint, if one is left to erase for so many bytes. The scan
-  /// may go on between calls. Status::more: call again. Errors: not_started, device_error.
+  /// may go on between calls. Status::suspended: call again. Errors: not_started, device_error.
   [[nodiscard]] Status erase_ahead(uint32_t bytes);
 
   /// Begins to save a checkpoint, and does the first step of resume(). parts: copied, at most
   /// max_parts; Owner: what they lead to is the caller's, and stays as it is up to another status
-  /// than `more`. Until then the checkpoint before is the newest. Breaks off a save that is under
-  /// way. Errors: not_started, too_little_memory (more parts or bytes than there is room for),
-  /// device_error.
+  /// than `suspended`. Until then the checkpoint before is the newest. Breaks off a save that is
+  /// under way. Errors: not_started, too_little_memory (more parts or bytes than there is room
+  /// for), device_error.
   [[nodiscard]] Status save(const Memory* parts, uint32_t count);
 
   /// Goes on with the save that is under way, if there is one: erases a block, or programs a unit

@@ -42,18 +42,17 @@ class Decoder {
 
   /// Until the next start() packets of whole regions, as RecordsPacket has them, go there in place
   /// of the events of their regions. They come after the scan's start, and between two pieces.
-  void pass_whole_regions_to(const RecordsPacketSink& sink) { packet_sink_ = sink; }
+  void set_packet_passthrough(const RecordsPacketSink& sink) { packet_sink_ = sink; }
 
-  /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again,
-  /// be it none.
-  /// Status::wrong_version: the header names a version this decoder does not know; nothing more of
-  /// this stream is delivered. Errors: also not_started, and bad_sink: the sink said "never", as an
-  /// encoder does that was not started, or that gets anything before the header of its stream.
-  /// The events of packets that arrive before any header are delivered too.
+  /// Takes bytes, any number at a time. Status::suspended: the sink said "not now", push the rest
+  /// again, be it none. Status::wrong_version: the header names a version this decoder does not
+  /// know; nothing more of this stream is delivered. Errors: also not_started, and bad_sink: the
+  /// sink said "never", as an encoder does that was not started, or that gets anything before the
+  /// header of its stream. The events of packets that arrive before any header are delivered too.
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// Tells that no byte follows: an unfinished region or fragment is reported lost. Status::more as
-  /// push(). Errors: not_started, bad_sink.
+  /// Tells that no byte follows: an unfinished region or fragment is reported lost.
+  /// Status::suspended as push(). Errors: not_started, bad_sink.
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }
@@ -90,7 +89,7 @@ class Decoder {
   bool deliver_record();
   bool offer(const Event& event) {
     answer_ = sink_.take(sink_.context, event);
-    return answer_ == Answer::taken;
+    return answer_ == SinkResult::accepted;
   }
 
   Sink sink_;
@@ -98,7 +97,7 @@ class Decoder {
   PacketReader packets_;
   bool is_started_ = false;
   bool start_is_told_ = false;
-  Answer answer_ = Answer::taken;  // of the sink, to the last event
+  SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
 
   Stage stage_ = Stage::collect;
   Model model_{Coder{}};

@@ -158,7 +158,7 @@ enum {
   DISCMC_RING,   /* start, hole */
   DISCMC_RUN,    /* run, normal */
   DISCMC_REGION_END,
-  DISCMC_FRAGMENT, /* incidence, start, came */
+  DISCMC_FRAGMENT, /* incidence, start, incoming_direction */
   DISCMC_FRAGMENT_END,
   DISCMC_SKIPPED,     /* slice, row, repeated: a row never came */
   DISCMC_LAYER,       /* slice: every region that does not reach it has been delivered */
@@ -194,13 +194,13 @@ typedef struct discmc_stream_header {
 /* One event. Only the members that its kind names have a meaning. */
 typedef struct discmc_event {
   uint8_t kind;
-  uint8_t incidence; /* which way the polygon faces: discmc_incidence_normal() */
-  uint8_t came;      /* the direction of the link that leads to the start of a fragment */
-  uint8_t hole;      /* the ring is a hole */
-  uint8_t repeated;  /* the row before stands in, not voxels that are off */
-  uint8_t abandoned; /* the scan ended early */
-  uint8_t normal[2]; /* where the run starts: discmc_unit_normal() */
-  uint32_t run;      /* a straight piece of a ring: discmc_run_vector() */
+  uint8_t incidence;          /* which way the polygon faces: discmc_incidence_normal() */
+  uint8_t incoming_direction; /* of the link that leads to the start of a fragment */
+  uint8_t hole;               /* the ring is a hole */
+  uint8_t repeated;           /* the row before stands in, not voxels that are off */
+  uint8_t abandoned;          /* the scan ended early */
+  uint8_t normal[2];          /* where the run starts: discmc_unit_normal() */
+  uint32_t run;               /* a straight piece of a ring: discmc_run_vector() */
   uint32_t slice, row;
   discmc_vertex start;
   union {
@@ -279,8 +279,8 @@ DISCMC_CHECK discmc_status discmc_extractor_finish(discmc_extractor* extractor);
 /* Ends the scan anywhere: the rest of the slice is off, so the surface is closed. */
 DISCMC_CHECK discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
 
-/* A checkpoint, of a scan that is not suspended: else resume first. After restore() the scan goes on
- * with row `rows` of slice `slices` of the info. */
+/* A checkpoint, of a scan that is not suspended: else resume first. After restore() the scan goes
+ * on with row `rows` of slice `slices` of the info. */
 DISCMC_CHECK discmc_status discmc_extractor_save(discmc_extractor* extractor, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor,
                                                     const discmc_extractor_config* config);
@@ -289,7 +289,7 @@ typedef struct discmc_extractor_info {
   discmc_statistics statistics;      /* so far */
   uint32_t slices, rows;             /* complete slices, and complete rows of the next */
   uint32_t records, holes;           /* there is room for; holes lie in the records */
-  uint32_t most_records, most_holes; /* in use so far; 1,200 records more avoid all fragments */
+  uint32_t peak_records, peak_holes; /* in use so far; 1,200 records more avoid all fragments */
   size_t bytes_used;                 /* of the memory, from its beginning */
 } discmc_extractor_info;
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
@@ -452,7 +452,7 @@ typedef struct discmc_joiner_info {
   uint64_t unmatched;                 /* chains left over in the end: what was lost */
   uint64_t passed;                    /* chains passed on as fragments for lack of memory */
   uint32_t fragments, runs;           /* there is room for */
-  uint32_t most_fragments, most_runs; /* in use so far */
+  uint32_t peak_fragments, peak_runs; /* in use so far */
 } discmc_joiner_info;
 discmc_joiner_info discmc_joiner_get_info(const discmc_joiner* joiner);
 
@@ -470,7 +470,7 @@ typedef struct discmc_store_config {
   uint32_t program_bytes; /* a unit: programmed and read at once; at least 16 */
   uint32_t block_bytes;   /* erased at once; a multiple of a unit, at most 2^30 */
   uint32_t blocks;        /* fewer than 2^32 units in all */
-  uint32_t most_bytes;    /* of all parts of a checkpoint */
+  uint32_t max_bytes;     /* of all parts of a checkpoint */
   discmc_memory memory;   /* DISCMC_STORE_BYTES(program_bytes) */
 } discmc_store_config;
 /* Looks for the newest checkpoint. Errors: DISCMC_BAD_DEVICE. DISCMC_DEVICE_ERROR sets the pointer,
@@ -483,7 +483,7 @@ typedef struct discmc_store_info {
   uint32_t bytes, sequence; /* its length; its number, one more than of the one before */
   uint32_t slots; /* for a checkpoint each: they bear E * slots if blocks bear E erasures */
   uint32_t slots_per_block; /* of a large block; else 1 */
-  uint32_t blocks, units;   /* that a checkpoint of most_bytes erases and programs */
+  uint32_t blocks, units;   /* that a checkpoint of max_bytes erases and programs */
 } discmc_store_info;
 discmc_store_info discmc_store_get_info(const discmc_store* store);
 

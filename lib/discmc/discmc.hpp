@@ -11,13 +11,14 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
-#include <discmc/front/block_means.hpp>
+#include <discmc/front/downsampler.hpp>
 #include <discmc/front/majority_filter.hpp>
 #include <discmc/front/packed_samples.hpp>
-#include <discmc/front/row_picker.hpp>
+#include <discmc/front/row_cropper.hpp>
 #include <discmc/front/row_ring.hpp>
 #include <discmc/front/threshold_row.hpp>
 #include <discmc/geometry/facet_table.hpp>
+#include <discmc/gradient_normals.hpp>
 #include <discmc/joiner.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>

@@ -11,7 +11,7 @@
 namespace discmc {
 
 /// Writes the stream of one scan. One packet and one record are all that is held. The encoder may
-/// be suspended after any byte: while the output takes nothing, take() answers not_now, and goes on
+/// be suspended after any byte: while the output takes nothing, take() answers busy, and goes on
 /// where it was when asked again. It points into itself, so it is neither copied nor moved, but by
 /// save() and restore().
 class Encoder {
@@ -30,22 +30,21 @@ class Encoder {
   /// Errors: bad_label, bad_sink (no write).
   [[nodiscard]] Status start(const StreamLabel& label, const ByteOutput& output);
 
-  /// Takes an event of the extractor (or of a decoder). Answer::never before start(), and before
-  /// the start of a scan: a stream begins with its header. Answer::not_now while the output has not
-  /// taken what was sealed before.
-  /// Cost: a few decisions a run, and the bytes.
-  Answer take(const Event& event);
+  /// Takes an event of the extractor (or of a decoder). SinkResult::not_started before start(), and
+  /// before the start of a scan: a stream begins with its header. SinkResult::busy while the output
+  /// has not taken what was sealed before. Cost: a few decisions a run, and the bytes.
+  SinkResult take(const Event& event);
 
   /// Sends an application record now, in the order of the stream. Its slice and row are the
-  /// caller's to fill in: extractor.slices() and rows(). Status::more: the output takes nothing
-  /// now, or a region is on its way: resume() the extractor and call again. Errors: not_started,
-  /// finished, bad_record.
-  [[nodiscard]] Status tell(const ApplicationRecord& record);
+  /// caller's to fill in: extractor.slices() and rows(). Status::suspended: the output takes
+  /// nothing now, or a region is on its way: resume() the extractor and call again. Errors:
+  /// not_started, finished, bad_record.
+  [[nodiscard]] Status write_record(const ApplicationRecord& record);
 
   /// Sends a packet of records that another encoder of the same surface has made, as it is. The
   /// parts of a piece that goes through several packets must follow each other. Limit:
-  /// wire::max_payload bytes, or wire::max_whole_regions where it is whole. Status::more: as of
-  /// tell(). Errors: not_started, finished, bad_record. Cost: the bytes.
+  /// wire::max_payload bytes, or wire::max_whole_regions where it is whole. Status::suspended: as
+  /// of write_record(). Errors: not_started, finished, bad_record. Cost: the bytes.
   [[nodiscard]] Status append(const RecordsPacket& packet);
 
   /// Goes on with another output, and with a header, so that a receiver may come late. Without a
@@ -100,7 +99,7 @@ class Encoder {
     ended,     // the trailer is sealed
   };
 
-  Answer begin_stream(const StreamHeader& scan);
+  SinkResult begin_stream(const StreamHeader& scan);
   // Whether the record has room for so many words and takes them.
   bool takes(uint32_t words) const { return state_ != State::in_parts && record_.has_room(words); }
   bool put_parts(const Event& event);

@@ -2,7 +2,7 @@
 //
 //   start(limits, threshold, memory, sink)
 //   push(samples, count)      as often as samples arrive, any number at a time
-//   resume()                  after Status::more, when the sink may take again
+//   resume()                  after Status::suspended, when the sink may take again
 //   finish()                  after the last slice
 //
 //            start()            finish(), abandon()                 the sink has taken
@@ -38,6 +38,8 @@ class BasicExtractor {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
 
  public:
+  BasicExtractor() = default;
+
   /// Begins a scan with as many records as the memory has room for (default_capacities()).
   /// threshold: a voxel is on where its sample is >= threshold.
   /// memory: at least minimum_bytes<Index>(limits); Owner: the caller, for as long as the
@@ -62,7 +64,7 @@ class BasicExtractor {
   /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
   /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
   /// next, in samples. Errors: not_started, finished, too_deep.
-  /// With Status::more all samples up to the end of the row that caused it have been taken.
+  /// With Status::suspended all samples up to the end of the row that caused it have been taken.
   /// Sample is uint8_t, uint16_t or int16_t. Cost: a comparison a sample; a completed row also
   /// sweeps a row of the slice below (DESIGN.md, "Work").
   template <class Sample>
@@ -81,21 +83,21 @@ class BasicExtractor {
   /// Stands in for a row that never came; the sink is told. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
 
-  /// Goes on after Status::more; the sink may say "not now" again, then it is Status::more again.
-  /// Harmless at any other time. Errors: not_started.
+  /// Goes on after Status::suspended; the sink may say "not now" again, then it is
+  /// Status::suspended again. Harmless at any other time. Errors: not_started.
   [[nodiscard]] Status resume();
 
   /// Ends the scan: delivers every region and the totals. Errors: not_started, slice_in_progress.
-  /// After Status::more go on with resume(). Calling it again is harmless.
+  /// After Status::suspended go on with resume(). Calling it again is harmless.
   [[nodiscard]] Status finish();
 
   /// Ends the scan wherever it is: the rest of the slice is taken as off, so the surface is closed
-  /// all the same, and the sink is told. Errors: not_started. Status::more as finish().
+  /// all the same, and the sink is told. Errors: not_started. Status::suspended as finish().
   [[nodiscard]] Status abandon();
 
   /// Writes down where the scan is; with the first bytes_used() bytes of the memory that is all of
-  /// it. Any: the type of this extractor. Errors: not_started. Status::more: resume() first. Cost:
-  /// a checksum of those bytes.
+  /// it. Any: the type of this extractor. Errors: not_started. Status::suspended: resume() first.
+  /// Cost: a checksum of those bytes.
   template <class Any>
   [[nodiscard]] Status save(Checkpoint<Any>& checkpoint) const;
 
@@ -133,7 +135,6 @@ class BasicExtractor {
   static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Intake::type << 8;
 
  protected:
-  BasicExtractor() = default;
   BasicExtractor(const BasicExtractor&) = default;
   BasicExtractor& operator=(const BasicExtractor&) = default;
 

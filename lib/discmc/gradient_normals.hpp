@@ -97,7 +97,7 @@ class GradientNormals {
 
   OctahedralNormal normal_at(const Vertex& vertex) const {
     const Vertex here{vertex.x, vertex.y, vertex.z - first_z_};
-    return octahedral_normal(weighted(samples_.downhill(here), weights_));
+    return octahedral_normal(weighted(samples_.negative_gradient(here), weights_));
   }
 
  private:

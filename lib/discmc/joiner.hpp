@@ -5,9 +5,9 @@
 //
 //   static Joiner joiner;
 //   if (joiner.start(memory, sink, InputOrder::sweep) == Status::ok &&
-//       decoder.start(sink_to(joiner)) == Status::ok)
+//       decoder.start(make_sink(joiner)) == Status::ok)
 //     ...  // push the stream
-//   while (joiner.finish() == Status::more)
+//   while (joiner.finish() == Status::suspended)
 //     ...  // until the sink takes again
 //
 // A fragment goes on where its last link leads, and no directed link belongs to two chains: so ends
@@ -16,7 +16,7 @@
 //
 // A shortage of memory loses nothing: from then on the joiner passes on what it holds and what it
 // gets, and another with more memory can join that. A sink that wants whole regions alone is made
-// by region_sink_to().
+// by make_region_sink().
 #ifndef DISCMC_JOINER_HPP
 #define DISCMC_JOINER_HPP
 
@@ -108,12 +108,12 @@ class Joiner {
   [[nodiscard]] Status start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
                              InputOrder order, Unjoined unjoined = Unjoined::passed_on);
 
-  /// Takes an event; Answer::never before start(), and where the sink says so. What it completes
-  /// has been delivered once it is taken.
-  Answer take(const Event& event);
+  /// Takes an event; SinkResult::not_started before start(), and where the sink says so. What it
+  /// completes has been delivered once it is taken.
+  SinkResult take(const Event& event);
 
   /// Tells that no event follows, and delivers what waits; a `finish` event in the order of a sweep
-  /// does the same. Status::more: the sink said "not now", call again. Errors: not_started;
+  /// does the same. Status::suspended: the sink said "not now", call again. Errors: not_started;
   /// bad_sink (it said "never"); too_little_memory when memory was short at any time, though all is
   /// done that can be.
   [[nodiscard]] Status finish();
@@ -169,8 +169,8 @@ class Joiner {
   JoinReport report_{};
   InputOrder order_ = InputOrder::sweep;
   Unjoined unjoined_ = Unjoined::passed_on;
-  Answer answer_ = Answer::taken;  // of the sink, to the last event
-  bool is_short_ = false;          // of memory: everything is passed on
+  SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
+  bool is_short_ = false;                     // of memory: everything is passed on
 
   // What becomes of the fragment that arrives, and the chain that holds it.
   enum class Arrival : uint8_t { none, held, passed, ignored };
@@ -197,7 +197,7 @@ class Joiner {
 /// A sink for a receiver that wants whole regions alone, of a scan that may be short of memory:
 ///
 ///   static Joiner joiner;
-///   extractor.start(limits, threshold, memory, region_sink_to(receiver, joiner, join_memory));
+///   extractor.start(limits, threshold, memory, make_region_sink(receiver, joiner, join_memory));
 ///
 /// It starts the joiner, which calls `receiver.take(event)` and leaves out what it cannot join:
 /// joiner.report() counts that. Each scan, or stream of a decoder, needs a new call, so an
@@ -209,10 +209,10 @@ class Joiner {
 /// the device that extracts, more memory for the extractor is better: there a chain takes 16 bytes
 /// and 8 per three runs, and does not go loose at all. Cost: that of the Joiner.
 template <class Receiver>
-Sink region_sink_to(Receiver& receiver, Joiner& joiner, Memory memory) {
+Sink make_region_sink(Receiver& receiver, Joiner& joiner, Memory memory) {
   const Status status =
-      joiner.start(memory, sink_to(receiver), InputOrder::sweep, Unjoined::left_out);
-  return status == Status::ok ? sink_to(joiner) : Sink{};
+      joiner.start(memory, make_sink(receiver), InputOrder::sweep, Unjoined::left_out);
+  return status == Status::ok ? make_sink(joiner) : Sink{};
 }
 
 }  // namespace discmc

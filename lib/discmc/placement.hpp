@@ -27,7 +27,7 @@ struct Placement {
   static constexpr size_t record_bytes = 3 * 3 * 4 + 3 * 8 + 1;
 };
 
-/// The record of a placement, for tell(): best before the first row. bytes: room for
+/// The record of a placement, for write_record(): best before the first row. bytes: room for
 /// Placement::record_bytes, which are written; Owner: the caller, until the record has been told.
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
@@ -53,7 +53,7 @@ struct SlabRange {
   static constexpr size_t record_bytes = 12;
 };
 
-/// The record of a slab, for tell(), at any time in its scan. bytes: room for
+/// The record of a slab, for write_record(), at any time in its scan. bytes: room for
 /// SlabRange::record_bytes, which are written; Owner: the caller, until the record has been told.
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes);
 

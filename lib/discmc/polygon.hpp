@@ -19,8 +19,8 @@ constexpr uint64_t link_count(const Run* runs, uint32_t count) {
 
 /// Writes the vertices of a closed chain, one for every link, beginning with the start.
 /// vertices: link_count() of them; Owner: the caller. Limit: straight runs only.
-void unfold(Incidence incidence, const Vertex& start, const Run* runs, uint32_t count,
-            Vertex* vertices);
+void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, uint32_t count,
+                   Vertex* vertices);
 
 /// Twice a ring's area times the length of its incidence's normal, as twice_area() of a chain:
 /// positive for an outer ring, negative for a hole. Units: square half-steps.

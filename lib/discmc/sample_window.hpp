@@ -5,7 +5,7 @@
 //   for each slice:
 //     window.push(samples, width * height);                       // in pieces of any size
 //     for the vertices that are due, lowest z first, while window.covers(vertex):
-//       ... unit_normal(weighted(window.downhill(vertex), axis_weights(spacing_nm))) ...
+//       ... unit_normal(weighted(window.negative_gradient(vertex), axis_weights(spacing_nm))) ...
 //   window.end();
 //   and those that are left, lowest z first
 //
@@ -69,9 +69,9 @@ class SampleWindow {
   /// Says that no slice follows.
   void end() { is_ended_ = true; }
 
-  /// Whether downhill() can tell: of the slices that it takes, those around the vertex and one more
-  /// on either side, all that the volume has are held. True of vertices outside the volume below,
-  /// and of those above after end(). Of a vertex whose slices have passed it stays false.
+  /// Whether negative_gradient() can tell: of the slices that it takes, those around the vertex and
+  /// one more on either side, all that the volume has are held. True of vertices outside the volume
+  /// below, and of those above after end(). Of a vertex whose slices have passed it stays false.
   bool covers(const Vertex& vertex) const {
     const int64_t below = vertex.z < 4 ? 0 : vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;
@@ -81,8 +81,10 @@ class SampleWindow {
     return (vertex.z < 0 || below >= first_held) && (is_ended_ || above < slices);
   }
 
-  /// As SampleRows::downhill(). Limit: covers(vertex).
-  LongVector downhill(const Vertex& vertex) const { return rows_.downhill(vertex); }
+  /// As SampleRows::negative_gradient(). Limit: covers(vertex).
+  LongVector negative_gradient(const Vertex& vertex) const {
+    return rows_.negative_gradient(vertex);
+  }
 
  private:
   SampleRows<Sample> rows_;

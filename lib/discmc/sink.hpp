@@ -1,8 +1,8 @@
 // What the extractor hands out, and to whom.
 //
 // A sink is one function with a context. It is offered events in a fixed grammar and answers
-// `taken`, `not_now` or `never`; what it did not take is offered again, unchanged, on the next
-// resume().
+// `accepted`, `busy` or `not_started`; what it did not take is offered again, unchanged, on the
+// next resume().
 //
 //   scan     = start { region | fragment | skipped | layer | application } finish
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
@@ -22,7 +22,7 @@
 //
 // A sink that passes over fragments (all events from `fragment` to `fragment_end`) gets an
 // incomplete surface: regions whose outer ring went out loose are missing, and others lack the
-// holes that did. Statistics::fragments counts them. region_sink_to() in joiner.hpp gives a sink
+// holes that did. Statistics::fragments counts them. make_region_sink() in joiner.hpp gives a sink
 // whole regions.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
@@ -109,16 +109,17 @@ struct StreamHeader {
 // ----
 
 /// What a sink says of an event.
-enum class Answer : uint8_t {
-  taken,
-  not_now,
-  never,  ///< the sink was not started, and asking again is of no use. Extractors are not started
-          ///< then; decoders and joiners say bad_sink. To an extractor at work it is as `not_now`.
+enum class SinkResult : uint8_t {
+  accepted,
+  busy,
+  not_started,  ///< the sink was not started, and asking again is of no use. Extractors are not
+                ///< started then; decoders and joiners say bad_sink. To an extractor at work it is
+                ///< as `busy`.
 };
 
 /// What a decoder or joiner says when its sink has not taken an event.
-constexpr Status status_of(Answer answer) {
-  return answer == Answer::never ? Status::bad_sink : Status::more;
+constexpr Status status_of(SinkResult answer) {
+  return answer == SinkResult::not_started ? Status::bad_sink : Status::suspended;
 }
 
 /// Totals of a scan so far. All are exact, but for slabs: of the cells at a seam either slab counts
@@ -153,7 +154,7 @@ struct Event {
   };
   Kind kind;
   Incidence incidence;
-  Direction came;  ///< of the link by which a fragment's chain comes to its start
+  Direction incoming_direction;  ///< of the link by which a fragment's chain comes to its start
   bool hole;
   bool repeated;
   bool abandoned;
@@ -181,13 +182,13 @@ struct Event {
 /// one context at a time, and from an interrupt only where none come from elsewhere.
 struct Sink {
   void* context = nullptr;
-  Answer (*take)(void* context, const Event& event) = nullptr;
+  SinkResult (*take)(void* context, const Event& event) = nullptr;
 };
 
 /// A sink that calls `receiver.take(event)` with every event. Owner: the receiver must outlive the
 /// sink.
 template <class Receiver>
-Sink sink_to(Receiver& receiver) {
+Sink make_sink(Receiver& receiver) {
   return {&receiver, [](void* context, const Event& event) {
             return static_cast<Receiver*>(context)->take(event);
           }};

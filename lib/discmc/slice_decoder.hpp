@@ -41,7 +41,7 @@ struct RowEvent {
 /// Where rows go. Owner: the context belongs to the caller and must outlive the decoder.
 struct RowSink {
   void* context = nullptr;
-  Answer (*take)(void* context, const RowEvent& event) = nullptr;
+  SinkResult (*take)(void* context, const RowEvent& event) = nullptr;
 };
 
 /// A row sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
@@ -66,9 +66,9 @@ class SliceDecoder {
   /// Errors: bad_sink.
   [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
 
-  /// Takes bytes, any number at a time. Status::more: the sink said "not now", push the rest again.
-  /// Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells of
-  /// larger slices than the memory serves: give_memory(), and push the rest. Errors: also
+  /// Takes bytes, any number at a time. Status::suspended: the sink said "not now", push the rest
+  /// again. Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells
+  /// of larger slices than the memory serves: give_memory(), and push the rest. Errors: also
   /// not_started, and bad_sink (the sink said "never"). Packets that arrive before any header are
   /// lost. Of a stream of regions nothing is handed out: report().holds_slices says what it is.
   /// Cost: as the encoder's.
@@ -78,7 +78,7 @@ class SliceDecoder {
   /// any other time it does nothing. Errors: not_started, too_little_memory, wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// Tells that no byte follows. Status::more and errors as push().
+  /// Tells that no byte follows. Status::suspended and errors as push().
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }
@@ -108,8 +108,8 @@ class SliceDecoder {
   PacketReader packets_;
   Stage stage_ = Stage::collect;
   bool is_started_ = false;
-  Answer answer_ = Answer::taken;  // of the sink, to the last event
-  Status refusal_ = Status::ok;    // of what the stream holds
+  SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
+  Status refusal_ = Status::ok;               // of what the stream holds
   bool is_laid_out_ = false;
   bool is_whole_ = false;      // nothing is lost since the last key slice began
   bool is_key_ahead_ = false;  // the next row is the first of a key slice

@@ -3,7 +3,7 @@
 //
 //   start(header, key_slices, memory, output)
 //   push(samples, count)      as often as samples arrive, any number at a time
-//   resume()                  after Status::more, when the output may take again
+//   resume()                  after Status::suspended, when the output may take again
 //   finish()                  after the last slice
 //
 // Every voxel is told by its neighbours, and what they say of it is learnt on the way (WIRE.md,
@@ -91,7 +91,7 @@ class SliceEncoder {
   /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
   /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
   /// next, in samples. Errors: not_started, finished, too_deep.
-  /// With Status::more all samples up to the end of the row that caused it have been taken.
+  /// With Status::suspended all samples up to the end of the row that caused it have been taken.
   /// Sample is uint8_t, uint16_t or int16_t. Cost: a comparison a sample, and of a row one decision
   /// where it is as its neighbours say, else about one a voxel of outline and two.
   template <class Sample>
@@ -109,35 +109,35 @@ class SliceEncoder {
   /// before it, and is taken as off. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
 
-  /// Goes on after Status::more; the output may take nothing again, then it is Status::more again.
-  /// Harmless at any other time. Errors: not_started.
+  /// Goes on after Status::suspended; the output may take nothing again, then it is
+  /// Status::suspended again. Harmless at any other time. Errors: not_started.
   [[nodiscard]] Status resume();
 
   /// Hands over what is there so far instead of waiting for a full packet; costs about 15 bytes of
-  /// stream a call. Errors: not_started. After Status::more call it again.
+  /// stream a call. Errors: not_started. After Status::suspended call it again.
   [[nodiscard]] Status flush();
 
   /// Sends an application record now, before the next row; its slice and row are filled in. Errors:
-  /// not_started, finished, bad_record. Status::more: not taken yet, call again.
-  [[nodiscard]] Status tell(const ApplicationRecord& record);
+  /// not_started, finished, bad_record. Status::suspended: not taken yet, call again.
+  [[nodiscard]] Status write_record(const ApplicationRecord& record);
 
   /// Goes on with another output, as Encoder::set_output(). The next slice is a key slice.
   void set_output(const ByteOutput& output);
 
-  /// Ends the scan and the stream. Errors: not_started, slice_in_progress. After Status::more go
-  /// on with resume(). Calling it again is harmless.
+  /// Ends the scan and the stream. Errors: not_started, slice_in_progress. After Status::suspended
+  /// go on with resume(). Calling it again is harmless.
   [[nodiscard]] Status finish();
 
   /// Ends the scan wherever it is: the stream says so, and the receiver takes the rest of the slice
-  /// as off. Samples of a row that is not complete are dropped. Errors: not_started. Status::more
-  /// as finish().
+  /// as off. Samples of a row that is not complete are dropped. Errors: not_started.
+  /// Status::suspended as finish().
   [[nodiscard]] Status abandon();
 
   /// Whether a row, or the end, waits for the output: then resume() before save().
   bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
 
   /// Writes down where scan and stream are, the stream at the beginning of a frame; with the first
-  /// bytes_used() bytes of the memory that is all of both. Errors: not_started. Status::more:
+  /// bytes_used() bytes of the memory that is all of both. Errors: not_started. Status::suspended:
   /// resume() first. Cost: a checksum of those bytes.
   [[nodiscard]] Status save(Checkpoint<SliceEncoder>& checkpoint) const;
 

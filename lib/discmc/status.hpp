@@ -7,8 +7,8 @@
 
 namespace discmc {
 
-/// Result of a call. `ok` and `more` are not errors: `more` means that the sink or output said "not
-/// now" and that resume() goes on with the work; of a decoder, push() of the rest.
+/// Result of a call. `ok` and `suspended` are not errors: `suspended` means that the sink or output
+/// said "not now" and that resume() goes on with the work; of a decoder, push() of the rest.
 ///
 /// After an error what is under way goes on as if the call had not been made. But what comes before
 /// the error is done: events that waited have been delivered, and push() tells how much it has
@@ -16,13 +16,13 @@ namespace discmc {
 ///
 ///   Extractor::start()       too_little_memory, or bad_sink of a sink that did not take the start:
 ///                            the scan before has ended, too
-///   MajorityFilter::start(), BlockMeans::start()  whichever: it is not started
+///   MajorityFilter::start(), Downsampler::start()  whichever: it is not started
 ///   push() of decoders       wrong_version: nothing more of this stream comes
 ///   Joiner::finish()         too_little_memory: all has been done that can be
 ///   CheckpointStore          device_error: see each of its functions
 enum class Status : uint8_t {
   ok,
-  more,               ///< suspended; nothing is lost: resume(), of a decoder push() the rest
+  suspended,          ///< suspended; nothing is lost: resume(), of a decoder push() the rest
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
   too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
@@ -41,11 +41,11 @@ enum class Status : uint8_t {
 };
 
 /// A short English text for a status. Owner: static storage.
-constexpr const char* text(Status status) {
+constexpr const char* to_string(Status status) {
   switch (status) {
     case Status::ok:
       return "ok";
-    case Status::more:
+    case Status::suspended:
       return "the sink or output is busy: call resume(), of a decoder push() the rest";
     case Status::bad_limits:
       return "width and height must be 1 to 32766, and border and slab valid";

@@ -29,7 +29,7 @@ constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces
 class SurfaceDecoder {
  public:
   /// A call skips at most so many lost rows, as a hostile stream can claim any number of them.
-  static constexpr uint32_t most_skipped_rows = uint32_t{1} << 16;
+  static constexpr uint32_t max_skipped_rows = uint32_t{1} << 16;
 
   SurfaceDecoder() = default;
   SurfaceDecoder(const SurfaceDecoder&) = delete;
@@ -43,12 +43,12 @@ class SurfaceDecoder {
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
   /// As of the Decoder.
-  void pass_whole_regions_to(const RecordsPacketSink& sink) {
-    regions_.pass_whole_regions_to(sink);
+  void set_packet_passthrough(const RecordsPacketSink& sink) {
+    regions_.set_packet_passthrough(sink);
   }
 
-  /// As Decoder::push(). Status::more: also that there are more lost rows to skip. Errors: also
-  /// too_little_memory, as of SliceDecoder::push().
+  /// As Decoder::push(). Status::suspended: also that there are more lost rows to skip. Errors:
+  /// also too_little_memory, as of SliceDecoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// As SliceDecoder::give_memory(), with minimum_surface_bytes() or more.
@@ -67,11 +67,11 @@ class SurfaceDecoder {
   Decoded push_to_both(const uint8_t* byte);
   Status begin_sweep();
   uint8_t wanted_channel() const { return channel_ == any_channel ? header().channel : channel_; }
-  Answer take(const RowEvent& event);
-  Answer begin(const StreamHeader& all);
-  Answer pass(const Event& event) { return sink_.take(sink_.context, event); }
-  Answer skip(uint64_t rows, Substitute substitute);
-  Answer end(bool is_abandoned);
+  SinkResult take(const RowEvent& event);
+  SinkResult begin(const StreamHeader& all);
+  SinkResult pass(const Event& event) { return sink_.take(sink_.context, event); }
+  SinkResult skip(uint64_t rows, Substitute substitute);
+  SinkResult end(bool is_abandoned);
 
   Sink sink_;
   uint8_t channel_ = any_channel;

@@ -27,8 +27,8 @@ class SurfaceGroup {
   SurfaceGroup(const SurfaceGroup&) = delete;
   SurfaceGroup& operator=(const SurfaceGroup&) = delete;
 
-  /// As Extractor::push(), for all. Status::more: some sink said "not now"; what the result counts
-  /// has gone to all.
+  /// As Extractor::push(), for all. Status::suspended: some sink said "not now"; what the result
+  /// counts has gone to all.
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     PushResult result{resume(), 0};
@@ -73,7 +73,9 @@ class SurfaceGroup {
   }
 
  private:
-  static bool is_error(Status status) { return status != Status::ok && status != Status::more; }
+  static bool is_error(Status status) {
+    return status != Status::ok && status != Status::suspended;
+  }
 
   // All are where the first one is, so an error is the first one's, before any has changed.
   template <class Call>
@@ -82,7 +84,7 @@ class SurfaceGroup {
     for (Scanner* scanner = first_; scanner != end_; ++scanner) {
       const Status status = call(*scanner);
       if (is_error(status)) return status;
-      if (status == Status::more) all = Status::more;
+      if (status == Status::suspended) all = Status::suspended;
     }
     return all;
   }

@@ -9,7 +9,7 @@
 namespace discmc::command {
 
 inline void require(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
 inline void require_written(std::ostream& out) {

@@ -89,7 +89,7 @@ class Slots {
 };
 
 void check(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
 size_t drop(void*, const uint8_t*, size_t count) {
@@ -104,7 +104,7 @@ void scan(VolumeReader& reader, int32_t threshold, size_t bytes) {
   Encoder encoder;
   check(encoder.start({info.dims[2]}, {nullptr, drop}));
   check(extractor->start({info.dims[0], info.dims[1]}, threshold, {memory.data(), bytes},
-                         sink_to(encoder)));
+                         make_sink(encoder)));
   Slots slots[] = {Slots(1), Slots(16), Slots(info.dims[1]), Slots(uint64_t{10} * info.dims[1])};
   std::vector<Sample> slice(reader.info().slice_bytes() / sizeof(Sample));
   uint64_t rows = 0;

@@ -39,7 +39,7 @@ void tell_side(SpillingJoiner& joiner, std::uint64_t square, unsigned side) {
   event.kind = Event::Kind::fragment;
   event.incidence = upwards;
   event.start = corner(square, side);
-  event.came = direction_of_side(side + 3);
+  event.incoming_direction = direction_of_side(side + 3);
   joiner.take(event);
   event.kind = Event::Kind::run;
   event.run = discmc::Run::straight(direction_of_side(side), 1);
@@ -50,9 +50,9 @@ void tell_side(SpillingJoiner& joiner, std::uint64_t square, unsigned side) {
 
 struct RegionCount {
   std::uint64_t regions = 0;
-  discmc::Answer take(const Event& event) {
+  discmc::SinkResult take(const Event& event) {
     regions += event.kind == Event::Kind::region_end ? 1 : 0;
-    return discmc::Answer::taken;
+    return discmc::SinkResult::accepted;
   }
 };
 
@@ -60,7 +60,7 @@ int join(std::uint64_t fragments, std::uint64_t bytes) {
   const std::uint64_t squares = fragments / 4;
   const auto begin = std::chrono::steady_clock::now();
   RegionCount count;
-  SpillingJoiner joiner(discmc::sink_to(count), bytes);
+  SpillingJoiner joiner(discmc::make_sink(count), bytes);
   for (unsigned side = 0; side < 4; ++side)
     for (std::uint64_t square = 0; square < squares; ++square) tell_side(joiner, square, side);
   joiner.finish();

@@ -32,7 +32,7 @@ size_t count_bytes(void* count, const uint8_t*, size_t bytes) {
 
 void require(Status status) {
   if (status == Status::ok) return;
-  std::fprintf(stderr, "bench_noise: %s\n", text(status));
+  std::fprintf(stderr, "bench_noise: %s\n", to_string(status));
   std::exit(1);
 }
 
@@ -48,7 +48,7 @@ Streams streams_of(const Rows& rows) {
   Encoder encoder;
   Extractor32 extractor;
   require(encoder.start({extent}, {&streams.regions, count_bytes}));
-  require(extractor.start(limits, threshold, all, sink_to(encoder)));
+  require(extractor.start(limits, threshold, all, make_sink(encoder)));
   for (const auto& row : rows) require(extractor.push_bits(row.data()).status);
   require(extractor.finish());
   streams.polygons = extractor.statistics().regions;

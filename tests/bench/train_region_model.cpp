@@ -29,7 +29,7 @@ struct CountingCoder {
 // Tells every record to a counting model, which starts anew about as often as packets do.
 class Trainer {
  public:
-  discmc::Answer take(const discmc::Event& event) {
+  discmc::SinkResult take(const discmc::Event& event) {
     using Kind = discmc::Event::Kind;
     switch (event.kind) {
       case Kind::region:
@@ -37,7 +37,7 @@ class Trainer {
         break;
       case Kind::fragment:
         record_.begin(event.incidence);
-        record_.begin_fragment(event.came, event.start);
+        record_.begin_fragment(event.incoming_direction, event.start);
         break;
       case Kind::ring:
         make_room(discmc::Record::ring_words);
@@ -58,7 +58,7 @@ class Trainer {
       default:
         break;
     }
-    return discmc::Answer::taken;
+    return discmc::SinkResult::accepted;
   }
   const Counts& counts() const { return counts_; }
 
@@ -106,7 +106,7 @@ Counts counts_of(const char* path) {
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   Trainer trainer;
   discmc::Decoder decoder;
-  const auto status = decoder.start(discmc::sink_to(trainer));
+  const auto status = decoder.start(discmc::make_sink(trainer));
   const auto decoded = decoder.push(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
   if (status != discmc::Status::ok || decoded.status != discmc::Status::ok ||
       !decoder.report().is_complete())

@@ -68,9 +68,9 @@ class Trainer {
 struct RowCollector {
   std::vector<std::vector<uint8_t>> rows;
   size_t row_bytes = 0;
-  discmc::Answer take(const RowEvent& event) {
+  discmc::SinkResult take(const RowEvent& event) {
     if (event.kind == RowEvent::Kind::row) rows.emplace_back(event.bits, event.bits + row_bytes);
-    return discmc::Answer::taken;
+    return discmc::SinkResult::accepted;
   }
 };
 

@@ -75,7 +75,7 @@ Mesh classic(const Field& field, Border border = Border::closed, const Point& sp
 Extraction extraction(const Field& field, Border border) {
   SampleReader reader(field.size, field.samples);
   SurfaceBuilder builder;
-  return extract(reader, {100, border, 0, {}}, discmc::sink_to(builder));
+  return extract(reader, {100, border, 0, {}}, discmc::make_sink(builder));
 }
 
 // A vertex lies strictly between an on and an off voxel, where the line through their samples

@@ -21,7 +21,7 @@ Surface surface_of(const BitVolume& volume) {
   sample_reader::SampleReader reader(volume, spacing_mm);
   discmc::command::SurfaceBuilder builder;
   extract(reader, {sample_reader::bit_threshold, discmc::Border::closed, 0, {}},
-          discmc::sink_to(builder));
+          discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing_mm;
   return std::move(builder.surface());
 }

@@ -53,9 +53,9 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
                     SampleType type = SampleType::u8) {
   SampleReader reader(volume, spacing_mm, type);
   discmc::test::EventLog log;
-  const Extraction extraction = extract(reader, options, discmc::sink_to(log));
+  const Extraction extraction = extract(reader, options, discmc::make_sink(log));
   SurfaceBuilder builder;
-  discmc::command::GrowingJoiner joiner(discmc::sink_to(builder));
+  discmc::command::GrowingJoiner joiner(discmc::make_sink(builder));
   for (const auto& recorded : log.events) joiner.take(recorded.event());
   CHECK(builder.incomplete_regions() == 0);
   builder.surface().spacing_mm = reader.info().spacing_mm;
@@ -82,7 +82,7 @@ std::string refusal(const BitVolume& volume, std::uint64_t memory) {
   SampleReader reader(volume, spacing_mm);
   discmc::test::EventLog log;
   try {
-    extract(reader, options(Border::closed, memory), discmc::sink_to(log));
+    extract(reader, options(Border::closed, memory), discmc::make_sink(log));
   } catch (const std::invalid_argument& error) {
     CHECK(log.events.empty());
     return error.what();

@@ -43,8 +43,8 @@ Events first_fragment() {
 
 Events joined(const Events& events, std::uint64_t bytes = GrowingJoiner::first_bytes) {
   EventLog log;
-  GrowingJoiner joiner(discmc::sink_to(log), discmc::InputOrder::sweep, bytes);
-  for (const auto& one : events) REQUIRE(joiner.take(one.event()) == discmc::Answer::taken);
+  GrowingJoiner joiner(discmc::make_sink(log), discmc::InputOrder::sweep, bytes);
+  for (const auto& one : events) REQUIRE(joiner.take(one.event()) == discmc::SinkResult::accepted);
   joiner.finish();
   return log.events;
 }

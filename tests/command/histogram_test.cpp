@@ -106,8 +106,8 @@ TEST_CASE("more samples than bins share them with their neighbours") {
   CHECK(histogram.least() == static_cast<double>(samples.front()));
   CHECK(histogram.greatest() == static_cast<double>(samples.back()));
   const auto bins = histogram.bins();
-  CHECK(bins.size() <= Histogram::most_bins);
-  CHECK(bins.size() > Histogram::most_bins / 8);
+  CHECK(bins.size() <= Histogram::max_bins);
+  CHECK(bins.size() > Histogram::max_bins / 8);
   auto sample = samples.begin();
   std::uint64_t counted = 0;
   double worst = 0;

@@ -21,7 +21,7 @@ using discmc::Border;
 using discmc::command::extract_labels;
 using discmc::command::LabelledSurfaces;
 using discmc::command::LabelOptions;
-using discmc::command::most_scattered_labels;
+using discmc::command::max_scattered_labels;
 using discmc::command::SampleType;
 using discmc::command::Selection;
 using discmc::reference::Size;
@@ -55,7 +55,7 @@ discmc::command::Surface surface_of(int label, std::uint32_t seed, Border border
   options.selection = Selection(label, label);
   options.border = border;
   options.takes_majority = takes_majority;
-  extract(reader, options, discmc::sink_to(builder));
+  extract(reader, options, discmc::make_sink(builder));
   return builder.surface();
 }
 
@@ -132,18 +132,18 @@ TEST_CASE("values that cannot be labels are refused with their slice") {
 
 TEST_CASE("as many labels as there are are taken where their voxels lie together") {
   std::vector<float> samples;
-  for (std::uint32_t i = 0; i < 4 * (most_scattered_labels + 500); ++i)
+  for (std::uint32_t i = 0; i < 4 * (max_scattered_labels + 500); ++i)
     samples.push_back(static_cast<float>(1 + i / 4));
   CHECK(extracted(samples, {static_cast<std::uint32_t>(samples.size()), 1, 1}).all.size() ==
-        most_scattered_labels + 500);
+        max_scattered_labels + 500);
 }
 
 TEST_CASE("more values in a slice than a segmentation has are refused") {
-  std::vector<float> samples(most_scattered_labels + 2);
+  std::vector<float> samples(max_scattered_labels + 2);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<float>(i);
-  CHECK_THROWS_WITH_AS(extracted(samples, {most_scattered_labels + 2, 1, 1}),
+  CHECK_THROWS_WITH_AS(extracted(samples, {max_scattered_labels + 2, 1, 1}),
                        doctest::Contains("more than 1024 values up to slice 0"),
                        std::invalid_argument);
   samples.pop_back();
-  CHECK(extracted(samples, {most_scattered_labels + 1, 1, 1}).all.size() == most_scattered_labels);
+  CHECK(extracted(samples, {max_scattered_labels + 1, 1, 1}).all.size() == max_scattered_labels);
 }

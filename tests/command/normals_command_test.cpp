@@ -57,7 +57,7 @@ std::string stream_with_normals() {
   discmc::NormalExtractor32<std::uint16_t> extractor;
   extractor.set_spacing(header.spacing_nm);
   discmc::reference::require_ok(
-      extractor.start(limits, header.threshold, block.memory(), discmc::sink_to(encoder)));
+      extractor.start(limits, header.threshold, block.memory(), discmc::make_sink(encoder)));
   std::vector<std::uint16_t> samples;
   for (const int sample : ball().samples) samples.push_back(static_cast<std::uint16_t>(sample));
   discmc::reference::push_all(extractor, samples);

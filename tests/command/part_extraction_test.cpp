@@ -50,7 +50,7 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
                     bool by_polygons = false) {
   SampleReader reader(volume);
   SurfaceBuilder builder;
-  SurfaceRequest request{options.selection, discmc::sink_to(builder)};
+  SurfaceRequest request{options.selection, discmc::make_sink(builder)};
   if (by_polygons) request.builder = &builder;
   const Extraction extraction = extract(reader, options, std::vector<SurfaceRequest>{request})[0];
   CHECK(builder.incomplete_regions() == 0);
@@ -67,12 +67,12 @@ Surface streamed(const BitVolume& volume, const ExtractionOptions& options, bool
                                stream.insert(stream.end(), part, part + count);
                                return count;
                              }}) == discmc::Status::ok);
-  SurfaceRequest request{options.selection, discmc::sink_to(encoder)};
+  SurfaceRequest request{options.selection, discmc::make_sink(encoder)};
   if (by_packets) request.encoder = &encoder;
   extract(reader, options, std::vector<SurfaceRequest>{request});
   SurfaceBuilder builder;
   discmc::Decoder decoder;
-  REQUIRE(decoder.start(discmc::sink_to(builder)) == discmc::Status::ok);
+  REQUIRE(decoder.start(discmc::make_sink(builder)) == discmc::Status::ok);
   CHECK(decoder.push(bytes.data(), bytes.size()).status == discmc::Status::ok);
   static_cast<void>(decoder.finish());
   CHECK(decoder.report().is_complete());

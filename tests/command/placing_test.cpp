@@ -89,7 +89,7 @@ std::string stream_with(const discmc::Placement& placement) {
   discmc::reference::require_ok(
       discmc::test::begin_stream(encoder, discmc::test::header_of(volume), line.output()));
   std::uint8_t bytes[discmc::Placement::record_bytes];
-  discmc::reference::require_ok(encoder.tell(discmc::record_of(placement, bytes)));
+  discmc::reference::require_ok(encoder.write_record(discmc::record_of(placement, bytes)));
   discmc::test::take_all(encoder, discmc::test::events_of(volume));
   return std::string(line.bytes.begin(), line.bytes.end());
 }

@@ -74,7 +74,7 @@ inline Extracted extracted(const Field& field, SampleType type = SampleType::u8,
   SurfaceBuilder builder;
   Extracted result{{}, CrossingFinder(reader.info(), selection)};
   extract(reader, {selection, border, 0, {}},
-          {{selection, discmc::sink_to(builder), &result.finder}});
+          {{selection, discmc::make_sink(builder), &result.finder}});
   result.surface = std::move(builder.surface());
   result.surface.spacing_mm = spacing_mm;
   return result;

@@ -13,8 +13,8 @@
 namespace {
 
 using namespace command_tests;
-using discmc::Answer;
 using discmc::Event;
+using discmc::SinkResult;
 using discmc::Status;
 using discmc::StreamLabel;
 using discmc::reference::Region;
@@ -33,8 +33,8 @@ std::string rough_samples(int width, int height, int depth) {
 
 std::vector<Region> regions_in(const Workshop& workshop, const std::string& stream) {
   discmc::command::SurfaceBuilder builder;
-  discmc::command::GrowingJoiner joiner(discmc::sink_to(builder));
-  discmc::command::StreamReader reader(discmc::sink_to(joiner));
+  discmc::command::GrowingJoiner joiner(discmc::make_sink(builder));
+  discmc::command::StreamReader reader(discmc::make_sink(joiner));
   std::istringstream in(workshop.read(stream));
   reader.read(in);
   joiner.finish();
@@ -59,7 +59,7 @@ std::string write_slabs(const Workshop& workshop, int count, const std::string& 
 // Encodes a stream anew, as firmware does that does not know in advance how many slices will come.
 class WithoutDepth {
  public:
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::start) {
       StreamLabel label = event.header->label();
       label.depth = 0;
@@ -80,7 +80,7 @@ class WithoutDepth {
 
 void forget_depth(const Workshop& workshop, const std::string& stream) {
   WithoutDepth encoder;
-  discmc::command::StreamReader reader(discmc::sink_to(encoder));
+  discmc::command::StreamReader reader(discmc::make_sink(encoder));
   std::istringstream in(workshop.read(stream));
   reader.read(in);
   workshop.write(stream, encoder.stream());

@@ -40,8 +40,8 @@ Events pieces() {
 
 Events joined(const Events& events, std::uint64_t bytes) {
   EventLog log;
-  SpillingJoiner joiner(discmc::sink_to(log), bytes);
-  for (const auto& one : events) REQUIRE(joiner.take(one.event()) == discmc::Answer::taken);
+  SpillingJoiner joiner(discmc::make_sink(log), bytes);
+  for (const auto& one : events) REQUIRE(joiner.take(one.event()) == discmc::SinkResult::accepted);
   joiner.finish();
   return log.events;
 }

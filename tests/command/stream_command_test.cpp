@@ -87,9 +87,10 @@ TEST_CASE("info tells one key and value a line") {
   const Workshop workshop;
   const std::string stream = write_stream(workshop, "v.dmc");
   auto info = workshop.info("v.dmc");
-  for (const char* key : {"dimensions", "spacing", "threshold", "border", "regions", "rings",
-                          "holes", "links", "corners", "three", "four", "more", "fragments",
-                          "skipped_rows", "lost_packets", "lost_pieces", "bytes", "complete"}) {
+  for (const char* key :
+       {"dimensions", "spacing", "threshold", "border", "regions", "rings", "holes", "links",
+        "corners", "polygons_3", "polygons_4", "polygons_5plus", "fragments", "skipped_rows",
+        "lost_packets", "lost_pieces", "bytes", "complete"}) {
     INFO(key);
     CHECK(info.count(key) == 1);
     CHECK(!info[key].empty());
@@ -101,7 +102,8 @@ TEST_CASE("info tells one key and value a line") {
   CHECK(info["bytes"] == std::to_string(stream.size()));
   CHECK(info["complete"] == "yes");
   CHECK(std::stoi(info["regions"]) + std::stoi(info["holes"]) == std::stoi(info["rings"]));
-  CHECK(std::stoi(info["three"]) + std::stoi(info["four"]) + std::stoi(info["more"]) ==
+  CHECK(std::stoi(info["polygons_3"]) + std::stoi(info["polygons_4"]) +
+            std::stoi(info["polygons_5plus"]) ==
         std::stoi(info["regions"]));
 }
 
@@ -113,8 +115,8 @@ TEST_CASE("info counts simple rings and their corners") {
   CHECK(info["regions"] == "26");
   CHECK(info["rings"] == "26");
   CHECK(info["holes"] == "0");
-  CHECK(info["three"] == "8");
-  CHECK(info["four"] == "18");
+  CHECK(info["polygons_3"] == "8");
+  CHECK(info["polygons_4"] == "18");
   CHECK(info["corners"] == "96");
   CHECK(info["normals"] == "0");
   workshop.done("extract v.nrrd --iso 100 --normals gradient -o v.dmc");
@@ -346,11 +348,11 @@ TEST_CASE("info lists application records and a placement, in words") {
   discmc::reference::require_ok(
       discmc::test::begin_stream(encoder, discmc::test::header_of(volume), line.output()));
   const std::uint8_t bytes[] = {0xCA, 0xFE};
-  discmc::reference::require_ok(encoder.tell({9, 3, 5, bytes, 2}));
+  discmc::reference::require_ok(encoder.write_record({9, 3, 5, bytes, 2}));
   discmc::Placement placement{};
   placement.frame = discmc::Frame::ras;
   std::uint8_t buffer[discmc::Placement::record_bytes];
-  discmc::reference::require_ok(encoder.tell(discmc::record_of(placement, buffer)));
+  discmc::reference::require_ok(encoder.write_record(discmc::record_of(placement, buffer)));
   discmc::test::take_all(encoder, discmc::test::events_of(volume));
   const Workshop workshop;
   workshop.write("r.dmc", text_of(line.bytes));
@@ -369,7 +371,7 @@ TEST_CASE("a polygon that is none costs that polygon, and is told") {
   discmc::Event event{};
   const auto tell = [&](Kind kind) {
     event.kind = kind;
-    REQUIRE(encoder.take(event) == discmc::Answer::taken);
+    REQUIRE(encoder.take(event) == discmc::SinkResult::accepted);
   };
   event.incidence = discmc::incidence_of({0, 0, 1});
   event.start = {3, 2, 0};

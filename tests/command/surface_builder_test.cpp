@@ -65,7 +65,7 @@ void add_region(Events& events, const std::vector<std::vector<Run>>& rings,
 
 SurfaceBuilder build(const Events& events) {
   SurfaceBuilder builder;
-  for (const Event& event : events) REQUIRE(builder.take(event) == discmc::Answer::taken);
+  for (const Event& event : events) REQUIRE(builder.take(event) == discmc::SinkResult::accepted);
   return builder;
 }
 

@@ -1,8 +1,8 @@
 // Parts of volumes, and volumes of fewer voxels: their samples, and where they lie.
 #include <doctest/doctest.h>
 
-#include <discmc/front/block_means.hpp>
-#include <discmc/front/row_picker.hpp>
+#include <discmc/front/downsampler.hpp>
+#include <discmc/front/row_cropper.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -231,16 +231,16 @@ TEST_CASE("a device that picks or takes means has the voxels of --crop and --shr
   const std::vector<std::int16_t> samples(whole.begin(), whole.end());
   const Limits limits{dims[0], dims[1]};
 
-  RowPicker picker;
-  REQUIRE(picker.start(limits, {1, 3}, {1}, {0, 3}) == Status::ok);
+  RowCropper cropper;
+  REQUIRE(cropper.start(limits, {1, 3}, {1}, {0, 3}) == Status::ok);
   std::vector<double> part;
   for (auto row = samples.begin(); row != samples.end(); row += dims[0])
-    if (picker.next()) part.insert(part.end(), row + picker.first(), row + picker.first() + 3);
+    if (cropper.next()) part.insert(part.end(), row + cropper.first(), row + cropper.first() + 3);
   CHECK(part == read_all(*open_volume(file, with_crop(options_of(SampleType::i16), middle))));
 
   for (const std::uint32_t extent : {2U, 3U}) {
-    std::vector<std::uint8_t> memory(BlockMeans<std::int16_t>::bytes_for(limits, extent));
-    BlockMeans<std::int16_t> means;
+    std::vector<std::uint8_t> memory(Downsampler<std::int16_t>::bytes_for(limits, extent));
+    Downsampler<std::int16_t> means;
     REQUIRE(means.start(limits, extent, {memory.data(), memory.size()}) == Status::ok);
     const std::uint32_t width = means.limits().width;
     std::vector<double> blocks;
@@ -276,7 +276,7 @@ TEST_CASE("what is not a number counts in a block only where nothing else is the
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr double nan_f64 = std::numeric_limits<double>::quiet_NaN();
   using F32 = std::vector<float>;
-  for (const BlockValue value : {BlockValue::mean, BlockValue::most_frequent}) {
+  for (const BlockValue value : {BlockValue::mean, BlockValue::max_frequent}) {
     CHECK(std::isnan(shrunk_block(F32(8, nan), SampleType::f32, value)));
     CHECK(shrunk_block(F32{nan, 2, nan, nan}, SampleType::f32, value) == 2);
     CHECK(shrunk_block(std::vector<double>{nan_f64, 2, nan_f64, nan_f64}, SampleType::f64, value) ==
@@ -289,7 +289,7 @@ TEST_CASE("what is not a number counts in a block only where nothing else is the
 TEST_CASE("a block of labels becomes the most frequent one, of several the first") {
   using U16 = std::vector<std::uint16_t>;
   const auto label = [](const U16& labels) {
-    return shrunk_block(labels, SampleType::u16, BlockValue::most_frequent);
+    return shrunk_block(labels, SampleType::u16, BlockValue::max_frequent);
   };
   CHECK(label({1, 7, 7, 7, 9, 1, 1, 7}) == 7);
   CHECK(label({9, 0, 9, 0, 9, 0, 9, 0}) == 9);
@@ -309,8 +309,8 @@ TEST_CASE("labels of blocks are those of their own voxels, also where a block is
   }
   labels[0] = 200;
   const auto file = folder.write("v.raw", bytes_of(labels));
-  const auto reader = open_volume(
-      file, with_shrink(options_of(SampleType::u8, size), 2, BlockValue::most_frequent));
+  const auto reader =
+      open_volume(file, with_shrink(options_of(SampleType::u8, size), 2, BlockValue::max_frequent));
   std::vector<double> expected;
   for (int block = 0; block < 12; ++block) expected.push_back(block);
   CHECK(read_all(*reader) == expected);

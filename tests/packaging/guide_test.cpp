@@ -63,7 +63,7 @@ struct Device {
 bool begin(Device& device, const ByteOutput& output) {
   auto& [extractor, encoder, memory] = device;
   return encoder.start({size}, output) == Status::ok &&
-         extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)) == Status::ok;
+         extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok;
 }
 
 Bytes stream_of(Ball ball) {
@@ -111,15 +111,15 @@ RowRing ring;
 // The interrupt of the DMA controller: a row has come. Returns where the next one goes.
 void* on_row() {
   if (ring.free_row(1) != nullptr)
-    ring.fill();
+    ring.commit();
   else
-    ring.lose();  // there is no room behind it: the next one overwrites it
+    ring.drop();  // there is no room behind it: the next one overwrites it
   return ring.free_row();
 }
 
 // The task. False: nothing has come, so sleep until the interrupt has.
 bool take_row(Extractor16& extractor, Status& status) {
-  switch (ring.next()) {
+  switch (ring.peek()) {
     case RowRing::Next::nothing:
       return false;
     case RowRing::Next::row: {
@@ -135,21 +135,21 @@ bool take_row(Extractor16& extractor, Status& status) {
       status = extractor.finish();
       return true;
   }
-  ring.pass();
+  ring.pop();
   return true;
 }
 
-RowPicker picker;
+RowCropper cropper;
 
 bool start_part(Extractor16& extractor, const Memory& memory, const Sink& sink) {
-  const PickedRange x{4, 24}, y{0, PickedRange::rest}, z{0, PickedRange::rest, 2};
-  return picker.start(limits, x, y, z) == Status::ok &&
-         extractor.start(picker.limits(), threshold, memory, sink) == Status::ok;
+  const CropRange x{4, 24}, y{0, CropRange::rest}, z{0, CropRange::rest, 2};
+  return cropper.start(limits, x, y, z) == Status::ok &&
+         extractor.start(cropper.limits(), threshold, memory, sink) == Status::ok;
 }
 
 Status push_part(Extractor16& extractor, const uint8_t* row) {
-  if (!picker.next()) return Status::ok;  // not of the part
-  return extractor.push(row + picker.first(), picker.count(), picker.step()).status;
+  if (!cropper.next()) return Status::ok;  // not of the part
+  return extractor.push(row + cropper.first(), cropper.count(), cropper.step()).status;
 }
 
 Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t threshold_of_row) {
@@ -165,15 +165,15 @@ struct Saved {
   Checkpoint<Extractor16> scan;
   Checkpoint<Encoder> stream;
 };
-constexpr uint32_t most_bytes = sizeof(Saved) + sizeof(Device::memory);
-static_assert(store_plan(flash_geometry, most_bytes).is_valid(), "the flash is too small");
+constexpr uint32_t max_bytes = sizeof(Saved) + sizeof(Device::memory);
+static_assert(store_plan(flash_geometry, max_bytes).is_valid(), "the flash is too small");
 
 bool restore(Device& device, Saved& saved, CheckpointStore& store, const ByteOutput& output) {
   auto& [extractor, encoder, memory] = device;
   const Memory parts[] = {{&saved, sizeof saved}, memory_of(memory)};
   return store.restore(parts, 2) == Status::ok &&
          encoder.restore(saved.stream, output) == Status::ok &&
-         extractor.restore(saved.scan, memory_of(memory), sink_to(encoder)) == Status::ok;
+         extractor.restore(saved.scan, memory_of(memory), make_sink(encoder)) == Status::ok;
 }
 
 bool save(Device& device, Saved& saved, CheckpointStore& store) {
@@ -182,7 +182,7 @@ bool save(Device& device, Saved& saved, CheckpointStore& store) {
   if (encoder.save(saved.stream) != Status::ok) return false;
   const Memory parts[] = {{&saved, sizeof saved}, {memory, extractor.bytes_used()}};
   Status status = store.save(parts, 2);
-  while (status == Status::more) status = store.resume();  // what must not wait goes here
+  while (status == Status::suspended) status = store.resume();  // what must not wait goes here
   return status == Status::ok;
 }
 
@@ -198,16 +198,16 @@ TEST_CASE("the guide's stream of slices makes the regions of the device's own") 
 
   struct Count {
     uint64_t regions = 0;
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       if (event.kind == Event::Kind::region_end) ++regions;
-      return Answer::taken;
+      return SinkResult::accepted;
     }
   };
   const auto regions_of = [](const Bytes& stream) {
     static uint8_t memory[512 * 1024];
     Count count;
     SurfaceDecoder decoder;
-    REQUIRE(decoder.start(memory_of(memory), sink_to(count)) == Status::ok);
+    REQUIRE(decoder.start(memory_of(memory), make_sink(count)) == Status::ok);
     REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
     REQUIRE(decoder.finish() == Status::ok);
     CHECK(decoder.report().is_complete());
@@ -248,7 +248,7 @@ TEST_CASE(
   Encoder encoder;
   Extractor16 extractor;
   REQUIRE(encoder.start({}, {&bytes, append}) == Status::ok);
-  REQUIRE(extractor.start(row_limits, 512, memory_of(memory), sink_to(encoder)) == Status::ok);
+  REQUIRE(extractor.start(row_limits, 512, memory_of(memory), make_sink(encoder)) == Status::ok);
   Status status = Status::ok;
   CHECK_FALSE(take_row(extractor, status));
   void* place = ring.free_row();
@@ -272,7 +272,7 @@ TEST_CASE("the guide's part of a volume, and its threshold for each row") {
   Encoder encoder;
   Extractor16 extractor;
   REQUIRE(encoder.start({}, {&bytes, append}) == Status::ok);
-  REQUIRE(start_part(extractor, memory_of(memory), sink_to(encoder)));
+  REQUIRE(start_part(extractor, memory_of(memory), make_sink(encoder)));
   CHECK(extractor.limits().width == 24);
   Ball ball;
   for (uint32_t i = 0; i < size * size; ++i)
@@ -307,7 +307,7 @@ TEST_CASE("after the guide's restore the stream goes on as if the power had neve
   static Saved saved;
   static Device device;
   CheckpointStore store;
-  REQUIRE(store.start(flash.device(), most_bytes, memory_of(page)) == Status::ok);
+  REQUIRE(store.start(flash.device(), max_bytes, memory_of(page)) == Status::ok);
   REQUIRE_FALSE(store.has_checkpoint());
   REQUIRE(begin(device, {&bytes, append}));
   const auto scan_to = [&ball](Device& scanner, uint32_t end) {
@@ -317,7 +317,7 @@ TEST_CASE("after the guide's restore the stream goes on as if the power had neve
   scan_to(device, 100);
   REQUIRE(save(device, saved, store));
   scan_to(device, 300);
-  while (store.erase_ahead(most_bytes) == Status::more) scan_to(device, 301);
+  while (store.erase_ahead(max_bytes) == Status::suspended) scan_to(device, 301);
   REQUIRE(save(device, saved, store));
   scan_to(device, 700);
   flash.cut_after(3000);
@@ -326,7 +326,7 @@ TEST_CASE("after the guide's restore the stream goes on as if the power had neve
   flash.power_on();
   static Device rebooted;
   CheckpointStore found;
-  REQUIRE(found.start(flash.device(), most_bytes, memory_of(page)) == Status::ok);
+  REQUIRE(found.start(flash.device(), max_bytes, memory_of(page)) == Status::ok);
   REQUIRE(found.has_checkpoint());
   REQUIRE(restore(rebooted, saved, found, {&bytes, append}));
   CHECK(rebooted.extractor.slices() * size + rebooted.extractor.rows() == 301);

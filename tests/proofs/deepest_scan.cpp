@@ -17,13 +17,13 @@ namespace {
 class Log {
  public:
   explicit Log(uint32_t slice) : origin_(2 * static_cast<int32_t>(slice)) {}
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     layers += event.kind == Event::Kind::layer;
     if (event.kind == Event::Kind::region) words.push_back(event.incidence);
     if (event.kind == Event::Kind::run) words.push_back(static_cast<int32_t>(event.run.code()));
     if (event.kind == Event::Kind::ring)
       words.insert(words.end(), {event.start.x, event.start.y, event.start.z - origin_});
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 
   std::vector<int32_t> words;
@@ -39,7 +39,7 @@ bool scan(uint32_t first, uint32_t slices, Status beyond, Log& log) {
   static uint8_t memory[minimum_bytes<uint16_t>({1, 1}) + 2000];
   const Slab slab{first, first > 0};
   Extractor16 extractor;
-  if (extractor.start({1, 1, Border::closed, slab}, 1, memory_of(memory), sink_to(log)) !=
+  if (extractor.start({1, 1, Border::closed, slab}, 1, memory_of(memory), make_sink(log)) !=
       Status::ok)
     return false;
   for (uint32_t slice = slab.continues_below ? first - 1 : 0; slice < slices; ++slice) {

@@ -24,8 +24,8 @@ ApplicationRecord record_of(const Bytes& bytes, uint8_t kind = 1, uint32_t slice
 // A line that is busy most of the time asks again and again.
 template <class Tell>
 void until_taken(Tell tell) {
-  Status status = Status::more;
-  for (int tries = 0; status == Status::more; ++tries) {
+  Status status = Status::suspended;
+  for (int tries = 0; status == Status::suspended; ++tries) {
     if (tries > 100000) throw std::runtime_error("never taken");
     status = tell();
   }
@@ -45,20 +45,21 @@ Bytes regions_with_records(size_t bytes_a_time) {
   Bytes memory(30000);
   Extractor16 extractor;
   require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
-                             sink_to(encoder)));
+                             make_sink(encoder)));
   const uint32_t slice = volume.width * volume.height;
   for (uint32_t z = 0; z < volume.depth; ++z) {
     const Bytes bytes = bytes_of_slice(z);
     until_taken([&] {
       const Status status = extractor.resume();
-      return status == Status::ok ? encoder.tell(record_of(bytes, 7, z, extractor.rows())) : status;
+      return status == Status::ok ? encoder.write_record(record_of(bytes, 7, z, extractor.rows()))
+                                  : status;
     });
     reference::push_all(extractor, std::vector<uint8_t>(volume.on.begin() + z * slice,
                                                         volume.on.begin() + (z + 1) * slice));
   }
   until_taken([&] {
     const Status status = extractor.resume();
-    return status == Status::ok ? encoder.tell({}) : status;
+    return status == Status::ok ? encoder.write_record({}) : status;
   });
   reference::finish_all(extractor);
   return line.bytes;
@@ -72,23 +73,23 @@ Bytes slices_with_records(size_t bytes_a_time) {
   const uint32_t slice = volume.width * volume.height;
   for (uint32_t z = 0; z < volume.depth; ++z) {
     const Bytes bytes = bytes_of_slice(z);
-    until_taken([&] { return encoder.tell(record_of(bytes, 7)); });
+    until_taken([&] { return encoder.write_record(record_of(bytes, 7)); });
     for (uint32_t told = 0; told < slice;)
       told += encoder.push(&volume.on[z * slice + told], slice - told).samples;
   }
-  until_taken([&] { return encoder.tell({}); });
+  until_taken([&] { return encoder.write_record({}); });
   until_taken([&] { return encoder.finish(); });
   return line.bytes;
 }
 
 // Takes apart what a record says from the rest.
 struct Records {
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::application)
       records.emplace_back(event);
     else
       return others.take(event);
-    return Answer::taken;
+    return SinkResult::accepted;
   }
   void check() const {
     REQUIRE(records.size() == volume.depth + 1);
@@ -113,7 +114,7 @@ TEST_CASE("records go with a stream of regions, and change nothing else") {
     const Bytes stream = regions_with_records(bytes_a_time);
     Records received;
     Decoder decoder;
-    require_ok(decoder.start(sink_to(received)));
+    require_ok(decoder.start(make_sink(received)));
     require_ok(decoder.push(stream.data(), stream.size()).status);
     require_ok(decoder.finish());
     received.check();
@@ -138,7 +139,7 @@ TEST_CASE("records go with a stream of slices, before the row that follows") {
     Records received;
     Bytes memory(minimum_surface_bytes({volume.width, volume.height}) + 100000);
     SurfaceDecoder decoder;
-    require_ok(decoder.start({memory.data(), memory.size()}, sink_to(received)));
+    require_ok(decoder.start({memory.data(), memory.size()}, make_sink(received)));
     require_ok(decoder.push(stream.data(), stream.size()).status);
     require_ok(decoder.finish());
     received.check();
@@ -153,11 +154,11 @@ TEST_CASE("a record in a stream of slices goes out at once, and says where the s
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
   require_ok(encoder.push(volume.on.data(), volume.width * (2 * volume.height + 3)).status);
   const Bytes bytes{1, 2, 3};
-  require_ok(encoder.tell(record_of(bytes, 7, 99, 99)));
+  require_ok(encoder.write_record(record_of(bytes, 7, 99, 99)));
   EventLog log;
   Bytes memory_of_surface(minimum_surface_bytes({volume.width, volume.height}) + 100000);
   SurfaceDecoder decoder;
-  require_ok(decoder.start({memory_of_surface.data(), memory_of_surface.size()}, sink_to(log)));
+  require_ok(decoder.start({memory_of_surface.data(), memory_of_surface.size()}, make_sink(log)));
   require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
   REQUIRE_FALSE(log.events.empty());
   const Event event = log.events.back().event();
@@ -181,7 +182,7 @@ TEST_CASE("a row that follows a record is taken, though the record is on its way
   for (uint32_t row = 1; row < volume.height; ++row) {
     require_ok(encoder.flush());
     line.is_busy = true;
-    require_ok(encoder.tell(record_of(Bytes(5, 1))));
+    require_ok(encoder.write_record(record_of(Bytes(5, 1))));
     const PushResult pushed = encoder.push(&volume.on[size_t{row} * volume.width], volume.width);
     CHECK(pushed.samples == volume.width);
     line.is_busy = false;
@@ -196,7 +197,7 @@ TEST_CASE("a record does not overtake what a busy sink has refused, in a stream 
     for (EventLog* log : {&idle, &busy}) {
       Bytes memory(minimum_surface_bytes({volume.width, volume.height}) + 100000);
       SurfaceDecoder decoder;
-      require_ok(decoder.start({memory.data(), memory.size()}, sink_to(*log)));
+      require_ok(decoder.start({memory.data(), memory.size()}, make_sink(*log)));
       require_ok(push_stream(decoder, stream, 0));
     }
     CHECK(busy.events == idle.events);
@@ -210,7 +211,7 @@ TEST_CASE("a stream that is decoded and encoded again keeps its records") {
   Line line;
   require_ok(encoder.start({volume.depth}, line.output()));
   Decoder decoder;
-  require_ok(decoder.start(sink_to(encoder)));
+  require_ok(decoder.start(make_sink(encoder)));
   require_ok(decoder.push(stream.data(), stream.size()).status);
   CHECK(encoder.flush());
   CHECK(line.bytes == stream);
@@ -220,24 +221,25 @@ TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or
   const Bytes most(ApplicationRecord::max_bytes, 0), too_many(ApplicationRecord::max_bytes + 1, 0);
   Line line;
   Encoder encoder;
-  CHECK(encoder.tell(record_of(most)) == Status::not_started);
+  CHECK(encoder.write_record(record_of(most)) == Status::not_started);
   require_ok(begin_stream(encoder, any_header(), line.output()));
-  CHECK(encoder.tell(record_of(too_many)) == Status::bad_record);
-  require_ok(encoder.tell(record_of(most)));
+  CHECK(encoder.write_record(record_of(too_many)) == Status::bad_record);
+  require_ok(encoder.write_record(record_of(most)));
   const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().events;
   for (const RecordedEvent& event : square) {
-    if (!event.is(Event::Kind::region)) CHECK(encoder.tell(record_of(most)) == Status::more);
-    REQUIRE(encoder.take(event.event()) == Answer::taken);
+    if (!event.is(Event::Kind::region))
+      CHECK(encoder.write_record(record_of(most)) == Status::suspended);
+    REQUIRE(encoder.take(event.event()) == SinkResult::accepted);
   }
-  require_ok(encoder.tell(record_of(most)));
+  require_ok(encoder.write_record(record_of(most)));
   Bytes memory(slice_encoder_bytes({1, 1}, {}));
   SliceEncoder slices;
-  CHECK(slices.tell(record_of(most)) == Status::not_started);
+  CHECK(slices.write_record(record_of(most)) == Status::not_started);
   require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, line.output()));
-  CHECK(slices.tell(record_of(too_many)) == Status::bad_record);
-  require_ok(slices.tell(record_of(most)));
+  CHECK(slices.write_record(record_of(too_many)) == Status::bad_record);
+  require_ok(slices.write_record(record_of(most)));
   require_ok(slices.finish());
-  CHECK(slices.tell(record_of(most)) == Status::finished);
+  CHECK(slices.write_record(record_of(most)) == Status::finished);
 }
 
 TEST_CASE("a record is refused as soon as the scan has ended, taken by the output or not") {
@@ -249,11 +251,11 @@ TEST_CASE("a record is refused as soon as the scan has ended, taken by the outpu
     Extractor32 extractor;
     Bytes room(minimum_bytes<uint32_t>({1, 1}));
     require_ok(encoder.start({}, line.output()));
-    require_ok(extractor.start({1, 1}, 1, {room.data(), room.size()}, sink_to(encoder)));
+    require_ok(extractor.start({1, 1}, 1, {room.data(), room.size()}, make_sink(encoder)));
     until_taken([&] { return extractor.finish(); });
-    CHECK(encoder.tell(record_of(bytes)) == Status::finished);
+    CHECK(encoder.write_record(record_of(bytes)) == Status::finished);
     while (!encoder.flush()) continue;
-    CHECK(encoder.tell(record_of(bytes)) == Status::finished);
+    CHECK(encoder.write_record(record_of(bytes)) == Status::finished);
     CHECK(decode(line.bytes).report.repeated_packets == 0);
 
     Line other(bytes_a_time);
@@ -261,9 +263,9 @@ TEST_CASE("a record is refused as soon as the scan has ended, taken by the outpu
     Bytes memory(slice_encoder_bytes({1, 1}, {}));
     require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, other.output()));
     (void)slices.finish();
-    CHECK(slices.tell(record_of(bytes)) == Status::finished);
+    CHECK(slices.write_record(record_of(bytes)) == Status::finished);
     until_taken([&] { return slices.finish(); });
-    CHECK(slices.tell(record_of(bytes)) == Status::finished);
+    CHECK(slices.write_record(record_of(bytes)) == Status::finished);
     CHECK(decode_slices(other.bytes, {1, 1, 1}).report.is_complete());
   }
 }
@@ -272,7 +274,7 @@ TEST_CASE("a record of which nothing is said is all zeros; one whose packet is t
   Line line;
   Encoder encoder;
   require_ok(begin_stream(encoder, any_header(), line.output()));
-  require_ok(encoder.tell({}));
+  require_ok(encoder.write_record({}));
   CHECK(encoder.flush());
   const std::vector<Bytes> frames = frames_of(line.bytes);
   Packet packet = packet_of(frames[1]);

@@ -45,8 +45,8 @@ struct RegionScan {
   explicit RegionScan(DyingLine& line) {
     require_ok(encoder.start(header_of(volume).label(), line.output()));
     require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
-                               sink_to(encoder)));
-    REQUIRE(push_rows(extractor, row, all_rows) == Status::more);
+                               make_sink(encoder)));
+    REQUIRE(push_rows(extractor, row, all_rows) == Status::suspended);
     ++row;  // the one that caused it has been taken
   }
   Encoder encoder;
@@ -71,7 +71,7 @@ TEST_CASE("a scan whose link dies goes on without it, or is abandoned, and count
       CAPTURE(dies_after);
       DyingLine line{dies_after};
       RegionScan scan(line);
-      REQUIRE(scan.extractor.resume() == Status::more);
+      REQUIRE(scan.extractor.resume() == Status::suspended);
       REQUIRE(line.bytes.size() == dies_after);
       scan.encoder.set_output({});
       if (is_abandoned) {
@@ -114,7 +114,7 @@ TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
   uint32_t row = 0;
-  REQUIRE(push_rows(encoder, row, all_rows) == Status::more);
+  REQUIRE(push_rows(encoder, row, all_rows) == Status::suspended);
   ++row;
   encoder.set_output({});
   require_ok(encoder.resume());
@@ -169,9 +169,9 @@ TEST_CASE("an output that comes before the stream does changes nothing") {
   Event start{};
   start.kind = Event::Kind::start;
   start.header = &header;
-  REQUIRE(encoder.take(start) == Answer::taken);
+  REQUIRE(encoder.take(start) == SinkResult::accepted);
   for (const RecordedEvent& event : events_of(volume))
-    REQUIRE(encoder.take(event.event()) == Answer::taken);
+    REQUIRE(encoder.take(event.event()) == SinkResult::accepted);
   CHECK(line.bytes == encode(events_of(volume), header_of(volume)));
 }
 
@@ -184,7 +184,7 @@ TEST_CASE("what is sealed goes to the new output, and the header behind it") {
   require_ok(encoder.resume());
   dead.left = 0;
   const uint8_t bytes[] = {1, 2, 3};
-  require_ok(encoder.tell({1, 0, 0, bytes, 3}));
+  require_ok(encoder.write_record({1, 0, 0, bytes, 3}));
   encoder.set_output(back.output());
   require_ok(encoder.resume());
   const std::vector<Bytes> frames = frames_of(back.bytes);
@@ -201,8 +201,8 @@ TEST_CASE("a zero ends a cut frame once, before the next stream that goes out") 
     require_ok(encoder.start({1, 1}, {}, {memory.data(), memory.size()}, output));
     return encoder.resume();
   };
-  CHECK(start(line.output()) == Status::more);
-  CHECK(start(line.output()) == Status::more);  // nothing goes out
+  CHECK(start(line.output()) == Status::suspended);
+  CHECK(start(line.output()) == Status::suspended);  // nothing goes out
   line.left = SIZE_MAX;
   require_ok(start(line.output()));
   CHECK(line.bytes[3] == 0);
@@ -228,7 +228,7 @@ TEST_CASE("a stream that is begun amid a frame of another is whole") {
       if (is_of_slices) {
         Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
         SliceEncoder encoder;
-        for (const Status status : {Status::more, Status::ok}) {
+        for (const Status status : {Status::suspended, Status::ok}) {
           require_ok(
               encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
           CHECK(push_rows(encoder, row, all_rows) == status);
@@ -242,7 +242,7 @@ TEST_CASE("a stream that is begun amid a frame of another is whole") {
         require_ok(scan.encoder.start(header_of(volume).label(), line.output()));
         require_ok(scan.extractor.start({volume.width, volume.height}, 1,
                                         {scan.memory.data(), scan.memory.size()},
-                                        sink_to(scan.encoder)));
+                                        make_sink(scan.encoder)));
         require_ok(push_rows(scan.extractor, row, all_rows));
         require_ok(scan.extractor.finish());
         CHECK(scan.encoder.flush());

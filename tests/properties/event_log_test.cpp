@@ -36,7 +36,7 @@ TEST_CASE(
   const auto normal = [](Event& event) { event.normal = {7, 9}; };
   const auto slice = [](Event& event) { event.slice = 1; };
   const auto row = [](Event& event) { event.row = 1; };
-  const auto came = [](Event& event) { event.came = 2; };
+  const auto came = [](Event& event) { event.incoming_direction = 2; };
   const auto totals = [](Event& event) {
     static const Statistics some{0, 0, 0, 0, 0, 1, 0, 0};
     event.statistics = &some;
@@ -62,8 +62,8 @@ TEST_CASE("an event is recorded once, when it is taken") {
   EventLog log(refuses_first);
   const Event layer = event_of(Event::Kind::layer);
   for (int i = 0; i < 3; ++i) {
-    CHECK(log.take(layer) == Answer::not_now);
-    CHECK(log.take(layer) == Answer::taken);
+    CHECK(log.take(layer) == SinkResult::busy);
+    CHECK(log.take(layer) == SinkResult::accepted);
   }
   CHECK(log.refusals() == 3);
   CHECK(log.events == Events(3, RecordedEvent(layer)));
@@ -71,6 +71,6 @@ TEST_CASE("an event is recorded once, when it is taken") {
 
 TEST_CASE("another event than the one refused is noticed") {
   EventLog log(refuses_first);
-  CHECK(log.take(event_of(Event::Kind::layer)) == Answer::not_now);
+  CHECK(log.take(event_of(Event::Kind::layer)) == SinkResult::busy);
   CHECK_THROWS_AS(log.take(event_of(Event::Kind::finish)), GrammarError);
 }

@@ -23,7 +23,7 @@ class BlockScanner {
   BlockScanner(Size size, bool closed, const Capacities& capacities)
       : limits_{size.width, size.height, closed ? Border::closed : Border::open},
         memory_(bytes_for<uint16_t>(limits_, capacities)) {
-    require_ok(extractor_.start(limits_, capacities, 1, memory_.memory(), sink_to(collector_)));
+    require_ok(extractor_.start(limits_, capacities, 1, memory_.memory(), make_sink(collector_)));
   }
 
   /// What becomes of a block, in sweep rings; it stays valid until the next scan.

@@ -236,7 +236,7 @@ TEST_CASE("a stream of an extractor with normals comes through") {
   Block block(bytes_for<uint16_t, GradientNormals<uint8_t>>(limits, capacities));
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
-  require_ok(extractor.start(limits, capacities, 120, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, capacities, 120, block.memory(), make_sink(log)));
   push_all(extractor, samples);
   finish_all(extractor);
   CHECK(decode(encode_normals(log.events)).events == log.events);

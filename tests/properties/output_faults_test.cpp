@@ -59,11 +59,11 @@ struct Gate {
   uint32_t offers = 0;
   uint64_t taken = 0;
 
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::start) return encoder.take(event);
-    if (refused_in > 0 && ++offers % refused_in == 0) return Answer::not_now;
-    const Answer answer = encoder.take(event);
-    taken += answer == Answer::taken;
+    if (refused_in > 0 && ++offers % refused_in == 0) return SinkResult::busy;
+    const SinkResult answer = encoder.take(event);
+    taken += answer == SinkResult::accepted;
     return answer;
   }
 };
@@ -75,7 +75,8 @@ class Device {
         limits_(limits_of(scenario.volume, Border::closed)),
         block_(bytes_for<uint16_t>(limits_, scenario.capacities)) {
     begin_stream(output);
-    require_ok(extractor_.start(limits_, scenario.capacities, 1, block_.memory(), sink_to(gate_)));
+    require_ok(
+        extractor_.start(limits_, scenario.capacities, 1, block_.memory(), make_sink(gate_)));
   }
 
   /// Goes on until `patience` calls in a row have come to nothing. True at the end.
@@ -93,8 +94,8 @@ class Device {
         status = extractor_.finish();
         if (status == Status::ok) return true;
       }
-      if (status != Status::more) require_ok(status);
-      busy = status == Status::more && gate_.taken == before ? busy + 1 : 0;
+      if (status != Status::suspended) require_ok(status);
+      busy = status == Status::suspended && gate_.taken == before ? busy + 1 : 0;
     }
     return false;
   }
@@ -187,9 +188,9 @@ TEST_CASE("an output that fails for good, at any byte, is waited for, and nothin
       Encoder encoder;
       REQUIRE(begin_stream(encoder, sample.header, output.output()) == Status::ok);
       size_t told = 0;
-      while (encoder.take(sample.events[told].event()) == Answer::taken) ++told;
+      while (encoder.take(sample.events[told].event()) == SinkResult::accepted) ++told;
       for (int i = 0; i < 5; ++i) {
-        CHECK(encoder.take(sample.events[told].event()) == Answer::not_now);
+        CHECK(encoder.take(sample.events[told].event()) == SinkResult::busy);
         CHECK_FALSE(encoder.flush());
         CHECK(encoder.bytes() == stop);
       }
@@ -260,7 +261,7 @@ TEST_CASE("flushes between faults move the ends of packets and lose nothing") {
       REQUIRE(begin_stream(encoder, sample.header, output.output()) == Status::ok);
       size_t calls = 0;
       for (const RecordedEvent& recorded : sample.events)
-        while (encoder.take(recorded.event()) == Answer::not_now)
+        while (encoder.take(recorded.event()) == SinkResult::busy)
           if (++calls % 2 == 0) (void)encoder.flush();
       const Received arrival = decode(output.bytes);
       REQUIRE(arrival.events == sample.events);

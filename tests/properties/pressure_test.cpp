@@ -50,7 +50,7 @@ class Pressed {
   std::string fault_after_reset(const Capacities& capacities) const {
     struct Switch {
       Collector* collector;
-      Answer take(const Event& event) { return collector->take(event); }
+      SinkResult take(const Event& event) { return collector->take(event); }
     };
     try {
       Collector collector;
@@ -58,7 +58,7 @@ class Pressed {
       Switch receiver{&broken_off};
       Block block(bytes_for<uint16_t>(limits(), capacities), next_kind());
       Extractor16 extractor;
-      require_ok(extractor.start(limits(), capacities, 1, block.memory(), sink_to(receiver)));
+      require_ok(extractor.start(limits(), capacities, 1, block.memory(), make_sink(receiver)));
       const std::vector<uint8_t>& on = volume_.on;
       push_all(extractor, std::vector<uint8_t>(on.data(), on.data() + scans_ % on.size()));
       require_ok(extractor.reset());

@@ -81,7 +81,7 @@ struct StreamSize {
 
 StreamSize stream_size(const BitVolume& volume, uint64_t memory_bytes) {
   struct Counter {
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       fragments += event.kind == Event::Kind::fragment;
       return encoder.take(event);
     }

@@ -12,7 +12,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// How the caller goes on after Status::more.
+// How the caller goes on after Status::suspended.
 enum class Way : uint8_t {
   again,   ///< by the same call, with what is left of the samples
   resume,  ///< by resume() until it is ok, then by the same call
@@ -40,7 +40,7 @@ template <class Index>
 Status go_on(Extractor<Index>& extractor, Way way, const uint8_t* samples) {
   if (way == Way::resume) {
     Status status = extractor.resume();
-    while (status == Status::more) status = extractor.resume();
+    while (status == Status::suspended) status = extractor.resume();
     return status;
   }
   if (way == Way::busy) {
@@ -56,8 +56,8 @@ void push_samples(Extractor<Index>& extractor, const Scenario& scenario, Way way
   for (uint32_t at = 0; at < scenario.samples;) {
     const PushResult pushed = extractor.push(samples + at, scenario.samples - at);
     at += pushed.samples;
-    if (pushed.status != Status::more) require_ok(pushed.status);
-    if (pushed.status == Status::more) require_ok(go_on(extractor, way, samples));
+    if (pushed.status != Status::suspended) require_ok(pushed.status);
+    if (pushed.status == Status::suspended) require_ok(go_on(extractor, way, samples));
   }
 }
 
@@ -68,7 +68,7 @@ void end(Extractor<Index>& extractor, Ending ending, Way way) {
     return ending == Ending::finish ? extractor.finish() : extractor.abandon();
   };
   Status status = call();
-  while (status == Status::more) {
+  while (status == Status::suspended) {
     if (way == Way::resume)
       status = extractor.resume();
     else
@@ -83,7 +83,7 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses = {}, Way way =
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(bytes_for<Index>(limits, scenario.capacities));
   Extractor<Index> extractor;
-  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), make_sink(log)));
   push_samples(extractor, scenario, way);
   end(extractor, scenario.ending, way);
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
@@ -108,9 +108,9 @@ std::string difference(const Scenario& scenario, const EventLog& plain, EventLog
 struct Gate {
   EventLog* log;
   uint64_t left;
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::start) return log->take(event);
-    if (left == 0) return Answer::not_now;
+    if (left == 0) return SinkResult::busy;
     --left;
     return log->take(event);
   }
@@ -124,7 +124,7 @@ EventLog events_after_reset(const Scenario& scenario, uint64_t taken, bool skips
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(bytes_for<uint16_t>(limits, scenario.capacities));
   Extractor16 extractor;
-  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), sink_to(gate)));
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), make_sink(gate)));
   if (skips) (void)extractor.skip_row(Substitute::off);
   if (extractor.push(scenario.volume.on.data(), scenario.samples).status == Status::ok)
     (void)extractor.finish();
@@ -170,7 +170,7 @@ void check_many_refusals(const Scenario& scenario) {
 // Hands the events on to whichever log is in its turn.
 struct Switch {
   EventLog* log;
-  Answer take(const Event& event) { return log->take(event); }
+  SinkResult take(const Event& event) { return log->take(event); }
 };
 
 // Pushes what is left, and finishes, until the sink refuses.
@@ -186,8 +186,8 @@ Status push_until_refused(Extractor16& extractor, const Scenario& scenario, uint
 
 bool is_held(Extractor16& extractor, const Scenario& scenario, uint32_t at) {
   const PushResult pushed = extractor.push(scenario.volume.on.data() + at, scenario.samples - at);
-  return extractor.resume() == Status::more && pushed.samples == 0 &&
-         (pushed.status == Status::more || pushed.status == Status::finished);
+  return extractor.resume() == Status::suspended && pushed.samples == 0 &&
+         (pushed.status == Status::suspended || pushed.status == Status::finished);
 }
 
 // A sink that takes `k` events and no more holds the scan where it is, whatever the caller tries.
@@ -200,9 +200,9 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(bytes_for<uint16_t>(limits, scenario.capacities));
   Extractor16 extractor;
-  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), sink_to(receiver)));
+  require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), make_sink(receiver)));
   uint32_t at = 0;
-  if (push_until_refused(extractor, scenario, at) != Status::more) return "not refused";
+  if (push_until_refused(extractor, scenario, at) != Status::suspended) return "not refused";
   for (int i = 0; i < 3; ++i)
     if (!is_held(extractor, scenario, at) || log.events.size() != k) return "not held";
   is_dead = false;
@@ -211,8 +211,8 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
     at = 0;
     require_ok(extractor.reset());
   }
-  Status status = Status::more;
-  while (status == Status::more) status = push_until_refused(extractor, scenario, at);
+  Status status = Status::suspended;
+  while (status == Status::suspended) status = push_until_refused(extractor, scenario, at);
   require_ok(status);
   if (!block.is_intact()) return "a write outside the arena";
   return receiver.log->events == plain.events ? "" : "other events";
@@ -313,13 +313,13 @@ TEST_CASE("an ending that was refused goes on with resume() alone, whatever was 
       EventLog log([k](uint64_t offer) { return offer == k; });
       Block block(1 << 16);
       Extractor16 extractor;
-      require_ok(extractor.start({2, 2}, 1, block.memory(), sink_to(log)));
+      require_ok(extractor.start({2, 2}, 1, block.memory(), make_sink(log)));
       // The push may be left half-done: no one resumes it before the ending.
       const uint32_t count = ending == Ending::finish ? 8 : 7;
       for (uint32_t at = 0; at < count;)
         at += extractor.push(volume.on.data() + at, count - at).samples;
       Status status = ending == Ending::finish ? extractor.finish() : extractor.abandon();
-      while (status == Status::more) status = extractor.resume();
+      while (status == Status::suspended) status = extractor.resume();
       CAPTURE(k);
       CHECK(status == Status::ok);
       const Collector collector = collected(log.events);
@@ -348,16 +348,16 @@ TEST_CASE("a sink that never takes anything suspends for ever and loses nothing"
   const BitVolume volume = checkerboard({5, 5, 2});
   Block block(1 << 16);
   Extractor16 extractor;
-  require_ok(extractor.start({5, 5}, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start({5, 5}, 1, block.memory(), make_sink(log)));
   const PushResult first = extractor.push(volume.on.data(), 50);
-  CHECK(first.status == Status::more);
+  CHECK(first.status == Status::suspended);
   for (int i = 0; i < 100; ++i) {
-    CHECK(extractor.resume() == Status::more);
+    CHECK(extractor.resume() == Status::suspended);
     const PushResult pushed = extractor.push(volume.on.data() + first.samples, 1);
-    CHECK(pushed.status == Status::more);
+    CHECK(pushed.status == Status::suspended);
     CHECK(pushed.samples == 0);
-    CHECK(extractor.push_bits(volume.on.data()).status == Status::more);
-    CHECK(extractor.skip_row(Substitute::off).status == Status::more);
+    CHECK(extractor.push_bits(volume.on.data()).status == Status::suspended);
+    CHECK(extractor.skip_row(Substitute::off).status == Status::suspended);
   }
   CHECK(extractor.statistics().skipped_rows == 0);
   is_busy = false;

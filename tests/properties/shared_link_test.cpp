@@ -39,7 +39,7 @@ Bytes mixed(const Bytes& first, const Bytes& second) {
 Received decode_channel(const Bytes& bytes, uint8_t channel) {
   EventLog log;
   Decoder decoder;
-  require_ok(decoder.start(sink_to(log), channel));
+  require_ok(decoder.start(make_sink(log), channel));
   const Status status = decoder.push(bytes.data(), bytes.size()).status;
   require_ok(decoder.finish());
   return {log.events, decoder.report(), decoder.header(), status};
@@ -79,7 +79,7 @@ class Receiver {
  private:
   void begin() {
     log_ = EventLog();
-    require_ok(decoder_.start({memory_.data(), memory_.size()}, sink_to(log_)));
+    require_ok(decoder_.start({memory_.data(), memory_.size()}, make_sink(log_)));
   }
   void end() {
     scans.push_back({log_.events, decoder_.report().is_complete()});
@@ -168,7 +168,7 @@ TEST_CASE("three channels of one link are told apart, whatever each of them hold
   EventLog log;
   Bytes memory(minimum_surface_bytes({20, 20}) + 100000);
   SurfaceDecoder decoder;
-  require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log), 63));
+  require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log), 63));
   require_ok(decoder.push(link.data(), link.size()).status);
   require_ok(decoder.finish());
   CHECK(log.events == events_of(volumes[2]));
@@ -185,7 +185,7 @@ TEST_CASE("an encoder numbers the scans that follow its first") {
   require_ok(encoder.start({1, {}, 65534, 9}, line.output()));
   Bytes memory(2000);
   Extractor16 extractor;
-  require_ok(extractor.start({1, 1}, 1, {memory.data(), memory.size()}, sink_to(encoder)));
+  require_ok(extractor.start({1, 1}, 1, {memory.data(), memory.size()}, make_sink(encoder)));
   for (const uint16_t scan : {uint16_t{65534}, uint16_t{65535}, uint16_t{0}}) {
     reference::push_all(extractor, voxel.on);
     reference::finish_all(extractor);
@@ -205,11 +205,11 @@ TEST_CASE("a header says what the extractor was started with, and what the label
   Bytes memory(20000);
   Extractor16 extractor;
   require_ok(extractor.start({40, 30, Border::open}, -9, {memory.data(), memory.size()},
-                             sink_to(encoder)));
+                             make_sink(encoder)));
   CHECK(encoder.flush());
   EventLog log;
   Decoder decoder;
-  require_ok(decoder.start(sink_to(log)));
+  require_ok(decoder.start(make_sink(log)));
   require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
   const StreamHeader header = decoder.header();
   CHECK(header.width == 40);
@@ -233,7 +233,7 @@ TEST_CASE("an extractor that knows the spacing says it once, for the stream as w
   Bytes memory(minimum_bytes<uint16_t, Normals>({8, 8}));
   NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing({1000, 2000, -3000});
-  require_ok(extractor.start({8, 8}, 1, {memory.data(), memory.size()}, sink_to(encoder)));
+  require_ok(extractor.start({8, 8}, 1, {memory.data(), memory.size()}, make_sink(encoder)));
   CHECK(encoder.flush());
   const StreamHeader header = decode(line.bytes).header;
   CHECK(header.spacing_nm[0] == 1000);
@@ -260,18 +260,18 @@ TEST_CASE("several surfaces of one scan go over one link, frame by frame, whoeve
       memory[i].resize(20000 + 30000U * i);
       require_ok(encoders[i].start({size.depth, {}, 4, i}, link.output()));
       require_ok(extractors[i].start({size.width, size.height}, thresholds[i],
-                                     {memory[i].data(), memory[i].size()}, sink_to(encoders[i])));
+                                     {memory[i].data(), memory[i].size()}, make_sink(encoders[i])));
     }
     SurfaceGroup<Extractor16> surfaces(extractors, 3, size.width);
     const auto all = static_cast<uint32_t>(samples.size());
     for (uint32_t told = 0; told < all;) {
       const uint32_t some = std::min(all - told, 1 + chance.below(50));
       const PushResult result = surfaces.push(&samples[told], some);
-      REQUIRE((result.status == Status::ok || result.status == Status::more));
+      REQUIRE((result.status == Status::ok || result.status == Status::suspended));
       told += result.samples;
     }
-    Status status = Status::more;
-    while (status == Status::more) status = surfaces.finish();
+    Status status = Status::suspended;
+    while (status == Status::suspended) status = surfaces.finish();
     require_ok(status);
     while (!link.flush()) continue;
     for (uint8_t i = 0; i < 3; ++i) {
@@ -294,7 +294,7 @@ TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
   Extractor16 extractors[2];
   for (int i = 0; i < 2; ++i)
     require_ok(
-        extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+        extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
   SurfaceGroup<Extractor16> surfaces(extractors, 2, limits.width);
   const uint8_t bits[] = {0xF0, 1, 0x18, 0};
   CHECK(surfaces.push_bits(bits).samples == 9);
@@ -311,7 +311,7 @@ TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
   for (int i = 0; i < 2; ++i) {
     Bytes other(5000);
     Extractor16 extractor;
-    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, sink_to(alone[i])));
+    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, make_sink(alone[i])));
     require_ok(extractor.push_bits(bits + 2 * i).status);
     require_ok(extractor.skip_row(Substitute::previous_row).status);
     require_ok(extractor.push(bits, 3).status);
@@ -329,7 +329,7 @@ TEST_CASE("a group takes samples at a stride, over many rows at once") {
   Extractor16 extractors[2];
   for (int i = 0; i < 2; ++i)
     require_ok(
-        extractors[i].start({7, 5}, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+        extractors[i].start({7, 5}, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
   SurfaceGroup<Extractor16> surfaces(extractors, 2, 7);
   CHECK(surfaces.push(apart.data(), 100, 2).samples == 100);
   CHECK(surfaces.push(apart.data() + 200, 5, 2).samples == 5);
@@ -343,7 +343,7 @@ TEST_CASE("rows of bits that fill their bytes stand behind each other in a group
   Extractor16 extractors[2];
   for (int i = 0; i < 2; ++i)
     require_ok(
-        extractors[i].start({8, 1}, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+        extractors[i].start({8, 1}, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
   SurfaceGroup<Extractor16> surfaces(extractors, 2, 8);
   const uint8_t bits[] = {0x01, 0xF8, 0};
   require_ok(surfaces.push_bits(bits).status);
@@ -363,7 +363,7 @@ TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all
     Extractor16 extractors[3];
     for (int i = 0; i < 3; ++i)
       require_ok(
-          extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, sink_to(logs[i])));
+          extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
     SurfaceGroup<Extractor16> surfaces(extractors, 3, limits.width);
     const uint8_t bits[6] = {0xAA, 0, 0xAA, 0, 0xAA, 0};
     uint32_t waits = 0;
@@ -374,20 +374,20 @@ TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all
                                   : row % 5 == 4
                                       ? surfaces.skip_row(Substitute::previous_row)
                                       : surfaces.push(&noise.on[row * 9 + told], 9 - told);
-        REQUIRE((result.status == Status::ok || result.status == Status::more));
+        REQUIRE((result.status == Status::ok || result.status == Status::suspended));
         if (result.samples == 0) ++waits;
         told += result.samples;
       }
       REQUIRE(told == 9);
     }
     CHECK(waits > 20);
-    Status status = Status::more;
-    while (status == Status::more) status = surfaces.finish();
+    Status status = Status::suspended;
+    while (status == Status::suspended) status = surfaces.finish();
     require_ok(status);
     EventLog alone;
     Bytes other(5000);
     Extractor16 extractor;
-    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, sink_to(alone)));
+    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, make_sink(alone)));
     for (uint32_t row = 0; row < 24; ++row)
       require_ok((row % 5 == 2   ? extractor.push_bits(bits)
                   : row % 5 == 4 ? extractor.skip_row(Substitute::previous_row)

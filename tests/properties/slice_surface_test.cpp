@@ -23,7 +23,7 @@ Surface decode_surface(const Bytes& stream, const Limits& limits, size_t chunk =
   EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   reference::Block block(minimum_surface_bytes(limits) + 200000);
   SurfaceDecoder decoder;
-  reference::require_ok(decoder.start(block.memory(), sink_to(log)));
+  reference::require_ok(decoder.start(block.memory(), make_sink(log)));
   const Status status = push_stream(decoder, stream, chunk);
   CHECK(block.is_intact());
   return {log.events, decoder.report(), status};
@@ -50,7 +50,7 @@ Events swept(const BitVolume& volume, Border border, bool skips) {
   const Limits limits{volume.width, volume.height, border};
   Bytes memory(minimum_bytes<uint32_t>(limits) + 200000);
   Extractor32 extractor;
-  reference::require_ok(extractor.start(limits, 1, {memory.data(), memory.size()}, sink_to(log)));
+  reference::require_ok(extractor.start(limits, 1, {memory.data(), memory.size()}, make_sink(log)));
   scan(extractor, volume, skips);
   return log.events;
 }
@@ -96,7 +96,7 @@ TEST_CASE("a stream of regions is decoded as ever, without any memory") {
   const Bytes stream = encode(events, header_of(volume));
   EventLog log;
   SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({}, sink_to(log)));
+  reference::require_ok(decoder.start({}, make_sink(log)));
   CHECK(decoder.push(stream.data(), stream.size()).bytes == stream.size());
   reference::require_ok(decoder.finish());
   CHECK(decoder.report().is_complete());
@@ -141,7 +141,7 @@ TEST_CASE("memory that is too small for a stream of bits is refused") {
     Bytes memory(bytes);
     EventLog log;
     SurfaceDecoder decoder;
-    reference::require_ok(decoder.start({memory.data(), bytes}, sink_to(log)));
+    reference::require_ok(decoder.start({memory.data(), bytes}, make_sink(log)));
     const Status status = decoder.push(stream.data(), stream.size()).status;
     const bool is_enough = bytes == minimum_surface_bytes(limits);
     CHECK(status == (is_enough ? Status::ok : Status::too_little_memory));
@@ -163,7 +163,7 @@ TEST_CASE("memory that is too small for a stream of bits is refused") {
 }
 
 TEST_CASE("a call skips no more lost rows than it promises, whatever a stream claims") {
-  constexpr uint32_t most = SurfaceDecoder::most_skipped_rows;
+  constexpr uint32_t most = SurfaceDecoder::max_skipped_rows;
   constexpr uint32_t rows = 2 * most + 100;
   const Bytes stream = lost_slices({3, 2, rows / 2});
   EventLog log;
@@ -174,13 +174,13 @@ TEST_CASE("a call skips no more lost rows than it promises, whatever a stream cl
   };
   Bytes memory(minimum_surface_bytes({3, 2}));
   SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
   const Decoded decoded = decoder.push(stream.data(), stream.size());
-  CHECK(decoded.status == Status::more);
+  CHECK(decoded.status == Status::suspended);
   CHECK(skipped() == most);
   const uint8_t* const rest = stream.data() + decoded.bytes;
   const size_t left = stream.size() - decoded.bytes;
-  CHECK(decoder.push(rest, left).status == Status::more);
+  CHECK(decoder.push(rest, left).status == Status::suspended);
   CHECK(skipped() == 2 * most);
   CHECK(decoder.push(rest, left).status == Status::ok);
   CHECK(skipped() == rows);
@@ -194,7 +194,7 @@ TEST_CASE("a stream that ends within its first packet has not begun, whatever fo
   EventLog log;
   Bytes memory(minimum_surface_bytes({20, 20}) + 100000);
   SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
   reference::require_ok(decoder.push(stream.data(), 10).status);
   reference::require_ok(decoder.finish());
   const size_t header = frames_of(stream)[0].size();
@@ -225,7 +225,7 @@ TEST_CASE("memory that is given takes the place of what was too little, all of i
     EventLog log;
     SurfaceDecoder decoder;
     Bytes little(bytes), enough(minimum_surface_bytes(limits) + 200000);
-    reference::require_ok(decoder.start({little.data(), little.size()}, sink_to(log)));
+    reference::require_ok(decoder.start({little.data(), little.size()}, make_sink(log)));
     CHECK(decoder.push(stream.data(), head).status == Status::too_little_memory);
     reference::require_ok(decoder.give_memory({enough.data(), enough.size()}));
     const Bytes unlike(bytes, 0xA5);

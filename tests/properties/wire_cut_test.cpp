@@ -21,7 +21,7 @@ template <class Check>
 Events decode_cutting(const Bytes& stream, Check check) {
   EventLog log;
   Decoder decoder;
-  reference::require_ok(decoder.start(sink_to(log)));
+  reference::require_ok(decoder.start(make_sink(log)));
   for (size_t count = 0; count < stream.size(); ++count) {
     // No user may, but one that waits for bytes points to nothing of its own.
     Decoder cut;

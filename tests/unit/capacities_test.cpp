@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/capacities.hpp>
+#include <discmc/gradient_normals.hpp>
 
 #include "oracle/scan.hpp"
 

@@ -106,7 +106,7 @@ TEST_CASE("a checkpoint in the middle of a frame goes back to where the frame be
   require_ok(begin_stream(first, any_header(), store.output()));
   Event layer{};
   layer.kind = Event::Kind::layer;
-  REQUIRE(first.take(layer) == Answer::taken);
+  REQUIRE(first.take(layer) == SinkResult::accepted);
   const uint64_t frame = first.bytes();
   store.most = 3;
   store.pauses = false;
@@ -190,10 +190,10 @@ TEST_CASE("nothing is saved while the sink has yet to take something, whatever t
   Block block(bytes_for<uint16_t>(limits, capacities));
   Extractor16 extractor{};
   Checkpoint<Extractor16> scan{};
-  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
   const auto wait = [&](Status status) {
-    while (status == Status::more) {
-      CHECK(extractor.save(scan) == Status::more);
+    while (status == Status::suspended) {
+      CHECK(extractor.save(scan) == Status::suspended);
       const size_t taken = log.events.size();
       status = extractor.resume();
       if (log.events.size() > taken) waited_for.insert(log.events[taken].kind());
@@ -215,7 +215,7 @@ TEST_CASE("what cannot be saved or restored is refused") {
   Store store;
   Encoder encoder{};
   Extractor16 extractor{};
-  const Sink sink = sink_to(encoder);
+  const Sink sink = make_sink(encoder);
   Checkpoint<Encoder> stream{};
   Checkpoint<Extractor16> scan{};
   CHECK(encoder.save(stream) == Status::not_started);
@@ -228,8 +228,8 @@ TEST_CASE("what cannot be saved or restored is refused") {
   store.most = 0;  // takes nothing: the layer cannot be told
   require_ok(extractor.start(limits, 1, whole, sink));
   const uint8_t row[] = {0, 1, 1, 0};
-  CHECK(extractor.push(row, 4).status == Status::more);
-  CHECK(extractor.save(scan) == Status::more);
+  CHECK(extractor.push(row, 4).status == Status::suspended);
+  CHECK(extractor.save(scan) == Status::suspended);
   store.most = SIZE_MAX;
   require_ok(extractor.resume());
   require_ok(extractor.save(scan));
@@ -252,8 +252,9 @@ TEST_CASE("what cannot be saved or restored is refused") {
 
 TEST_CASE("what the sink has yet to hear of a skipped row is told before a scan is saved") {
   struct Busy {
-    Answer take(const Event& event) {
-      return is_busy && event.kind == Event::Kind::skipped ? Answer::not_now : Answer::taken;
+    SinkResult take(const Event& event) {
+      return is_busy && event.kind == Event::Kind::skipped ? SinkResult::busy
+                                                           : SinkResult::accepted;
     }
     bool is_busy = true;
   } sink;
@@ -261,9 +262,9 @@ TEST_CASE("what the sink has yet to hear of a skipped row is told before a scan 
   Block block(minimum_bytes<uint16_t>(limits));
   Extractor16 extractor;
   Checkpoint<Extractor16> checkpoint;
-  require_ok(extractor.start(limits, 1, block.memory(), sink_to(sink)));
-  CHECK(extractor.skip_row(Substitute::off).status == Status::more);
-  CHECK(extractor.save(checkpoint) == Status::more);
+  require_ok(extractor.start(limits, 1, block.memory(), make_sink(sink)));
+  CHECK(extractor.skip_row(Substitute::off).status == Status::suspended);
+  CHECK(extractor.save(checkpoint) == Status::suspended);
   sink.is_busy = false;
   require_ok(extractor.resume());
   CHECK(extractor.save(checkpoint) == Status::ok);

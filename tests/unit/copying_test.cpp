@@ -31,7 +31,7 @@ TEST_CASE("what works in the caller's memory or points into itself stays where i
                     stays_where_it_is<SurfaceDecoder>,
                 "a copy would point into the original");
   static_assert(stays_where_it_is<Joiner> && stays_where_it_is<MajorityFilter> &&
-                    stays_where_it_is<RowRing> && stays_where_it_is<BlockMeans<uint8_t>> &&
+                    stays_where_it_is<RowRing> && stays_where_it_is<Downsampler<uint8_t>> &&
                     stays_where_it_is<SampleWindow<uint8_t>>,
                 "two would write to one memory");
   static_assert(stays_where_it_is<CheckpointStore>, "its parts would be those of the original");

@@ -19,7 +19,7 @@ class Bench {
  public:
   explicit Bench(const Limits& limits, int32_t threshold = 1, uint64_t extra = 1 << 20)
       : block_(minimum_bytes<Index>(limits) + extra) {
-    require_ok(extractor.start(limits, threshold, block_.memory(), sink_to(log)));
+    require_ok(extractor.start(limits, threshold, block_.memory(), make_sink(log)));
   }
   ~Bench() { CHECK(block_.is_intact()); }
   Bench(const Bench&) = delete;
@@ -266,9 +266,9 @@ TEST_CASE("reset begins the next scan as if nothing had been, wherever the last 
 TEST_CASE("reset forgets what a sink has yet to take, and what has left early") {
   // Takes so many events and then no more, until the next scan.
   struct Gate {
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       if (is_open || event.kind == Event::Kind::start) return log.take(event);
-      return left-- > 0 ? Answer::taken : Answer::not_now;
+      return left-- > 0 ? SinkResult::accepted : SinkResult::busy;
     }
     int left;
     bool is_open = false;
@@ -285,9 +285,9 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
       Gate gate{taken};
       Block block(bytes_for<uint16_t>(limits, few));
       Extractor16 extractor;
-      require_ok(extractor.start(limits, few, 1, block.memory(), sink_to(gate)));
+      require_ok(extractor.start(limits, few, 1, block.memory(), make_sink(gate)));
       CHECK(extractor.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status ==
-            Status::more);
+            Status::suspended);
       require_ok(extractor.reset());
       gate.is_open = true;
       push_all(extractor, volume.on);
@@ -302,7 +302,7 @@ TEST_CASE("a scan begins with what the extractor knows of it") {
   Block block(minimum_bytes<uint16_t>(limits));
   EventLog log;
   Extractor16 extractor;
-  require_ok(extractor.start(limits, -42, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, -42, block.memory(), make_sink(log)));
   require_ok(extractor.reset());
   REQUIRE(log.starts.size() == 2);
   for (const StreamHeader& told : log.starts) {
@@ -316,7 +316,7 @@ TEST_CASE("a scan begins with what the extractor knows of it") {
 
 TEST_CASE("a scan whose sink does not take its start does not begin, and writes nothing") {
   struct Closed {
-    Answer take(const Event&) { return is_closed ? Answer::not_now : Answer::taken; }
+    SinkResult take(const Event&) { return is_closed ? SinkResult::busy : SinkResult::accepted; }
     bool is_closed = true;
   } sink;
   const Limits limits{7, 3};
@@ -325,11 +325,11 @@ TEST_CASE("a scan whose sink does not take its start does not begin, and writes 
   const Memory all{memory.data(), memory.size()};
   const uint8_t row[7] = {};
   Extractor16 extractor;
-  CHECK(extractor.start(limits, 1, all, sink_to(sink)) == Status::bad_sink);
+  CHECK(extractor.start(limits, 1, all, make_sink(sink)) == Status::bad_sink);
   CHECK(memory == untouched);
   CHECK(extractor.push(row, 7).status == Status::not_started);
   sink.is_closed = false;
-  require_ok(extractor.start(limits, 1, all, sink_to(sink)));
+  require_ok(extractor.start(limits, 1, all, make_sink(sink)));
   require_ok(extractor.push(row, 7).status);
   sink.is_closed = true;
   CHECK(extractor.reset() == Status::bad_sink);

@@ -20,11 +20,11 @@ struct Counter {
   uint64_t regions = 0;
   uint64_t layers = 0;
   int32_t top = INT32_MIN;
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     regions += event.kind == Event::Kind::region_end;
     layers += event.kind == Event::Kind::layer;
     if (event.kind == Event::Kind::ring) top = std::max(top, event.start.z);
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 };
 
@@ -46,7 +46,7 @@ EventLog events_of(const BitVolume& volume) {
 template <class Index>
 void check_refused_starts() {
   EventLog log;
-  const Sink sink = sink_to(log);
+  const Sink sink = make_sink(log);
   Block block(1 << 16);
   const Memory memory = block.memory();
   const Limits good{8, 8};
@@ -101,7 +101,7 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
     Block block(1 << 14);
     Extractor16 extractor;
     const uint8_t samples[9] = {0, 0, 0, 0, 1, 0, 0, 0, 0};
-    require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
     CHECK(extractor.push(samples, 9).status == Status::ok);
     CHECK((abandon ? extractor.abandon() : extractor.finish()) == Status::ok);
     const uint64_t events = log.events.size();
@@ -125,8 +125,8 @@ TEST_CASE("a start that finds too little memory ends the scan before it") {
   EventLog log;
   Block block(1 << 14);
   Extractor16 extractor;
-  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
-  CHECK(extractor.start({3000, 3000}, 1, block.memory(), sink_to(log)) ==
+  require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
+  CHECK(extractor.start({3000, 3000}, 1, block.memory(), make_sink(log)) ==
         Status::too_little_memory);
   CHECK(extractor.finish() == Status::not_started);
   CHECK(extractor.reset() == Status::not_started);
@@ -138,35 +138,35 @@ TEST_CASE("so does one whose sink does not take the start; all others let the sc
   Block block(1 << 14), other(1 << 14);
   const Memory memory = other.memory();
   struct Busy {
-    Answer take(const Event&) { return Answer::not_now; }
+    SinkResult take(const Event&) { return SinkResult::busy; }
   } busy;
   Extractor16 extractor;
-  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
   require_ok(extractor.push(volume.on.data(), 4).status);
-  CHECK(extractor.start({0, 3}, 1, memory, sink_to(busy)) == Status::bad_limits);
-  CHECK(extractor.start({4, 4}, {0, 0}, 1, memory, sink_to(busy)) == Status::bad_capacities);
+  CHECK(extractor.start({0, 3}, 1, memory, make_sink(busy)) == Status::bad_limits);
+  CHECK(extractor.start({4, 4}, {0, 0}, 1, memory, make_sink(busy)) == Status::bad_capacities);
   CHECK(extractor.start({4, 4}, 1, memory, Sink{}) == Status::bad_sink);
   require_ok(extractor.push(volume.on.data() + 4, 14).status);
   require_ok(extractor.finish());
   CHECK(log.events == events_of(volume).events);
   require_ok(extractor.reset());
-  CHECK(extractor.start({4, 4}, 1, memory, sink_to(busy)) == Status::bad_sink);
+  CHECK(extractor.start({4, 4}, 1, memory, make_sink(busy)) == Status::bad_sink);
   CHECK(extractor.finish() == Status::not_started);
 }
 
 TEST_CASE("a reset that the sink does not take lets the scan go on") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   struct Once {
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       const bool is_start = event.kind == Event::Kind::start;
-      return is_start && starts++ > 0 ? Answer::not_now : log.take(event);
+      return is_start && starts++ > 0 ? SinkResult::busy : log.take(event);
     }
     int starts = 0;
     EventLog log{};
   } sink;
   Block block(1 << 14);
   Extractor16 extractor;
-  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(sink)));
+  require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(sink)));
   require_ok(extractor.push(volume.on.data(), 13).status);
   CHECK(extractor.reset() == Status::bad_sink);
   require_ok(extractor.push(volume.on.data() + 13, 5).status);
@@ -179,7 +179,7 @@ TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
   EventLog log;
   Block block(1 << 14);
   Extractor16 extractor;
-  require_ok(extractor.start({3, 3}, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
   for (uint32_t i = 0; i < 18; ++i) {
     CHECK(extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
     if (i == 0 || i == 9) {
@@ -202,7 +202,7 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
   EventLog log;
   Block block(1 << 14);
   Extractor16 extractor;
-  require_ok(extractor.start({5, 3}, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start({5, 3}, 1, block.memory(), make_sink(log)));
   const uint8_t bits = 0x1F;
   for (uint32_t i = 0; i < 30; ++i) {
     if (i % 5 != 0) {
@@ -226,7 +226,7 @@ TEST_CASE("a scan without slices is an empty one") {
       Block block(1 << 14);
       Extractor16 extractor;
       require_ok(
-          extractor.start({size.width, size.height, border}, 1, block.memory(), sink_to(log)));
+          extractor.start({size.width, size.height, border}, 1, block.memory(), make_sink(log)));
       finish_all(extractor);
       REQUIRE(log.events.size() == 1);
       CHECK(log.events[0].is(Event::Kind::finish));
@@ -254,7 +254,7 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
       Counter counter;
       Block block(minimum_bytes<uint16_t>(limits) + 8000);
       Extractor16 extractor;
-      require_ok(extractor.start(limits, 1, block.memory(), sink_to(counter)));
+      require_ok(extractor.start(limits, 1, block.memory(), make_sink(counter)));
       std::vector<uint64_t> regions;
       for (uint32_t i = 0; i < 25000; ++i) {
         require_ok(extractor.push(period.data(), 4 * slice).status);
@@ -274,7 +274,7 @@ TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a f
   EventLog log;
   Block block(minimum_bytes<uint16_t>(limits) + 8000);
   Extractor16 extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
   const std::vector<uint8_t> slice(9, 1);
   for (uint32_t i = 0; i < 100000; ++i) require_ok(extractor.push(slice.data(), 9).status);
   finish_all(extractor);
@@ -286,9 +286,9 @@ TEST_CASE(
   const BitVolume volume = random({5, 5, 20}, 128, 3);
   struct Last {
     uint32_t slices = 0;
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       if (event.kind == Event::Kind::finish) slices = event.slice;
-      return Answer::taken;
+      return SinkResult::accepted;
     }
   };
   const auto slices_of = [&](const Slab& slab, uint32_t from, uint32_t to) {
@@ -296,7 +296,7 @@ TEST_CASE(
     Last last;
     Block block(minimum_bytes<uint16_t>(limits) + 4000);
     Extractor16 extractor;
-    require_ok(extractor.start(limits, 1, block.memory(), sink_to(last)));
+    require_ok(extractor.start(limits, 1, block.memory(), make_sink(last)));
     for (uint32_t z = from; z < to; ++z)
       require_ok(extractor.push(volume.on.data() + size_t{z} * 25, 25).status);
     finish_all(extractor);
@@ -321,9 +321,9 @@ TEST_CASE("extractors of either index width work side by side") {
   Extractor16 extractor_a;
   Extractor32 extractor_b;
   Extractor16 extractor_c;
-  require_ok(extractor_a.start({9, 8}, 1, block_a.memory(), sink_to(log_a)));
-  require_ok(extractor_b.start({5, 6}, 1, block_b.memory(), sink_to(log_b)));
-  require_ok(extractor_c.start({5, 6}, 1, block_c.memory(), sink_to(log_c)));
+  require_ok(extractor_a.start({9, 8}, 1, block_a.memory(), make_sink(log_a)));
+  require_ok(extractor_b.start({5, 6}, 1, block_b.memory(), make_sink(log_b)));
+  require_ok(extractor_c.start({5, 6}, 1, block_c.memory(), make_sink(log_c)));
   for (uint32_t at = 0; at < a.voxels() || at < b.voxels(); ++at) {
     if (at < a.voxels()) require_ok(extractor_a.push(a.on.data() + at, 1).status);
     if (at < b.voxels()) require_ok(extractor_b.push(b.on.data() + at, 1).status);
@@ -346,7 +346,7 @@ TEST_CASE("memory that begins anywhere will do") {
     std::vector<uint8_t> memory(bytes + offset + 8, 0x5A);
     EventLog log;
     Extractor16 extractor;
-    require_ok(extractor.start(limits, ample, 1, {memory.data() + offset, bytes}, sink_to(log)));
+    require_ok(extractor.start(limits, ample, 1, {memory.data() + offset, bytes}, make_sink(log)));
     push_all(extractor, volume.on);
     finish_all(extractor);
     CHECK(log.events == expected.events);
@@ -361,7 +361,7 @@ TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been
   std::vector<uint8_t> memory(bytes, 0x5A);
   EventLog log;
   Extractor16 extractor;
-  require_ok(extractor.start(limits, ample, 1, {memory.data(), bytes}, sink_to(log)));
+  require_ok(extractor.start(limits, ample, 1, {memory.data(), bytes}, make_sink(log)));
   size_t used = extractor.bytes_used();
   CHECK(used <= minimum_bytes<uint16_t>(limits));
   for (const uint8_t sample : volume.on) {
@@ -385,7 +385,7 @@ TEST_CASE("the high-water marks lie within the capacities, and are all that a sc
     const auto scan_in = [&](const Capacities& capacities, EventLog& log) {
       Block block(bytes_for<uint16_t>(limits, capacities));
       Extractor16 extractor;
-      require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+      require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
       push_all(extractor, volume.on);
       finish_all(extractor);
       CHECK(extractor.capacities().records == capacities.records);

@@ -36,8 +36,8 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
   EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   typename ExtractorOf<Index, Normals>::Type extractor;
   if constexpr (Normals::holds_samples) extractor.set_spacing(uneven_spacing);
-  require_ok(
-      extractor.start(limits, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
+                             make_sink(log)));
   push_all(extractor, volume.samples, setting.chunk);
   finish_all(extractor);
   REQUIRE(block.is_intact());
@@ -144,12 +144,12 @@ TEST_CASE("a scan that begins anew knows nothing of the one before") {
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing(uneven_spacing);
-  require_ok(
-      extractor.start(larger, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  require_ok(extractor.start(larger, setting.capacities, setting.threshold, block.memory(),
+                             make_sink(log)));
   require_ok(extractor.push(before.samples.data(), 25 * 11 + 3).status);  // breaks off in a row
   log.events.clear();
-  require_ok(
-      extractor.start(limits, setting.capacities, setting.threshold, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
+                             make_sink(log)));
   push_all(extractor, volume.samples, setting.chunk);
   finish_all(extractor);
   CHECK(log.events == events_of<uint16_t, Normals>(volume, setting));
@@ -209,7 +209,7 @@ TEST_CASE("a slice is swept when a slice and a row behind it have come, out of f
   Block block(minimum_bytes<uint16_t, Normals>(limits));
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
   CHECK_FALSE(log.starts.front().has_spacing());
   for (const int32_t spacing : log.starts.front().spacing_nm) CHECK(spacing == 0);
   require_ok(extractor.push(samples.data(), 6 * limits.width).status);
@@ -245,7 +245,7 @@ Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<R
   EventLog log;
   typename ExtractorOf<uint16_t, Normals>::Type extractor;
   if constexpr (Normals::holds_samples) extractor.set_spacing(uneven_spacing);
-  require_ok(extractor.start(limits, ample, threshold, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, ample, threshold, block.memory(), make_sink(log)));
   const uint8_t* samples = volume.samples.data();
   for (uint32_t row = 0; row < rows.size(); ++row, samples += volume.size.width) {
     REQUIRE(extractor.slices() == row / volume.size.height);
@@ -337,7 +337,7 @@ TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is j
     EventLog log;
     NormalExtractor16<uint8_t> extractor;
     extractor.set_spacing(uneven_spacing);
-    require_ok(extractor.start(limits, least, threshold, block.memory(), sink_to(log)));
+    require_ok(extractor.start(limits, least, threshold, block.memory(), make_sink(log)));
     require_ok(extractor.push(volume.samples.data(), given).status);
     require_ok(extractor.abandon());
     const uint32_t slice = size.width * size.height;
@@ -360,14 +360,15 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
     EventLog log;
     Scan first;
     first.set_spacing(uneven_spacing);
-    require_ok(first.start(limits, setting.capacities, 128, {memory.data(), bytes}, sink_to(log)));
+    require_ok(
+        first.start(limits, setting.capacities, 128, {memory.data(), bytes}, make_sink(log)));
     require_ok(first.push(volume.samples.data(), row * size.width).status);
     const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
     require_ok(first.save(*checkpoint));
     later = memory;
     memory.assign(bytes, 0xEE);
     Scan second;
-    require_ok(second.restore(*checkpoint, {later.data(), bytes}, sink_to(log)));
+    require_ok(second.restore(*checkpoint, {later.data(), bytes}, make_sink(log)));
     REQUIRE(second.slices() == row / size.height);
     require_ok(second
                    .push(volume.samples.data() + size_t{row} * size.width,
@@ -385,7 +386,7 @@ TEST_CASE("a checkpoint of samples of another type is refused") {
   Block block(minimum_bytes<uint16_t, WithNormals<uint16_t>>(limits));
   EventLog log;
   Scan scan;
-  require_ok(scan.start(limits, 1, block.memory(), sink_to(log)));
+  require_ok(scan.start(limits, 1, block.memory(), make_sink(log)));
   // From zeros, so that no byte of the checkpoint is any.
   const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
   require_ok(scan.save(*checkpoint));
@@ -393,8 +394,8 @@ TEST_CASE("a checkpoint of samples of another type is refused") {
   static_assert(sizeof(Checkpoint<Scan>) == sizeof(Checkpoint<Other>));
   std::memcpy(static_cast<void*>(bytes.get()), checkpoint.get(), sizeof *bytes);
   Other other;
-  CHECK(other.restore(*bytes, block.memory(), sink_to(log)) == Status::bad_checkpoint);
-  CHECK(scan.restore(*checkpoint, block.memory(), sink_to(log)) == Status::ok);
+  CHECK(other.restore(*bytes, block.memory(), make_sink(log)) == Status::bad_checkpoint);
+  CHECK(scan.restore(*checkpoint, block.memory(), make_sink(log)) == Status::ok);
 }
 
 TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
@@ -406,9 +407,9 @@ TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
   const Memory memory = block.memory();
   EventLog log;
   NormalExtractor16<uint16_t> extractor;
-  CHECK(extractor.start(limits, 1, {memory.data, least - 1}, sink_to(log)) ==
+  CHECK(extractor.start(limits, 1, {memory.data, least - 1}, make_sink(log)) ==
         Status::too_little_memory);
-  CHECK(extractor.start(limits, 1, memory, sink_to(log)) == Status::ok);
+  CHECK(extractor.start(limits, 1, memory, make_sink(log)) == Status::ok);
   CHECK(extractor.bytes_used() <= least);
   CHECK(extractor.bytes_used() > minimum_bytes<uint16_t>(limits) + 16 * (4 * 9 + 6) * 2);
   const uint64_t more = least + 4096;

@@ -45,7 +45,7 @@ void check_window(Size size, uint32_t chunk, Chance& chance) {
   auto next = vertices.begin();
   const auto check_covered = [&] {
     for (; next != vertices.end() && window.covers(*next); ++next) {
-      const LongVector down = window.downhill(*next);
+      const LongVector down = window.negative_gradient(*next);
       const std::array<double, 3> up = gradient(volume, *next);
       const bool is_centroid = next->x % 2 != 0 && next->y % 2 != 0 && next->z % 2 != 0;
       const double times = is_centroid ? -16 : -4;
@@ -114,11 +114,11 @@ TEST_CASE("rows of a slice that breaks off count where they are there") {
   REQUIRE(window.push(samples, 10) == Status::ok);
   CHECK(!window.covers({1, 0, 2}));
   window.end();
-  CHECK(window.downhill({1, 0, 4}).z == -2 * 2 * (70 - 20));  // one-sided: nothing above
-  CHECK(window.downhill({1, 0, 2}).z == -2 * (70 - 10));      // central
-  CHECK(window.downhill({1, 2, 2}).z == -2 * 2 * (20 - 10));  // one-sided: nothing above
+  CHECK(window.negative_gradient({1, 0, 4}).z == -2 * 2 * (70 - 20));  // one-sided: nothing above
+  CHECK(window.negative_gradient({1, 0, 2}).z == -2 * (70 - 10));      // central
+  CHECK(window.negative_gradient({1, 2, 2}).z == -2 * 2 * (20 - 10));  // one-sided: nothing above
   CHECK(window.covers({1, 0, 8}));
-  CHECK(window.downhill({1, 0, 8}).z == 0);  // above the volume
+  CHECK(window.negative_gradient({1, 0, 8}).z == 0);  // above the volume
 }
 
 TEST_CASE("a row is enough for a slice to be gone") {
@@ -156,7 +156,8 @@ TEST_CASE("samples may lie apart") {
   const uint8_t samples[] = {10, 0, 0, 20, 0, 0, 30, 0, 0, 70};
   REQUIRE(window.push(samples, 4, 3) == Status::ok);
   window.end();
-  const LongVector down = window.downhill({1, 0, 0});  // between 10 and 20, above 30 and 70
+  const LongVector down =
+      window.negative_gradient({1, 0, 0});  // between 10 and 20, above 30 and 70
   CHECK(down.x == -2 * (10 + 10));
   CHECK(down.y == -2 * (20 + 50));
   CHECK(down.z == 0);

@@ -46,19 +46,19 @@ TEST_CASE("an extractor is not started before its encoder, nor with a joiner bet
   Block block(minimum_bytes<uint16_t>(limits));
   Extractor16 extractor;
   Encoder encoder;
-  CHECK(extractor.start(limits, 1, block.memory(), sink_to(encoder)) == Status::bad_sink);
+  CHECK(extractor.start(limits, 1, block.memory(), make_sink(encoder)) == Status::bad_sink);
   Joiner joiner;
-  CHECK(extractor.start(limits, 1, block.memory(), sink_to(joiner)) == Status::bad_sink);
+  CHECK(extractor.start(limits, 1, block.memory(), make_sink(joiner)) == Status::bad_sink);
   Bytes memory(Joiner::minimum_bytes());
-  require_ok(joiner.start({memory.data(), memory.size()}, sink_to(encoder), InputOrder::sweep));
-  CHECK(extractor.start(limits, 1, block.memory(), sink_to(joiner)) == Status::bad_sink);
+  require_ok(joiner.start({memory.data(), memory.size()}, make_sink(encoder), InputOrder::sweep));
+  CHECK(extractor.start(limits, 1, block.memory(), make_sink(joiner)) == Status::bad_sink);
   CHECK(extractor.finish() == Status::not_started);
 }
 
 TEST_CASE("a decoder says that its encoder is not started, and goes on when it is") {
   Encoder encoder;
   Decoder decoder;
-  require_ok(decoder.start(sink_to(encoder)));
+  require_ok(decoder.start(make_sink(encoder)));
   check_refusal(decoder, encoder, regions());
 }
 
@@ -66,27 +66,27 @@ TEST_CASE("a decoder says that its joiner, or the encoder behind that, is not st
   Encoder encoder;
   Joiner joiner;
   Decoder decoder;
-  require_ok(decoder.start(sink_to(joiner)));
+  require_ok(decoder.start(make_sink(joiner)));
   const Bytes stream = regions();
   const Decoded first = decoder.push(stream.data(), stream.size());
   CHECK(first.status == Status::bad_sink);
   Bytes memory(4000);
-  require_ok(joiner.start({memory.data(), memory.size()}, sink_to(encoder), InputOrder::sweep));
-  require_ok(decoder.start(sink_to(joiner)));
+  require_ok(joiner.start({memory.data(), memory.size()}, make_sink(encoder), InputOrder::sweep));
+  require_ok(decoder.start(make_sink(joiner)));
   check_refusal(decoder, encoder, stream);
 }
 
 TEST_CASE("a joiner says in the end that its sink is not started") {
   struct Listener {
-    Answer take(const Event& event) {
-      return event.kind == Event::Kind::finish ? Answer::never : Answer::taken;
+    SinkResult take(const Event& event) {
+      return event.kind == Event::Kind::finish ? SinkResult::not_started : SinkResult::accepted;
     }
   } listener;
   Bytes memory(4000);
   Joiner joiner;
-  require_ok(joiner.start({memory.data(), memory.size()}, sink_to(listener), InputOrder::any));
+  require_ok(joiner.start({memory.data(), memory.size()}, make_sink(listener), InputOrder::any));
   for (const RecordedEvent& event : events_of(volume()))
-    REQUIRE(joiner.take(event.event()) == Answer::taken);
+    REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
   CHECK(joiner.finish() == Status::bad_sink);
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("a surface decoder says so of either kind of stream") {
     Bytes memory(minimum_surface_bytes(limits) + 20000);
     Encoder encoder;
     SurfaceDecoder decoder;
-    require_ok(decoder.start({memory.data(), memory.size()}, sink_to(encoder)));
+    require_ok(decoder.start({memory.data(), memory.size()}, make_sink(encoder)));
     check_refusal(decoder, encoder, stream);
   }
 }
@@ -109,7 +109,7 @@ TEST_CASE("an encoder refuses what comes before the header of its stream") {
   Encoder encoder;
   Decoder decoder;
   require_ok(encoder.start({}, line.output()));
-  require_ok(decoder.start(sink_to(encoder)));
+  require_ok(decoder.start(make_sink(encoder)));
   CHECK(decoder.push(headless.data(), headless.size()).status == Status::bad_sink);
   CHECK(line.bytes.empty());
 }

@@ -25,9 +25,10 @@ static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // yours is measure
 
 // It is silent but for the stream: sdkconfig.defaults turns log and boot messages off.
 extern "C" void app_main() {
-  bool good = uart_driver_install(UART_NUM_0, 256, 0, 0, nullptr, 0) == ESP_OK &&
-              encoder.start({size}, {nullptr, write_to_uart}) == Status::ok &&
-              extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)) == Status::ok;
+  bool good =
+      uart_driver_install(UART_NUM_0, 256, 0, 0, nullptr, 0) == ESP_OK &&
+      encoder.start({size}, {nullptr, write_to_uart}) == Status::ok &&
+      extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok;
   for (int32_t i = 0; good && i < size * size; ++i) {
     uint8_t row[size];
     for (int32_t x = 0; x < size; ++x) row[x] = sample_at(x, i % size, i / size);

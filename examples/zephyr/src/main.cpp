@@ -27,8 +27,9 @@ static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // yours is measure
 }
 
 int main() {
-  bool good = encoder.start({size}, {nullptr, write_to_console}) == Status::ok &&
-              extractor.start(limits, threshold, memory_of(memory), sink_to(encoder)) == Status::ok;
+  bool good =
+      encoder.start({size}, {nullptr, write_to_console}) == Status::ok &&
+      extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok;
   for (int32_t i = 0; good && i < size * size; ++i) {
     uint8_t row[size];
     for (int32_t x = 0; x < size; ++x) row[x] = sample_at(x, i % size, i / size);

@@ -31,17 +31,17 @@ discmc_status discmc_store_start(discmc_store** store, const discmc_store_config
   const FlashDevice device{
       config->context, config->read, config->program,
       config->erase,   config->sync, {config->program_bytes, config->block_bytes, config->blocks}};
-  const Status status = object->store.start(device, config->most_bytes, rest);
+  const Status status = object->store.start(device, config->max_bytes, rest);
   if (status == Status::ok || status == Status::device_error) *store = object;
   return c(status);
 }
 discmc_store_info discmc_store_get_info(const discmc_store* store) {
   const CheckpointStore& object = store->store;
   const StorePlan& plan = object.plan();
-  return {object.has_checkpoint(),    object.bytes(),
-          object.sequence(),          plan.slots,
-          plan.slots_per_block,       plan.blocks(plan.most_bytes),
-          plan.units(plan.most_bytes)};
+  return {object.has_checkpoint(),   object.bytes(),
+          object.sequence(),         plan.slots,
+          plan.slots_per_block,      plan.blocks(plan.max_bytes),
+          plan.units(plan.max_bytes)};
 }
 discmc_status discmc_store_restore(discmc_store* store, const discmc_memory* parts,
                                    uint32_t count) {

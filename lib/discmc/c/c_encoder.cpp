@@ -31,7 +31,7 @@ discmc_sink_result discmc_encoder_take(void* encoder, const discmc_event* event)
 }
 discmc_status discmc_encoder_write_record(discmc_encoder* encoder,
                                           const discmc_application_record* record) {
-  return c(encoder->encoder.tell(cpp(*record)));
+  return c(encoder->encoder.write_record(cpp(*record)));
 }
 discmc_status discmc_encoder_flush(discmc_encoder* encoder) {
   return encoder->encoder.flush() ? DISCMC_OK : DISCMC_SUSPENDED;

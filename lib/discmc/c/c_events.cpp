@@ -36,7 +36,7 @@ static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
                   DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
                   DISCMC_FINISHED == static_cast<int>(Status::finished) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
-                  DISCMC_SINK_NOT_STARTED == static_cast<int>(Answer::never) &&
+                  DISCMC_SINK_NOT_STARTED == static_cast<int>(SinkResult::not_started) &&
                   DISCMC_OPEN == static_cast<int>(Border::open) &&
                   DISCMC_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row) &&
                   DISCMC_ANY_ORDER == static_cast<int>(InputOrder::any) &&
@@ -59,7 +59,7 @@ extern "C" {
 
 const char* discmc_status_string(discmc_status status) {
   if (status == DISCMC_BAD_SAMPLES) return "samples of a type that the kind does not take";
-  return text(static_cast<Status>(status));
+  return to_string(static_cast<Status>(status));
 }
 
 discmc_vertex discmc_incidence_normal(uint8_t incidence) {

@@ -34,20 +34,20 @@ void* discmc_row_ring_free_row(const discmc_row_ring* ring, uint32_t ahead) {
   return ring->ring.free_row(ahead);
 }
 void discmc_row_ring_commit(discmc_row_ring* ring) {
-  ring->ring.fill();
+  ring->ring.commit();
 }
 uint32_t discmc_row_ring_drop(discmc_row_ring* ring, uint32_t rows) {
-  ring->ring.lose(rows);
-  return ring->ring.came();
+  ring->ring.drop(rows);
+  return ring->ring.produced();
 }
 void discmc_row_ring_end(discmc_row_ring* ring) {
   ring->ring.end();
 }
 discmc_row discmc_row_ring_peek(const discmc_row_ring* ring) {
-  return {static_cast<uint8_t>(ring->ring.next()), ring->ring.row(), ring->ring.passed()};
+  return {static_cast<uint8_t>(ring->ring.peek()), ring->ring.row(), ring->ring.consumed()};
 }
 void discmc_row_ring_pop(discmc_row_ring* ring) {
-  ring->ring.pass();
+  ring->ring.pop();
 }
 
 uint32_t discmc_packed_bytes(uint8_t packing, uint32_t count) {

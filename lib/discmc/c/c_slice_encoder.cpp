@@ -106,7 +106,7 @@ discmc_status discmc_slice_encoder_abandon(discmc_slice_encoder* encoder) {
 }
 discmc_status discmc_slice_encoder_write_record(discmc_slice_encoder* encoder,
                                                 const discmc_application_record* record) {
-  return c(encoder->encoder.tell(cpp(*record)));
+  return c(encoder->encoder.write_record(cpp(*record)));
 }
 discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder) {
   return c(encoder->encoder.flush());

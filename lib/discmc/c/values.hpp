@@ -53,9 +53,10 @@ struct WithSink {
     sink = to;
     return {this, to.take == nullptr ? nullptr : offer};
   }
-  static Answer offer(void* context, const Event& event) {
+  static SinkResult offer(void* context, const Event& event) {
     const discmc_sink& to = static_cast<const WithSink*>(context)->sink;
-    return static_cast<Answer>(to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
+    return static_cast<SinkResult>(
+        to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
   }
 };
 

@@ -18,8 +18,8 @@ uint32_t checksum_of(const StoredHead& head) {
 
 }  // namespace
 
-Status CheckpointStore::start(const FlashDevice& device, uint32_t most_bytes, Memory buffer) {
-  const StorePlan plan = store_plan(device.geometry, most_bytes);
+Status CheckpointStore::start(const FlashDevice& device, uint32_t max_bytes, Memory buffer) {
+  const StorePlan plan = store_plan(device.geometry, max_bytes);
   if (device.read == nullptr || device.program == nullptr || !plan.is_valid())
     return Status::bad_device;
   if (buffer.data == nullptr || buffer.bytes < device.geometry.program_bytes)
@@ -125,7 +125,7 @@ bool CheckpointStore::set_parts(const Memory* parts, uint32_t count) {
   if (count > max_parts) return false;
   uint32_t bytes = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    if (parts[i].bytes > plan_.most_bytes - bytes) return false;
+    if (parts[i].bytes > plan_.max_bytes - bytes) return false;
     bytes += static_cast<uint32_t>(parts[i].bytes);
     pieces_.of[i + 1] = parts[i];
   }
@@ -174,10 +174,10 @@ void CheckpointStore::move_pieces(bool to_unit) {
 
 Status CheckpointStore::erase_ahead(uint32_t bytes) {
   if (!is_started()) return Status::not_started;
-  const uint32_t blocks = plan_.blocks(bytes < plan_.most_bytes ? bytes : plan_.most_bytes);
+  const uint32_t blocks = plan_.blocks(bytes < plan_.max_bytes ? bytes : plan_.max_bytes);
   if (erased_ >= blocks) return Status::ok;
   if (!erase_block()) return fail();
-  return erased_ < blocks ? Status::more : Status::ok;
+  return erased_ < blocks ? Status::suspended : Status::ok;
 }
 
 Status CheckpointStore::save(const Memory* parts, uint32_t count) {
@@ -202,9 +202,9 @@ Status CheckpointStore::step() {
   const bool is_in_erased = plan_.slots_per_block > 1
                                 ? erased_ > 0
                                 : unit_ / device_.geometry.units_per_block() < erased_;
-  if (!is_in_erased) return erase_block() ? Status::more : fail();
+  if (!is_in_erased) return erase_block() ? Status::suspended : fail();
   if (!program_unit()) return fail();
-  if (pieces_.at < pieces_.count) return Status::more;
+  if (pieces_.at < pieces_.count) return Status::suspended;
   if (device_.sync != nullptr && device_.sync(device_.context) != 0) return fail();
   complete();
   return Status::ok;

@@ -9,29 +9,29 @@ void* RowRing::free_row(uint32_t ahead) const {
   return rows_ + size_t{place} * row_bytes_;
 }
 
-void RowRing::fill() {
-  numbers_[fill_place_] = came_;
+void RowRing::commit() {
+  numbers_[fill_place_] = produced_;
   fill_place_ = fill_place_ + 1 == room_ ? 0 : fill_place_ + 1;
   store_release(filled_, filled_ + 1);
-  store_release(came_, came_ + 1);
+  store_release(produced_, produced_ + 1);
 }
 
-RowRing::Next RowRing::next() const {
+RowRing::Next RowRing::peek() const {
   // In the order opposite to that in which they are written: of the rows that have come, those that
   // were filled are known then, and the last one is when there is an end.
   const bool was_last = load_acquire(ended_) != 0;
-  const uint32_t came = load_acquire(came_);
+  const uint32_t incoming = load_acquire(produced_);
   const bool is_there = load_acquire(filled_) != emptied_;
-  if (is_there && numbers_[empty_place_] == passed_) return Next::row;
+  if (is_there && numbers_[empty_place_] == consumed_) return Next::row;
   // A row that was passed may not have been counted yet.
-  const bool is_behind = static_cast<int32_t>(came - passed_) > 0;
+  const bool is_behind = static_cast<int32_t>(incoming - consumed_) > 0;
   if (is_there || is_behind) return Next::lost;
   return was_last ? Next::end : Next::nothing;
 }
 
-void RowRing::pass() {
-  const bool is_row = load_acquire(filled_) != emptied_ && numbers_[empty_place_] == passed_;
-  ++passed_;
+void RowRing::pop() {
+  const bool is_row = load_acquire(filled_) != emptied_ && numbers_[empty_place_] == consumed_;
+  ++consumed_;
   if (!is_row) return;
   empty_place_ = empty_place_ + 1 == room_ ? 0 : empty_place_ + 1;
   store_release(emptied_, emptied_ + 1);

@@ -3,11 +3,11 @@
 //
 //   the interrupt of the sensor             the task
 //
-//   ring.free_row()  where a row goes       ring.next()  row:     extractor.push(ring.row(), width)
-//   ring.fill()      it is there                         lost:    extractor.skip_row(substitute)
-//   ring.lose()      or it is lost                       nothing: sleep until an interrupt has come
+//   ring.free_row()  where a row goes       ring.peek()  row:     extractor.push(ring.row(), width)
+//   ring.commit()      it is there                         lost:    extractor.skip_row(substitute)
+//   ring.drop()      or it is lost                       nothing: sleep until an interrupt has come
 //   ring.end()       none follows                        end:     extractor.finish()
-//                                           ring.pass()  after a row, and after a lost one
+//                                           ring.pop()  after a row, and after a lost one
 //
 // A row that comes while the ring is full is lost, and so known to the task in its place among the
 // others: what is behind it does not shift.
@@ -60,8 +60,8 @@ class RowRing {
     rows_ = arena.take<uint8_t>(row_bytes_ * rows);
     numbers_ = arena.take<uint32_t>(rows);
     room_ = rows;
-    filled_ = came_ = ended_ = fill_place_ = 0;
-    emptied_ = passed_ = empty_place_ = 0;
+    filled_ = produced_ = ended_ = fill_place_ = 0;
+    emptied_ = consumed_ = empty_place_ = 0;
     return Status::ok;
   }
 
@@ -72,34 +72,34 @@ class RowRing {
   void* free_row(uint32_t ahead = 0) const;
 
   /// The free row has been filled. Limit: there was one.
-  void fill();
+  void commit();
 
   /// Rows were lost, before the one that will be filled next: without room, damaged, or missed.
   /// Limit: fewer than 2^31 in succession.
-  void lose(uint32_t rows = 1) { store_release(came_, came_ + rows); }
+  void drop(uint32_t rows = 1) { store_release(produced_, produced_ + rows); }
 
   /// No row follows.
   void end() { store_release(ended_, 1); }
 
   /// The number of the row that comes next: of so many before it, each was filled or lost. Units:
   /// rows, modulo 2^32.
-  uint32_t came() const { return came_; }
+  uint32_t produced() const { return produced_; }
 
   // ---- the consumer: a task, or the main loop ----
 
   /// What comes next. Harmless at any time.
-  Next next() const;
+  Next peek() const;
 
-  /// The bytes of the row, which may be changed in place: see packed_samples.hpp. Limit: next() is
+  /// The bytes of the row, which may be changed in place: see packed_samples.hpp. Limit: peek() is
   /// `row`.
   void* row() const { return rows_ + size_t{empty_place_} * row_bytes_; }
 
-  /// Goes on behind what next() told; a row is free again. Limit: next() is `row` or `lost`.
-  void pass();
+  /// Goes on behind what peek() told; a row is free again. Limit: peek() is `row` or `lost`.
+  void pop();
 
-  /// The number of what comes next, as came(), and how many rows were lost before it.
-  uint32_t passed() const { return passed_; }
-  uint32_t lost() const { return passed_ - emptied_; }
+  /// The number of what comes next, as produced(), and how many rows were lost before it.
+  uint32_t consumed() const { return consumed_; }
+  uint32_t lost() const { return consumed_ - emptied_; }
 
  private:
   uint8_t* rows_ = nullptr;
@@ -108,12 +108,12 @@ class RowRing {
   uint32_t room_ = 0;
   // Written by the producer.
   uint32_t filled_ = 0;      // rows so far
-  uint32_t came_ = 0;        // those and the lost ones; written after filled_
-  uint32_t ended_ = 0;       // 1: came_ is the last
+  uint32_t produced_ = 0;    // those and the lost ones; written after filled_
+  uint32_t ended_ = 0;       // 1: produced_ is the last
   uint32_t fill_place_ = 0;  // in the ring
   // Written by the consumer.
   uint32_t emptied_ = 0;
-  uint32_t passed_ = 0;
+  uint32_t consumed_ = 0;
   uint32_t empty_place_ = 0;
 };
 

@@ -50,8 +50,8 @@ bool name_vertices(const Vertex* vertices, uint32_t* order, uint32_t* name, uint
 
 }  // namespace
 
-void unfold(Incidence incidence, const Vertex& start, const Run* runs, uint32_t count,
-            Vertex* vertices) {
+void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, uint32_t count,
+                   Vertex* vertices) {
   Vertex vertex = start;
   for (uint32_t i = 0; i < count; ++i) {
     const Vertex step = direction_vector(incidence, runs[i].direction());

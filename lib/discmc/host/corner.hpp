@@ -13,15 +13,17 @@ class CornerCode {
  public:
   /// Slices that fit, the row before the first one and what lies behind the last included: its
   /// centroids, and the slice above a slab.
-  static constexpr int32_t most_slices = 32760;
+  static constexpr int32_t max_slices = 32760;
   /// In place of a link that lies beyond the seam of a slab.
   static constexpr Link beyond_seam = link_codes;
 
   constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
 
   /// The lowest 16 bits.
-  static constexpr uint16_t sides(Incidence incidence, Link came, Link onwards, bool is_origin) {
-    return static_cast<uint16_t>((is_origin ? 1 : 0) | onwards << 1 | came << 6 | incidence << 11);
+  static constexpr uint16_t sides(Incidence incidence, Link incoming, Link onwards,
+                                  bool is_origin) {
+    return static_cast<uint16_t>((is_origin ? 1 : 0) | onwards << 1 | incoming << 6 |
+                                 incidence << 11);
   }
   /// The others, or what has to be added to them.
   static constexpr uint64_t vector(const Vertex& v) {

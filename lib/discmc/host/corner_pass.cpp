@@ -28,10 +28,10 @@ uint32_t corner_passes(const Pass& pass, int axis, CornerPass* passes) {
   const Port out = pass.goes_ahead() ? entry_of(pass.out) : exit_of(pass.out);
   const Vertex vertex{axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
   const Vertex centroid = vertex + link_vector(pass.first);
-  const auto corner = [&](Port from, Port to, Link came, Link onwards, const Vertex& at) {
+  const auto corner = [&](Port from, Port to, Link incoming, Link onwards, const Vertex& at) {
     CornerPass made;
     made.corner = CornerCode::vector(at) +
-                  CornerCode::sides(pass.incidence, came, onwards, is_entry(from & to));
+                  CornerCode::sides(pass.incidence, incoming, onwards, is_entry(from & to));
     made.in = from;
     made.out = to;
     made.if_straight = 0;
@@ -40,11 +40,12 @@ uint32_t corner_passes(const Pass& pass, int axis, CornerPass* passes) {
   };
   // Whether a chain that comes from ahead by a centroid turns there is not known: so a begin that
   // waits for it has a corner here.
-  const bool comes_round = pass.comes_from_ahead && (centroid_links.of[axis] >> pass.came & 1) != 0;
+  const bool comes_round =
+      pass.comes_from_ahead && (centroid_links.of[axis] >> pass.incoming & 1) != 0;
   const bool turns = pass.turns() || comes_round;
   const bool turns_at_centroid = pass.turns_at_centroid();
   if (!turns || !turns_at_centroid) {
-    passes[0] = corner(in, out, pass.came, pass.second, turns_at_centroid ? centroid : vertex);
+    passes[0] = corner(in, out, pass.incoming, pass.second, turns_at_centroid ? centroid : vertex);
     if (!turns && !turns_at_centroid && is_entry(in ^ out)) passes[0].if_straight = -1;
     return 1;
   }
@@ -53,7 +54,7 @@ uint32_t corner_passes(const Pass& pass, int axis, CornerPass* passes) {
   const bool has_centroid_first = !pass.goes_ahead();
   const Port leave = has_centroid_first ? exit_of(inner_queue) : entry_of(inner_queue);
   const Port enter = has_centroid_first ? entry_of(inner_queue) : exit_of(inner_queue);
-  passes[has_centroid_first ? 1 : 0] = corner(in, leave, pass.came, pass.first, vertex);
+  passes[has_centroid_first ? 1 : 0] = corner(in, leave, pass.incoming, pass.first, vertex);
   passes[has_centroid_first ? 0 : 1] = corner(enter, out, pass.first, pass.second, centroid);
   return 2;
 }

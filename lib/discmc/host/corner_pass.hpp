@@ -35,7 +35,7 @@ struct CornerPass {
   int16_t if_straight;  ///< all bits where there is no corner: the end goes from port to port
   uint16_t joins;       ///< 1 where two ends are taken out, else 0
 
-  static constexpr uint32_t most_of_pass = 2;
+  static constexpr uint32_t max_of_pass = 2;
 };
 
 /// Writes a pass at a vertex on an edge along an axis down as at most most_of_pass corner passes,

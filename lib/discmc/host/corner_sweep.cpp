@@ -61,9 +61,9 @@ bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sin
 // on the cells above alone, which take part: so all ends are there that those of the slab wait for.
 void CornerSweep::open_seam(const SweptRow& row) {
   while (passes_beyond_.find(row, counts_)) {
-    constexpr uint32_t most = Corners::most_cut;
+    constexpr uint32_t most = Corners::max_cut;
     if (keeps_corners_ &&
-        (row.z >= CornerCode::most_slices || !corners_.make_room(records(), most, most)))
+        (row.z >= CornerCode::max_slices || !corners_.make_room(records(), most, most)))
       hand_over(row, 0);
     for (; passes_beyond_.has_next(); passes_beyond_.advance()) {
       const Pass& pass = passes_beyond_.pass();
@@ -101,7 +101,7 @@ bool CornerSweep::sweep_corners(const SweptRow& row, const Sink& sink, Statistic
   }
   SweepCounts counts = counts_;
   while (learnt_.find(row, counts)) {
-    if (row.z >= CornerCode::most_slices ||
+    if (row.z >= CornerCode::max_slices ||
         !corners_.make_room(records(), learnt_.count(), learnt_.edges())) {
       hand_over(row, learnt_.first_word());
       passes_.go_on_from(learnt_.first_word());
@@ -184,7 +184,7 @@ bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& stati
   uint64_t links = 0;
   const auto tell = [&](Event::Kind kind) {
     event.kind = kind;
-    if (sink.take(sink.context, event) != Answer::taken) return false;
+    if (sink.take(sink.context, event) != SinkResult::accepted) return false;
     ++taken;
     return true;
   };
@@ -226,7 +226,7 @@ void CornerSweep::put_out(const Chain& chain) {
   outgoing.kind = start.begins_at_seam() ? Kind::fragment : Kind::ring;
   outgoing.incidence = start.incidence();
   outgoing.start = start.vertex();
-  outgoing.came = sector_table.direction(start.incidence(), start.onwards());
+  outgoing.incoming = sector_table.direction(start.incidence(), start.onwards());
   outgoing.last = no_record;
   uint32_t at = chain.start;
   do {

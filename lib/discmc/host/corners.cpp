@@ -179,14 +179,14 @@ void append_side(Records& records, uint32_t& list, CornerCode from, CornerCode t
 // ---- room ----
 
 bool Corners::start(Records& records) {
-  constexpr uint32_t block = least_slots / slots_per_record;
+  constexpr uint32_t block = min_slots / slots_per_record;
   corners_ = free_corners_ = free_places_ = 0;
   free_ = no_record;
   joins_ = next_join_ = 0;
-  if (records.available() < least_records) return false;
+  if (records.available() < min_records) return false;
   for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
     count_[exit_of(queue)] = count_[entry_of(queue)] = 0;
-    set_ring(records, queue, least_slots - 1, records.take_fresh(block));
+    set_ring(records, queue, min_slots - 1, records.take_fresh(block));
   }
   return true;
 }
@@ -284,13 +284,13 @@ void Corners::take(Records& records, const LearntPasses& passes) {
 }
 
 void Corners::cut_at_seam(Records& records, const Pass& pass, const Vertex& vertex) {
-  const auto corner_at = [&](const Vertex& at, Link came, Link onwards) {
+  const auto corner_at = [&](const Vertex& at, Link incoming, Link onwards) {
     return CornerCode(CornerCode::position(at) |
-                      CornerCode::sides(pass.incidence, came, onwards, true));
+                      CornerCode::sides(pass.incidence, incoming, onwards, true));
   };
   if (pass.in >= first_rising_queue)
     add_at_seam(records, pass.in, pass.comes_from_ahead,
-                corner_at(vertex, pass.came, CornerCode::beyond_seam));
+                corner_at(vertex, pass.incoming, CornerCode::beyond_seam));
   if (pass.out >= first_rising_queue)
     add_at_seam(records, pass.out, pass.goes_ahead(),
                 corner_at(Chains::next_vertex(pass, vertex), CornerCode::beyond_seam, pass.second));

@@ -61,10 +61,10 @@ class Corners {
   // Of the ring of a queue.
   static constexpr uint32_t slots_per_record =
       sizeof(Record<uint32_t, NoNormal>) / sizeof(uint32_t);
-  static constexpr uint32_t least_slots = 512;
-  static_assert(least_slots / 2 >= LearntPasses::most_edges, "a queue that is half full has room");
+  static constexpr uint32_t min_slots = 512;
+  static_assert(min_slots / 2 >= LearntPasses::max_edges, "a queue that is half full has room");
   /// Twice what queues take.
-  static constexpr uint32_t least_records = 2 * (inner_queue + 1) * least_slots / slots_per_record;
+  static constexpr uint32_t min_records = 2 * (inner_queue + 1) * min_slots / slots_per_record;
 
   /// Begins with records that have just been cleared. False when they are fewer than the least.
   bool start(Records& records);
@@ -81,7 +81,7 @@ class Corners {
   void take(Records& records, const LearntPasses& passes);
 
   /// The most corners that cut_at_seam() makes of the passes at a vertex.
-  static constexpr uint32_t most_cut = 2 * PassList::most;
+  static constexpr uint32_t max_cut = 2 * PassList::most;
   /// Cuts a chain off at a seam, at a vertex of the slice beyond it: there it ends, and at the next
   /// vertex it begins. Below a slab, the end waits for what comes; above, it is met. Limit: below,
   /// as take(); above, all records may be used that are set aside, and there is no hand_over().
@@ -103,7 +103,7 @@ class Corners {
   // For handing over, records are set aside: a corner that waits at both its ends becomes two ends
   // and, as both its sides may be long, up to six records of runs.
   static constexpr uint32_t records_a_corner = 10;
-  static constexpr uint32_t most_joins = LearntPasses::most_edges * PassList::most;
+  static constexpr uint32_t max_joins = LearntPasses::max_edges * PassList::most;
 
   /// Chains that have met: the one that comes names the corner before; `to` is the one that goes.
   struct Join {
@@ -133,7 +133,7 @@ class Corners {
   uint32_t count_[ports] = {};
   uint32_t mask_[ports] = {};
   uint32_t first_[ports] = {};
-  Join join_[most_joins + 1] = {};
+  Join join_[max_joins + 1] = {};
 };
 
 /// Appends the straight side between two corners to a list of runs.

@@ -80,7 +80,7 @@ void LearntPasses::learn_in(Memory memory) {
   constexpr size_t lost = Arena::alignment - 1;
   const size_t entries = memory.bytes < lost ? 0 : (memory.bytes - lost) / sizeof(Learnt);
   uint32_t bits = 1;
-  while (bits < most_entry_bits && size_t{2} << bits <= entries) ++bits;
+  while (bits < max_entry_bits && size_t{2} << bits <= entries) ++bits;
   further_bits_ = bits - 1;
   learnt_ = Arena(memory).take<Learnt>(uint32_t{1} << bits);
   for (uint32_t i = 0; learnt_ != nullptr && i < uint32_t{1} << bits; ++i) learnt_[i].known = 0;
@@ -108,7 +108,7 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
   const uint64_t origin = CornerCode::position({-2, 2 * row.y, 2 * row.z});
   Edge* edge = edge_;
   uint32_t word = word_;
-  for (; word < row.words && edge <= edge_ + (most_edges - 3 * columns_per_word);
+  for (; word < row.words && edge <= edge_ + (max_edges - 3 * columns_per_word);
        word = pass_by(row, word + 1)) {
     Crossings crossings;
     if (!crossings.find(row, word)) continue;
@@ -154,7 +154,7 @@ void LearntPasses::look_up(const SweptRow& row, SweepCounts& counts) {
     const uint32_t place = edge->key * 0x9E3779B1U >> shift;
     const Learnt& entry = learnt[place];
     const uint32_t count = entry.known ^ edge->key << count_bits;
-    if (count > most_learnt) {
+    if (count > max_learnt) {
       const Derived derived = derive(row, *edge, place, found);
       found += derived.count;
       sum.add(derived.parts);
@@ -189,7 +189,7 @@ DISCMC_NOINLINE LearntPasses::Derived LearntPasses::derive(const SweptRow& row, 
     for (uint32_t k = 0; k < numbers.count; ++k) found[count++] = edge.voxel + numbers.first + k;
   }
   const bool is_complete = (edge.key & all_voxels) != all_voxels;
-  if (learnt_ != nullptr && is_complete && count <= most_learnt) {
+  if (learnt_ != nullptr && is_complete && count <= max_learnt) {
     // What does not fit into an entry stands in the one beside it, which then is of no other use.
     Learnt& entry = learnt_[place];
     Learnt& beside = learnt_[place ^ 1];

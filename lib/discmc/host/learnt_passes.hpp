@@ -18,7 +18,7 @@ namespace discmc::trace {
 class LearntPasses {
  public:
   /// Edges at a time: those of a word and some more.
-  static constexpr uint32_t most_edges = 128;
+  static constexpr uint32_t max_edges = 128;
 
   /// Forgets everything, and remembers in this memory from now on, however it is aligned: in the
   /// largest power of two of entries of 16 bytes that has room, 2^20 at most. Without memory, or
@@ -40,11 +40,11 @@ class LearntPasses {
   const NumberedPasses& numbered() const { return numbered_; }
 
  private:
-  static constexpr uint32_t most_entry_bits = 20;
+  static constexpr uint32_t max_entry_bits = 20;
   static constexpr uint32_t count_bits = 3;
-  static constexpr uint32_t most_learnt = (1U << count_bits) - 1;
+  static constexpr uint32_t max_learnt = (1U << count_bits) - 1;
   static constexpr uint32_t passes_an_entry = 4;
-  static constexpr uint32_t most_at_vertex = PassList::most * CornerPass::most_of_pass;
+  static constexpr uint32_t max_at_vertex = PassList::most * CornerPass::max_of_pass;
 
   struct Edge {
     uint64_t voxel;  // at its lower end: CornerCode::position()
@@ -57,7 +57,7 @@ class LearntPasses {
     uint32_t parts;  // of counts: see CountParts
     uint16_t pass[passes_an_entry];  // their numbers
 
-    uint32_t count() const { return known & most_learnt; }
+    uint32_t count() const { return known & max_learnt; }
   };
 
   struct Derived {
@@ -76,8 +76,8 @@ class LearntPasses {
   uint32_t first_word_ = 0;
   uint32_t edges_ = 0;
   uint32_t count_ = 0;
-  Edge edge_[most_edges + 3] = {};
-  FoundPass pass_[most_edges * most_at_vertex] = {};
+  Edge edge_[max_edges + 3] = {};
+  FoundPass pass_[max_edges * max_at_vertex] = {};
   NumberedPasses numbered_;
 };
 

@@ -23,7 +23,7 @@ NumberedPasses::Numbers NumberedPasses::of(const Pass& pass, int axis) {
     place = (place + 1) % (1U << place_bits);
   Known& known = known_[place];
   if (known.numbers.count == 0) {
-    CornerPass made[CornerPass::most_of_pass];
+    CornerPass made[CornerPass::max_of_pass];
     const uint32_t count = corner_passes(pass, axis, made);
     known.pass = bits;
     known.numbers = {static_cast<uint16_t>(count_), static_cast<uint16_t>(count)};

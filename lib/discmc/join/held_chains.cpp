@@ -19,7 +19,7 @@ void widen(HeldChain& chain, int32_t low, int32_t high) {
 
 }  // namespace
 
-uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction came) {
+uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction incoming) {
   const uint32_t chain = chains_.take();
   if (chain == no_record) return no_record;
   const int32_t height = height_of(incidence, start);
@@ -31,7 +31,7 @@ uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction ca
                     height,
                     height,
                     incidence,
-                    came,
+                    incoming,
                     0,
                     HeldChain::State::open};
   return chain;
@@ -49,7 +49,7 @@ bool HeldChains::append(uint32_t index, Run run, OctahedralNormal normal) {
   if (is_first || !runs_[chain.last_run].run.absorb(run)) {
     const uint32_t added = runs_.take();
     if (added == no_record) return false;
-    const Direction before = is_first ? chain.came : runs_[chain.last_run].run.direction();
+    const Direction before = is_first ? chain.incoming : runs_[chain.last_run].run.direction();
     chain.turn = turned(chain, before, run.direction());
     runs_[added] = {no_record, run, normal};
     (is_first ? chain.first_run : runs_[chain.last_run].next) = added;
@@ -99,7 +99,7 @@ void HeldChains::drop_first_run(uint32_t index) {
 
 WaitingKey HeldChains::start_key(uint32_t index) const {
   const HeldChain& chain = chains_[index];
-  return {chain.start, chain.incidence, chain.came};
+  return {chain.start, chain.incidence, chain.incoming};
 }
 
 WaitingKey HeldChains::end_key(uint32_t index) const {

@@ -33,8 +33,8 @@ struct HeldChain {
   Vertex end;         ///< of an open one
   int32_t low, high;  ///< from where to where it reaches, along v (chain.hpp)
   Incidence incidence;
-  Direction came;  ///< the direction of the link by which it came to its start
-  uint8_t turn;    ///< the sum of its turns, the one at its start included, modulo 256
+  Direction incoming;  ///< the direction of the link by which it came to its start
+  uint8_t turn;        ///< the sum of its turns, the one at its start included, modulo 256
   State state;
 
   constexpr bool is_hole() const { return state >= State::hole; }
@@ -57,7 +57,7 @@ class HeldChains {
   }
 
   /// An open chain without runs, or no_record when there is no room.
-  uint32_t take(Incidence incidence, const Vertex& start, Direction came);
+  uint32_t take(Incidence incidence, const Vertex& start, Direction incoming);
 
   /// Gives a chain back, and its runs. Cost: its runs.
   void give(uint32_t chain);

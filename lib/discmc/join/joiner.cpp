@@ -35,9 +35,9 @@ Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink
   return Status::ok;
 }
 
-Answer Joiner::take(const Event& event) {
-  if (sink_.take == nullptr) return Answer::never;
-  return settle() && accept(event) ? Answer::taken : answer_;
+SinkResult Joiner::take(const Event& event) {
+  if (sink_.take == nullptr) return SinkResult::not_started;
+  return settle() && accept(event) ? SinkResult::accepted : answer_;
 }
 
 Status Joiner::finish() {
@@ -65,11 +65,12 @@ bool Joiner::accept(const Event& event) {
 bool Joiner::begin_fragment(const Event& event) {
   region_.forget();
   if (!is_short_) {
-    if (!is_incidence(event.incidence) || !is_direction_of(event.incidence, event.came)) {
+    if (!is_incidence(event.incidence) ||
+        !is_direction_of(event.incidence, event.incoming_direction)) {
       arrival_ = Arrival::ignored;
       return true;
     }
-    arriving_ = chains().take(event.incidence, event.start, event.came);
+    arriving_ = chains().take(event.incidence, event.start, event.incoming_direction);
     if (arriving_ != no_record) {
       arrival_ = Arrival::held;
       return true;
@@ -149,7 +150,7 @@ bool Joiner::take_finish(const Event& event) {
 
 bool Joiner::offer(const Event& event) {
   answer_ = sink_.take(sink_.context, event);
-  return answer_ == Answer::taken;
+  return answer_ == SinkResult::accepted;
 }
 
 bool Joiner::pass(const Event& event) {
@@ -224,7 +225,7 @@ Event Joiner::next_event() const {
     return event;
   }
   event.incidence = chain.incidence;
-  event.came = chain.came;
+  event.incoming_direction = chain.incoming;
   event.hole = chain.is_hole();
   event.start = chain.start;
   return event;

@@ -7,8 +7,8 @@ using slices::RowNote;
 namespace {
 
 // What a step or a note may read. Units: bytes.
-constexpr size_t most_of_a_step = 4;
-static_assert(most_of_a_step <= wire::packet_head, "what is left has room before a payload");
+constexpr size_t max_of_a_step = 4;
+static_assert(max_of_a_step <= wire::packet_head, "what is left has room before a payload");
 
 }  // namespace
 
@@ -126,7 +126,7 @@ void SliceDecoder::open_slices() {
   }
   // A code begins with a row, or where the one before was cut, and with as many bytes as a decoder
   // asks for first.
-  if (row_is_begun_ != goes_on_in_row || (bytes < most_of_a_step && !code_is_over_))
+  if (row_is_begun_ != goes_on_in_row || (bytes < max_of_a_step && !code_is_over_))
     return give_up();
   coder_.range = RangeDecoder(code, bytes);
 }
@@ -150,7 +150,7 @@ bool SliceDecoder::begin_key_slice() {
 
 // Whether the bytes at hand suffice for a step, whatever it is.
 bool SliceDecoder::can_read() const {
-  return code_is_over_ || coder_.range.left() >= most_of_a_step;
+  return code_is_over_ || coder_.range.left() >= max_of_a_step;
 }
 
 // Never where the code is not cut: of a row that is begun voxels are left.
@@ -288,7 +288,7 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
     event.bits = bits_;
   }
   answer_ = sink_.take(sink_.context, event);
-  return answer_ == Answer::taken;
+  return answer_ == SinkResult::accepted;
 }
 
 }  // namespace discmc

@@ -43,7 +43,7 @@ Status SliceEncoder::ready_for_row() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   (void)work();
-  if (row_is_due_) return Status::more;  // it has the place of the next one
+  if (row_is_due_) return Status::suspended;  // it has the place of the next one
   if (slices() >= Limits::max_slices) return Status::too_deep;
   return Status::ok;
 }
@@ -104,17 +104,17 @@ PushResult SliceEncoder::take_row(RowNote note) {
 
 Status SliceEncoder::resume() {
   if (state_ == State::idle) return Status::not_started;
-  return work() ? Status::ok : Status::more;
+  return work() ? Status::ok : Status::suspended;
 }
 
 Status SliceEncoder::flush() {
   if (state_ == State::idle) return Status::not_started;
-  if (!work()) return Status::more;
-  if (code_is_open_ && !end_code()) return Status::more;
+  if (!work()) return Status::suspended;
+  if (code_is_open_ && !end_code()) return Status::suspended;
   return Status::ok;
 }
 
-Status SliceEncoder::tell(const ApplicationRecord& record) {
+Status SliceEncoder::write_record(const ApplicationRecord& record) {
   if (state_ == State::finishing || state_ == State::finished) return Status::finished;
   if (record.count > ApplicationRecord::max_bytes) return Status::bad_record;
   const Status status = flush();
@@ -164,7 +164,7 @@ size_t SliceEncoder::bytes_used() const {
 
 Status SliceEncoder::save(Checkpoint<SliceEncoder>& checkpoint) const {
   if (state_ == State::idle) return Status::not_started;
-  if (is_suspended()) return Status::more;
+  if (is_suspended()) return Status::suspended;
   SliceEncoder& image = checkpoint.object;
   image = *this;
   // Addresses are of no use to whoever restores it.

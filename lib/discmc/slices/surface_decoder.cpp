@@ -6,7 +6,7 @@ namespace {
 
 // Whether the row has to be offered again: one beyond the last slice there can be is never taken.
 bool is_refused(PushResult row) {
-  return row.status == Status::more && row.samples == 0;
+  return row.status == Status::suspended && row.samples == 0;
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ Status SurfaceDecoder::begin_sweep() {
   constexpr int32_t any = 0;  // bits are not compared
   // The slice decoder tells of the start, and knows more of it.
   const auto pass_all_else = [](void* context, const Event& event) {
-    return event.kind == Event::Kind::start ? Answer::taken
+    return event.kind == Event::Kind::start ? SinkResult::accepted
                                             : static_cast<SurfaceDecoder*>(context)->pass(event);
   };
   const Status status = extractor_.start(limits, any, rest, {this, pass_all_else});
@@ -84,21 +84,21 @@ Status SurfaceDecoder::finish() {
 
 // ---- rows ----
 
-Answer SurfaceDecoder::take(const RowEvent& event) {
+SinkResult SurfaceDecoder::take(const RowEvent& event) {
   switch (event.kind) {
     case RowEvent::Kind::start:
       return begin(*event.header);
     case RowEvent::Kind::row:
-      if (event.channel != wanted_channel()) return Answer::taken;
-      return is_refused(extractor_.push_bits(event.bits)) ? Answer::not_now : Answer::taken;
+      if (event.channel != wanted_channel()) return SinkResult::accepted;
+      return is_refused(extractor_.push_bits(event.bits)) ? SinkResult::busy : SinkResult::accepted;
     case RowEvent::Kind::skipped:
-      if (event.channel != wanted_channel()) return Answer::taken;
+      if (event.channel != wanted_channel()) return SinkResult::accepted;
       return skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
     case RowEvent::Kind::lost:
       return skip(event.count, Substitute::off);
     case RowEvent::Kind::application: {
       // What the rows before it have made comes first, and all of a region together.
-      if (extractor_.resume() == Status::more) return Answer::not_now;
+      if (extractor_.resume() == Status::suspended) return SinkResult::busy;
       Event same{};
       same.kind = Event::Kind::application;
       same.application = event.application;
@@ -111,7 +111,7 @@ Answer SurfaceDecoder::take(const RowEvent& event) {
 }
 
 // Of several surfaces in the stream the header of the one that is wanted, as if it were alone.
-Answer SurfaceDecoder::begin(const StreamHeader& all) {
+SinkResult SurfaceDecoder::begin(const StreamHeader& all) {
   StreamHeader header = all;
   header.channel = wanted_channel();
   header.threshold = all.threshold_of(header.channel - uint32_t{all.channel});
@@ -123,21 +123,21 @@ Answer SurfaceDecoder::begin(const StreamHeader& all) {
   return pass(event);
 }
 
-Answer SurfaceDecoder::skip(uint64_t rows, Substitute substitute) {
+SinkResult SurfaceDecoder::skip(uint64_t rows, Substitute substitute) {
   for (uint32_t now = 0; skipped_rows_ < rows; ++skipped_rows_, ++now) {
-    if (now == most_skipped_rows) return Answer::not_now;
+    if (now == max_skipped_rows) return SinkResult::busy;
     const PushResult row = extractor_.skip_row(substitute);
-    if (is_refused(row)) return Answer::not_now;
+    if (is_refused(row)) return SinkResult::busy;
     if (row.samples == 0) break;
   }
   skipped_rows_ = 0;
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
-Answer SurfaceDecoder::end(bool is_abandoned) {
+SinkResult SurfaceDecoder::end(bool is_abandoned) {
   Status status = is_abandoned ? extractor_.abandon() : extractor_.finish();
   if (status == Status::slice_in_progress) status = extractor_.abandon();
-  return status == Status::more ? Answer::not_now : Answer::taken;
+  return status == Status::suspended ? SinkResult::busy : SinkResult::accepted;
 }
 
 }  // namespace discmc

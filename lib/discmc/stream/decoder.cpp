@@ -196,7 +196,7 @@ bool Decoder::read_fragment() {
       is_last = model_.is_last_link(false);
     }
     if (is_backwards ? is_last : is_first) {
-      record_.came = direction;
+      record_.incoming = direction;
       continue;
     }
     const uint32_t length = model_.length(1);
@@ -212,7 +212,7 @@ bool Decoder::read_fragment() {
 bool Decoder::read_part() {
   record_.begin(no_incidence);
   model_.part(record_);
-  if (record_.is_fragment && !is_direction_of(record_.incidence, record_.came)) return false;
+  if (record_.is_fragment && !is_direction_of(record_.incidence, record_.incoming)) return false;
   for (;;) {
     if (!record_.has_room(1)) {
       if (model_.item_kind(Item::end) != Item::end) return false;
@@ -352,7 +352,7 @@ bool Decoder::deliver_record() {
     event.kind = record_.is_fragment ? Event::Kind::fragment : Event::Kind::region;
     if (record_.is_fragment) {
       event.start = record_.start_at(0);
-      event.came = record_.came;
+      event.incoming_direction = record_.incoming;
     }
     if (!offer(event)) return false;
     begin_is_untold_ = false;

@@ -46,12 +46,12 @@ Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
 
 // The header is what the label says and what the extractor knows.
 // Of the header of a scan nothing is read that only streams of slices have.
-Answer Encoder::begin_stream(const StreamHeader& scan) {
+SinkResult Encoder::begin_stream(const StreamHeader& scan) {
   const Limits limits{scan.width, scan.height, scan.border};
-  if (!packets_.has_output() || !limits.is_valid()) return Answer::never;
+  if (!packets_.has_output() || !limits.is_valid()) return SinkResult::not_started;
   StreamHeader& header = packets_.header();
   if (state_ != State::idle) {
-    if (!drain()) return Answer::not_now;
+    if (!drain()) return SinkResult::busy;
     ++header.scan;
   }
   header.width = scan.width;
@@ -63,27 +63,28 @@ Answer Encoder::begin_stream(const StreamHeader& scan) {
   packets_.start(header, 0);
   state_ = State::between;
   (void)drain();  // whoever listens knows at once; or later
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
-Answer Encoder::take(const Event& event) {
+SinkResult Encoder::take(const Event& event) {
   if (event.kind == Event::Kind::start) return begin_stream(*event.header);
-  if (state_ == State::idle) return Answer::never;
-  if (!drain()) return Answer::not_now;
+  if (state_ == State::idle) return SinkResult::not_started;
+  if (!drain()) return SinkResult::busy;
   bool is_done = true;
   switch (event.kind) {
     case Event::Kind::region:
     case Event::Kind::fragment:
       state_ = State::in_piece;
       record_.begin(event.incidence);
-      if (event.kind == Event::Kind::fragment) record_.begin_fragment(event.came, event.start);
+      if (event.kind == Event::Kind::fragment)
+        record_.begin_fragment(event.incoming_direction, event.start);
       break;
     case Event::Kind::ring:
-      if (!takes(Record::ring_words) && !put_parts(event)) return Answer::not_now;
+      if (!takes(Record::ring_words) && !put_parts(event)) return SinkResult::busy;
       record_.add_ring(event.start);
       break;
     case Event::Kind::run:
-      if (!takes(1) && !put_parts(event)) return Answer::not_now;
+      if (!takes(1) && !put_parts(event)) return SinkResult::busy;
       normals_[record_.count] = event.normal;
       record_.add_run(event.run);
       break;
@@ -94,11 +95,11 @@ Answer Encoder::take(const Event& event) {
       is_done = put(event);
       break;
     case Event::Kind::application:
-      is_done = tell(*event.application) != Status::more;
+      is_done = write_record(*event.application) != Status::suspended;
       break;
     case Event::Kind::finish:
       if (state_ != State::ended) {
-        if (!flush()) return Answer::not_now;
+        if (!flush()) return SinkResult::busy;
         packets_.seal_trailer(event);
         state_ = State::ended;
       }
@@ -109,7 +110,7 @@ Answer Encoder::take(const Event& event) {
       state_ = State::between;
       break;
   }
-  return is_done ? Answer::taken : Answer::not_now;
+  return is_done ? SinkResult::accepted : SinkResult::busy;
 }
 
 // Whether a packet without the encoder's records can be sent now.
@@ -117,10 +118,10 @@ Status Encoder::ready_for_packet(bool is_good) {
   if (state_ == State::idle) return Status::not_started;
   if (state_ == State::ended) return Status::finished;
   if (!is_good) return Status::bad_record;
-  return state_ == State::between && flush() ? Status::ok : Status::more;
+  return state_ == State::between && flush() ? Status::ok : Status::suspended;
 }
 
-Status Encoder::tell(const ApplicationRecord& record) {
+Status Encoder::write_record(const ApplicationRecord& record) {
   const Status status = ready_for_packet(record.count <= ApplicationRecord::max_bytes);
   if (status != Status::ok) return status;
   packets_.seal_application(wire::PacketKind::application, record);

@@ -16,7 +16,7 @@ struct Record {
   static constexpr uint32_t ring_words = 4;
 
   Incidence incidence = 0;
-  Direction came = 0;  ///< to the start of a fragment
+  Direction incoming = 0;  ///< to the start of a fragment
   bool is_fragment = false;
   bool continues = false;  ///< not the first part
   bool is_last = false;    ///< no part follows
@@ -27,7 +27,7 @@ struct Record {
   /// Empties the record and makes it the first part of a region.
   void begin(Incidence of) {
     incidence = of;
-    came = 0;
+    incoming = 0;
     is_fragment = false;
     continues = false;
     is_last = false;
@@ -35,8 +35,8 @@ struct Record {
     count = 0;
   }
   /// Makes it that of a fragment instead.
-  void begin_fragment(Direction came_by, const Vertex& start) {
-    came = came_by;
+  void begin_fragment(Direction incoming_by, const Vertex& start) {
+    incoming = incoming_by;
     is_fragment = true;
     add_ring(start);
   }

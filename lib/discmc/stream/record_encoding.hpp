@@ -77,8 +77,8 @@ bool encode_fragment(Model& model, const Record& record) {
   const uint32_t runs = record.count - first;
   for (uint32_t i = 0; i <= runs; ++i) {
     const uint32_t link = order == ChainKind::backwards ? runs - i : i;
-    const Run run =
-        link == 0 ? Run::straight(record.came, 0) : Run::from_code(record.word[first + link - 1]);
+    const Run run = link == 0 ? Run::straight(record.incoming, 0)
+                              : Run::from_code(record.word[first + link - 1]);
     model.direction(run.direction());
     if (i == 0)
       model.fragment_vertex(vertex);

@@ -175,7 +175,7 @@ class RegionModel {
   bool code_bit(uint32_t context, bool value) { return coder_.code_bit(context, value); }
   uint32_t direction_count() const { return 4U + 2U * link_class_; }
   // Most fragments were cut after a few links. From then on one is told as a ring is.
-  bool is_short() const { return is_fragment(kind_) && links_ <= most_of_short; }
+  bool is_short() const { return is_fragment(kind_) && links_ <= max_of_short; }
   Rise rise() const { return rise_of(link_of(incidence_, direction_)); }
   uint32_t is_level() const { return rise() == Rise::level ? 1 : 0; }
   uint32_t by_slope_and_level() const { return 2U * slope_ + is_level(); }
@@ -200,7 +200,7 @@ class RegionModel {
     kind_ = kind;
   }
 
-  static constexpr uint8_t most_of_short = 6;
+  static constexpr uint8_t max_of_short = 6;
   enum class Before : uint8_t { mark, region, fragment };
 
   Coder coder_;
@@ -379,7 +379,7 @@ Vertex RegionModel<Coder>::fragment_vertex(const Vertex& vertex) {
 // forwards.
 template <class Coder>
 Direction RegionModel<Coder>::direction(Direction direction) {
-  if (links_ <= most_of_short) ++links_;
+  if (links_ <= max_of_short) ++links_;
   const uint32_t directions = direction_count();
   const bool mirrors = kind_ == ChainKind::backwards && links_ > 1;
   const uint32_t from = mirrors ? direction : direction_;
@@ -431,7 +431,7 @@ void RegionModel<Coder>::part(Record& record) {
   record.continues = code_bit(context::part_kind + 1, record.continues);
   record.incidence = incidence(record.incidence);
   if (record.is_fragment && !record.continues)
-    record.came = static_cast<Direction>(tree(context::even, record.came));
+    record.incoming = static_cast<Direction>(tree(context::even, record.incoming));
   begin_chain(ChainKind::further);
 }
 

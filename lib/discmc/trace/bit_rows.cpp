@@ -16,7 +16,7 @@ static_assert(word_of(29) == 0 && word_of(30) == 1 && word_of(Limits::max_extent
               "a multiplication stands for the division");
 
 // Bits that can be placed at once, in two words at most.
-constexpr uint32_t most_placed = 28;
+constexpr uint32_t max_placed = 28;
 
 }  // namespace
 
@@ -104,12 +104,12 @@ void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int
     if (stride == 1 && count >= on.lanes && on.reads_words(samples)) {
       if (may_be_off) taken = on.leading_off(samples, count);
       if (taken == 0) {
-        taken = (count < most_placed ? count : most_placed) / on.lanes * on.lanes;
+        taken = (count < max_placed ? count : max_placed) / on.lanes * on.lanes;
         bits = on.words_reached(samples, taken);
         may_be_off = bits == 0;
       }
     } else {
-      const uint32_t most = stride == 1 ? on.samples_to_word(samples) : most_placed;
+      const uint32_t most = stride == 1 ? on.samples_to_word(samples) : max_placed;
       for (; taken < most && taken < count; ++taken)
         bits |= static_cast<uint32_t>(on.reached(samples[size_t{taken} * stride])) << taken;
     }

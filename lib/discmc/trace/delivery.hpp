@@ -22,9 +22,9 @@ class Delivery {
   using Chains = Fragments<Index, Normal>;
 
   /// heads: see Holes. most_holes: with as many waiting, further ones go out loose.
-  void start(Index* heads, uint32_t most_holes) {
+  void start(Index* heads, uint32_t max_holes) {
     holes_.start(heads);
-    most_holes_ = most_holes;
+    max_holes_ = max_holes;
   }
   void clear() {
     holes_.clear();
@@ -58,7 +58,7 @@ class Delivery {
 
   bool is_delivering_ = false;
   bool is_fragment_ = false;
-  uint32_t most_holes_ = 0;
+  uint32_t max_holes_ = 0;
   uint32_t holes_due_ = 0;  // marked ones: of the region, or to go before a loose fragment
   Event event_{};           // the next one; its start is that of the chain
   Index last_ = no_record;  // of the chain's runs
@@ -73,7 +73,7 @@ template <class Index, class Normal>
 bool Delivery<Index, Normal>::settle(Chains& chains, const Sink& sink, Statistics& statistics) {
   if (!is_delivering_ && chains.has_outgoing()) begin(chains);
   while (is_delivering_) {
-    if (sink.take(sink.context, event_) != Answer::taken) return false;
+    if (sink.take(sink.context, event_) != SinkResult::accepted) return false;
     go_on(chains, statistics);
   }
   return true;
@@ -107,11 +107,10 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
     return begin_next_loose(chains);
   }
   begin_ring(records);
-  constexpr uint32_t least_spare =
-      minimum_capacities().records + Holes<Index, Normal>::records_each;
-  if (event_.hole && holes_.count() < most_holes_ &&
+  constexpr uint32_t min_spare = minimum_capacities().records + Holes<Index, Normal>::records_each;
+  if (event_.hole && holes_.count() < max_holes_ &&
       // True for all that is known: pieces go out loose before.
-      chains.spare() >= least_spare) {
+      chains.spare() >= min_spare) {
     holes_.keep(records, out);
     out.kind = Out::Kind::none;
     return;
@@ -142,14 +141,15 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
     if (!precedes(way, here)) {
       way = here;
       first_ = cursor;
-      event_.came = before;
+      event_.incoming_direction = before;
     }
     move(way, incidence, direction, length_of(run));
     before = direction;
     cursor.advance(records);
   } while (cursor != end);
   event_.start = event_.start - way;
-  event_.hole = turns_right(incidence, event_.came, direction_of(first_.run(records)));
+  event_.hole =
+      turns_right(incidence, event_.incoming_direction, direction_of(first_.run(records)));
 }
 
 // Begins with the next of the marked holes. False when there is none.
@@ -174,7 +174,7 @@ void Delivery<Index, Normal>::begin_next_loose(Chains& chains) {
   out.kind = Out::Kind::none;
   if (!is_delivering_) return;
   last_ = out.last;
-  event_.came = out.came;
+  event_.incoming_direction = out.incoming;
   event_.start = out.start;
   first_ = Cursor(chains.records(), last_);
 }

@@ -84,7 +84,7 @@ template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::ready_for_samples() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
-  if (!work()) return Status::more;
+  if (!work()) return Status::suspended;
   if (slices() >= Limits::max_slices - first_slice_) return Status::too_deep;
   return Status::ok;
 }
@@ -127,7 +127,7 @@ PushResult BasicExtractor<Index, Intake, Sweep>::skip_row(Substitute substitute)
 template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::resume() {
   if (state_ == State::idle) return Status::not_started;
-  return work() ? Status::ok : Status::more;
+  return work() ? Status::ok : Status::suspended;
 }
 
 template <class Index, class Intake, class Sweep>
@@ -171,7 +171,7 @@ template <class Index, class Intake, class Sweep>
 template <class Any>
 Status BasicExtractor<Index, Intake, Sweep>::save(Checkpoint<Any>& checkpoint) const {
   if (state_ == State::idle) return Status::not_started;
-  if (is_suspended()) return Status::more;
+  if (is_suspended()) return Status::suspended;
   BasicExtractor& image = checkpoint.object;
   image = *this;
   image.forget_addresses();  // of no use to whoever restores it
@@ -306,7 +306,7 @@ bool BasicExtractor<Index, Intake, Sweep>::tell_start() {
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header;
-  return sink_.take(sink_.context, event) == Answer::taken;
+  return sink_.take(sink_.context, event) == SinkResult::accepted;
 }
 
 // Offers an event that tells of rows and slices.
@@ -321,7 +321,7 @@ bool BasicExtractor<Index, Intake, Sweep>::tell(Event::Kind kind) {
   event.abandoned = abandoned_;
   event.statistics = &statistics_;
   if (kind == Event::Kind::finish) event.slice = own_slices();
-  return sink_.take(sink_.context, event) == Answer::taken;
+  return sink_.take(sink_.context, event) == SinkResult::accepted;
 }
 
 template <class Index, class Intake, class Sweep>

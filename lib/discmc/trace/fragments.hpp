@@ -63,7 +63,7 @@ struct Outgoing {
   enum class Kind : uint8_t { none, ring, fragment };
   Kind kind = Kind::none;
   Incidence incidence = 0;
-  Direction came = 0;  // of a fragment
+  Direction incoming = 0;  // of a fragment
   Index last = no_record;
   Vertex start{0, 0, 0};
 };
@@ -80,12 +80,12 @@ class Fragments {
   /// What a pass may take.
   static constexpr uint32_t records_a_pass = 6;
   /// So many records more, or half of all, are kept from ends that wait for the next slice.
-  static constexpr uint32_t most_kept = 80;
+  static constexpr uint32_t max_kept = 80;
 
   void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues) {
     records_.start(records, capacity);
     queues_.start(queues);
-    kept_for_slice_ = capacity / 2 < most_kept ? capacity / 2 : most_kept;
+    kept_for_slice_ = capacity / 2 < max_kept ? capacity / 2 : max_kept;
     enough_for_ends_ = records_a_pass + 2 * kept_for_slice_;
   }
   void clear() {
@@ -161,15 +161,15 @@ class Fragments {
   Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
   template <class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
-  void lose_begin(const Pass& pass, Index begin, Link came, const Vertex& vertex);
+  void lose_begin(const Pass& pass, Index begin, Link incoming, const Vertex& vertex);
   void send_if_long(const Pass& pass, const Vertex& vertex, Index index, bool is_tail);
   // The runs of the fragment that has this begin.
   Index& runs_of(Index begin) {
     EndRecord& record = end(begin);
     return is_loose(record.mate) ? record.last : end(record.mate).last;
   }
-  void turn(Index tail, Link came, Place corner, Direction onwards, Normal normal);
-  void turn_back(Index begin, Link onwards, Place corner, Direction came, Normal normal);
+  void turn(Index tail, Link incoming, Place corner, Direction onwards, Normal normal);
+  void turn_back(Index begin, Link onwards, Place corner, Direction incoming, Normal normal);
   void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, Vertex& at);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
@@ -177,9 +177,9 @@ class Fragments {
   Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
-    return spare() >= enough_for_ends_ || spare() >= least_spare(queue, mate);
+    return spare() >= enough_for_ends_ || spare() >= min_spare(queue, mate);
   }
-  uint32_t least_spare(uint8_t queue, Index mate) const;
+  uint32_t min_spare(uint8_t queue, Index mate) const;
   // Whether fragments have to be sent early, and this one is long enough.
   bool should_send(Index list, Index other = no_record) const {
     return spare() < plenty && is_long(list, other);
@@ -219,9 +219,9 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vert
     tail = pop(pass.in);
     if (tail == no_record) {
       // It comes along a link whose end was lost.
-      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.came)), normals);
+      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), normals);
     } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
-      turn(tail, pass.came, here, direction(pass, pass.first),
+      turn(tail, pass.incoming, here, direction(pass, pass.first),
            normal_where(pass.turns(), vertex, normals));
       has_new_runs = true;
     }
@@ -262,13 +262,13 @@ template <class Normals>
 DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
                                                                const Vertex& vertex,
                                                                const Normals& normals) {
-  const Direction came = direction(pass, pass.came);
-  Index mate = loose_end<Index>(came);
+  const Direction incoming = direction(pass, pass.incoming);
+  Index mate = loose_end<Index>(incoming);
   if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
     mate = records_.take();
     push(pass.in, mate);
     end(mate).last = no_record;
-    end(mate).side = Side(came, place_of(vertex));
+    end(mate).side = Side(incoming, place_of(vertex));
   } else {
     push_lost(pass.in);
   }
@@ -291,13 +291,13 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
               normals.normal_at(last_corner(pass, vertex)));
   }
   if (pass.turns() || !is_waiting || is_longest_side(here, end(begin).side.place())) {
-    turn_back(begin, pass.first, here, direction(pass, pass.came),
+    turn_back(begin, pass.first, here, direction(pass, pass.incoming),
               normal_where(pass.turns(), vertex, normals));
     has_new_runs = true;
   }
   if (!is_waiting) {
     push_lost(pass.in);
-    return lose_begin(pass, begin, pass.came, vertex);
+    return lose_begin(pass, begin, pass.incoming, vertex);
   }
   push(pass.in, begin);
   if (has_new_runs) send_if_long(pass, vertex, begin, false);
@@ -305,12 +305,12 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
 
 // The fragment begins loose at a vertex, where it comes by a link.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::lose_begin(const Pass& pass, Index begin, Link came,
+void Fragments<Index, Normal>::lose_begin(const Pass& pass, Index begin, Link incoming,
                                           const Vertex& vertex) {
   const Index tail = end(begin).mate;
   const Index list = runs_of(begin);
   records_.give(begin);
-  const Index loose = loose_end<Index>(direction(pass, came));
+  const Index loose = loose_end<Index>(direction(pass, incoming));
   if (list != no_record && (is_loose(tail) || should_send(list)))
     return send(pass, loose, tail, list, vertex);
   if (!is_loose(tail)) end(tail).mate = loose;
@@ -320,12 +320,12 @@ void Fragments<Index, Normal>::lose_begin(const Pass& pass, Index begin, Link ca
 
 // The side under way at a tail ends at a corner, and the next begins.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn(Index tail, Link came, Place corner, Direction onwards,
+void Fragments<Index, Normal>::turn(Index tail, Link incoming, Place corner, Direction onwards,
                                     Normal normal) {
   EndRecord& record = end(tail);
   const Side side = record.side;
   Slot run;
-  run.run = short_run(side.direction(), links_between(side.place(), corner, came));
+  run.run = short_run(side.direction(), links_between(side.place(), corner, incoming));
   run.set_normal(record.normal());
   record.side = Side(onwards, corner);
   record.set_normal(normal);
@@ -334,14 +334,14 @@ void Fragments<Index, Normal>::turn(Index tail, Link came, Place corner, Directi
 
 // The side under way at a begin starts at a corner, and the one before it ends.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner, Direction came,
-                                         Normal normal) {
+void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner,
+                                         Direction incoming, Normal normal) {
   EndRecord& record = end(begin);
   const Side side = record.side;
   Slot run;
   run.run = short_run(side.direction(), links_between(corner, side.place(), onwards));
   run.set_normal(normal);
-  record.side = Side(came, corner);
+  record.side = Side(incoming, corner);
   Lists::prepend(records_, runs_of(begin), run);
 }
 
@@ -424,7 +424,7 @@ void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
 template <class Index, class Normal>
 void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bool ends) {
   Vertex at = ends ? vertex : next_vertex(pass, vertex);
-  const Link along = ends ? pass.came : pass.second;
+  const Link along = ends ? pass.incoming : pass.second;
   const uint8_t queue = ends ? pass.in : pass.out;
   if (queue < first_rising_queue) return;
   const Index index = pop(queue);
@@ -441,7 +441,7 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
 // others those are lost first whose chain has lost an end before, so that more regions stay whole,
 // and those behind a lost one, where that takes no record.
 template <class Index, class Normal>
-uint32_t Fragments<Index, Normal>::least_spare(uint8_t queue, Index mate) const {
+uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return records_a_pass;
   uint32_t least = records_a_pass + kept_for_slice_;
   if (is_loose(mate)) least += kept_for_slice_ / 2;
@@ -490,10 +490,10 @@ void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, In
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, Index list,
                                     const Vertex& start) {
-  const Direction came =
+  const Direction incoming =
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
   put_out(Outgoing<Index>::Kind::fragment, pass.incidence, list, start);
-  outgoing_.came = came;
+  outgoing_.incoming = incoming;
   const Direction last = direction_of(Lists::last_run(records_, list));
   connect(begin, loose_end<Index>(), no_record);
   connect(loose_end<Index>(last), tail, no_record);

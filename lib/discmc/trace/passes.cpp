@@ -72,7 +72,7 @@ class Surroundings {
     return sector_table.cell[lower_is_on_][lines_ >> 4 * quadrant & 63];
   }
   static void come(Way way, Link link, Pass& pass) {
-    pass.came = link;
+    pass.incoming = link;
     pass.in = way.queue_in();
     pass.comes_from_ahead = way.is_ahead();
   }

@@ -15,9 +15,9 @@ namespace discmc::trace {
 /// the link that goes out may have a corner on the way.
 struct Pass {
   Incidence incidence;
-  Link came;    ///< by which the chain comes to the vertex
-  Link first;   ///< by which it goes on: to the next vertex, or to the centroid on the way there
-  Link second;  ///< from the centroid on; equal to `first` without one, or without a corner there
+  Link incoming;  ///< by which the chain comes to the vertex
+  Link first;     ///< by which it goes on: to the next vertex, or to the centroid on the way there
+  Link second;    ///< from the centroid on; equal to `first` without one, or without a corner there
   uint8_t in, out;        ///< queues of the links that come in and go out
   bool comes_from_ahead;  ///< the vertex before is visited later
   uint8_t flags;          ///< ahead, by_centroid
@@ -25,7 +25,7 @@ struct Pass {
   static constexpr uint8_t ahead = 1, by_centroid = 2;
   bool goes_ahead() const { return (flags & ahead) != 0; }  ///< the vertex after is visited later
   bool has_centroid() const { return (flags & by_centroid) != 0; }
-  bool turns() const { return came != first; }
+  bool turns() const { return incoming != first; }
   bool turns_at_centroid() const { return first != second; }
 };
 

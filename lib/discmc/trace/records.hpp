@@ -74,8 +74,8 @@ constexpr Run long_run(ShortRun run) {
 /// In place of the other end of a fragment, where that end is loose: this mark, and for a begin the
 /// direction of the link before it in the lowest bits.
 template <class Index>
-constexpr Index loose_end(Direction came = 0) {
-  return static_cast<Index>(static_cast<Index>(~Index{7}) | came);
+constexpr Index loose_end(Direction incoming = 0) {
+  return static_cast<Index>(static_cast<Index>(~Index{7}) | incoming);
 }
 template <class Index>
 constexpr bool is_loose(Index mate) {

@@ -47,7 +47,7 @@ void SampleRows<Sample>::next_row() {
 }
 
 template <class Sample>
-LongVector SampleRows<Sample>::downhill(const Vertex& vertex) const {
+LongVector SampleRows<Sample>::negative_gradient(const Vertex& vertex) const {
   // What is negative is then far beyond the volume.
   const uint32_t x = static_cast<uint32_t>(vertex.x), last_x = x / 2 + x % 2;
   const uint32_t y = static_cast<uint32_t>(vertex.y), last_y = y / 2 + y % 2;

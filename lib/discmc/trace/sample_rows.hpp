@@ -57,7 +57,7 @@ class SampleRows {
   /// Units: samples a voxel, times 4 for a midpoint and 16 for a centroid; less than 2^21.
   /// Limit: the rows that it takes are in the ring; a slice that has not arrived is none of the
   /// volume. Cost: 12 samples for a midpoint, 48 for a centroid.
-  LongVector downhill(const Vertex& vertex) const;
+  LongVector negative_gradient(const Vertex& vertex) const;
 
  private:
   Sample* row_at(uint32_t place) const { return ring_ + size_t{place} * width_; }

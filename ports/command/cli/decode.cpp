@@ -25,7 +25,7 @@ namespace {
 class Recoder {
  public:
   explicit Recoder(const ByteOutput& output) : output_(output) {}
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::start) {
       encoder_.encode_normals();
       require(encoder_.start(event.header->label(), output_));
@@ -37,7 +37,7 @@ class Recoder {
     } else if (event.kind != Event::Kind::application) {  // what that points to will be gone
       early_.push_back(event);  // its first header is lost: wait for the next
     }
-    return Answer::taken;
+    return SinkResult::accepted;
   }
   void flush() {
     if (is_started_ && !encoder_.flush()) throw std::runtime_error("the output takes no more");
@@ -107,8 +107,8 @@ int run_decode(const StreamArguments& arguments) {
   if (format == Format::stream) {
     StreamOutput output(&file.stream());
     Recoder recoder(output.byte_output());
-    GrowingJoiner joiner(sink_to(recoder));
-    StreamReader reader(sink_to(joiner), arguments.choice);
+    GrowingJoiner joiner(make_sink(recoder));
+    StreamReader reader(make_sink(joiner), arguments.choice);
     read_file(arguments.stream, reader);
     note_others(arguments.stream, arguments.choice, reader);
     joiner.finish();

@@ -29,7 +29,7 @@ std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selec
                                         const SurfaceReceivers& receivers) {
   std::vector<SurfaceRequest> requests;
   for (std::size_t i = 0; i < selections.size(); ++i)
-    requests.push_back({selections[i].selection, sink_to(*receivers[i]), nullptr,
+    requests.push_back({selections[i].selection, make_sink(*receivers[i]), nullptr,
                         receivers[i]->builder(), receivers[i]->encoder()});
   return requests;
 }

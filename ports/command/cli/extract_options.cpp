@@ -15,7 +15,7 @@
 namespace discmc::command {
 namespace {
 
-constexpr unsigned most_jobs = 1024;
+constexpr unsigned max_jobs = 1024;
 
 // Whether a file of this name can hold no more than a mesh.
 bool is_one_mesh(const std::string& output) {
@@ -264,7 +264,7 @@ Command add_extract(CLI::App& app) {
                    "parts of the volume that are worked on at once (default: as many as there are "
                    "cores for a mesh, which is the same whatever the number; a stream is that of "
                    "one sweep unless this is given)")
-      ->check(CLI::Range(1U, most_jobs))
+      ->check(CLI::Range(1U, max_jobs))
       ->option_text("N");
   add_mesh_options(*extract, arguments->mesh);
   add_component_options(*extract, arguments->components);

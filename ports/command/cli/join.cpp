@@ -40,16 +40,16 @@ class Join {
  public:
   /// memory: for pieces that wait. Units: bytes.
   Join(std::ostream& out, std::uint64_t memory)
-      : output_(&out), joiner_(sink_to(encoded_), memory) {}
+      : output_(&out), joiner_(make_sink(encoded_), memory) {}
 
   /// Throws std::runtime_error where the streams do not belong together.
   int add(const std::string& path) {
     path_ = path;
     is_begun_ = has_range_ = false;
-    StreamReader reader(sink_to(*this));
-    reader.pass_whole_regions_to({&encoded_, [](void* encoded, const RecordsPacket& packet) {
-                                    static_cast<Encoded*>(encoded)->append(packet);
-                                  }});
+    StreamReader reader(make_sink(*this));
+    reader.set_packet_passthrough({&encoded_, [](void* encoded, const RecordsPacket& packet) {
+                                     static_cast<Encoded*>(encoded)->append(packet);
+                                   }});
     read_file(path, reader);
     require_one_surface(path, reader);
     if (is_begun_ && !has_range_ && depth_ > 0) add_range({0, depth_, depth_});
@@ -63,7 +63,7 @@ class Join {
     if (!encoder_.flush()) throw std::runtime_error("the output takes no more");
   }
 
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::start) begin(*event.header);
     if (event.kind != Event::Kind::application) return joiner_.take(event);
     SlabRange range;
@@ -73,7 +73,7 @@ class Join {
     } else if (!read_placement(*event.application, placement) || is_first_) {
       return joiner_.take(event);  // a placement once: all are the same
     }
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 
   const SlabRanges& slabs() const { return slabs_; }
@@ -88,9 +88,9 @@ class Join {
     Encoder& encoder;
     std::uint64_t regions = 0;
     std::uint64_t fragments = 0;
-    Answer take(const Event& event) {
-      const Answer answer = encoder.take(event);
-      if (answer != Answer::taken) return answer;
+    SinkResult take(const Event& event) {
+      const SinkResult answer = encoder.take(event);
+      if (answer != SinkResult::accepted) return answer;
       if (event.kind == Event::Kind::region_end) ++regions;
       if (event.kind == Event::Kind::fragment_end) ++fragments;
       return answer;

@@ -49,9 +49,9 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
     options.selection = 0;
   }
   SurfaceBuilder builder;
-  GrowingJoiner joiner(sink_to(builder));
+  GrowingJoiner joiner(make_sink(builder));
   const Selection& asked = arguments.reading.selections[0].selection;
-  const Extraction extraction = extract(narrow ? *narrow : volume, options, sink_to(joiner));
+  const Extraction extraction = extract(narrow ? *narrow : volume, options, make_sink(joiner));
   check_surface(arguments.input, arguments.reading, asked, volume, extraction);
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return mesh_to_draw(arguments, builder.surface());

@@ -45,7 +45,7 @@ struct RecordNotes {
   std::vector<std::string> records{};
   std::optional<VolumePlacement> placement{};
   SlabRanges slabs{};
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::application) {
       records.push_back(text(*event.application));
       Placement told;
@@ -100,9 +100,9 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
 template <class Read>
 DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice) {
   SurfaceBuilder builder;
-  GrowingJoiner joiner(sink_to(builder));
+  GrowingJoiner joiner(make_sink(builder));
   RecordNotes notes{joiner};
-  StreamReader reader(sink_to(notes), choice);
+  StreamReader reader(make_sink(notes), choice);
   read(reader);
   note_others(path, choice, reader);
   if (!notes.slabs.missing().empty())

@@ -21,7 +21,7 @@ template <class Encoder>
 void tell_placement(const std::optional<VolumePlacement>& placement, Encoder& encoder) {
   if (!placement) return;
   std::uint8_t bytes[Placement::record_bytes];
-  require(encoder.tell(record_of(in_nanometres(*placement), bytes)));
+  require(encoder.write_record(record_of(in_nanometres(*placement), bytes)));
 }
 
 /// Tells a stream that it is of a part of the slices, if it is. encoder: as above.
@@ -29,7 +29,7 @@ template <class Encoder>
 void tell_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
   if (!slab) return;
   std::uint8_t bytes[SlabRange::record_bytes];
-  require(encoder.tell(record_of(*slab, bytes)));
+  require(encoder.write_record(record_of(*slab, bytes)));
 }
 
 /// Gives every event to an encoder and, joined, to a surface: to either or both, as they are begun.
@@ -47,13 +47,13 @@ class SurfaceReceiver {
   /// Begins to keep polygons.
   void start_surface() { builds_ = true; }
 
-  Answer take(const Event& event) {
-    if (encodes_ && encoder_.take(event) != Answer::taken) return Answer::not_now;
+  SinkResult take(const Event& event) {
+    if (encodes_ && encoder_.take(event) != SinkResult::accepted) return SinkResult::busy;
     if (encodes_ && event.kind == Event::Kind::start) {
       tell_placement(placement_, encoder_);
       tell_slab(slab_, encoder_);
     }
-    return builds_ ? joiner_.take(event) : Answer::taken;
+    return builds_ ? joiner_.take(event) : SinkResult::accepted;
   }
 
   /// Of the stream; 0 without one.
@@ -70,7 +70,7 @@ class SurfaceReceiver {
   std::optional<VolumePlacement> placement_;
   std::optional<SlabRange> slab_;
   SurfaceBuilder builder_;
-  GrowingJoiner joiner_{sink_to(builder_)};
+  GrowingJoiner joiner_{make_sink(builder_)};
   bool encodes_ = false;
   bool builds_ = false;
 };

@@ -61,7 +61,7 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
                                 ", or send slices, which take " +
                                 std::to_string(slice_encoder_bytes(limits, {1})) +
                                 " where each is a key slice: --payload slices");
-  const std::uint64_t most = most_arena_bytes(limits);
+  const std::uint64_t most = max_arena_bytes(limits);
   if (arguments.memory > most)
     throw std::invalid_argument("--memory " + std::to_string(arguments.memory) + ": give at most " +
                                 std::to_string(most) +
@@ -79,8 +79,8 @@ void try_all_regions(const VolumeBits& volume, const TuneArguments& arguments,
   std::uint64_t done = 0;
   const auto step = [&] { progress.show(++done); };
   const Limits& limits = volume.limits();
-  trials.no_loose = least_without_loose_pieces(volume, trials.plenty, step);
-  const std::uint64_t most = trials.no_loose ? trials.no_loose->memory : most_arena_bytes(limits);
+  trials.no_loose = min_without_loose_pieces(volume, trials.plenty, step);
+  const std::uint64_t most = trials.no_loose ? trials.no_loose->memory : max_arena_bytes(limits);
   for (const std::uint64_t size : arena_sizes(limits, most)) {
     trials.regions.push_back(try_regions(volume, size));
     step();
@@ -126,7 +126,7 @@ void write_needs(const VolumeBits& volume, const Trials& trials, std::ostream& o
   if (trials.no_loose)
     out << bytes_text(trials.no_loose->memory) << '\n';
   else
-    out << "more than the " << bytes_text(most_arena_bytes(volume.limits()))
+    out << "more than the " << bytes_text(max_arena_bytes(volume.limits()))
         << " that 16-bit indices address\n";
 }
 

@@ -46,8 +46,8 @@ std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int mos
     high = statistics.greatest;
   }
   const double step = round_step(high / most - low / most);
-  constexpr double most_steps = 1e15;  // that are still told apart
-  if (!(std::fabs(low) / step < most_steps))
+  constexpr double max_steps = 1e15;  // that are still told apart
+  if (!(std::fabs(low) / step < max_steps))
     return {{statistics.least, statistics.greatest, statistics.numbers}};
   const double begin = std::floor(low / step);
   const auto count = static_cast<std::size_t>(std::floor(high / step) - begin) + 1;
@@ -67,11 +67,11 @@ std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int mos
 }
 
 void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
-  constexpr int most_lines = 16;
+  constexpr int max_lines = 16;
   constexpr double bar = 34;  // 80 columns in all
-  const bool has_few_values = statistics.is_exact && statistics.counts.size() <= most_lines;
+  const bool has_few_values = statistics.is_exact && statistics.counts.size() <= max_lines;
   const std::vector<Line> lines =
-      has_few_values ? lines_of_values(statistics) : lines_of_intervals(statistics, most_lines);
+      has_few_values ? lines_of_values(statistics) : lines_of_intervals(statistics, max_lines);
   std::uint64_t most = 0;
   for (const Line& line : lines) most = std::max(most, line.count);
   for (const Line& line : lines) {

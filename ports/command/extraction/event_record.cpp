@@ -4,15 +4,15 @@
 
 namespace discmc::command {
 
-Answer EventRecord::take(const Event& event) {
-  if (event.kind == Event::Kind::layer) return Answer::taken;
+SinkResult EventRecord::take(const Event& event) {
+  if (event.kind == Event::Kind::layer) return SinkResult::accepted;
   if (event.kind == Event::Kind::start) header_ = *event.header;
   if (event.kind == Event::Kind::finish) {
     totals_ = *event.statistics;
     slices_ = event.slice;
   }
   append_words(event, words_);
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
 void EventRecord::tell(const Sink& sink) const {

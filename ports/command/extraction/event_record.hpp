@@ -14,7 +14,7 @@ namespace discmc::command {
 class EventRecord {
  public:
   /// Always takes the event.
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   /// Tells all of them. sink: must take everything at once.
   void tell(const Sink& sink) const;

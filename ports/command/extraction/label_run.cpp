@@ -45,7 +45,7 @@ LabelRun::LabelRun(const Limits& limits, std::uint32_t first, bool takes_majorit
   // Left as it comes: what is never used costs nothing.
   arena_.reset(new std::uint8_t[bytes]);
   constexpr std::int32_t no_threshold = 0;
-  require(extractor_.start(limits_, no_threshold, {arena_.get(), bytes}, sink_to(joiner_)));
+  require(extractor_.start(limits_, no_threshold, {arena_.get(), bytes}, make_sink(joiner_)));
   if (takes_majority) filter_ = std::make_unique<OwnFilter>(limits_);
   for (std::uint32_t i = 0; i < empty_slices_before(first); ++i) end_slice();
   slices_without_voxels_ = 0;

@@ -24,7 +24,7 @@ struct Label {
   std::unique_ptr<LabelRun> run{};  // null in slices that are far from its voxels
 };
 
-constexpr std::uint64_t most_run_bytes = std::uint64_t{4} << 30;
+constexpr std::uint64_t max_run_bytes = std::uint64_t{4} << 30;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw std::invalid_argument(what + "; give --iso or --range");
@@ -83,7 +83,7 @@ class LabelScan {
     if (!label.run) {
       require_room(++running_);
       label.run = std::make_unique<LabelRun>(limits_, slice_, options_.takes_majority,
-                                             sink_to(label.builder));
+                                             make_sink(label.builder));
     }
     label.run->set(y, begin, end);
     label.voxels += end - begin;
@@ -92,9 +92,9 @@ class LabelScan {
   }
 
   void require_room(std::uint32_t running) const {
-    if (running > most_scattered_labels && voxels_ < 2 * stretches_)
-      refuse_count(slice_, most_scattered_labels);
-    if (running > most_run_bytes / LabelRun::bytes_for(limits_))
+    if (running > max_scattered_labels && voxels_ < 2 * stretches_)
+      refuse_count(slice_, max_scattered_labels);
+    if (running > max_run_bytes / LabelRun::bytes_for(limits_))
       throw std::invalid_argument(std::to_string(running) + " labels at once, up to slice " +
                                   std::to_string(slice_) +
                                   ", take more than 4 GiB; take parts with --crop, or --shrink");
@@ -132,7 +132,7 @@ class LabelScan {
     // With a small slope several samples stand for one value.
     Label*& label = by_value_[static_cast<std::int64_t>(value)];
     if (label != nullptr) return label;
-    if (labels_.size() == most_labels) refuse_count(slice_, most_labels);
+    if (labels_.size() == max_labels) refuse_count(slice_, max_labels);
     labels_.push_back(std::make_unique<Label>(Label{static_cast<std::int64_t>(value)}));
     return label = labels_.back().get();
   }

@@ -37,10 +37,10 @@ struct LabelledSurfaces {
 constexpr double end_of_labels = 0x1p53;
 
 /// What a volume may hold.
-constexpr std::uint32_t most_labels = 65536;
+constexpr std::uint32_t max_labels = 65536;
 /// In a slice and the two before it, where voxels of one value lie side by side no more than by
 /// chance: such a volume is none of labels, and its surfaces would be noise.
-constexpr std::uint32_t most_scattered_labels = 1024;
+constexpr std::uint32_t max_scattered_labels = 1024;
 
 /// Reads the volume to its end and takes the surface of every value that occurs but 0, which is the
 /// background. Throws VolumeError as the reader does, std::invalid_argument where a value is no

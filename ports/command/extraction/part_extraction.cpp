@@ -36,16 +36,17 @@ class PartSurface {
     if (request.encoder != nullptr) packets_ = std::make_unique<EncodedPart>();
   }
 
-  Answer take(const Event& event) {
-    if (event.kind == Event::Kind::finish) return Answer::taken;  // all parts have one together
+  SinkResult take(const Event& event) {
+    if (event.kind == Event::Kind::finish)
+      return SinkResult::accepted;  // all parts have one together
     if (event.kind == Event::Kind::start && packets_) packets_->take(event);
     if (event.kind == Event::Kind::region) {
       region_ = event;  // until its plane is known
-      return Answer::taken;
+      return SinkResult::accepted;
     }
     if (event.kind == Event::Kind::ring && region_) begin_region(event.start);
     if (place_ == Place::joined) follow_fragment(event);
-    const Answer answer = give(event);
+    const SinkResult answer = give(event);
     if (event.kind == Event::Kind::region_end) place_ = Place::joined;
     return answer;
   }
@@ -53,7 +54,7 @@ class PartSurface {
   // What is to be joined goes to the joiner, which stands before the same sink.
   void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
-    joined_.tell(sink_to(joiner));
+    joined_.tell(make_sink(joiner));
     if (packets_) packets_->append_to(*request.encoder);
     events_.tell(request.sink);
   }
@@ -82,16 +83,16 @@ class PartSurface {
       last_ = event.run.direction();
       move(end_, fragment_.incidence, last_, event.run.length());
     } else if (event.kind == Event::Kind::fragment_end && end_ == fragment_.start &&
-               last_ == fragment_.came) {
+               last_ == fragment_.incoming_direction) {
       ring_planes_.insert(plane_of(fragment_.incidence, end_));
     }
   }
 
-  Answer give(const Event& event) {
+  SinkResult give(const Event& event) {
     if (place_ == Place::joined) return joined_.take(event);
     if (polygons_) polygons_->take(event);
     if (packets_) packets_->take(event);
-    return polygons_ || packets_ ? Answer::taken : events_.take(event);
+    return polygons_ || packets_ ? SinkResult::accepted : events_.take(event);
   }
 
   std::optional<Event> region_;
@@ -127,14 +128,14 @@ class OverlappingSlices {
     slices.resize(span.count() * slice_bytes_);
     std::copy(last_.end() - static_cast<std::ptrdiff_t>(known), last_.end(), slices.begin());
     for (std::size_t at = known; at < slices.size(); at += slice_bytes_) read(slices.data() + at);
-    const std::size_t kept = std::min<std::size_t>(most_shared, span.count()) * slice_bytes_;
+    const std::size_t kept = std::min<std::size_t>(max_shared, span.count()) * slice_bytes_;
     last_.assign(slices.end() - static_cast<std::ptrdiff_t>(kept), slices.end());
     end_ = span.end;
   }
 
  private:
   // A slice of context and one for the filter, on both sides of a seam.
-  static constexpr std::size_t most_shared = 4;
+  static constexpr std::size_t max_shared = 4;
 
   std::size_t slice_bytes_;
   std::vector<std::uint8_t> last_;
@@ -246,7 +247,8 @@ class Parts {
     std::vector<SurfaceRequest> requests = requests_;
     part.surfaces.clear();
     for (const SurfaceRequest& request : requests_) part.surfaces.emplace_back(request);
-    for (std::size_t i = 0; i < requests.size(); ++i) requests[i].sink = sink_to(part.surfaces[i]);
+    for (std::size_t i = 0; i < requests.size(); ++i)
+      requests[i].sink = make_sink(part.surfaces[i]);
     scan.start(info_, limits, requests);
     auto all = scan.group();
     BitSource bits(info_, limits, part.spans, options_.takes_majority, requests);
@@ -316,11 +318,11 @@ class Parts {
 
 std::vector<SliceSpan> parts_of(const VolumeInfo& info, const SliceSpan& slices) {
   constexpr std::uint32_t least = 16, most = 32, parts = 8;
-  constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
+  constexpr std::uint64_t max_bytes = std::uint64_t{64} << 20;
   const std::uint32_t depth = slices.count();
-  const auto most_slices = static_cast<std::uint32_t>(
-      std::clamp<std::uint64_t>(most_bytes / info.slice_bytes(), 2, most));
-  const std::uint32_t thickness = std::min(std::clamp(depth / parts, least, most), most_slices);
+  const auto max_slices = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(max_bytes / info.slice_bytes(), 2, most));
+  const std::uint32_t thickness = std::min(std::clamp(depth / parts, least, most), max_slices);
   const std::uint32_t count = (depth + thickness - 1) / thickness;
   const auto end_of = [&](std::uint32_t part) {
     return slices.first + static_cast<std::uint32_t>(std::uint64_t{depth} * part / count);

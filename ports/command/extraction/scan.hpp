@@ -79,7 +79,7 @@ class Scan {
       const std::int32_t threshold = stored_threshold(info, surfaces[i].selection.low);
       const Status started = extractors_[i].start(
           limits, arena_.capacities, threshold, {memory_[i].get(), arena_.bytes}, surfaces[i].sink);
-      if (started != Status::ok) throw std::invalid_argument(text(started));
+      if (started != Status::ok) throw std::invalid_argument(to_string(started));
     }
   }
 

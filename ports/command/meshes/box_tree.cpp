@@ -59,7 +59,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
 }
 
 bool BoxTree::is_near(const Box& box) const {
-  std::array<std::size_t, most_waiting> waiting;
+  std::array<std::size_t, max_waiting> waiting;
   std::size_t count = 0;
   const auto add_if_near = [&](std::size_t node) {
     waiting[count] = node;

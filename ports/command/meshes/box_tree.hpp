@@ -74,7 +74,7 @@ class BoxTree {
     };
     const double squared_enough = enough * enough;
     double nearest = squared_distance_of(last_);
-    std::array<Waiting, most_waiting> waiting;
+    std::array<Waiting, max_waiting> waiting;
     std::size_t count = 0;
     waiting[count++] = {1, nodes_[1].squared_distance(point)};
     while (count > 0 && nearest > squared_enough) {
@@ -104,7 +104,7 @@ class BoxTree {
   /// Calls with the places of two boxes in what was given, once for any two that overlap.
   template <class Call>
   void for_each_near_pair(Call call) const {
-    std::array<std::array<std::size_t, 2>, most_waiting> waiting;  // nodes of one level
+    std::array<std::array<std::size_t, 2>, max_waiting> waiting;  // nodes of one level
     std::size_t count = 0;
     const auto add_if_near = [&](std::size_t a, std::size_t b) {
       waiting[count] = {a, b};
@@ -126,7 +126,7 @@ class BoxTree {
 
  private:
   static constexpr std::size_t leaf_size = 4;
-  static constexpr std::size_t most_waiting = 128;  // the tree has at most 32 levels
+  static constexpr std::size_t max_waiting = 128;  // the tree has at most 32 levels
 
   std::size_t begin_of(std::size_t leaf) const { return (leaf - leaves_) * leaf_size; }
   std::size_t end_of(std::size_t leaf) const {

@@ -45,7 +45,7 @@ std::vector<std::uint32_t> upwards(const std::vector<Vertex>& lattice) {
 }
 
 void require(Status status) {
-  if (status != Status::ok) throw std::invalid_argument(text(status));
+  if (status != Status::ok) throw std::invalid_argument(to_string(status));
 }
 
 template <class Sample>
@@ -62,7 +62,7 @@ void set_from_samples(VolumeReader& volume, Mesh& mesh,
   auto next = order.begin();
   const auto set_covered = [&] {
     for (; next != order.end() && window.covers(mesh.lattice[*next]); ++next) {
-      const Point normal = normal_along(window.downhill(mesh.lattice[*next]), weights);
+      const Point normal = normal_along(window.negative_gradient(mesh.lattice[*next]), weights);
       if (normal != Point{}) mesh.normals[*next] = normal;
     }
   };

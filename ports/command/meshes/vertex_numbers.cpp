@@ -7,8 +7,8 @@ namespace discmc::command {
 // Each job numbers a share of its own; then the shares are joined.
 std::vector<std::uint32_t> VertexNumbers::add_all(const std::vector<Vertex>& positions,
                                                   unsigned jobs) {
-  constexpr std::size_t least_share = 1 << 12;
-  const std::size_t shares = std::clamp<std::size_t>(positions.size() / least_share, 1, jobs);
+  constexpr std::size_t min_share = 1 << 12;
+  const std::size_t shares = std::clamp<std::size_t>(positions.size() / min_share, 1, jobs);
   std::vector<VertexNumbers> others(shares - 1);
   std::vector<std::uint32_t> numbers(positions.size());
   const auto for_each_of = [&](std::size_t share, auto call) {

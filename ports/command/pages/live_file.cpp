@@ -50,8 +50,8 @@ void LiveFile::read() {
     const ssize_t count = ::read(descriptor_, piece.data(), piece.size());
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (count <= 0) break;
-    if (bytes_.size() + static_cast<std::size_t>(count) > most_bytes) {
-      std::cerr << "discmc: " << path_ << ": more than " << (most_bytes >> 20)
+    if (bytes_.size() + static_cast<std::size_t>(count) > max_bytes) {
+      std::cerr << "discmc: " << path_ << ": more than " << (max_bytes >> 20)
                 << " MiB came: the rest is left out\n";
       break;
     }

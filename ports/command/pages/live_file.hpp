@@ -16,7 +16,7 @@ namespace discmc::command {
 class LiveFile {
  public:
   /// What comes beyond is not read. Units: bytes.
-  static constexpr std::size_t most_bytes = std::size_t{1} << 30;
+  static constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
   /// path: a pipe, or any file that can be read; standard input by the name "-". A named pipe need
   /// not have a writer yet. Throws std::runtime_error when it cannot be opened.

@@ -8,7 +8,7 @@ namespace {
 
 // Between the normal of a face and that of a vertex. Facets lean up to 55 degrees away from the
 // surface that they stand for, and walls at which a volume ends are 90 degrees away.
-constexpr double least_cosine = 0.3;
+constexpr double min_cosine = 0.3;
 
 float linear(std::uint8_t srgb) {
   const float value = static_cast<float>(srgb) / 255;
@@ -42,7 +42,7 @@ void Shader::take(std::size_t face) {
   if (shading_ == Shading::flat) return;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point& normal = mesh_.normals[mesh_.face(face)[i]];
-    normals_[i] = dot(normal, face_normal_) < least_cosine ? face_normal_ : normal;
+    normals_[i] = dot(normal, face_normal_) < min_cosine ? face_normal_ : normal;
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned slot_bits = 17;
 constexpr std::size_t slot_count = std::size_t{1} << slot_bits;
-static_assert(slot_count >= 2 * Histogram::most_bins, "half of the slots stay free");
+static_assert(slot_count >= 2 * Histogram::max_bins, "half of the slots stay free");
 
 template <std::size_t size>
 using Bits = std::conditional_t<
@@ -55,7 +55,7 @@ Sample sample_with(std::uint64_t key) {
 }  // namespace
 
 Histogram::Histogram(SampleType type)
-    : type_(type), slots_(slot_count), least_key_(std::numeric_limits<std::uint64_t>::max()) {}
+    : type_(type), slots_(slot_count), min_key_(std::numeric_limits<std::uint64_t>::max()) {}
 
 void Histogram::add(const void* samples, std::size_t count) {
   with_sample_type(type_,
@@ -81,12 +81,12 @@ void Histogram::add_all(const Sample* samples, std::size_t count) {
 }
 
 void Histogram::add_key(std::uint64_t key) {
-  least_key_ = std::min(least_key_, key);
+  min_key_ = std::min(min_key_, key);
   greatest_key_ = std::max(greatest_key_, key);
   ++finite_;
   Slot* slot = &slot_of(key >> dropped_bits_);
   if (slot->count == 0) {
-    while (used_ == most_bins) drop_a_bit();
+    while (used_ == max_bins) drop_a_bit();
     slot = &slot_of(key >> dropped_bits_);
     if (slot->count == 0) ++used_;
     slot->key = key >> dropped_bits_;
@@ -123,7 +123,7 @@ std::vector<Histogram::Bin> Histogram::bins() const {
   std::vector<Bin> bins;
   bins.reserve(used.size());
   for (const Slot& slot : used)
-    bins.push_back({sample_of(std::max(slot.key << dropped_bits_, least_key_)), slot.count});
+    bins.push_back({sample_of(std::max(slot.key << dropped_bits_, min_key_)), slot.count});
   return bins;
 }
 
@@ -133,7 +133,7 @@ double Histogram::sample_of(std::uint64_t key) const {
 }
 
 double Histogram::least() const {
-  return finite_ > 0 ? sample_of(least_key_) : 0;
+  return finite_ > 0 ? sample_of(min_key_) : 0;
 }
 
 double Histogram::greatest() const {

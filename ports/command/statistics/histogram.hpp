@@ -17,7 +17,7 @@ namespace discmc::command {
 /// Memory: 2 MiB, whatever comes.
 class Histogram {
  public:
-  static constexpr std::size_t most_bins = 65536;
+  static constexpr std::size_t max_bins = 65536;
 
   explicit Histogram(SampleType type);
 
@@ -63,7 +63,7 @@ class Histogram {
   std::vector<Slot> slots_;
   std::size_t used_ = 0;
   unsigned dropped_bits_ = 0;
-  std::uint64_t least_key_;
+  std::uint64_t min_key_;
   std::uint64_t greatest_key_ = 0;
   double sum_ = 0;
   double small_sum_ = 0;  // of samples of 64-bit floating point, each times small_unit

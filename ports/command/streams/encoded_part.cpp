@@ -28,7 +28,7 @@ bool continues_region(const std::uint8_t* payload, std::size_t bytes) {
 
 }  // namespace
 
-Answer EncodedPart::take(const Event& event) {
+SinkResult EncodedPart::take(const Event& event) {
   if (event.kind == Event::Kind::start)
     require(encoder_.start({}, {this, [](void* self, const std::uint8_t* frame, std::size_t bytes) {
                                   return static_cast<EncodedPart*>(self)->keep(frame, bytes);

@@ -18,7 +18,7 @@ class EncodedPart {
   EncodedPart& operator=(const EncodedPart&) = delete;
 
   /// Takes a scan's start, then regions. Always takes the event.
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   /// Gives all packets to an encoder. Call once, after the last region. encoder: started; its
   /// output must take all.

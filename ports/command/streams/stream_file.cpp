@@ -44,7 +44,7 @@ void StreamReader::require_ok() const {
                              " is unknown; this discmc reads version " +
                              std::to_string(wire::version) +
                              ": use the release of discmc that wrote the stream");
-  if (status_ != Status::ok) throw std::runtime_error(text(status_));
+  if (status_ != Status::ok) throw std::runtime_error(to_string(status_));
 }
 
 void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
@@ -55,7 +55,7 @@ void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
     count -= decoded.bytes;
     if (decoded.status == Status::too_little_memory && memory_ == nullptr)
       decoded.status = give_memory();
-    else if (decoded.status == Status::more)
+    else if (decoded.status == Status::suspended)
       decoded.status = go_on_skipping();
   } while (decoded.status == Status::ok && count > 0);
   status_ = decoded.status;
@@ -66,13 +66,13 @@ Status StreamReader::go_on_skipping() {
   constexpr std::uint64_t most = std::uint64_t{1} << 36;  // some seconds
   const std::uint64_t work_of_row = header().width + std::uint64_t{1000};
   for (;;) {
-    skipped_ += SurfaceDecoder::most_skipped_rows * work_of_row;
+    skipped_ += SurfaceDecoder::max_skipped_rows * work_of_row;
     if (skipped_ > most)
       throw std::runtime_error("the stream says that more than " +
                                std::to_string(most / work_of_row) +
                                " rows were lost: these bytes are not from a scanner");
     const Status status = decoder_.push(nullptr, 0).status;
-    if (status != Status::more) return status;
+    if (status != Status::suspended) return status;
   }
 }
 

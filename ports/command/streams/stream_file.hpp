@@ -30,8 +30,8 @@ class StreamReader {
   /// sink: it must not say "not now".
   explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
   /// As of the Decoder.
-  void pass_whole_regions_to(const RecordsPacketSink& sink) {
-    decoder_.pass_whole_regions_to(sink);
+  void set_packet_passthrough(const RecordsPacketSink& sink) {
+    decoder_.set_packet_passthrough(sink);
   }
   /// Any number of bytes; a sink gets what they complete. Throws std::runtime_error when the
   /// stream's version is not known, or when it claims that more was lost than anybody can wait for.

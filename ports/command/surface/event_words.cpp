@@ -12,7 +12,7 @@ bool has_vertex(Event::Kind kind) {
 }
 
 std::uint32_t word_of(const Event& event) {
-  std::uint32_t high = event.incidence, low = event.came;
+  std::uint32_t high = event.incidence, low = event.incoming_direction;
   if (event.kind == Event::Kind::ring) low = event.hole;
   if (event.kind == Event::Kind::run) {
     high = event.normal.u;
@@ -31,7 +31,7 @@ Event event_of(std::uint32_t word) {
     return event;
   }
   event.incidence = high;
-  event.came = low;
+  event.incoming_direction = low;
   event.hole = low != 0;
   return event;
 }

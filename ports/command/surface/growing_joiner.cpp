@@ -19,10 +19,10 @@ GrowingJoiner::GrowingJoiner(const Sink& sink, InputOrder order, std::size_t byt
                       return static_cast<GrowingJoiner*>(context)->pass(event);
                     }};
   const Status started = joiner_.start({memory_.get(), bytes_}, joined, order_);
-  if (started != Status::ok) throw std::invalid_argument(text(started));
+  if (started != Status::ok) throw std::invalid_argument(to_string(started));
 }
 
-Answer GrowingJoiner::take(const Event& event) {
+SinkResult GrowingJoiner::take(const Event& event) {
   has_fragments_ = has_fragments_ || event.kind == Event::Kind::fragment;
   return has_fragments_ || !is_of_region(event.kind) ? joiner_.take(event)
                                                      : sink_.take(sink_.context, event);
@@ -40,7 +40,7 @@ const Statistics& GrowingJoiner::totals() const {
   return last->totals_;
 }
 
-Answer GrowingJoiner::pass(const Event& event) {
+SinkResult GrowingJoiner::pass(const Event& event) {
   const bool has_room = next_ == nullptr && !is_beyond_limit_;
   if (event.kind == Event::Kind::fragment && has_room && !is_unmatched()) grow();
   if (event.kind == Event::Kind::finish) totals_ = *event.statistics;

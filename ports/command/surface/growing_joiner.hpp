@@ -31,7 +31,7 @@ class GrowingJoiner {
   GrowingJoiner(const GrowingJoiner&) = delete;
   GrowingJoiner& operator=(const GrowingJoiner&) = delete;
 
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   /// Tells that no event follows: a stream may break off before its `finish`.
   void finish();
@@ -40,7 +40,7 @@ class GrowingJoiner {
   const Statistics& totals() const;
 
  private:
-  Answer pass(const Event& event);
+  SinkResult pass(const Event& event);
   bool is_unmatched();
   void grow();
 

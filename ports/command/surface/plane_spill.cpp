@@ -10,7 +10,7 @@
 
 namespace discmc::command {
 
-Answer PlaneSpill::take(const Event& event) {
+SinkResult PlaneSpill::take(const Event& event) {
   switch (event.kind) {
     case Event::Kind::region:
       region_ = event;
@@ -46,7 +46,7 @@ Answer PlaneSpill::take(const Event& event) {
     default:
       return sink_.take(sink_.context, event);
   }
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
 PlaneSpill::Group& PlaneSpill::group_of(Incidence incidence, const Vertex& vertex) {
@@ -110,9 +110,9 @@ void PlaneSpill::tell(const Group& group, GrowingJoiner& joiner) {
 }
 
 // Of a group, to the sink. The end of a group is not that of all.
-Answer PlaneSpill::pass(const Event& event) {
+SinkResult PlaneSpill::pass(const Event& event) {
   const bool is_end = event.kind == Event::Kind::finish;
-  return is_end ? Answer::taken : sink_.take(sink_.context, event);
+  return is_end ? SinkResult::accepted : sink_.take(sink_.context, event);
 }
 
 }  // namespace discmc::command

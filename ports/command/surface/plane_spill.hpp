@@ -29,7 +29,7 @@ class PlaneSpill {
   PlaneSpill& operator=(const PlaneSpill&) = delete;
 
   /// Always takes the event. Throws std::runtime_error where the disk is full.
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   /// After the last event: gives the sink all regions, what is still loose, and `finish`.
   void join();
@@ -51,7 +51,7 @@ class PlaneSpill {
   void write(Group& group);
   void join(Group& group);
   void tell(const Group& group, GrowingJoiner& joiner);
-  Answer pass(const Event& event);
+  SinkResult pass(const Event& event);
 
   Sink sink_;
   std::optional<TemporaryFile> file_;  // from the first block on

@@ -19,10 +19,10 @@ class SpillingJoiner {
   SpillingJoiner(const Sink& sink, std::uint64_t bytes) : spill_(sink) {
     const auto first = static_cast<std::size_t>(
         std::clamp<std::uint64_t>(bytes, Joiner::minimum_bytes(), GrowingJoiner::first_bytes));
-    joiner_.emplace(sink, InputOrder::any, first, GrowingJoiner::Limit{bytes, sink_to(spill_)});
+    joiner_.emplace(sink, InputOrder::any, first, GrowingJoiner::Limit{bytes, make_sink(spill_)});
   }
 
-  Answer take(const Event& event) { return joiner_->take(event); }
+  SinkResult take(const Event& event) { return joiner_->take(event); }
 
   /// Limit: after the last event.
   void finish() {

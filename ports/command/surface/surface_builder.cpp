@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-Answer SurfaceBuilder::take(const Event& event) {
+SinkResult SurfaceBuilder::take(const Event& event) {
   switch (event.kind) {
     case Event::Kind::region:
       incidence_ = event.incidence;
@@ -38,7 +38,7 @@ Answer SurfaceBuilder::take(const Event& event) {
     case Event::Kind::finish:
       break;
   }
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
 void SurfaceBuilder::append(SurfaceBuilder&& other) {
@@ -150,7 +150,7 @@ void SurfaceBuilder::add_simple_rings(const Chain& chain) {
     ring_runs_.push_back(told->run);
   const auto run_count = static_cast<std::uint32_t>(ring_runs_.size());
   vertices_.resize(link_count(ring_runs_.data(), run_count));
-  unfold(incidence_, chain.start, ring_runs_.data(), run_count, vertices_.data());
+  ring_vertices(incidence_, chain.start, ring_runs_.data(), run_count, vertices_.data());
   if (!has_recurrence()) return add_whole();
   scratch_.resize(2 * vertices_.size());
   const auto add = [](void* context, const Vertex* vertices, std::uint32_t count) {

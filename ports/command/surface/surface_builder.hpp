@@ -20,7 +20,7 @@ class SurfaceBuilder {
  public:
   static constexpr std::uint64_t max_links = std::uint64_t{1} << 27;
 
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   /// Adds the polygons of another, behind its own. Throws as take().
   void append(SurfaceBuilder&& other);

@@ -6,7 +6,7 @@ namespace discmc::command {
 namespace {
 
 constexpr std::uint64_t step = 256;
-constexpr std::uint32_t most_records = sizing::most_records<std::uint16_t>;
+constexpr std::uint32_t max_records = sizing::max_records<std::uint16_t>;
 
 // With so many records more than are in use nothing is ever sent loose (docs/memory.md).
 constexpr std::uint32_t spare_records = 1168;
@@ -16,17 +16,17 @@ std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) {
 }
 
 std::uint64_t bytes_of_records(const Limits& limits, std::uint32_t records) {
-  return bytes_for<std::uint16_t>(limits, {std::min(records, most_records), 0});
+  return bytes_for<std::uint16_t>(limits, {std::min(records, max_records), 0});
 }
 
 }  // namespace
 
-std::uint64_t most_arena_bytes(const Limits& limits) {
-  return bytes_of_records(limits, most_records);
+std::uint64_t max_arena_bytes(const Limits& limits) {
+  return bytes_of_records(limits, max_records);
 }
 
-std::optional<Trial> least_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
-                                                const std::function<void()>& done) {
+std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
+                                              const std::function<void()>& done) {
   const auto has_none = [&](std::uint64_t steps, Trial& trial) {
     trial = try_regions(volume, steps * step);
     done();

@@ -12,13 +12,13 @@
 namespace discmc::command {
 
 /// The most that 16-bit indices make use of. Units: bytes.
-std::uint64_t most_arena_bytes(const Limits& limits);
+std::uint64_t max_arena_bytes(const Limits& limits);
 
 /// The least arena with which nothing is sent loose, up to a step of 256 bytes; nothing where
 /// 16-bit indices cannot count the records of any. plenty: the scan with memory for everything.
 /// done: is called after each of some scans.
-std::optional<Trial> least_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
-                                                const std::function<void()>& done);
+std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
+                                              const std::function<void()>& done);
 
 /// From the minimum on, each a quarter to half larger than the one before, and in whole KiB where
 /// that does not matter: below `end`. Units: bytes.

@@ -62,7 +62,7 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
   require(encoder.start(volume.header().label(), nowhere));
   Extractor<Index> extractor;
   require(extractor.start(volume.limits(), capacities, volume.header().threshold,
-                          {memory.get(), bytes}, sink_to(encoder)));
+                          {memory.get(), bytes}, make_sink(encoder)));
   Trial trial;
   trial.memory = bytes;
   const auto work = [&] {

@@ -20,8 +20,8 @@ class Base64 final : public ByteSource {
     return done;
   }
 
-  std::uint64_t most_left() const override {
-    const std::uint64_t text = in_->most_left();
+  std::uint64_t max_left() const override {
+    const std::uint64_t text = in_->max_left();
     const std::uint64_t in_memory = text_end_ - text_begin_ + end_ - begin_;
     return text > unbounded - in_memory ? unbounded : text + in_memory;
   }

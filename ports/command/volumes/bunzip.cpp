@@ -26,8 +26,8 @@ class Bunzipper final : public ByteSource {
     std::size_t done = 0;
     while (done < count && !ended_ && damage_.empty()) {
       refill();
-      constexpr std::size_t most_at_once = 1U << 30;
-      const auto room = static_cast<unsigned>(std::min(count - done, most_at_once));
+      constexpr std::size_t max_at_once = 1U << 30;
+      const auto room = static_cast<unsigned>(std::min(count - done, max_at_once));
       state_.next_out = static_cast<char*>(bytes) + done;
       state_.avail_out = room;
       const bool is_at_end = state_.avail_in == 0;
@@ -44,7 +44,7 @@ class Bunzipper final : public ByteSource {
   }
 
   // A few bytes can stand for many megabytes.
-  std::uint64_t most_left() const override { return unbounded; }
+  std::uint64_t max_left() const override { return unbounded; }
   void check_end() override {
     unsigned char beyond = 0;
     read(&beyond, 1);

@@ -21,14 +21,14 @@ class StandardInput final : public ByteSource {
   std::size_t read(void* bytes, std::size_t count) override {
     return read_from(std::cin, bytes, count);
   }
-  std::uint64_t most_left() const override { return unbounded; }
+  std::uint64_t max_left() const override { return unbounded; }
 };
 
 class Pipe final : public ByteSource {
  public:
   explicit Pipe(std::ifstream in) : in_(std::move(in)) {}
   std::size_t read(void* bytes, std::size_t count) override { return read_from(in_, bytes, count); }
-  std::uint64_t most_left() const override { return unbounded; }
+  std::uint64_t max_left() const override { return unbounded; }
 
  private:
   std::ifstream in_;
@@ -48,7 +48,7 @@ class RegularFile final : public ByteSource {
     left_ -= skipped;
     return skipped;
   }
-  std::uint64_t most_left() const override { return left_; }
+  std::uint64_t max_left() const override { return left_; }
   std::optional<std::uint64_t> left() const override { return left_; }
 
  private:

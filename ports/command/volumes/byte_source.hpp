@@ -31,7 +31,7 @@ class ByteSource {
   virtual std::uint64_t skip(std::uint64_t count);
 
   /// Returns an upper bound of what read() can still give. Units: bytes.
-  virtual std::uint64_t most_left() const = 0;
+  virtual std::uint64_t max_left() const = 0;
 
   /// Returns what read() can still give, where that is known. Units: bytes.
   virtual std::optional<std::uint64_t> left() const { return std::nullopt; }

@@ -96,7 +96,7 @@ class JoinedFiles final : public ByteSource {
   }
 
   // The files to come are not looked at before their turn.
-  std::uint64_t most_left() const override { return unbounded; }
+  std::uint64_t max_left() const override { return unbounded; }
 
  private:
   bool next_file() {

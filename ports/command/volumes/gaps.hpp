@@ -12,7 +12,7 @@
 namespace discmc::command {
 
 /// More than that are no more of a gap.
-constexpr std::uint64_t most_missing = 1000000000;
+constexpr std::uint64_t max_missing = 1000000000;
 
 /// A place where slices are missing.
 struct Gap {

@@ -27,8 +27,8 @@ class Inflater final : public ByteSource {
     std::size_t done = 0;
     while (done < count && !ended_ && damage_.empty()) {
       refill();
-      constexpr std::size_t most_at_once = 1U << 30;
-      const auto room = static_cast<uInt>(std::min(count - done, most_at_once));
+      constexpr std::size_t max_at_once = 1U << 30;
+      const auto room = static_cast<uInt>(std::min(count - done, max_at_once));
       state_.next_out = static_cast<unsigned char*>(bytes) + done;
       state_.avail_out = room;
       const int status = inflate(&state_, Z_NO_FLUSH);
@@ -45,12 +45,12 @@ class Inflater final : public ByteSource {
     return done;
   }
 
-  std::uint64_t most_left() const override {
+  std::uint64_t max_left() const override {
     // Deflate cannot expand a byte of its stream to more than this.
-    constexpr std::uint64_t most_inflation = 1032;
-    const std::uint64_t packed = in_->most_left();
-    if (packed >= unbounded / most_inflation - state_.avail_in) return unbounded;
-    return (packed + state_.avail_in) * most_inflation;
+    constexpr std::uint64_t max_inflation = 1032;
+    const std::uint64_t packed = in_->max_left();
+    if (packed >= unbounded / max_inflation - state_.avail_in) return unbounded;
+    return (packed + state_.avail_in) * max_inflation;
   }
 
   void check_end() override {

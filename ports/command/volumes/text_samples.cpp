@@ -34,8 +34,8 @@ class TextSamples final : public ByteSource {
   }
 
   // A number takes a character and a blank at least.
-  std::uint64_t most_left() const override {
-    const std::uint64_t text = in_->most_left();
+  std::uint64_t max_left() const override {
+    const std::uint64_t text = in_->max_left();
     const std::uint64_t in_memory = (text_end_ - text_begin_ + end_ - begin_) + 1;
     if (text >= unbounded / sample_.size() - in_memory) return unbounded;
     return (text + in_memory) * sample_.size();

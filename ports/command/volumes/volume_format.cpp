@@ -13,13 +13,13 @@ namespace discmc::command {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
-constexpr std::int64_t most_across = 32766;
+constexpr std::int64_t max_across = 32766;
 // The half-steps of the last slice must fit into 31 bits.
-constexpr std::int64_t most_slices = (std::int64_t{1} << 30) - 1;
+constexpr std::int64_t max_slices = (std::int64_t{1} << 30) - 1;
 
 bool usable(double spacing_mm) {
   const double size = std::fabs(spacing_mm);
-  return size >= least_spacing_mm && size <= most_spacing_mm;
+  return size >= min_spacing_mm && size <= max_spacing_mm;
 }
 
 // The signs of the axes where each is mostly along its coordinate; otherwise that of the whole.
@@ -67,10 +67,10 @@ void fail_type(const std::filesystem::path& file, std::string_view type) {
 }
 
 std::string shown(std::string_view text) {
-  constexpr std::size_t most_shown = 60;
+  constexpr std::size_t max_shown = 60;
   std::string result = "'";
-  for (const char c : text.substr(0, most_shown)) result += is_control(c) ? '?' : c;
-  return result + (text.size() > most_shown ? "...'" : "'");
+  for (const char c : text.substr(0, max_shown)) result += is_control(c) ? '?' : c;
+  return result + (text.size() > max_shown ? "...'" : "'");
 }
 
 std::uint64_t bytes_of_all(const VolumeInfo& info) {
@@ -169,7 +169,7 @@ void set_dims(VolumeInfo& info, const std::filesystem::path& file,
   info.dims = {1, 1, 1};
   info.frames = 1;
   for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
-    const std::int64_t most = axis == 0 || axis == 1 ? most_across : most_slices;
+    const std::int64_t most = axis == 0 || axis == 1 ? max_across : max_slices;
     if (sizes[axis] < 1 || sizes[axis] > most / static_cast<std::int64_t>(info.frames))
       fail(file,
            "dimension " + std::to_string(axis + 1) + " has size " + std::to_string(sizes[axis]) +

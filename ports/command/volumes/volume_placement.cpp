@@ -19,7 +19,7 @@ bool is_usable(const Axes& axes_mm) {
   double edges = 1;
   for (const auto& axis : axes_mm) {
     const double length = std::hypot(axis[0], axis[1], axis[2]);
-    if (!(length >= least_spacing_mm && length <= most_spacing_mm)) return false;
+    if (!(length >= min_spacing_mm && length <= max_spacing_mm)) return false;
     edges *= length;
   }
   return std::fabs(determinant(axes_mm)) >= flattest * edges;

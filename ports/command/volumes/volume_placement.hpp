@@ -9,8 +9,8 @@
 namespace discmc::command {
 
 /// Of voxels.
-constexpr double least_spacing_mm = 1e-6;
-constexpr double most_spacing_mm = 1e6;
+constexpr double min_spacing_mm = 1e-6;
+constexpr double max_spacing_mm = 1e6;
 
 /// One vector an axis of the volume: the way to the next voxel along x, y and z.
 using Axes = std::array<std::array<double, 3>, 3>;

@@ -36,7 +36,7 @@ class ByteStream::Rest final : public ByteSource {
  public:
   explicit Rest(ByteStream stream) : stream_(std::move(stream)) {}
   std::size_t read(void* bytes, std::size_t count) override { return stream_.read(bytes, count); }
-  std::uint64_t most_left() const override { return stream_.most_left(); }
+  std::uint64_t max_left() const override { return stream_.max_left(); }
   void check_end() override { stream_.check_end(); }
   std::string damage() const override { return stream_.damage(); }
 
@@ -62,12 +62,12 @@ void ByteStream::decode(const Decoder& decoder) {
 }
 
 std::string_view ByteStream::peek(std::size_t count) {
-  constexpr std::size_t most_at_once = 1U << 20;
+  constexpr std::size_t max_at_once = 1U << 20;
   ahead_.erase(0, ahead_begin_);
   ahead_begin_ = 0;
   while (ahead_.size() < count) {
     const std::size_t before = ahead_.size();
-    const std::size_t wanted = std::min(count - before, most_at_once);
+    const std::size_t wanted = std::min(count - before, max_at_once);
     ahead_.resize(before + wanted);
     const std::size_t got = source_->read(ahead_.data() + before, wanted);
     ahead_.resize(before + got);
@@ -97,12 +97,12 @@ std::size_t ByteStream::read(void* bytes, std::size_t count) {
 }
 
 std::optional<std::string> ByteStream::read_line() {
-  constexpr std::size_t most_header_bytes = 1U << 20;
+  constexpr std::size_t max_header_bytes = 1U << 20;
   constexpr std::size_t step = 256;
   std::size_t seen = ahead();
   std::size_t end = ahead_.find('\n', ahead_begin_);
   while (end == std::string::npos) {
-    if (position_ + seen > most_header_bytes)
+    if (position_ + seen > max_header_bytes)
       fail(file_,
            "the header has no end in its first " + std::to_string(position_ + seen) + " bytes",
            "check that it is what its name says");
@@ -149,8 +149,8 @@ void ByteStream::skip_lines(std::uint64_t count) {
   }
 }
 
-std::uint64_t ByteStream::most_left() const {
-  const std::uint64_t most = source_->most_left();
+std::uint64_t ByteStream::max_left() const {
+  const std::uint64_t most = source_->max_left();
   return most > ByteSource::unbounded - ahead() ? ByteSource::unbounded : most + ahead();
 }
 
@@ -163,7 +163,7 @@ SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian, Be
     : info_(std::move(info)), stream_(std::move(stream)), big_endian_(big_endian), behind_(behind) {
   // The caller's slice buffer is thus bounded by the file, whatever its header claims.
   const std::uint64_t slice = info_.slice_bytes();
-  std::uint64_t most = stream_.most_left();
+  std::uint64_t most = stream_.max_left();
   if (most == ByteSource::unbounded) most = stream_.peek(static_cast<std::size_t>(slice)).size();
   if (most < slice) fail_in_slice(slice - most);
 }

@@ -63,7 +63,7 @@ class ByteStream {
   std::uint64_t position() const { return position_; }
 
   /// As ByteSource.
-  std::uint64_t most_left() const;
+  std::uint64_t max_left() const;
   std::optional<std::uint64_t> left() const;
   void check_end() { source_->check_end(); }
   std::string damage() const { return source_->damage(); }

@@ -31,7 +31,7 @@ RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
   const Status started = std::visit(
       [&](auto& extractor) {
         return extractor.start(limits, plan.threshold, {memory_.data(), memory_.size()},
-                               sink_to(encoder_));
+                               make_sink(encoder_));
       },
       extractor_);
   if (started == Status::too_little_memory)

@@ -39,7 +39,7 @@ void CornerSet::lay_out(const command::Polygons& polygons) {
               std::min(least_.z, corner.z)};
     most = {std::max(most.x, corner.x), std::max(most.y, corner.y), std::max(most.z, corner.z)};
   });
-  if (std::max({most.x, most.y, most.z}) > most_coordinate)
+  if (std::max({most.x, most.y, most.z}) > max_coordinate)
     throw std::runtime_error("the surface is larger than the page can draw");
   const auto blocks = [](std::int32_t low, std::int32_t high) {
     return (std::uint64_t{static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low)} / 8) +
@@ -47,7 +47,7 @@ void CornerSet::lay_out(const command::Polygons& polygons) {
   };
   const std::uint64_t columns = blocks(least_.x, most.x), rows = blocks(least_.y, most.y),
                       layers = blocks(least_.z, most.z);
-  if (columns > most_blocks / rows || columns * rows > most_blocks / layers)
+  if (columns > max_blocks / rows || columns * rows > max_blocks / layers)
     throw std::runtime_error("the surface is larger than the page can draw");
   columns_ = columns;
   rows_ = rows;

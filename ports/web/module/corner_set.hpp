@@ -15,7 +15,7 @@ namespace discmc::web {
 /// Memory: four bytes a block of the box around all, and 64 a block with corners.
 class CornerSet {
  public:
-  static constexpr std::int32_t most_coordinate = 32767;
+  static constexpr std::int32_t max_coordinate = 32767;
 
   /// Takes the corners of these polygons. Throws std::runtime_error where they lie beyond
   /// most_coordinate, or in a box of too many blocks.
@@ -30,7 +30,7 @@ class CornerSet {
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
-  static constexpr std::uint64_t most_blocks = std::uint64_t{1} << 26;
+  static constexpr std::uint64_t max_blocks = std::uint64_t{1} << 26;
 
   using Block = std::array<std::uint64_t, 8>;
   struct Place {

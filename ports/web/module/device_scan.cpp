@@ -31,7 +31,7 @@ DeviceScan scan(const VoxelBits& bits, const StreamHeader& header, std::uint64_t
   command::require(encoder.start(header.label(), output_to(result.stream)));
   Extractor<Index> extractor;
   command::require(extractor.start(limits_of(header), header.threshold,
-                                   {memory.data(), memory.size()}, sink_to(encoder)));
+                                   {memory.data(), memory.size()}, make_sink(encoder)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
     command::require(extractor.push_bits(bits.row(row)).status);
   command::require(extractor.finish());
@@ -44,7 +44,7 @@ DeviceScan scan(const VoxelBits& bits, const StreamHeader& header, std::uint64_t
 
 }  // namespace
 
-std::uint64_t least_memory(const StreamHeader& header) {
+std::uint64_t min_memory(const StreamHeader& header) {
   return minimum_bytes<std::uint16_t>(limits_of(header));
 }
 

@@ -42,7 +42,7 @@ void set_from_samples(command::VolumeReader& volume, const std::vector<DrawnVert
       const DrawnVertex& drawn = vertices[*next];
       const Vertex vertex{drawn.x, drawn.y, drawn.z};
       if (!window.covers(vertex)) return;
-      normals[*next] = octahedral_normal(weighted(window.downhill(vertex), weights));
+      normals[*next] = octahedral_normal(weighted(window.negative_gradient(vertex), weights));
     }
   };
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));

@@ -60,7 +60,7 @@ void add_ring(const command::Ring& ring, Balance& balance) {
         command::side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     Vertex vertex = ring[i];
     for (std::int32_t link = 0; link < side.links; ++link) {
-      if (balance.size() > Missing::most_open_links) return;
+      if (balance.size() > Missing::max_open_links) return;
       add_link({vertex, side.link}, balance);
       vertex = vertex + side.link;
     }
@@ -76,7 +76,7 @@ bool Missing::add_open_links(const command::Polygons& polygons) {
       if (!std::all_of(ring.begin(), ring.end(), is_packable)) return false;
       add_ring(ring, balance);
     }
-    if (balance.size() > most_open_links) return false;
+    if (balance.size() > max_open_links) return false;
   }
   // Straight on as far as links are open: fewer lines, and the same.
   for (const auto& entry : balance) {

@@ -31,7 +31,7 @@ struct MissingRows {
 
 class Missing {
  public:
-  static constexpr std::size_t most_open_links = std::size_t{1} << 21;
+  static constexpr std::size_t max_open_links = std::size_t{1} << 21;
 
   /// header: of the stream, with its depth if that is known.
   explicit Missing(const StreamHeader& header) : header_(header) {}

@@ -191,8 +191,8 @@ EXPORT(classic_triangles) const Bytes* classic_triangles() {
   return bytes_of(state().classic.corners);
 }
 
-EXPORT(least_memory) double least_memory() {
-  return static_cast<double>(web::least_memory(header()));
+EXPORT(min_memory) double min_memory() {
+  return static_cast<double>(web::min_memory(header()));
 }
 /// The extracted scan on a device; memory 0: as a stream of slices. Returns: bytes, regions sent
 /// whole, loose fragments, bytes of memory used.

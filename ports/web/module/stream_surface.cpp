@@ -3,9 +3,9 @@
 namespace discmc::web {
 
 StreamSurface::StreamSurface(const command::StreamChoice& choice)
-    : joiner_(sink_to(builder_)), reader_(sink_to(*this), choice) {}
+    : joiner_(make_sink(builder_)), reader_(make_sink(*this), choice) {}
 
-Answer StreamSurface::take(const Event& event) {
+SinkResult StreamSurface::take(const Event& event) {
   if (event.kind == Event::Kind::skipped) note_skipped(event.slice, event.row);
   Placement told;
   if (event.kind == Event::Kind::application && read_placement(*event.application, told))

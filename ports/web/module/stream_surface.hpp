@@ -23,7 +23,7 @@ class StreamSurface {
   StreamSurface(const StreamSurface&) = delete;
   StreamSurface& operator=(const StreamSurface&) = delete;
 
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
   /// Throws as StreamReader::push().
   void push(const std::uint8_t* bytes, std::size_t count) { reader_.push(bytes, count); }
   /// Limit: the last call. Throws as StreamReader::finish().

@@ -26,7 +26,7 @@ Sweep::Result Sweep::run(const VoxelBits& bits, std::uint32_t width, std::uint32
   constexpr std::int32_t threshold = 1;  // of bits
   command::SurfaceBuilder builder;
   command::require(
-      extractor_.start(limits, threshold, {memory_.data(), memory_.size()}, sink_to(builder)));
+      extractor_.start(limits, threshold, {memory_.data(), memory_.size()}, make_sink(builder)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
     command::require(extractor_.push_bits(bits.row(row)).status);
   command::require(extractor_.finish());

@@ -28,7 +28,7 @@ TriangleStore::Triangles TriangleStore::triangulate(const std::vector<command::P
 
 bool TriangleStore::shape_of(const std::vector<command::PlanePoint>& points, Shape& shape) {
   constexpr std::int64_t farthest = 127;
-  if (points.size() > most_points) return false;
+  if (points.size() > max_points) return false;
   std::int8_t* at = shape.at;
   for (const command::PlanePoint& point : points)
     for (const std::int64_t coordinate : {point.u, point.v}) {

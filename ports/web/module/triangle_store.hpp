@@ -26,18 +26,18 @@ class TriangleStore {
                         const std::vector<std::uint32_t>& ring_ends);
 
  private:
-  static constexpr std::size_t most_points = 16;
+  static constexpr std::size_t max_points = 16;
   static constexpr std::size_t slot_count = std::size_t{1} << 15;
 
   // One ring of few points, none of them far from the first.
   struct Shape {
     std::uint32_t points = 0;
-    std::int8_t at[2 * most_points] = {};
+    std::int8_t at[2 * max_points] = {};
   };
   struct Slot {
     Shape shape;
     std::uint32_t triangles = 0;
-    command::Triangle triangle[most_points - 2];
+    command::Triangle triangle[max_points - 2];
   };
 
   static bool shape_of(const std::vector<command::PlanePoint>& points, Shape& shape);

@@ -11,7 +11,7 @@ namespace discmc::bench {
 namespace {
 
 void require_ok(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
 // With so much nothing goes out loose. What is never used is never touched.
@@ -61,10 +61,10 @@ struct Counter {
   uint64_t regions = 0;
   uint64_t fragments = 0;
 
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::region) ++regions;
     if (event.kind == Event::Kind::fragment) ++fragments;
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 };
 
@@ -72,7 +72,7 @@ struct Counter {
 // a ring starts is kept even within a side.
 class Polygons {
  public:
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     switch (event.kind) {
       case Event::Kind::region:
         regions_.push_back({event.incidence, rings_.size()});
@@ -88,7 +88,7 @@ class Polygons {
       default:
         break;
     }
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 
   uint64_t corners() const { return corners_.size(); }
@@ -129,19 +129,19 @@ std::vector<Contender> discmc_contenders(const Volume& volume) {
   const auto scan = std::make_shared<Scan>(volume);
   const auto count = [scan] {
     Counter counter;
-    scan->extract(sink_to(counter));
+    scan->extract(make_sink(counter));
     if (counter.fragments != 0) throw std::runtime_error("the memory is too little");
     return counter.regions;
   };
   const auto keep = [scan] {
     Polygons polygons;
-    scan->extract(sink_to(polygons));
+    scan->extract(make_sink(polygons));
     return polygons.corners();
   };
   const auto stream = [scan] {
     Encoder encoder;
     require_ok(encoder.start(scan->header().label(), {nullptr, take_bytes}));
-    scan->extract(sink_to(encoder));
+    scan->extract(make_sink(encoder));
     return encoder.bytes();
   };
   return {

@@ -24,9 +24,9 @@ std::string content(const std::string& path) {
 struct SkippedRows {
   std::uint32_t height;
   std::set<std::uint32_t> rows{};
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::skipped) rows.insert(event.slice * height + event.row);
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 };
 
@@ -49,7 +49,7 @@ int run(const Arguments& arguments) {
   const std::string stream = content(arguments.stream);
   SkippedRows skipped{plan.dims[1]};
   Decoder decoder;
-  (void)decoder.start(sink_to(skipped));
+  (void)decoder.start(make_sink(skipped));
   (void)decoder.push(reinterpret_cast<const std::uint8_t*>(stream.data()), stream.size());
   if (!decoder.report().is_complete()) throw std::runtime_error("the stream is incomplete");
 

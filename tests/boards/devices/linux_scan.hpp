@@ -39,7 +39,7 @@ inline Bytes expected_stream(const device::ScanPlan& plan, std::uint32_t row_cou
   Extractor16 extractor;
   reference::require_ok(encoder.start({dims[2], {1000000, 1000000, 1000000}}, line.output()));
   reference::require_ok(extractor.start({dims[0], dims[1]}, plan.threshold,
-                                        {memory.data(), memory.size()}, sink_to(encoder)));
+                                        {memory.data(), memory.size()}, make_sink(encoder)));
   for (std::uint32_t i = 0; i < row_count; ++i)
     reference::require_ok(skipped.count(i) > 0 ? extractor.skip_row(Substitute::previous_row).status
                                                : extractor.push(rows[i].data(), dims[0]).status);

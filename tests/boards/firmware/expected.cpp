@@ -42,7 +42,7 @@ Bytes stream_of(const std::vector<scan::Sample>& samples) {
   const bool good =
       encoder.start({scan::depth, {scan::spacing_nm[0], scan::spacing_nm[1], scan::spacing_nm[2]}},
                     {&stream, append}) == Status::ok &&
-      extractor.start(scan::limits, scan::threshold, memory_of(arena), sink_to(encoder)) ==
+      extractor.start(scan::limits, scan::threshold, memory_of(arena), make_sink(encoder)) ==
           Status::ok &&
       extractor.push(samples.data(), static_cast<std::uint32_t>(samples.size())).status ==
           Status::ok &&
@@ -52,7 +52,7 @@ Bytes stream_of(const std::vector<scan::Sample>& samples) {
 
 bool is_complete(const Bytes& stream) {
   Decoder decoder;
-  const Sink nowhere{nullptr, [](void*, const Event&) { return Answer::taken; }};
+  const Sink nowhere{nullptr, [](void*, const Event&) { return SinkResult::accepted; }};
   return decoder.start(nowhere) == Status::ok &&
          decoder.push(stream.data(), stream.size()).status == Status::ok &&
          decoder.finish() == Status::ok && decoder.report().is_complete() &&

@@ -19,7 +19,7 @@ Bytes::const_iterator second_beginning(const Bytes& bytes, std::size_t from) {
 }  // namespace
 
 ReceivedStream::ReceivedStream() {
-  if (decoder_.start(sink_to(*this)) != Status::ok) throw std::logic_error("the sink is no sink");
+  if (decoder_.start(make_sink(*this)) != Status::ok) throw std::logic_error("the sink is no sink");
 }
 
 // The zeros before the first frame end what a reset has cut off.
@@ -27,21 +27,21 @@ void ReceivedStream::push(const std::uint8_t* bytes, std::size_t count) {
   for (; bytes_.empty() && count > 0 && *bytes == 0; --count) ++bytes;
   bytes_.insert(bytes_.end(), bytes, bytes + count);
   const Status status = decoder_.push(bytes, count).status;
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
 void ReceivedStream::finish() {
   const Status status = decoder_.finish();
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
-Answer ReceivedStream::take(const Event& event) {
+SinkResult ReceivedStream::take(const Event& event) {
   if (event.kind == Event::Kind::layer || event.kind == Event::Kind::finish)
     final_slices_ = event.slice;
   if (event.kind == Event::Kind::skipped)
     skipped_[event.slice * header().height + event.row] =
         event.repeated ? Substitute::previous_row : Substitute::off;
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
 Received::Received() {

@@ -20,7 +20,7 @@ class ReceivedStream {
 
   void push(const std::uint8_t* bytes, std::size_t count);
   void finish();
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   const StreamHeader& header() const { return decoder_.header(); }

@@ -18,7 +18,7 @@ ByteOutput output_to(Bytes& stream) {
 }
 
 void require(Status status) {
-  if (status != Status::ok) throw std::invalid_argument(text(status));
+  if (status != Status::ok) throw std::invalid_argument(to_string(status));
 }
 
 template <class Sample>
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> reference_stream(const Rows& rows, const ReferenceScan
   Extractor16 extractor;
   require(encoder.start(scan.header.label(), output_to(stream)));
   const Status started = extractor.start(limits, scan.header.threshold,
-                                         {arena.data(), arena.size()}, sink_to(encoder));
+                                         {arena.data(), arena.size()}, make_sink(encoder));
   if (started == Status::too_little_memory)
     throw std::invalid_argument("--memory " + std::to_string(scan.memory) +
                                 " is too little: give the arena_bytes of the firmware's scan.hpp");

@@ -8,9 +8,9 @@ uint8_t memory[4096];
 struct Counter {
   unsigned regions = 0;
 
-  discmc::Answer take(const discmc::Event& event) {
+  discmc::SinkResult take(const discmc::Event& event) {
     if (event.kind == discmc::Event::Kind::region) ++regions;
-    return discmc::Answer::taken;
+    return discmc::SinkResult::accepted;
   }
 };
 
@@ -21,7 +21,7 @@ int main() {
   constexpr uint8_t volume[27] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
   Counter counter;
   discmc::Extractor16 extractor;
-  if (extractor.start(limits, 1, discmc::memory_of(memory), discmc::sink_to(counter)) !=
+  if (extractor.start(limits, 1, discmc::memory_of(memory), discmc::make_sink(counter)) !=
       discmc::Status::ok)
     return 1;
   if (extractor.push(volume, 27).status != discmc::Status::ok) return 2;

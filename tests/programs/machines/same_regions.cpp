@@ -17,8 +17,8 @@ namespace {
 
 std::vector<discmc::reference::Region> regions_in(const std::string& path) {
   discmc::command::SurfaceBuilder builder;
-  discmc::command::GrowingJoiner joiner(discmc::sink_to(builder));
-  discmc::command::StreamReader reader(discmc::sink_to(joiner));
+  discmc::command::GrowingJoiner joiner(discmc::make_sink(builder));
+  discmc::command::StreamReader reader(discmc::make_sink(joiner));
   std::ifstream file(path, std::ios::binary);
   reader.read(file);
   joiner.finish();

@@ -13,14 +13,14 @@ namespace {
 constexpr Capacities capacities{512, 8};
 
 // The most that a block needs at once. A record that is not given back is one more in some block.
-constexpr uint32_t most_records = 112;
+constexpr uint32_t max_records = 112;
 
 // One block in so many shows that the reference is right: with the paper's Merge. A prime, so that
 // all values of all rows are among them.
 constexpr uint64_t sample = 4093;
 
 void require_ok(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ BlockProver::BlockProver(const Tables& tables)
   const Limits limits{side, side, tables.border};
   memory_.resize(bytes_for<uint16_t>(limits, capacities));
   require_ok(
-      extractor_.start(limits, capacities, 1, {memory_.data(), memory_.size()}, sink_to(check_)));
+      extractor_.start(limits, capacities, 1, {memory_.data(), memory_.size()}, make_sink(check_)));
 }
 
 uint64_t BlockProver::prove(uint32_t slice, uint32_t share) {
@@ -141,7 +141,7 @@ const char* BlockProver::flaw() const {
   if (sum.unpaired != 0) return "an inner link that is used in one direction only";
   if (sum.fingerprint != forest_.fingerprint()) return "other regions than the facets make";
   if (sum.links != forest_.links()) return "a boundary with a slit";
-  if (extractor_.high_water().records > most_records) return "a record that is not given back";
+  if (extractor_.high_water().records > max_records) return "a record that is not given back";
   return nullptr;
 }
 

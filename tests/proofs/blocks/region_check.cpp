@@ -46,7 +46,7 @@ Vertex Lattice::vertex(size_t index) {
   return {first + i % side, first + i / side % side, first + i / side / side};
 }
 
-Answer RegionCheck::take(const Event& event) {
+SinkResult RegionCheck::take(const Event& event) {
   switch (event.kind) {
     case Event::Kind::region:
       incidence_ = event.incidence;
@@ -71,7 +71,7 @@ Answer RegionCheck::take(const Event& event) {
     default:
       require(false, "a fragment, for which there is no need");
   }
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
 void RegionCheck::begin_ring(const Event& event) {

@@ -49,7 +49,7 @@ class RegionCheck {
 
   explicit RegionCheck(const Lattice& lattice) : lattice_(lattice) {}
 
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   const Sum& sum() const { return sum_; }
   void go_back(const Sum& sum) { sum_ = sum; }

@@ -125,8 +125,8 @@ template <class Sample, class MakeRows>
   board::report(name, static_cast<uint32_t>(arena));
   const Rows counted = count_rows<Sample>(volume, rows());
   bool good = encoder.start(volume.header().label(), {nullptr, take_bytes}) == Status::ok &&
-              extractor.start(volume.limits, volume.threshold, {memory, arena}, sink_to(encoder)) ==
-                  Status::ok &&
+              extractor.start(volume.limits, volume.threshold, {memory, arena},
+                              make_sink(encoder)) == Status::ok &&
               push_and_finish<Sample>(extractor, volume.limits, volume.slices, rows());
   const Statistics statistics = extractor.statistics();
   tell_work<Sample>(volume, counted.on, statistics.cells, statistics.links, encoder.bytes());

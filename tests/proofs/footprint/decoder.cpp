@@ -3,8 +3,8 @@
 
 using namespace discmc;
 
-static Answer take(void*, const Event&) {
-  return Answer::taken;
+static SinkResult take(void*, const Event&) {
+  return SinkResult::accepted;
 }
 
 extern "C" Status run(Decoder& decoder, const uint8_t* bytes, size_t count) {

@@ -12,8 +12,8 @@ extern "C" Status run(Extractor16& extractor, Encoder& encoder, const ByteOutput
                       const StreamLabel& label, Memory memory, const uint8_t* row) {
   Status status = encoder.start(label, output);
   if (status == Status::ok)
-    status = extractor.start(limits, capacities, 128, memory, sink_to(encoder));
+    status = extractor.start(limits, capacities, 128, memory, make_sink(encoder));
   if (status == Status::ok) status = extractor.push(row, limits.width).status;
-  if (status == Status::more) status = extractor.resume();
+  if (status == Status::suspended) status = extractor.resume();
   return status == Status::ok ? extractor.finish() : status;
 }

@@ -3,8 +3,8 @@
 
 using namespace discmc;
 
-static Answer take(void*, const Event&) {
-  return Answer::taken;
+static SinkResult take(void*, const Event&) {
+  return SinkResult::accepted;
 }
 
 // What a firmware knows at compile time.
@@ -14,6 +14,6 @@ constexpr Capacities capacities = default_capacities<uint16_t>(limits, 12 * 1024
 extern "C" Status run(Extractor16& extractor, Memory memory, const uint8_t* row) {
   Status status = extractor.start(limits, capacities, 128, memory, {nullptr, take});
   if (status == Status::ok) status = extractor.push(row, limits.width).status;
-  if (status == Status::more) status = extractor.resume();
+  if (status == Status::suspended) status = extractor.resume();
   return status == Status::ok ? extractor.finish() : status;
 }

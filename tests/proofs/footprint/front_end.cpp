@@ -61,17 +61,17 @@ void count_thresholds() {
 
 bool count_filters() {
   static MajorityFilter filter;
-  static BlockMeans<uint8_t> means;
-  static RowPicker picker;
+  static Downsampler<uint8_t> means;
+  static RowCropper cropper;
   if (filter.start(limits, memory_of(memory)) != Status::ok) return false;
   // Each but the first rows also makes the row that is due.
   for (uint32_t row = 0; row <= height; ++row) (void)filter.push(bits);
   count("majority_filter", width, rows, [] { (void)filter.push(bits); });
   if (means.start(limits, 2, memory_of(memory)) != Status::ok) return false;
   count("block_means_of_2", width, rows, [] { (void)means.push(bytes); });
-  if (picker.start(limits, {}, {}, {}) != Status::ok) return false;
-  count("row_picker_a_row", 1, rows, [] { (void)picker.next(); });
-  count("pick_bits", width, 1, [] { picker.pick_bits(bytes, bits); });
+  if (cropper.start(limits, {}, {}, {}) != Status::ok) return false;
+  count("row_picker_a_row", 1, rows, [] { (void)cropper.next(); });
+  count("crop_bits", width, 1, [] { cropper.crop_bits(bytes, bits); });
   return true;
 }
 
@@ -79,12 +79,12 @@ bool count_ring() {
   static RowRing ring;
   if (ring.start(16, rows, memory_of(memory)) != Status::ok) return false;
   count("row_ring_a_row_filled", 1, rows, [] {
-    if (ring.free_row() != nullptr) ring.fill();
+    if (ring.free_row() != nullptr) ring.commit();
   });
   count("row_ring_a_row_taken", 1, rows, [] {
-    if (ring.next() == RowRing::Next::row) ring.pass();
+    if (ring.peek() == RowRing::Next::row) ring.pop();
   });
-  return ring.passed() == rows;
+  return ring.consumed() == rows;
 }
 
 }  // namespace

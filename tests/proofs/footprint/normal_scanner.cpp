@@ -16,8 +16,8 @@ extern "C" Status run(Scanner& extractor, Encoder& encoder, const ByteOutput& ou
   Status status = encoder.start(label, output);
   extractor.set_spacing(label.spacing_nm);
   if (status == Status::ok)
-    status = extractor.start(limits, capacities, 128, memory, sink_to(encoder));
+    status = extractor.start(limits, capacities, 128, memory, make_sink(encoder));
   if (status == Status::ok) status = extractor.push(row, limits.width).status;
-  if (status == Status::more) status = extractor.resume();
+  if (status == Status::suspended) status = extractor.resume();
   return status == Status::ok ? extractor.finish() : status;
 }

@@ -5,7 +5,7 @@ using namespace discmc;
 
 extern "C" UnitNormal run(const SampleRows<uint8_t>& rows, const Vertex& vertex,
                           const AxisWeights& weights, OctahedralNormal& octahedral) {
-  const LongVector down = weighted(rows.downhill(vertex), weights);
+  const LongVector down = weighted(rows.negative_gradient(vertex), weights);
   octahedral = octahedral_normal(down);
   return unit_normal(down);
 }

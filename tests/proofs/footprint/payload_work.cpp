@@ -67,7 +67,7 @@ template <class Sample, class Rows>
 static bool tell_regions(const char* name, const Volume& volume, Rows rows) {
   const bool good = encoder.start(volume.header().label(), {nullptr, take_bytes}) == Status::ok &&
                     extractor.start(volume.limits, volume.threshold, memory_of(memory),
-                                    sink_to(encoder)) == Status::ok &&
+                                    make_sink(encoder)) == Status::ok &&
                     push_and_finish<Sample>(extractor, volume.limits, volume.slices, rows);
   board::report(name, static_cast<uint32_t>(encoder.bytes()));
   return good;

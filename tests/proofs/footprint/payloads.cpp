@@ -55,8 +55,8 @@ void print_bytes(const std::string& name, const BitVolume& volume) {
 
 // ---- losses ----
 
-Answer ignore(void*, const RowEvent&) {
-  return Answer::taken;
+SinkResult ignore(void*, const RowEvent&) {
+  return SinkResult::accepted;
 }
 
 // The share of a volume's rows that do not arrive. Units: percent.

@@ -3,8 +3,8 @@
 
 using namespace discmc;
 
-static Answer take(void*, const RowEvent&) {
-  return Answer::taken;
+static SinkResult take(void*, const RowEvent&) {
+  return SinkResult::accepted;
 }
 
 extern "C" Status run(SliceDecoder& decoder, Memory memory, const uint8_t* bytes, size_t count) {

@@ -7,6 +7,6 @@ extern "C" Status run(SliceEncoder& encoder, const ByteOutput& output, const Str
                       Memory memory, const uint8_t* row) {
   Status status = encoder.start(header, {}, memory, output);
   if (status == Status::ok) status = encoder.push(row, header.width).status;
-  if (status == Status::more) status = encoder.resume();
+  if (status == Status::suspended) status = encoder.resume();
   return status == Status::ok ? encoder.finish() : status;
 }

@@ -12,7 +12,7 @@ BEGIN {
   want("Encoder::", "start take flush")
   want("SliceEncoder::", "start push push_bits skip_row resume flush finish abandon")
   want("Decoder::", "start push finish")
-  want("", "unfold twice_area split_ring is_corner")
+  want("", "ring_vertices twice_area split_ring is_corner")
 }
 
 {

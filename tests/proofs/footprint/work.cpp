@@ -20,8 +20,8 @@ static Extractor16 extractor;
 static Encoder encoder;
 static SliceEncoder slice_encoder;
 
-static Answer take_event(void*, const Event&) {
-  return Answer::taken;
+static SinkResult take_event(void*, const Event&) {
+  return SinkResult::accepted;
 }
 constexpr Sink no_sink{nullptr, take_event};
 
@@ -80,7 +80,7 @@ static bool count_normals(Normal (*make)(const LongVector&), int32_t z) {
       const Vertex vertex{2 * x + 1, 2 * y + z, 2 + z};
       good = good && window.covers(vertex);
       count_on();
-      const Normal normal = make(weighted(window.downhill(vertex), weights));
+      const Normal normal = make(weighted(window.negative_gradient(vertex), weights));
       count_off();
       good = good && normal != Normal{};
     }
@@ -95,7 +95,7 @@ int main() {
               scan<uint8_t>(ball, ball.width, outside, no_sink) &&
               scan<uint8_t>(ball, ball.width, inside_ball, no_sink);
   good = good && encoder.start({ball.width}, {nullptr, take_bytes}) == Status::ok &&
-         scan<uint8_t>(ball, ball.width, inside_ball, sink_to(encoder));
+         scan<uint8_t>(ball, ball.width, inside_ball, make_sink(encoder));
   good =
       good && tell_slices(wide, wide_slices, outside) && tell_slices(ball, ball.width, inside_ball);
   good = good && count_normals(octahedral, 0) && count_normals(octahedral, 1) &&

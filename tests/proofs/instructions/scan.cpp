@@ -16,8 +16,8 @@ namespace {
 
 constexpr uint32_t extent = 96;
 
-Answer take_event(void*, const Event&) {
-  return Answer::taken;
+SinkResult take_event(void*, const Event&) {
+  return SinkResult::accepted;
 }
 
 uint64_t active_cells(const reference::BitVolume& volume) {

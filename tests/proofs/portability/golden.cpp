@@ -89,7 +89,7 @@ uint32_t scans, events, fragments;
 // A sink that hashes the members that an event's kind names.
 class EventHash {
  public:
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     add(static_cast<uint32_t>(event.kind));
     switch (event.kind) {
       case Event::Kind::region:
@@ -108,7 +108,7 @@ class EventHash {
         break;
       case Event::Kind::fragment:
         add(event.incidence);
-        add(event.came);
+        add(event.incoming_direction);
         add(static_cast<uint32_t>(event.start.x));
         add(static_cast<uint32_t>(event.start.y));
         add(static_cast<uint32_t>(event.start.z));
@@ -127,7 +127,7 @@ class EventHash {
         for (const auto total : wire::trailer_totals) add(event.statistics->*total);
         break;
       case Event::Kind::start:  // an extractor knows less of it than a decoder
-        return Answer::taken;
+        return SinkResult::accepted;
       case Event::Kind::region_end:
       case Event::Kind::fragment_end:
       case Event::Kind::application:
@@ -135,7 +135,7 @@ class EventHash {
         break;
     }
     ++events_;
-    return Answer::taken;
+    return SinkResult::accepted;
   }
   uint64_t value() const { return hash_.value(); }
   uint32_t events() const { return events_; }
@@ -158,7 +158,7 @@ class BusyLine {
   }
   ByteOutput output() { return {this, write}; }
   Decoding& decoder() { return decoder_; }
-  Sink sink() { return sink_to(received_); }
+  Sink sink() { return make_sink(received_); }
   /// Whether all that was sent has arrived, and has made these events.
   bool finish(uint64_t expected) {
     return decoder_.finish() == Status::ok && good_ && decoder_.report().is_complete() &&
@@ -193,9 +193,9 @@ class Wire {
     return encoder_.start(header.label(), line_.output()) == Status::ok &&
            line_.decoder().start(line_.sink()) == Status::ok;
   }
-  Answer take(const Event& event) {
-    const Answer answer = encoder_.take(event);
-    if (answer == Answer::taken) (void)sent_.take(event);
+  SinkResult take(const Event& event) {
+    const SinkResult answer = encoder_.take(event);
+    if (answer == SinkResult::accepted) (void)sent_.take(event);
     return answer;
   }
   bool finish() { return line_.finish(sent_.value()); }
@@ -224,7 +224,7 @@ class Scan {
     const int32_t on_from = sample_of<Sample>(threshold);
     return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
            is_done(extractor_.start(limits, capacities, on_from, memory_of(memory),
-                                    sink_to(wire_between)));
+                                    make_sink(wire_between)));
   }
 
   // A row in one of the ways in which rows come.
@@ -259,7 +259,7 @@ class Scan {
 
  private:
   bool is_done(Status status) {
-    while (status == Status::more) status = extractor_.resume();
+    while (status == Status::suspended) status = extractor_.resume();
     return status == Status::ok;
   }
 
@@ -345,7 +345,7 @@ class SlicesBetween {
 template <class Scanner>
 bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
   const auto is_done = [&](Status status) {
-    while (status == Status::more) status = scanner.resume();
+    while (status == Status::suspended) status = scanner.resume();
     return status == Status::ok;
   };
   const uint32_t rows = height * depth - (abandons ? height / 2 : 0);
@@ -378,7 +378,7 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
   alone = EventHash();
   const bool abandons = limits.border == Border::open;
   auto* const extractor = new (memory) InPlace<Extractor32>;
-  if (extractor->start(limits, threshold, {arena, of_sweep}, sink_to(alone)) != Status::ok ||
+  if (extractor->start(limits, threshold, {arena, of_sweep}, make_sink(alone)) != Status::ok ||
       !push_volume(*extractor, volume, abandons))
     return false;
   auto* const between = new (memory) InPlace<SlicesBetween>;

@@ -23,10 +23,10 @@ struct Room {
 
 /// What the calls of a scan came to.
 struct Work {
-  double most_of_bound = 0;  ///< the greatest share of its bound that a call took
-  double most_at_work = 0;   ///< the same of calls that met vertices
-  uint64_t most = 0;         ///< blocks of a push
-  uint64_t blocks = 0;       ///< of all calls
+  double max_of_bound = 0;  ///< the greatest share of its bound that a call took
+  double max_at_work = 0;   ///< the same of calls that met vertices
+  uint64_t most = 0;        ///< blocks of a push
+  uint64_t blocks = 0;      ///< of all calls
   uint64_t vertices = 0;
   uint64_t fragments = 0;
 };
@@ -40,7 +40,7 @@ class CountedScan {
         limits_{volume.width, volume.height, border},
         memory_(bytes_for<uint32_t>(limits_, room.capacities)) {
     require_ok(extractor_.start(limits_, room.capacities, 1, {memory_.data(), memory_.size()},
-                                sink_to(counter_)));
+                                make_sink(counter_)));
   }
 
   Work run() {
@@ -64,13 +64,13 @@ class CountedScan {
   struct Counter {
     uint64_t events = 0, holes = 0, hole_runs = 0;
     bool is_in_hole = false;
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       // A long side is kept in pieces (trace::is_longest_side()).
       events += 1 + event.run.length() / 680;
       if (event.kind == Event::Kind::ring || event.kind == Event::Kind::fragment)
         holes += is_in_hole = event.hole;
       if (event.kind == Event::Kind::run) hole_runs += is_in_hole;
-      return Answer::taken;
+      return SinkResult::accepted;
     }
   };
   struct Call {
@@ -79,7 +79,7 @@ class CountedScan {
   };
 
   static void require_ok(Status status) {
-    if (status != Status::ok) throw std::runtime_error(text(status));
+    if (status != Status::ok) throw std::runtime_error(to_string(status));
   }
 
   // Rows of voxels that are swept, and the first row of the halo.
@@ -131,8 +131,8 @@ class CountedScan {
       const double share =
           static_cast<double>(taken) /
           static_cast<double>(bound(limits_.width, asked, counter_.holes, counter_.hole_runs));
-      work.most_of_bound = std::max(work.most_of_bound, share);
-      if (asked.vertices > 0) work.most_at_work = std::max(work.most_at_work, share);
+      work.max_of_bound = std::max(work.max_of_bound, share);
+      if (asked.vertices > 0) work.max_at_work = std::max(work.max_at_work, share);
       if (i < pushes) work.most = std::max(work.most, taken);
       work.blocks += taken;
       work.vertices += asked.vertices;

@@ -14,8 +14,8 @@
 namespace discmc::work {
 
 struct SliceWork {
-  uint64_t most = 0;         ///< blocks of a push
-  double most_of_bound = 0;  ///< the greatest share of its bound that one took
+  uint64_t most = 0;        ///< blocks of a push
+  double max_of_bound = 0;  ///< the greatest share of its bound that one took
 };
 
 /// Encodes a volume row by row, as so many surfaces that are all alike. Errors: throws what the
@@ -37,9 +37,9 @@ inline SliceWork encode_slices(const reference::BitVolume& volume, KeySlices key
     const uint64_t before = blocks;
     const Status status = encoder.push(volume.on.data() + voxel, volume.width).status;
     work.most = std::max(work.most, blocks - before);
-    if (status != Status::ok) throw std::runtime_error(text(status));
+    if (status != Status::ok) throw std::runtime_error(to_string(status));
   }
-  work.most_of_bound = static_cast<double>(work.most) / static_cast<double>(most);
+  work.max_of_bound = static_cast<double>(work.most) / static_cast<double>(most);
   return work;
 }
 

@@ -98,9 +98,9 @@ bool check_hostile_volumes() {
         const uint64_t a_vertex = work.blocks / std::max<uint64_t>(work.vertices, 1);
         std::printf("%-26s %-7s %-13s %12" PRIu64 " %10" PRIu64 " %8.1f%% %6" PRIu64 "\n",
                     hostile.name, border == Border::closed ? "closed" : "open", room.name,
-                    work.most, work.vertices > 0 ? a_vertex : 0, 100 * work.most_of_bound,
+                    work.most, work.vertices > 0 ? a_vertex : 0, 100 * work.max_of_bound,
                     work.fragments);
-        holds = holds && work.most_of_bound <= 1;
+        holds = holds && work.max_of_bound <= 1;
       }
     }
   return holds;
@@ -115,8 +115,8 @@ bool check_slices() {
       for (const uint8_t surfaces : {uint8_t{1}, uint8_t{4}}) {
         const SliceWork work = encode_slices(hostile.volume, {interval}, surfaces);
         std::printf("%-26s %-12" PRIu32 " %8d %12" PRIu64 " %8.1f%%\n", hostile.name, interval,
-                    surfaces, work.most, 100 * work.most_of_bound);
-        holds = holds && work.most_of_bound <= 1;
+                    surfaces, work.most, 100 * work.max_of_bound);
+        holds = holds && work.max_of_bound <= 1;
       }
   return holds;
 }
@@ -137,11 +137,11 @@ void change(BitVolume& volume, std::mt19937& chance) {
 double climb(Border border, const Room& room, Size size, uint64_t steps, uint32_t seed) {
   std::mt19937 chance(seed);
   BitVolume best = random(size, 128, seed);
-  double most = CountedScan(best, border, room).run().most_at_work;
+  double most = CountedScan(best, border, room).run().max_at_work;
   for (uint64_t step = 0; step < steps; ++step) {
     BitVolume changed = best;
     change(changed, chance);
-    const double share = CountedScan(changed, border, room).run().most_at_work;
+    const double share = CountedScan(changed, border, room).run().max_at_work;
     if (share < most) continue;
     most = share;
     best = std::move(changed);

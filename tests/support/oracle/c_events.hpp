@@ -24,7 +24,7 @@ inline RecordedEvent from_c(const discmc_event& event) {
   Event same{};
   same.kind = static_cast<Event::Kind>(event.kind);
   same.incidence = event.incidence;
-  same.came = event.came;
+  same.incoming_direction = event.incoming_direction;
   same.hole = event.hole != 0;
   same.repeated = event.repeated != 0;
   same.abandoned = event.abandoned != 0;
@@ -53,7 +53,7 @@ inline RecordedEvent from_c(const discmc_event& event) {
 /// An EventLog as a sink of C's. Owner: the log must outlive the sink.
 inline discmc_sink c_sink_to(EventLog& log) {
   const auto take = [](void* context, const discmc_event* event) {
-    const Answer answer = static_cast<EventLog*>(context)->take(from_c(*event).event());
+    const SinkResult answer = static_cast<EventLog*>(context)->take(from_c(*event).event());
     return static_cast<discmc_sink_result>(answer);
   };
   return {&log, take};

@@ -91,7 +91,7 @@ class Device {
 
   void start() {
     require_ok(encoder_.start({volume_.depth}, store.output()));
-    require_ok(extractor_.start(limits_, 1, block_.memory(), sink_to(encoder_)));
+    require_ok(extractor_.start(limits_, 1, block_.memory(), make_sink(encoder_)));
   }
 
   /// Pushes rows up to that of a number, counted through all slices.
@@ -100,7 +100,7 @@ class Device {
     for (; row < end; ++row) {
       Status status =
           extractor_.push(&volume_.on[size_t{row} * volume_.width], volume_.width).status;
-      while (status == Status::more) status = extractor_.resume();
+      while (status == Status::suspended) status = extractor_.resume();
       require_ok(status);
     }
   }
@@ -126,7 +126,7 @@ class Device {
   Status restore_parts() {
     const Status status = encoder_.restore(stream_, store.output());
     if (status != Status::ok) return status;
-    return extractor_.restore(scan_, block_.memory(), sink_to(encoder_));
+    return extractor_.restore(scan_, block_.memory(), make_sink(encoder_));
   }
 
   Image save() { return image_of(save_parts()); }

@@ -61,7 +61,7 @@ void split(const Ring& ring, std::vector<Ring>& rings) {
 
 }  // namespace
 
-Answer Collector::take(const Event& event) {
+SinkResult Collector::take(const Event& event) {
   require(place_ != Place::over, "an event after finish");
   switch (event.kind) {
     case Event::Kind::start:
@@ -97,7 +97,7 @@ Answer Collector::take(const Event& event) {
     case Event::Kind::lost:
       require(false, "an extractor loses nothing, and knows of no other data");
   }
-  return Answer::taken;
+  return SinkResult::accepted;
 }
 
 void Collector::begin_region(const Event& event) {
@@ -162,11 +162,11 @@ void Collector::begin_fragment(const Event& event) {
   require(is_incidence(event.incidence), "a fragment without incidence");
   require((event.start.x + event.start.y + event.start.z) % 2 != 0,
           "a fragment starts off the lattice");
-  require(event.came < direction_count(event.incidence),
+  require(event.incoming_direction < direction_count(event.incidence),
           "a fragment that came by a direction that the plane does not have");
   region_ = {event.incidence, {}};
   start_ = event.start;
-  came_ = event.came;
+  came_ = event.incoming_direction;
   runs_.clear();
   last_run_ = Run();
   place_ = Place::fragment;

@@ -45,10 +45,10 @@ class Collector {
   explicit Collector(const Slab& slab = {}) : slab_(slab) {}
 
   /// Always answers `taken`. Errors: throws GrammarError.
-  Answer take(const Event& event);
+  SinkResult take(const Event& event);
 
   /// Owner: the collector must outlive the sink.
-  Sink sink() { return sink_to(*this); }
+  Sink sink() { return make_sink(*this); }
 
   const std::vector<Region>& regions() const { return regions_; }
   const std::vector<LayerMark>& layers() const { return layers_; }

@@ -46,7 +46,8 @@ void for_each_number(const Event& event, Add add) {
       return add_all(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
                      uint64_t{event.normal.v} << 40);
     case Event::Kind::fragment:
-      return add_all(event.incidence, event.came, event.start.x, event.start.y, event.start.z);
+      return add_all(event.incidence, event.incoming_direction, event.start.x, event.start.y,
+                     event.start.z);
     case Event::Kind::skipped:
       return add_all(event.slice, event.row, event.repeated);
     case Event::Kind::layer:
@@ -123,10 +124,10 @@ class EventLog {
 
   explicit EventLog(Refuses refuses = {}) : refuses_(std::move(refuses)) {}
 
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::start) {
       starts.push_back(*event.header);
-      return Answer::taken;
+      return SinkResult::accepted;
     }
     const RecordedEvent offered(event);
     if (refused_ && *refused_ != offered)
@@ -135,11 +136,11 @@ class EventLog {
     if (refuses_ && refuses_(offers_++)) {
       ++refusals_;
       refused_ = offered;
-      return Answer::not_now;
+      return SinkResult::busy;
     }
-    if (events.size() == most_events) throw GrammarError("events without end");
+    if (events.size() == max_events) throw GrammarError("events without end");
     events.push_back(offered);
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 
   uint64_t refusals() const { return refusals_; }
@@ -148,7 +149,7 @@ class EventLog {
   std::vector<StreamHeader> starts;
 
  private:
-  static constexpr size_t most_events = 20000000;
+  static constexpr size_t max_events = 20000000;
 
   Refuses refuses_;
   uint64_t offers_ = 0;

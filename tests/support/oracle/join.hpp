@@ -37,18 +37,18 @@ inline JoinCapacities enough_for(const Events& events) {
 /// Offers every event until it is taken, then finishes. Errors: throws when the joiner is stuck, or
 /// takes something later than its sink, breaks a promise, or writes outside its memory.
 inline Joined join(const Events& events, const JoinPlan& plan) {
-  const int most_tries = plan.refuses ? 1 << 20 : 1;
+  const int max_tries = plan.refuses ? 1 << 20 : 1;
   Block block(Joiner::bytes_for(plan.capacities), Block::Kind::guarded);
   EventLog log(plan.refuses);
   Joiner joiner;
   require_ok(
-      joiner.start(plan.capacities, block.memory(), sink_to(log), plan.order, plan.unjoined));
+      joiner.start(plan.capacities, block.memory(), make_sink(log), plan.order, plan.unjoined));
   for (const RecordedEvent& event : events)
-    for (int tries = 1; joiner.take(event.event()) != Answer::taken; ++tries)
-      if (tries >= most_tries) throw std::runtime_error("an event that is never taken");
+    for (int tries = 1; joiner.take(event.event()) != SinkResult::accepted; ++tries)
+      if (tries >= max_tries) throw std::runtime_error("an event that is never taken");
   Status status = joiner.finish();
-  for (int tries = 1; status == Status::more; ++tries) {
-    if (tries >= most_tries) throw std::runtime_error("no end");
+  for (int tries = 1; status == Status::suspended; ++tries) {
+    if (tries >= max_tries) throw std::runtime_error("no end");
     status = joiner.finish();
   }
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");

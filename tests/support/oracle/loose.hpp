@@ -35,7 +35,7 @@ struct Cuts {
   Below below;                 ///< chance: a number below the limit
   uint32_t loose_outers = 50;  ///< percent of the outer rings
   uint32_t loose_holes = 50;   ///< percent of the holes of other regions
-  uint32_t most_pieces = 5;    ///< of a ring
+  uint32_t max_pieces = 5;     ///< of a ring
   int32_t slab = 0;            ///< height of the slabs, each a stream; 0: one for all.
                                ///< Units: half-steps
 };
@@ -180,7 +180,7 @@ class Cutter {
       if (stream_of(last, ring[i]) != stream_of(ring[i], ring[(i + 1) % ring.size()]))
         places.push_back(i);
     }
-    for (uint32_t more = 1 + cuts_.below(cuts_.most_pieces); more > 0; --more)
+    for (uint32_t more = 1 + cuts_.below(cuts_.max_pieces); more > 0; --more)
       places.push_back(cuts_.below(static_cast<uint32_t>(ring.size())));
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -209,7 +209,7 @@ class Cutter {
           [&](Event& event) {
             event.kind = Event::Kind::fragment;
             event.start = ring[begin];
-            event.came = direction(name, begin + ring.size() - 1);
+            event.incoming_direction = direction(name, begin + ring.size() - 1);
           },
           name.region);
       add_runs(piece, name, begin, end - begin);

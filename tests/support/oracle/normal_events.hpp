@@ -41,7 +41,7 @@ void for_each_start(const Events& events, Visit visit) {
         incidence = event.incidence;
         vertex = event.start;
         is_begun = true;
-        came = event.came;
+        came = event.incoming_direction;
         break;
       case Event::Kind::ring:
         vertex = event.start;

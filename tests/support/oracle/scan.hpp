@@ -60,16 +60,15 @@ inline Limits limits_of(const BitVolume& volume, Border border) {
 
 /// Pushes all samples, resuming as often as it takes. Errors: throws when a status is one.
 template <class AnyExtractor, class Sample>
-void push_all(AnyExtractor& extractor, const std::vector<Sample>& samples,
-              uint32_t chunk = 0) {
+void push_all(AnyExtractor& extractor, const std::vector<Sample>& samples, uint32_t chunk = 0) {
   const auto total = static_cast<uint32_t>(samples.size());
   for (uint32_t at = 0; at < total;) {
     const uint32_t left = total - at;
     const uint32_t count = chunk == 0 || chunk > left ? left : chunk;
     const PushResult pushed = extractor.push(samples.data() + at, count);
     at += pushed.samples;
-    if (pushed.status != Status::ok && pushed.status != Status::more)
-      throw std::runtime_error(text(pushed.status));
+    if (pushed.status != Status::ok && pushed.status != Status::suspended)
+      throw std::runtime_error(to_string(pushed.status));
   }
 }
 
@@ -77,12 +76,12 @@ void push_all(AnyExtractor& extractor, const std::vector<Sample>& samples,
 template <class AnyExtractor>
 void finish_all(AnyExtractor& extractor) {
   Status status = extractor.finish();
-  while (status == Status::more) status = extractor.finish();
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  while (status == Status::suspended) status = extractor.finish();
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
 inline void require_ok(Status status) {
-  if (status != Status::ok) throw std::runtime_error(text(status));
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
 /// Scans a volume of bits with explicit capacities. Errors: throws when the extractor reports one,
@@ -93,7 +92,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan,
   const Limits limits = limits_of(volume, plan.border);
   Block block(bytes_for<Index>(limits, capacities), kind);
   Extractor<Index> extractor;
-  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(receiver)));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(receiver)));
   push_all(extractor, volume.on, plan.chunk);
   finish_all(extractor);
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
@@ -106,7 +105,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, ui
   const Limits limits = limits_of(volume, plan.border);
   Block block(bytes, kind);
   Extractor<Index> extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), sink_to(receiver)));
+  require_ok(extractor.start(limits, 1, block.memory(), make_sink(receiver)));
   push_all(extractor, volume.on, plan.chunk);
   finish_all(extractor);
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
@@ -146,7 +145,7 @@ std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32
     Block block(minimum_bytes<Index>(limits) + spare);
     EventLog log(refuses);
     Extractor<Index> extractor;
-    require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
     push_all(extractor, voxels_of_slab(volume, first, end));
     finish_all(extractor);
     if (!block.is_intact()) throw std::runtime_error("a write outside the arena");

@@ -27,14 +27,14 @@ inline void push_rows(SliceEncoder& encoder, const uint8_t* samples, uint32_t co
     const uint32_t left = count - at;
     const PushResult result = encoder.push(samples + at, left < portion ? left : portion);
     at += result.samples;
-    if (result.status != Status::more) reference::require_ok(result.status);
+    if (result.status != Status::suspended) reference::require_ok(result.status);
   }
 }
 
 template <class Call>
 void until_done(Call call) {
-  Status status = Status::more;
-  while (status == Status::more) status = call();
+  Status status = Status::suspended;
+  while (status == Status::suspended) status = call();
   reference::require_ok(status);
 }
 
@@ -107,18 +107,18 @@ class RowLog {
  public:
   explicit RowLog(bool refuses) : refuses_(refuses) {}
   void set_width(uint32_t width) { width_ = width; }
-  Answer take(const RowEvent& event) {
+  SinkResult take(const RowEvent& event) {
     if (event.kind == RowEvent::Kind::start) {
       starts.push_back(*event.header);
-      return Answer::taken;
+      return SinkResult::accepted;
     }
     was_refused_ = refuses_ && !was_refused_;
-    if (was_refused_) return Answer::not_now;
+    if (was_refused_) return SinkResult::busy;
     Bytes bits;
     if (event.kind == RowEvent::Kind::row || event.kind == RowEvent::Kind::skipped)
       for (uint32_t x = 0; x < width_; ++x) bits.push_back(event.bits[x / 8] >> x % 8 & 1);
     rows.push_back({event, bits});
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 
   std::vector<RecordedRow> rows;
@@ -139,7 +139,7 @@ Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
     const Decoded decoded =
         decoder.push(bytes.data() + at, chunk == 0 || chunk > left ? left : chunk);
     at += decoded.bytes;
-    if (decoded.status != Status::ok && decoded.status != Status::more) return decoded.status;
+    if (decoded.status != Status::ok && decoded.status != Status::suspended) return decoded.status;
   }
   until_done([&] { return decoder.finish(); });
   return Status::ok;

@@ -105,13 +105,13 @@ Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOut
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header;
-  return encoder.take(event) == Answer::taken ? Status::ok : Status::bad_sink;
+  return encoder.take(event) == SinkResult::accepted ? Status::ok : Status::bad_sink;
 }
 
 template <class Encoding>
 void take_all(Encoding& encoder, const Events& events) {
   for (const RecordedEvent& recorded : events)
-    for (int tries = 0; encoder.take(recorded.event()) != Answer::taken; ++tries)
+    for (int tries = 0; encoder.take(recorded.event()) != SinkResult::accepted; ++tries)
       if (tries > 10000) throw std::runtime_error("an event that is never taken");
 }
 
@@ -145,7 +145,7 @@ struct Received {
 inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
   EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Decoder decoder;
-  reference::require_ok(decoder.start(sink_to(log)));
+  reference::require_ok(decoder.start(make_sink(log)));
   Status status = Status::ok;
   for (size_t at = 0; at < bytes.size() && status != Status::wrong_version;) {
     const size_t left = bytes.size() - at;
@@ -155,7 +155,7 @@ inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = fals
     status = decoded.status;
   }
   Status end = decoder.finish();
-  while (end == Status::more) end = decoder.finish();
+  while (end == Status::suspended) end = decoder.finish();
   reference::require_ok(end);
   if (decoder.push(nullptr, 0).status == Status::wrong_version) status = Status::wrong_version;
   return {log.events, decoder.report(), decoder.header(), status};
@@ -165,7 +165,7 @@ inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = fals
 inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
   EventLog log;
   Decoder decoder;
-  reference::require_ok(decoder.start(sink_to(log)));
+  reference::require_ok(decoder.start(make_sink(log)));
   std::vector<Events> result;
   for (const Bytes& frame : frames) {
     const Decoded decoded = decoder.push(frame.data(), frame.size());
@@ -228,7 +228,7 @@ inline std::vector<Events> pieces_of(const Events& events) {
         directions = direction_count(event.incidence);
       if (place == Place::fragment) {
         require((event.start.x ^ event.start.y ^ event.start.z) & 1);
-        require(event.came < directions);
+        require(event.incoming_direction < directions);
       }
       open.clear();
     }

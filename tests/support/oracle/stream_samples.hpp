@@ -44,7 +44,7 @@ class Script {
     Event event = of(Event::Kind::fragment);
     event.incidence = incidence;
     event.start = start;
-    event.came = came;
+    event.incoming_direction = came;
     return add(event);
   }
   Script& fragment_end() {
@@ -151,7 +151,8 @@ inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows
   reference::Block block(bytes_for<uint32_t>(limits, reference::ample));
   EventLog log;
   Extractor32 extractor;
-  reference::require_ok(extractor.start(limits, reference::ample, 1, block.memory(), sink_to(log)));
+  reference::require_ok(
+      extractor.start(limits, reference::ample, 1, block.memory(), make_sink(log)));
   const uint32_t rows = volume.height * volume.depth;
   const bool is_abandoned = rows_until_abandoned > 0;
   for (uint32_t row = 0; row < (is_abandoned ? rows_until_abandoned : rows); ++row) {

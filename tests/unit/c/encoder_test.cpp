@@ -136,7 +136,7 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   CHECK(begin(stream.encoder, 12) == DISCMC_SINK_ACCEPTED);
 
   CHECK(discmc_encoder_write_record(stream.encoder, &record) == DISCMC_OK);
-  require_ok(encoder.tell({4, 5, 6, bytes, sizeof bytes}));
+  require_ok(encoder.write_record({4, 5, 6, bytes, sizeof bytes}));
   const discmc_application_record too_long = {4, 0, 0, bytes, DISCMC_MAX_RECORD_BYTES + 1};
   CHECK(discmc_encoder_write_record(stream.encoder, &too_long) == DISCMC_BAD_RECORD);
 
@@ -155,7 +155,7 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   Event start{};
   start.kind = Event::Kind::start;
   start.header = &further;
-  CHECK(encoder.take(start) == Answer::taken);
+  CHECK(encoder.take(start) == SinkResult::accepted);
   CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_OK);
   CHECK(encoder.flush());
   CHECK(line.bytes == cpp_line.bytes);

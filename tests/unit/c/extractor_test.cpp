@@ -79,12 +79,12 @@ void scan_in_cpp(Scanner& scanner, const Limits& limits, const Capacities& capac
   const auto samples = make_samples<Sample>();
   static std::vector<uint8_t> memory(size_t{8} << 20);
   require_ok(
-      scanner.start(limits, capacities, threshold, {memory.data(), memory.size()}, sink_to(log)));
+      scanner.start(limits, capacities, threshold, {memory.data(), memory.size()}, make_sink(log)));
   for (uint32_t row = 0; row < height * depth; ++row) {
     const PushResult result = row == lost_row ? scanner.skip_row(Substitute::previous_row)
                                               : scanner.push(&samples[size_t{row} * width], width);
     Status status = result.status;
-    while (status == Status::more) status = scanner.resume();
+    while (status == Status::suspended) status = scanner.resume();
     require_ok(status);
   }
   finish_all(scanner);
@@ -137,8 +137,8 @@ void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
   CHECK(info.statistics.skipped_rows == 1);
   CHECK(info.slices == depth);
   // What keeps corners may take a few more after it was restored.
-  if (&kind != &discmc_host) CHECK(info.most_records == scanner->high_water().records);
-  CHECK(info.most_holes == scanner->high_water().holes);
+  if (&kind != &discmc_host) CHECK(info.peak_records == scanner->high_water().records);
+  CHECK(info.peak_holes == scanner->high_water().holes);
 }
 
 template <class Sample>
@@ -245,7 +245,7 @@ TEST_CASE("an abandoned scan is closed") {
   std::vector<uint8_t> memory(20000);
   const discmc_extractor_info info = scan.info();
   require_ok(scanner.start({width, height}, {info.records, info.holes}, threshold,
-                           {memory.data(), memory.size()}, sink_to(expected)));
+                           {memory.data(), memory.size()}, make_sink(expected)));
   const auto samples = make_samples<uint8_t>();
   for (uint32_t row = 0; row < 3 * height + 5; ++row)
     require_ok(row == lost_row ? scanner.skip_row(Substitute::previous_row).status

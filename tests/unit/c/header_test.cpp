@@ -64,7 +64,7 @@ TEST_CASE("every status has a text of its own") {
   for (int status = DISCMC_OK; status <= DISCMC_BAD_SAMPLES; ++status)
     texts.insert(discmc_status_string(static_cast<discmc_status>(status)));
   CHECK(texts.size() == DISCMC_BAD_SAMPLES + 1);
-  CHECK(texts.count(text(Status::device_error)) == 1);
+  CHECK(texts.count(to_string(Status::device_error)) == 1);
 }
 
 TEST_CASE("the constants of sizes.h suffice, and are not much more") {

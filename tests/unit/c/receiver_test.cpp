@@ -106,7 +106,7 @@ void compare(const Bytes& stream, uint32_t surfaces, uint8_t channel) {
 
   std::vector<uint8_t> memory(minimum_surface_bytes({20, 15}, surfaces) + spare);
   SurfaceDecoder decoder;
-  require_ok(decoder.start({memory.data(), memory.size()}, sink_to(expected), channel));
+  require_ok(decoder.start({memory.data(), memory.size()}, make_sink(expected), channel));
   require_ok(test::push_stream(decoder, stream, 0));
   CHECK(log.events == expected.events);
   REQUIRE(log.starts.size() == 1);
@@ -193,9 +193,9 @@ TEST_CASE("a joiner behind a receiver delivers what a Joiner delivers") {
     std::vector<uint8_t> other(Joiner::bytes_for({info.fragments, info.runs}));
     Joiner in_cpp;
     require_ok(in_cpp.start({info.fragments, info.runs}, {other.data(), other.size()},
-                            sink_to(expected), InputOrder::sweep));
+                            make_sink(expected), InputOrder::sweep));
     for (const RecordedEvent& event : test::decode(polygons()).events)
-      REQUIRE(in_cpp.take(event.event()) == Answer::taken);
+      REQUIRE(in_cpp.take(event.event()) == SinkResult::accepted);
     CHECK(static_cast<discmc_status>(in_cpp.finish()) == status);
     CHECK(log.events == expected.events);
     const JoinReport& report = in_cpp.report();
@@ -206,8 +206,8 @@ TEST_CASE("a joiner behind a receiver delivers what a Joiner delivers") {
     CHECK(info.rings == report.rings);
     CHECK(info.unmatched == report.unmatched);
     CHECK(info.passed == report.passed);
-    CHECK(info.most_fragments == in_cpp.high_water().fragments);
-    CHECK(info.most_runs == in_cpp.high_water().runs);
+    CHECK(info.peak_fragments == in_cpp.high_water().fragments);
+    CHECK(info.peak_runs == in_cpp.high_water().runs);
   }
 }
 

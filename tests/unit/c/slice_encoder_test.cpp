@@ -38,8 +38,8 @@ struct Scan {
     const ByteOutput output = line.output();
     config.output = {output.context, output.write};
   }
-  Scan(const discmc_slice_kind& kind, Line& line) : Scan(kind, line, least_bytes()) {}
-  static uint64_t least_bytes() {
+  Scan(const discmc_slice_kind& kind, Line& line) : Scan(kind, line, min_bytes()) {}
+  static uint64_t min_bytes() {
     discmc_slice_encoder_config config{};
     config.limits = {width, height, DISCMC_OPEN};
     config.surface_count = surfaces;
@@ -91,7 +91,7 @@ test::Bytes stream_of_cpp() {
   require_ok(encoder.start(header, {4}, {memory.data(), memory.size()}, line.output()));
   for (uint32_t row = 0; row < height * depth; ++row) {
     if (row == saved_row) {
-      require_ok(encoder.tell({9, 0, 0, record_bytes, sizeof record_bytes}));
+      require_ok(encoder.write_record({9, 0, 0, record_bytes, sizeof record_bytes}));
       require_ok(encoder.flush());
     }
     require_ok(row == lost_row ? encoder.skip_row(Substitute::off).status

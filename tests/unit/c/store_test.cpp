@@ -109,7 +109,7 @@ TEST_CASE("a scan in C goes on from flash, byte for byte") {
   first.scan_to(volume, 21);
   REQUIRE(first.save() == DISCMC_OK);
   first.scan_to(volume, 37);
-  CHECK(discmc_store_erase_ahead(first.store, config.most_bytes) == DISCMC_SUSPENDED);
+  CHECK(discmc_store_erase_ahead(first.store, config.max_bytes) == DISCMC_SUSPENDED);
   REQUIRE(first.save() == DISCMC_OK);
   first.scan_to(volume, 50);
   flash.cut_after(1500);
@@ -122,7 +122,7 @@ TEST_CASE("a scan in C goes on from flash, byte for byte") {
   const discmc_store_info info = discmc_store_get_info(second.store);
   CHECK(info.has_checkpoint == 1);
   CHECK(info.sequence == 2);
-  CHECK(info.bytes <= config.most_bytes);
+  CHECK(info.bytes <= config.max_bytes);
   second.restore();
   CHECK(second.row() == 37);
   test::Bytes stream = first.line.bytes;
@@ -142,7 +142,7 @@ TEST_CASE("the info of a store has the plan of C++") {
     std::vector<uint8_t> memory(DISCMC_STORE_BYTES(any.program_bytes));
     Device device;
     discmc_store_config config = device.flash(flash);
-    config.most_bytes = 3000;
+    config.max_bytes = 3000;
     config.memory = {memory.data(), memory.size()};
     discmc_store* store = nullptr;
     REQUIRE(discmc_store_start(&store, &config) == DISCMC_OK);

@@ -35,24 +35,24 @@ constexpr Memories memories[] = {
     {"three slots a block", {16, 4096, 2}},
     {"no erasing", {64, 1536, 3}, Kind::fram},
 };
-constexpr uint32_t most_bytes = 1200;
+constexpr uint32_t max_bytes = 1200;
 
 /// A store and its buffer.
 struct Keeper {
   CheckpointStore store{};
   std::vector<uint8_t> buffer;
 
-  explicit Keeper(SimulatedFlash& flash, uint32_t most = most_bytes)
+  explicit Keeper(SimulatedFlash& flash, uint32_t most = max_bytes)
       : buffer(flash.device().geometry.program_bytes) {
     status = start(flash.device(), most);
   }
 
-  Status start(const FlashDevice& device, uint32_t most = most_bytes) {
+  Status start(const FlashDevice& device, uint32_t most = max_bytes) {
     return store.start(device, most, {buffer.data(), buffer.size()});
   }
 
   Status finish(Status last) {
-    while (last == Status::more) last = store.resume();
+    while (last == Status::suspended) last = store.resume();
     return last;
   }
   Status save(const std::vector<Memory>& parts) {
@@ -80,7 +80,7 @@ class Contents {
 
   static Contents of(Keeper& keeper) {
     Contents read;
-    read.bytes_.assign(most_bytes, 0xA5);
+    read.bytes_.assign(max_bytes, 0xA5);
     REQUIRE(keeper.restore(read.parts()) == Status::ok);
     CHECK(std::all_of(read.bytes_.begin() + keeper.store.bytes(), read.bytes_.end(),
                       [](uint8_t byte) { return byte == 0xA5; }));
@@ -210,7 +210,7 @@ TEST_CASE(
       flash.cut_after(1 + random() % 6000);
       Keeper keeper(flash);
       for (;;) {
-        for (Status status = Status::more; status == Status::more && random() % 4 != 0;)
+        for (Status status = Status::suspended; status == Status::suspended && random() % 4 != 0;)
           status = keeper.store.erase_ahead(Contents(next).bytes());
         if (save(keeper, next) != Status::ok) break;
         newest = next++;
@@ -293,7 +293,7 @@ TEST_CASE("a call does one thing: it erases a block, or programs a unit") {
       };
       before = did();
       Status status = keeper.store.save(parts.data(), 3);
-      for (; status == Status::more; status = keeper.store.resume()) {
+      for (; status == Status::suspended; status = keeper.store.resume()) {
         CHECK(did() <= before + 1);
         before = did();
       }
@@ -320,7 +320,7 @@ TEST_CASE("only what is in use is erased, and all blocks wear alike") {
     CAPTURE(memory.name);
     SimulatedFlash worn(memory.geometry);
     Keeper wearing(worn);
-    std::vector<uint8_t> all(most_bytes);
+    std::vector<uint8_t> all(max_bytes);
     const StorePlan& plan = wearing.store.plan();
     for (uint64_t i = 0; i < plan.checkpoints_until_worn(3); ++i)
       REQUIRE(wearing.save({{all.data(), all.size()}}) == Status::ok);
@@ -345,7 +345,7 @@ TEST_CASE("what was erased ahead is not erased again") {
       const bool is_first = number % keeper.store.plan().slots_per_block == 0;
       const uint32_t blocks = is_first ? keeper.store.plan().blocks(bytes) : 0;
       for (uint32_t block = 1; block < blocks; ++block)
-        REQUIRE(keeper.store.erase_ahead(bytes) == Status::more);
+        REQUIRE(keeper.store.erase_ahead(bytes) == Status::suspended);
       REQUIRE(keeper.store.erase_ahead(bytes) == Status::ok);
       REQUIRE(keeper.store.erase_ahead(bytes) == Status::ok);
       CHECK(erasures() == before + blocks);
@@ -360,7 +360,7 @@ TEST_CASE("what was erased ahead is not erased again") {
 TEST_CASE("blocks wear alike where every checkpoint follows a start") {
   const Memories& memory = memories[1];
   SimulatedFlash flash(memory.geometry);
-  std::vector<uint8_t> all(most_bytes);
+  std::vector<uint8_t> all(max_bytes);
   for (uint32_t number = 0; number < 6; ++number)
     REQUIRE(Keeper(flash).save({{all.data(), all.size()}}) == Status::ok);
   CHECK(flash.erasures == std::vector<uint32_t>{2, 2, 2, 2, 2, 2, 0});
@@ -387,7 +387,7 @@ TEST_CASE("a store that is started with another flash forgets the first one") {
     REQUIRE(keeper.restore(Contents(2).parts()) == Status::device_error);
     Contents contents(3);
     const auto parts = contents.parts();
-    REQUIRE(keeper.store.save(parts.data(), 3) == Status::more);
+    REQUIRE(keeper.store.save(parts.data(), 3) == Status::suspended);
     REQUIRE(keeper.start(other.device()) == Status::ok);
     CHECK_FALSE(keeper.store.has_checkpoint());
     CHECK(keeper.store.bytes() == 0);
@@ -446,7 +446,7 @@ TEST_CASE("a call of the device that fails is told, and costs no older checkpoin
     REQUIRE(save(keeper, 1) == Status::ok);
     REQUIRE(save(keeper, 2) == Status::ok);
     flash.fail_call(0);
-    CHECK(keeper.store.erase_ahead(most_bytes) == Status::device_error);
+    CHECK(keeper.store.erase_ahead(max_bytes) == Status::device_error);
     CHECK(number_found(flash, 3) == 2);
     REQUIRE(save(keeper, 3) == Status::ok);
     CHECK(number_found(flash, 4) == 3);
@@ -467,7 +467,7 @@ TEST_CASE("a save that follows one that failed leaves the newest checkpoint unti
       Contents contents(saved + 1);
       const auto parts = contents.parts();
       Status status = keeper.store.save(parts.data(), 3);
-      for (; status == Status::more; status = keeper.store.resume())
+      for (; status == Status::suspended; status = keeper.store.resume())
         REQUIRE(number_found(flash, saved) == saved - 1);
       REQUIRE(status == Status::ok);
       CHECK(number_found(flash, saved + 2) == saved + 1);
@@ -518,7 +518,7 @@ TEST_CASE("a save that is broken off, by another or by reading, leaves the check
       const auto parts = contents.parts();
       Status status = keeper.store.save(parts.data(), 3);
       for (uint32_t i = 0; i < steps; ++i) status = keeper.store.resume();
-      REQUIRE(status == Status::more);
+      REQUIRE(status == Status::suspended);
       CHECK(number_found(flash, 4) == 0);
       if (steps % 2 == 0) {
         CHECK(Contents::of(keeper) == Contents(0));
@@ -534,7 +534,7 @@ TEST_CASE("a save that is broken off, by another or by reading, leaves the check
 TEST_CASE("numbers go on with 0 behind the last, and the newest stays the newest") {
   const Memories& memory = memories[1];
   SimulatedFlash flash(memory.geometry);
-  const StorePlan plan = store_plan(memory.geometry, most_bytes);
+  const StorePlan plan = store_plan(memory.geometry, max_bytes);
   put_slot(slot(flash, plan, 1), UINT32_MAX - 1, Contents(1));
   put_slot(slot(flash, plan, 0), UINT32_MAX - 2, Contents(0));
   for (uint32_t number = 2; number < 8; ++number) {
@@ -570,7 +570,7 @@ TEST_CASE("a number that a damaged checkpoint has is not given again") {
 TEST_CASE("a head that is larger than a checkpoint may be is none") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
-  const StorePlan plan = store_plan(memory.geometry, most_bytes);
+  const StorePlan plan = store_plan(memory.geometry, max_bytes);
   put_slot(slot(flash, plan, 0), 1, Contents(3));  // 919 bytes
   CHECK(number_found(flash, 4) == 3);
   CHECK_FALSE(Keeper(flash, 918).store.has_checkpoint());
@@ -579,7 +579,7 @@ TEST_CASE("a head that is larger than a checkpoint may be is none") {
 TEST_CASE("a head of another format is none") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
-  const StorePlan plan = store_plan(memory.geometry, most_bytes);
+  const StorePlan plan = store_plan(memory.geometry, max_bytes);
   put_slot(slot(flash, plan, 0), 1, Contents(0), StoredHead::current_format + 1);
   CHECK(number_found(flash, 1) == UINT32_MAX);
 }
@@ -587,7 +587,7 @@ TEST_CASE("a head of another format is none") {
 TEST_CASE("whatever numbers heads have, a start comes to an end") {
   const FlashGeometry geometry{64, 2048, 4};
   SimulatedFlash flash(geometry);
-  const StorePlan plan = store_plan(geometry, most_bytes);
+  const StorePlan plan = store_plan(geometry, max_bytes);
   for (uint32_t i = 0; i < 3; ++i) {
     put_slot(slot(flash, plan, i), i * 0x55555555, Contents(i));
     slot(flash, plan, i)[20] ^= 1;
@@ -644,8 +644,8 @@ TEST_CASE("what cannot be started, saved or restored is refused") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   CheckpointStore store{};
-  uint8_t buffer[256], bytes[most_bytes + 1] = {};
-  const Memory parts[5] = {{bytes, most_bytes}, {bytes, 1}, {bytes, 1}, {bytes, 1}, {bytes, 1}};
+  uint8_t buffer[256], bytes[max_bytes + 1] = {};
+  const Memory parts[5] = {{bytes, max_bytes}, {bytes, 1}, {bytes, 1}, {bytes, 1}, {bytes, 1}};
   CHECK(store.save(parts, 1) == Status::not_started);
   CHECK(store.resume() == Status::not_started);
   CHECK(store.erase_ahead(1) == Status::not_started);
@@ -654,28 +654,28 @@ TEST_CASE("what cannot be started, saved or restored is refused") {
   const FlashDevice device = flash.device();
   FlashDevice other = device;
   other.read = nullptr;
-  CHECK(store.start(other, most_bytes, memory_of(buffer)) == Status::bad_device);
+  CHECK(store.start(other, max_bytes, memory_of(buffer)) == Status::bad_device);
   other = device;
   other.program = nullptr;
-  CHECK(store.start(other, most_bytes, memory_of(buffer)) == Status::bad_device);
+  CHECK(store.start(other, max_bytes, memory_of(buffer)) == Status::bad_device);
   other = device;
   other.geometry.blocks = 1;
-  CHECK(store.start(other, most_bytes, memory_of(buffer)) == Status::bad_device);
-  CHECK(store.start(device, most_bytes, {}) == Status::too_little_memory);
-  CHECK(store.start(device, most_bytes, {buffer, 255}) == Status::too_little_memory);
+  CHECK(store.start(other, max_bytes, memory_of(buffer)) == Status::bad_device);
+  CHECK(store.start(device, max_bytes, {}) == Status::too_little_memory);
+  CHECK(store.start(device, max_bytes, {buffer, 255}) == Status::too_little_memory);
   CHECK(store.save(parts, 1) == Status::not_started);
   other = device;
   other.sync = nullptr;
-  REQUIRE(store.start(other, most_bytes, memory_of(buffer)) == Status::ok);
+  REQUIRE(store.start(other, max_bytes, memory_of(buffer)) == Status::ok);
 
   CHECK(store.save(parts, 0) == Status::too_little_memory);
   CHECK(store.save(parts, 2) == Status::too_little_memory);
   CHECK(store.save(parts + 1, 5) == Status::too_little_memory);
   CHECK(flash.units == 0);
   Status status = store.save(parts, 1);
-  while (status == Status::more) status = store.resume();
+  while (status == Status::suspended) status = store.resume();
   CHECK(status == Status::ok);
-  CHECK(store.bytes() == most_bytes);
+  CHECK(store.bytes() == max_bytes);
 }
 
 TEST_CASE("a plan counts blocks, units, erasures and time") {

@@ -35,11 +35,11 @@ struct Ring : RowRing {
 bool bring(RowRing& ring, uint32_t ahead = 0) {
   void* const row = ring.free_row(ahead);
   if (row == nullptr) {
-    ring.lose();
+    ring.drop();
     return false;
   }
-  std::memset(row, static_cast<int>(ring.came() & 0xFF), row_bytes);
-  ring.fill();
+  std::memset(row, static_cast<int>(ring.produced() & 0xFF), row_bytes);
+  ring.commit();
   return true;
 }
 
@@ -59,15 +59,15 @@ struct Task {
   // Takes what there is, at most so much; returns how much.
   uint32_t take(RowRing& ring, uint32_t most) {
     for (uint32_t taken = 0; taken < most; ++taken) {
-      const Next next = ring.next();
+      const Next next = ring.peek();
       if (next == Next::nothing || next == Next::end) {
         has_ended = next == Next::end;
         return taken;
       }
-      is_right = is_right && !has_ended && ring.passed() == seen.size() &&
-                 (next == Next::lost || is_row(ring, ring.passed()));
+      is_right = is_right && !has_ended && ring.consumed() == seen.size() &&
+                 (next == Next::lost || is_row(ring, ring.consumed()));
       seen += next == Next::row ? 'r' : 'l';
-      ring.pass();
+      ring.pop();
     }
     return most;
   }
@@ -78,20 +78,20 @@ struct Task {
 TEST_CASE("rows come out in their order, and lost ones in their place") {
   Ring ring(2);
   Task task;
-  CHECK(ring.next() == Next::nothing);
+  CHECK(ring.peek() == Next::nothing);
   CHECK(bring(ring));
   CHECK(bring(ring));
   CHECK_FALSE(bring(ring));  // there is no room
   task.take(ring, 1);
   CHECK(bring(ring));
-  ring.lose(2);
+  ring.drop(2);
   task.take(ring, 100);
   CHECK(task.seen == "rrlrll");
-  CHECK(ring.next() == Next::nothing);
+  CHECK(ring.peek() == Next::nothing);
   CHECK(ring.lost() == 3);
-  CHECK(ring.came() == 6);
-  CHECK(ring.passed() == 6);
-  ring.lose();
+  CHECK(ring.produced() == 6);
+  CHECK(ring.consumed() == 6);
+  ring.drop();
   ring.end();
   CHECK_FALSE(task.has_ended);
   task.take(ring, 100);
@@ -147,7 +147,7 @@ TEST_CASE("a ring refuses no rows, empty ones, and too little memory; then nothi
   CHECK(ring.start(row_bytes, 0, block.memory()) == Status::bad_capacities);
   CHECK(ring.start(UINT32_MAX, UINT32_MAX, {block.memory().data, SIZE_MAX}) ==
         Status::bad_capacities);
-  CHECK(ring.next() == Next::row);
+  CHECK(ring.peek() == Next::row);
   CHECK(is_row(ring, 0));
   CHECK(ring.free_row(1) != nullptr);
   CHECK(ring.free_row(2) == nullptr);
@@ -156,18 +156,18 @@ TEST_CASE("a ring refuses no rows, empty ones, and too little memory; then nothi
 TEST_CASE("a ring that is not started has no room, and nothing comes") {
   RowRing ring;
   CHECK(ring.free_row() == nullptr);
-  CHECK(ring.next() == Next::nothing);
+  CHECK(ring.peek() == Next::nothing);
 }
 
 TEST_CASE("a ring that is started again begins anew") {
   Ring ring(3);
   for (int row = 0; row < 2; ++row) CHECK(bring(ring));
-  ring.lose();
+  ring.drop();
   ring.end();
   Task before;
   before.take(ring, 1);
   REQUIRE(ring.start(row_bytes, 3, ring.block.memory()) == Status::ok);
-  CHECK(ring.next() == Next::nothing);
+  CHECK(ring.peek() == Next::nothing);
   Task task;
   for (int row = 0; row < 3; ++row) CHECK(bring(ring));
   task.take(ring, 100);
@@ -186,7 +186,7 @@ TEST_CASE("any order of what either side does gives the rows that came") {
         task.take(ring, 1 + chance.below(rows + 2));
       } else if (chance.below(8) == 0) {
         const uint32_t lost = chance.below(4);
-        ring.lose(lost);
+        ring.drop(lost);
         came.append(lost, 'l');
       } else {
         came += bring(ring) ? 'r' : 'l';
@@ -262,7 +262,7 @@ TEST_CASE("a task that takes rows after any instruction of the interrupt finds t
           at,
           [&] {
             situation.come();
-            situation.ring.lose();
+            situation.ring.drop();
             situation.came += 'l';
           },
           [&] { situation.task.take(situation.ring, 3); });

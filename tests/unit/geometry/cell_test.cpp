@@ -222,16 +222,16 @@ TEST_CASE("a loop has 3 to 7 links, a cell up to 4 loops; all of these occur") {
 
 TEST_CASE("a cell has at most 12 links on its faces, at most 6 of them on faces already visited") {
   size_t most = 0;
-  std::ptrdiff_t most_behind = 0;
+  std::ptrdiff_t max_behind = 0;
   for_each_configuration([&](Configuration configuration) {
     const std::vector<LoopLink> all = loop_links(configuration);
     most = std::max(most, all.size());
-    most_behind = std::max(most_behind, std::count_if(all.begin(), all.end(), [](auto& link) {
-                             return face_of(link.from, link.to) <= face_below;
-                           }));
+    max_behind = std::max(max_behind, std::count_if(all.begin(), all.end(), [](auto& link) {
+                            return face_of(link.from, link.to) <= face_below;
+                          }));
   });
   CHECK(most == 12);
-  CHECK(most_behind == 6);
+  CHECK(max_behind == 6);
 }
 
 TEST_CASE("each link has on corners on its left and off corners on its right, seen from inside") {

@@ -198,7 +198,7 @@ TEST_CASE("unfolding a chain gives a vertex for every link, the start first") {
     if (direction_count(incidence) != 8) continue;
     CHECK(link_count(runs, 4) == 10);
     Ring vertices(10);
-    unfold(incidence, {5, 6, 8}, runs, 4, vertices.data());
+    ring_vertices(incidence, {5, 6, 8}, runs, 4, vertices.data());
     CHECK(vertices[0] == Vertex{5, 6, 8});
     for (size_t i = 0; i < 10; ++i) {
       const Direction direction = i < 3 ? 0 : i < 5 ? 2 : i < 8 ? 4 : 6;

@@ -63,13 +63,13 @@ TEST_CASE("links are counted between any two corners of a side") {
 }
 
 TEST_CASE("at no vertex is more than one end put into a queue, or taken out of it") {
-  uint32_t most_passes = 0;
+  uint32_t max_passes = 0;
   for (int axis = 0; axis < 3; ++axis)
     for_each_neighbourhood(axis, [&](const trace::PassList& list) {
       Ends ends;
       uint32_t passes = 0;
       for (int i = 0; i < list.count; ++i) {
-        CornerPass made[CornerPass::most_of_pass] = {};
+        CornerPass made[CornerPass::max_of_pass] = {};
         const uint32_t count = trace::corner_passes(list.pass[i], axis, made);
         for (uint32_t k = 0; k < count; ++k) {
           const bool puts_in = trace::is_entry(made[k].in), puts_out = trace::is_entry(made[k].out);
@@ -86,11 +86,11 @@ TEST_CASE("at no vertex is more than one end put into a queue, or taken out of i
         }
         passes += count;
       }
-      most_passes = std::max(most_passes, passes);
+      max_passes = std::max(max_passes, passes);
       const auto is_once = [](uint32_t count) { return count <= 1; };
       if (!std::all_of(ends.put, ends.put + trace::inner_queue, is_once)) FAIL("two ends put");
       if (!std::all_of(ends.taken, ends.taken + trace::inner_queue, is_once))
         FAIL("two ends taken");
     });
-  CHECK(most_passes <= trace::PassList::most * CornerPass::most_of_pass);
+  CHECK(max_passes <= trace::PassList::most * CornerPass::max_of_pass);
 }

@@ -71,8 +71,7 @@ constexpr uint32_t plenty = 250000;
 template <class Sweep>
 class Scanner {
  public:
-  explicit Scanner(uint32_t records)
-      : memory_(bytes_for<uint32_t>({1, 1}, {records, 1000})) {
+  explicit Scanner(uint32_t records) : memory_(bytes_for<uint32_t>({1, 1}, {records, 1000})) {
     Arena arena({memory_.data(), memory_.size()});
     sweep_->start(arena, {records, 1000});
   }
@@ -84,7 +83,7 @@ class Scanner {
     sweep_->clear();
     uint64_t pauses = 0;
     sweep(volume, lowest, [&](const trace::SweptRow& row) {
-      while (!sweep_->sweep(row, NoNormals{}, sink_to(log), statistics)) ++pauses;
+      while (!sweep_->sweep(row, NoNormals{}, make_sink(log), statistics)) ++pauses;
       return true;
     });
     CHECK(pauses == log.refusals());
@@ -96,7 +95,7 @@ class Scanner {
     Statistics statistics{};
     sweep_->clear();
     sweep(volume, 0, [&](const trace::SweptRow& row) {
-      return sweep_->sweep(row, NoNormals{}, sink_to(log), statistics);
+      return sweep_->sweep(row, NoNormals{}, make_sink(log), statistics);
     });
   }
 
@@ -164,7 +163,7 @@ TEST_CASE("whether and wherever corners are handed over, the events are those of
     const Told expected = Plain(plenty).scan(each.volume);
     for (uint32_t i = 0; i < 7; ++i) {
       CAPTURE(i);
-      const uint32_t records = i == 6 ? plenty : Corners::least_records + each.step * i;
+      const uint32_t records = i == 6 ? plenty : Corners::min_records + each.step * i;
       const Told told = Corner(records).scan(each.volume, i % 2 == 0 ? nullptr : refuses_first);
       CHECK(told.events == expected.events);
       CHECK(told.counts == expected.counts);
@@ -176,7 +175,7 @@ TEST_CASE("whether and wherever corners are handed over, the events are those of
 
 TEST_CASE("sides longer than two places can tell are handed over") {
   for (const BitVolume& volume : {wedge(1100), box({1, 1, 4300}, {0, 0, 0}, {0, 0, 4299})}) {
-    const auto lowest = trace::CornerCode::most_slices - static_cast<int32_t>(volume.depth) + 9;
+    const auto lowest = trace::CornerCode::max_slices - static_cast<int32_t>(volume.depth) + 9;
     const Told expected = Plain(plenty).scan(volume, {}, lowest);
     const Told told = Corner(plenty).scan(volume, {}, lowest);
     CHECK(told.events == expected.events);
@@ -203,7 +202,7 @@ TEST_CASE("corners are kept as long as ten records are free for each") {
                        {noise_and(60, columns({30, 30, 2})), 7920, 4608, 256}};
   for (const Known& known : all) {
     CAPTURE(known.corners);
-    const uint32_t in_use = Corners::least_records / 2 + known.longer + known.corners;
+    const uint32_t in_use = Corners::min_records / 2 + known.longer + known.corners;
     const Told told = Corner(plenty).scan(known.volume);
     CHECK(told.in_use == in_use);
     CHECK(told.events == Plain(plenty).scan(known.volume).events);
@@ -224,8 +223,8 @@ TEST_CASE("in no queue is an end lost, however many wait there for the next row"
 
 TEST_CASE("with fewer records than the least no corners are kept") {
   const BitVolume voxel = box({1, 1, 1}, {0, 0, 0}, {0, 0, 0});
-  CHECK(keeps_corners(voxel, Corners::least_records));
-  CHECK_FALSE(keeps_corners(voxel, Corners::least_records - 1));
+  CHECK(keeps_corners(voxel, Corners::min_records));
+  CHECK_FALSE(keeps_corners(voxel, Corners::min_records - 1));
 }
 
 TEST_CASE("a straight side takes no more records when it is longer") {
@@ -249,7 +248,7 @@ TEST_CASE("the corners of rings that have closed are used again") {
 TEST_CASE("a scan that breaks off leaves nothing to the next") {
   const BitVolume volume = random({31, 30, 3}, 128, 8);
   const Told expected = Plain(plenty).scan(volume);
-  Corner scanner(Corners::least_records);
+  Corner scanner(Corners::min_records);
   for (const uint64_t event : {0U, 1000U, 5000U, 15000U}) {
     scanner.break_off(volume, event);
     const Told told = scanner.scan(volume);

@@ -23,7 +23,7 @@ namespace {
 
 // With so many records corners are kept, in the rings of the queues and in half as many at least.
 constexpr Capacities much{60000, 100};
-constexpr uint32_t least_for_corners = 37120;
+constexpr uint32_t min_for_corners = 37120;
 
 // A plate with holes of many shapes: rings of many runs, and such as touch themselves.
 BitVolume plate() {
@@ -55,7 +55,7 @@ EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan
   EventLog log(refuses);
   const Limits limits = limits_of(volume, plan.border);
   Block block(bytes_for<uint32_t>(limits, capacities));
-  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
   push_all(extractor, volume.on);
   finish_all(extractor);
   CHECK(block.is_intact());
@@ -91,7 +91,7 @@ bool refuses_some(uint64_t offer) {
 // With so many records in use more than the least have been taken for queues.
 template <class Extractor>
 bool has_kept_corners(const Extractor& extractor) {
-  return extractor.high_water().records >= least_for_corners / 2;
+  return extractor.high_water().records >= min_for_corners / 2;
 }
 
 // A scan of a volume with few records beyond the least, so that its fragments are handed over on
@@ -105,7 +105,7 @@ class HandingOver {
   }
   void check(uint32_t records_beyond, const EventLog::Refuses& refuses = {}) {
     CAPTURE(records_beyond);
-    const Capacities capacities{least_for_corners + records_beyond, 1000};
+    const Capacities capacities{min_for_corners + records_beyond, 1000};
     const EventLog log = scanned(extractor_, volume_, plan_, capacities, refuses);
     CHECK(has_kept_corners(extractor_));
     CHECK(log.events == expected_.events);
@@ -159,7 +159,7 @@ struct SlabScan {
               const EventLog::Refuses& refuses = {}) const {
     EventLog log(refuses);
     Block block(bytes_for<uint32_t>(limits(), capacities));
-    require_ok(extractor.start(limits(), capacities, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.start(limits(), capacities, 1, block.memory(), make_sink(log)));
     push_all(extractor, voxels_of_slab(volume, first, end));
     finish_all(extractor);
     CHECK(block.is_intact());
@@ -239,13 +239,13 @@ TEST_CASE("an extractor that learns gives the events of one that does not, from 
 }
 
 TEST_CASE("it does with too few records to keep corners, down to those for little") {
-  constexpr uint32_t records[] = {60, 200, 1100, 3000, least_for_corners - 1};
+  constexpr uint32_t records[] = {60, 200, 1100, 3000, min_for_corners - 1};
   for (size_t i = 0; i < std::size(records); i += step(2))
     check_like_others(1 << 16, {records[i], 10});
   LearningExtractor extractor;
-  (void)scanned(extractor, plate(), {}, {least_for_corners - 1, 10});
+  (void)scanned(extractor, plate(), {}, {min_for_corners - 1, 10});
   CHECK(!has_kept_corners(extractor));
-  (void)scanned(extractor, plate(), {}, {least_for_corners, 10});
+  (void)scanned(extractor, plate(), {}, {min_for_corners, 10});
   CHECK(has_kept_corners(extractor));
 }
 
@@ -265,7 +265,7 @@ TEST_CASE("it does where one ring alone is refused, whole or behind any of its e
   LearningExtractor extractor;
   for (uint64_t refused = 0; refused < expected.events.size(); ++refused) {
     const auto refuses = [refused](uint64_t offer) { return offer == refused; };
-    const EventLog log = scanned(extractor, plates, {}, {least_for_corners, 10}, refuses);
+    const EventLog log = scanned(extractor, plates, {}, {min_for_corners, 10}, refuses);
     CHECK(log.events == expected.events);
     CHECK(log.refusals() == 1);
   }
@@ -407,7 +407,7 @@ TEST_CASE("a slab without a slice of its own has no surface, however many corner
     limits.slab = {7, true, continues_above};
     Block block(bytes_for<uint32_t>(limits, much));
     EventLog log;
-    require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
     require_ok(extractor.push(noise.on.data(), continues_above ? 162 : 81).status);
     finish_all(extractor);
     CHECK(extractor.statistics().cells == 0);
@@ -422,12 +422,12 @@ TEST_CASE(
                             const EventLog::Refuses& refuses) {
     EventLog log(refuses);
     Block block(bytes_for<uint32_t>(scan.limits(), much));
-    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
     uint32_t pushed = 0;
     const std::vector<uint8_t> voxels = voxels_of_slab(scan.volume, scan.first, scan.end);
     while (pushed < samples)
       pushed += extractor.push(voxels.data() + pushed, samples - pushed).samples;
-    while (extractor.abandon() == Status::more) {
+    while (extractor.abandon() == Status::suspended) {
     }
     return log;
   };
@@ -453,11 +453,11 @@ TEST_CASE("a slab goes on from a checkpoint in any of its slices, those of conte
   for (uint32_t cut = 0; cut <= voxels.size(); cut += 130) {
     EventLog log;
     Block block(bytes_for<uint32_t>(scan.limits(), much));
-    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
     require_ok(extractor.push(voxels.data(), cut).status);
     require_ok(extractor.save(*checkpoint));
     LearningExtractor after;
-    require_ok(after.restore(*checkpoint, block.memory(), sink_to(log)));
+    require_ok(after.restore(*checkpoint, block.memory(), make_sink(log)));
     require_ok(after.push(voxels.data() + cut, static_cast<uint32_t>(voxels.size()) - cut).status);
     finish_all(after);
     CHECK(log.events == expected.events);
@@ -495,13 +495,13 @@ TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to 
       const Limits limits = limits_of(volume, border);
       Block block(bytes_for<uint32_t>(limits, much));
       LearningExtractor extractor;
-      require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(log)));
+      require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
       const auto samples = static_cast<uint32_t>(volume.voxels());
-      CHECK(extractor.push(volume.on.data(), samples).status == Status::more);
+      CHECK(extractor.push(volume.on.data(), samples).status == Status::suspended);
       is_first_scan = false;
       for (int scan = 0; scan < 2; ++scan) {
         EventLog next;
-        require_ok(extractor.start(limits, much, 1, block.memory(), sink_to(next)));
+        require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(next)));
         push_all(extractor, volume.on);
         finish_all(extractor);
         CHECK(next.events == expected.events);
@@ -518,10 +518,10 @@ TEST_CASE("a slab that breaks off above its last slice leaves nothing to the nex
   for (const uint64_t left : {2U, 100U, 400U}) {
     EventLog log([&](uint64_t offer) { return offer >= expected.events.size() - left; });
     Block block(bytes_for<uint32_t>(scan.limits(), much));
-    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), sink_to(log)));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
     const std::vector<uint8_t> voxels = voxels_of_slab(volume, 2, 5);
     require_ok(extractor.push(voxels.data(), static_cast<uint32_t>(voxels.size())).status);
-    CHECK(extractor.finish() == Status::more);
+    CHECK(extractor.finish() == Status::suspended);
     CHECK(scan.by(extractor, much).events == expected.events);
   }
 }
@@ -540,7 +540,7 @@ TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
       Block learnt(1 << 16);
       LearningExtractor before{};
       before.learn_in(learnt.memory());
-      require_ok(before.start(limits, much, 1, block.memory(), sink_to(log)));
+      require_ok(before.start(limits, much, 1, block.memory(), make_sink(log)));
       require_ok(before.push(volume.on.data(), cut).status);
       require_ok(before.save(*checkpoint));
       const auto* const saved = reinterpret_cast<const uint8_t*>(checkpoint.get());
@@ -553,7 +553,7 @@ TEST_CASE("a checkpoint has the corners, and nothing of what is learnt") {
                   static_cast<uint8_t*>(elsewhere.memory().data));
     }
     LearningExtractor after;
-    require_ok(after.restore(*checkpoint, elsewhere.memory(), sink_to(log)));
+    require_ok(after.restore(*checkpoint, elsewhere.memory(), make_sink(log)));
     require_ok(after.push(volume.on.data() + cut, 8 * slice - cut).status);
     finish_all(after);
     CHECK(log.events == expected.events);
@@ -568,7 +568,7 @@ TEST_CASE("a checkpoint does not tell where its memory, its sink and the program
     EventLog log;
     Block block(bytes_for<uint32_t>(limits, much));
     const Memory memory = block.memory();
-    const Sink sink = sink_to(log);
+    const Sink sink = make_sink(log);
     require_ok(extractor->start(limits, much, 1, memory, sink));
     require_ok(extractor->push(volume.on.data(), 1000).status);
     using Saved = Checkpoint<std::remove_reference_t<decltype(*extractor)>>;

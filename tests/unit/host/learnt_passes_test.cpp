@@ -82,7 +82,7 @@ Found derived_passes(const trace::SweptRow& row) {
       const Vertex at = passes.vertex();
       const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
       const Vertex voxel{at.x & ~1, at.y & ~1, at.z & ~1};
-      CornerPass made[CornerPass::most_of_pass] = {};
+      CornerPass made[CornerPass::max_of_pass] = {};
       const uint32_t count = trace::corner_passes(passes.pass(), axis, made);
       for (uint32_t i = 0; i < count; ++i)
         found.passes.push_back(described(trace::CornerCode::position(voxel), made[i]));
@@ -97,7 +97,7 @@ Found learnt_passes(LearntPasses& passes, const trace::SweptRow& row) {
   if (passes.begin_row(row))
     while (passes.find(row, counts)) {
       CHECK(passes.edges() > 0);
-      CHECK(passes.edges() <= LearntPasses::most_edges);
+      CHECK(passes.edges() <= LearntPasses::max_edges);
       for (const trace::FoundPass at : passes)
         found.passes.push_back(described(at, passes.numbered()[at]));
     }
@@ -169,14 +169,14 @@ TEST_CASE("they are with memory of any size, wherever it lies, again and again")
 
 namespace {
 
-size_t most_at_a_vertex(const trace::SweptRow& row) {
+size_t max_at_a_vertex(const trace::SweptRow& row) {
   size_t most = 0;
   trace::DerivedPasses passes;
   trace::SweepCounts counts;
   passes.clear();
   while (passes.find(row, counts)) {
     size_t here = 0;
-    CornerPass made[CornerPass::most_of_pass] = {};
+    CornerPass made[CornerPass::max_of_pass] = {};
     const Vertex at = passes.vertex();
     const int axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
     for (; passes.has_next(); passes.advance())
@@ -205,9 +205,9 @@ bool is_remembered(const trace::SweptRow& row) {
 
 TEST_CASE("up to seven passes are not worked out again where their neighbourhood comes by again") {
   const Rows seven(random({60, 3, 3}, 128, 30)), eight(random({60, 3, 3}, 128, 2));
-  REQUIRE(most_at_a_vertex(seven.swept()) == 7);
+  REQUIRE(max_at_a_vertex(seven.swept()) == 7);
   CHECK(is_remembered(seven.swept()));
-  REQUIRE(most_at_a_vertex(eight.swept()) == 8);
+  REQUIRE(max_at_a_vertex(eight.swept()) == 8);
   CHECK_FALSE(is_remembered(eight.swept()));
 }
 
@@ -217,7 +217,7 @@ TEST_CASE("nor are those between open ends, but those at the ends are") {
   for (int64_t row = 0; row < 9; ++row)
     for (const int64_t x : {0, 1, 58, 59}) volume.on[volume.index(x, row % 3, row / 3)] = 0;
   const Rows between(volume);
-  REQUIRE(most_at_a_vertex(all.swept()) <= 7);
+  REQUIRE(max_at_a_vertex(all.swept()) <= 7);
   CHECK(is_remembered(all.swept()));
   CHECK_FALSE(is_remembered(all.swept(0, true)));
   CHECK(is_remembered(between.swept(0, true)));

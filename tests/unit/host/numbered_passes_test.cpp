@@ -17,7 +17,7 @@ namespace {
 
 void check_numbered(const NumberedPasses& passes, NumberedPasses::Numbers numbers,
                     const trace::Pass& pass, int axis) {
-  CornerPass made[CornerPass::most_of_pass] = {};
+  CornerPass made[CornerPass::max_of_pass] = {};
   const uint32_t count = trace::corner_passes(pass, axis, made);
   if (numbers.count != count) FAIL("corner passes");
   const uint64_t voxel = trace::CornerCode::position({40, 50, 60});

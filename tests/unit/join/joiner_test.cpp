@@ -90,7 +90,7 @@ Events fragment_of(Incidence incidence, const Vertex& start, Direction came,
   event.kind = Kind::fragment;
   event.incidence = incidence;
   event.start = start;
-  event.came = came;
+  event.incoming_direction = came;
   Events events{RecordedEvent(event)};
   for (const Run run : runs) {
     event = {};
@@ -222,10 +222,10 @@ TEST_CASE("in the order of a sweep a region is there as soon as its last fragmen
   EventLog log;
   Block block(100000);
   Joiner joiner;
-  REQUIRE(joiner.start(block.memory(), sink_to(log), InputOrder::sweep) == Status::ok);
+  REQUIRE(joiner.start(block.memory(), make_sink(log), InputOrder::sweep) == Status::ok);
   for (size_t i = 0; i < pieces.size(); ++i) {
     for (const RecordedEvent& event : pieces[i].events)
-      REQUIRE(joiner.take(event.event()) == Answer::taken);
+      REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
     std::vector<Region> complete;
     for (size_t region = 0; region < surface.regions.size(); ++region) {
       const auto is_of_it = [&](const Piece& piece) { return piece.region == region; };
@@ -308,10 +308,11 @@ TEST_CASE("what was in its memory before does not matter to a joiner") {
                 static_cast<uint8_t>(filling));
     EventLog log;
     Joiner joiner;
-    REQUIRE(joiner.start(capacities, block.memory(), sink_to(log), InputOrder::any) == Status::ok);
+    REQUIRE(joiner.start(capacities, block.memory(), make_sink(log), InputOrder::any) ==
+            Status::ok);
     for (const int32_t ring : {1, 0})
       for (const RecordedEvent& event : nest.fragment(ring))
-        REQUIRE(joiner.take(event.event()) == Answer::taken);
+        REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
     REQUIRE(joiner.finish() == Status::ok);
     REQUIRE(log.events == nest.region(0, true));
   }
@@ -494,7 +495,7 @@ struct WholeRegions {
     Block block(minimum_bytes<uint16_t>(limits)), room(bytes);
     Extractor16 extractor;
     require_ok(
-        extractor.start(limits, 1, block.memory(), region_sink_to(log, joiner, room.memory())));
+        extractor.start(limits, 1, block.memory(), make_region_sink(log, joiner, room.memory())));
     push_all(extractor, volume.on);
     finish_all(extractor);
     CHECK(extractor.statistics().fragments > 100);
@@ -531,7 +532,7 @@ TEST_CASE("such a sink has no function when its joiner has too little memory") {
   EventLog log;
   Joiner joiner;
   Block room(Joiner::minimum_bytes() - 1);
-  const bool has_function = region_sink_to(log, joiner, room.memory()).take != nullptr;
+  const bool has_function = make_region_sink(log, joiner, room.memory()).take != nullptr;
   CHECK_FALSE(has_function);
 }
 
@@ -573,13 +574,13 @@ TEST_CASE("what an event completes is delivered once it is taken, though the sin
     EventLog plain, slow(refuses_first);
     Block plain_block(Joiner::bytes_for(capacities)), slow_block(Joiner::bytes_for(capacities));
     Joiner joiner, slow_joiner;
-    REQUIRE(joiner.start(capacities, plain_block.memory(), sink_to(plain), InputOrder::sweep) ==
+    REQUIRE(joiner.start(capacities, plain_block.memory(), make_sink(plain), InputOrder::sweep) ==
             Status::ok);
-    REQUIRE(slow_joiner.start(capacities, slow_block.memory(), sink_to(slow), InputOrder::sweep) ==
-            Status::ok);
+    REQUIRE(slow_joiner.start(capacities, slow_block.memory(), make_sink(slow),
+                              InputOrder::sweep) == Status::ok);
     for (const RecordedEvent& event : events) {
-      REQUIRE(joiner.take(event.event()) == Answer::taken);
-      while (slow_joiner.take(event.event()) != Answer::taken) continue;
+      REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
+      while (slow_joiner.take(event.event()) != SinkResult::accepted) continue;
       REQUIRE(slow.events.size() == plain.events.size());
     }
   }
@@ -771,19 +772,22 @@ TEST_CASE("loose fragments of a stream that broke off count as those of another"
 TEST_CASE("of several streams the first start is told, as soon as the sink takes it") {
   EventLog log;
   struct Late {
-    Answer take(const Event& event) { return refusals-- > 0 ? Answer::not_now : log.take(event); }
+    SinkResult take(const Event& event) {
+      return refusals-- > 0 ? SinkResult::busy : log.take(event);
+    }
     EventLog& log;
     int refusals = 2;
   } late{log};
   std::vector<uint8_t> memory(4000);
   Joiner joiner;
-  REQUIRE(joiner.start({memory.data(), memory.size()}, sink_to(late), InputOrder::any) ==
+  REQUIRE(joiner.start({memory.data(), memory.size()}, make_sink(late), InputOrder::any) ==
           Status::ok);
   StreamHeader header = test::any_header();
   Event start{};
   start.kind = Kind::start;
   start.header = &header;
-  for (const Answer answer : {Answer::not_now, Answer::not_now, Answer::taken, Answer::taken}) {
+  for (const SinkResult answer :
+       {SinkResult::busy, SinkResult::busy, SinkResult::accepted, SinkResult::accepted}) {
     header.scan = static_cast<uint16_t>(log.starts.size());
     CHECK(joiner.take(start) == answer);
   }
@@ -795,12 +799,12 @@ TEST_CASE("a finish event may come without statistics") {
   std::vector<uint8_t> memory(4000);
   EventLog log;
   Joiner joiner;
-  REQUIRE(joiner.start({memory.data(), memory.size()}, sink_to(log), InputOrder::sweep) ==
+  REQUIRE(joiner.start({memory.data(), memory.size()}, make_sink(log), InputOrder::sweep) ==
           Status::ok);
   Event finish{};
   finish.kind = Kind::finish;
   finish.slice = 7;
-  CHECK(joiner.take(finish) == Answer::taken);
+  CHECK(joiner.take(finish) == SinkResult::accepted);
   CHECK(log.events == Events{finish_of({}, 7, false)});
 }
 
@@ -1041,26 +1045,27 @@ TEST_CASE("what start() refuses leaves everything as it was") {
   Event layer{};
   layer.kind = Kind::layer;
   CHECK(joiner.finish() == Status::not_started);
-  CHECK(joiner.take(layer) == Answer::never);
+  CHECK(joiner.take(layer) == SinkResult::not_started);
   CHECK(joiner.start(all, Sink{}, InputOrder::any) == Status::bad_sink);
-  CHECK(joiner.start({nullptr, 4000}, sink_to(log), InputOrder::any) == Status::too_little_memory);
-  CHECK(joiner.start({memory.data(), Joiner::minimum_bytes() - 1}, sink_to(log), InputOrder::any) ==
+  CHECK(joiner.start({nullptr, 4000}, make_sink(log), InputOrder::any) ==
         Status::too_little_memory);
+  CHECK(joiner.start({memory.data(), Joiner::minimum_bytes() - 1}, make_sink(log),
+                     InputOrder::any) == Status::too_little_memory);
   for (const JoinCapacities& bad :
        {JoinCapacities{0, 1}, {1, 0}, {JoinCapacities::max_fragments + 1, 1}, {1, UINT32_MAX}})
-    CHECK(joiner.start(bad, all, sink_to(log), InputOrder::any) == Status::bad_capacities);
+    CHECK(joiner.start(bad, all, make_sink(log), InputOrder::any) == Status::bad_capacities);
   for (const JoinCapacities& more : {JoinCapacities{100, 100},
                                      {JoinCapacities::max_fragments, 1},
                                      {1, JoinCapacities::max_runs}})
-    CHECK(joiner.start(more, all, sink_to(log), InputOrder::any) == Status::too_little_memory);
+    CHECK(joiner.start(more, all, make_sink(log), InputOrder::any) == Status::too_little_memory);
   CHECK(joiner.finish() == Status::not_started);
   CHECK(memory == std::vector<uint8_t>(4000, 0xA5));
 
-  REQUIRE(joiner.start({memory.data(), Joiner::minimum_bytes()}, sink_to(log), InputOrder::sweep) ==
-          Status::ok);
-  CHECK(joiner.start({memory.data(), 3}, sink_to(other), InputOrder::any) ==
+  REQUIRE(joiner.start({memory.data(), Joiner::minimum_bytes()}, make_sink(log),
+                       InputOrder::sweep) == Status::ok);
+  CHECK(joiner.start({memory.data(), 3}, make_sink(other), InputOrder::any) ==
         Status::too_little_memory);
-  CHECK(joiner.take(layer) == Answer::taken);
+  CHECK(joiner.take(layer) == SinkResult::accepted);
   CHECK(log.events.size() == 1);
   CHECK(joiner.finish() == Status::ok);
 }
@@ -1071,10 +1076,11 @@ TEST_CASE("a joiner that is started again has forgotten everything") {
   Joiner joiner;
   const Events half = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   for (int i = 0; i < 2; ++i) {
-    REQUIRE(joiner.start({memory.data(), memory.size()}, sink_to(log), InputOrder::sweep) ==
+    REQUIRE(joiner.start({memory.data(), memory.size()}, make_sink(log), InputOrder::sweep) ==
             Status::ok);
     CHECK(joiner.high_water().fragments == 0);
-    for (const RecordedEvent& event : half) REQUIRE(joiner.take(event.event()) == Answer::taken);
+    for (const RecordedEvent& event : half)
+      REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
     CHECK(joiner.report().fragments == 1);
     CHECK(joiner.high_water().fragments == 1);
     CHECK(joiner.high_water().runs == 1);

@@ -55,7 +55,7 @@ class SliceDevice {
     uint32_t row = encoder.slices() * volume_.height + encoder.rows();
     for (; row < end; ++row) {
       Status status = encoder.push(&volume_.on[size_t{row} * volume_.width], volume_.width).status;
-      while (status == Status::more) status = encoder.resume();
+      while (status == Status::suspended) status = encoder.resume();
       require_ok(status);
     }
   }
@@ -130,8 +130,8 @@ TEST_CASE("a receiver that cannot go back hears packets of slices again and lose
   SliceDevice device(volume, plan), again(volume, plan);
   device.start();
   device.scan_to(200);
-  REQUIRE(device.encoder.flush() == Status::more);
-  REQUIRE(device.encoder.resume() == Status::more);
+  REQUIRE(device.encoder.flush() == Status::suspended);
+  REQUIRE(device.encoder.resume() == Status::suspended);
   REQUIRE(again.restore(device.save()) == Status::ok);
   const uint64_t position = again.encoder.bytes();
   REQUIRE(position < device.store.bytes.size());  // a part of a frame had gone out
@@ -161,7 +161,7 @@ TEST_CASE("what was flushed, told and skipped before a checkpoint is not told ag
   first.scan_to(50);
   CHECK(first.encoder.skip_row(Substitute::previous_row).samples == 21);
   require_ok(first.encoder.flush());
-  require_ok(first.encoder.tell({7, 0, 0, nullptr, 0}));
+  require_ok(first.encoder.write_record({7, 0, 0, nullptr, 0}));
   const Bytes before = first.store.bytes;
   REQUIRE(second.restore(first.save()) == Status::ok);
   REQUIRE(second.encoder.bytes() == before.size());
@@ -199,7 +199,7 @@ TEST_CASE("a finished scan of slices is restored as finished, and what had not g
     require_ok(device.encoder.flush());
     const size_t before = device.store.bytes.size();
     if (!goes_out) device.store.most = 0;
-    CHECK(device.encoder.finish() == (goes_out ? Status::ok : Status::more));
+    CHECK(device.encoder.finish() == (goes_out ? Status::ok : Status::suspended));
     REQUIRE(other.restore(device.save()) == Status::ok);
     device.store.most = SIZE_MAX;
     require_ok(device.encoder.finish());
@@ -233,8 +233,8 @@ TEST_CASE("what cannot be saved or restored of slices is refused") {
   for (uint8_t& sample : samples) sample = chance.below(2) > 0 ? 1 : 0;
   Status status = Status::ok;
   while (status == Status::ok) status = encoder.push(samples, 999).status;
-  REQUIRE(status == Status::more);
-  CHECK(encoder.save(checkpoint) == Status::more);
+  REQUIRE(status == Status::suspended);
+  CHECK(encoder.save(checkpoint) == Status::suspended);
   store.most = SIZE_MAX;
   require_ok(encoder.resume());
   require_ok(encoder.save(checkpoint));

@@ -374,7 +374,9 @@ TEST_CASE("a slice decoder that is started again forgets everything") {
   REQUIRE(expected.report.lost_rows > 0);
 
   struct Taker {
-    Answer take(const RowEvent&) { return left-- > 0 ? Answer::taken : Answer::not_now; }
+    SinkResult take(const RowEvent&) {
+      return left-- > 0 ? SinkResult::accepted : SinkResult::busy;
+    }
     int left;
   };
   Bytes memory(slice_decoder_bytes({40, 9}, 2));
@@ -463,13 +465,13 @@ TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them ag
           .bytes();
   using Told = std::array<uint64_t, 5>;
   struct Sullen {
-    Answer take(const RowEvent& event) {
+    SinkResult take(const RowEvent& event) {
       refused = refuses && !refused;
-      if (refused) return Answer::not_now;
+      if (refused) return SinkResult::busy;
       const bool is_lost = event.kind == Kind::lost;
       told.push_back({static_cast<uint64_t>(event.kind), event.slice, event.row,
                       is_lost ? event.count : 0, is_lost ? 0U : event.channel});
-      return Answer::taken;
+      return SinkResult::accepted;
     }
     bool refuses;
     bool refused = false;
@@ -487,7 +489,7 @@ TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them ag
   SliceDecoder waiting;
   reference::require_ok(waiting.start({memory.data(), memory.size()}, row_sink_to(wall)));
   const Decoded refused = waiting.push(stream.data(), stream.size());
-  CHECK(refused.status == Status::more);
+  CHECK(refused.status == Status::suspended);
   CHECK(refused.bytes == frames_of(stream).front().size());
   CHECK(willing.told.size() == 1 + 1 + 6 + 1 + 1 + 6 + 1);
   CHECK(willing.told == sullen.told);

@@ -244,7 +244,7 @@ TEST_CASE("a row that never came says so, and what stands in for it") {
     for (uint32_t row = 0; row < 20; ++row) {
       if (row % 3 == 2) {
         const Substitute substitute = row % 2 == 0 ? Substitute::off : Substitute::previous_row;
-        PushResult result{Status::more, 0};
+        PushResult result{Status::suspended, 0};
         while (result.samples == 0) result = device.encoder.skip_row(substitute);
       } else {
         push_rows(device.encoder, &volume.on[row * 33], 33, 33);
@@ -309,7 +309,7 @@ TEST_CASE("rows that never came fill packets like any other") {
     CAPTURE(bytes_a_time);
     Device device({3, 4000}, {}, bytes_a_time);
     for (uint32_t row = 0; row < 4000; ++row) {
-      PushResult result{Status::more, 0};
+      PushResult result{Status::suspended, 0};
       while (result.samples == 0)
         result = row % 2 == 0 ? device.encoder.push(&volume.on[row * 3], 3)
                               : device.encoder.skip_row(Substitute::off);
@@ -335,7 +335,7 @@ TEST_CASE("a push that need not wait has told its row, though the line was busy"
         bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | volume.on[row * size.width + x] << x % 8);
       PushResult result = device.encoder.push_bits(bits.data());
       while (result.samples == 0) {
-        REQUIRE(result.status == Status::more);
+        REQUIRE(result.status == Status::suspended);
         result = device.encoder.push_bits(bits.data());
       }
       if (result.status == Status::ok)
@@ -723,7 +723,7 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
     reference::EventLog log;
     Bytes memory(minimum_surface_bytes({size.width, size.height}, 3) + 100000);
     SurfaceDecoder decoder;
-    reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log),
+    reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log),
                                         static_cast<uint8_t>(5 + surface)));
     reference::require_ok(decoder.push(stream.data(), stream.size()).status);
     reference::require_ok(decoder.finish());
@@ -780,9 +780,9 @@ TEST_CASE("a scan that has ended takes no record, though the line still waits fo
   SliceEncoder encoder;
   const StreamHeader header = header_of_surfaces({9, 1, 1}, {1});
   reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
-  REQUIRE(encoder.finish() == Status::more);
+  REQUIRE(encoder.finish() == Status::suspended);
   line.room = 1000;
-  CHECK(encoder.tell({}) == Status::finished);
+  CHECK(encoder.write_record({}) == Status::finished);
   reference::require_ok(encoder.resume());
   const ReceivedRows received = decode_slices(line.bytes, {9, 1, 0});
   CHECK(received.report.is_complete());
@@ -806,9 +806,9 @@ TEST_CASE("a scan may end while its last row waits for the line, and not while a
       line.room = 0;
       for (uint32_t i = 0; i < height; ++i) reference::require_ok(encoder.push(row, 9).status);
       const PushResult waiting = skips ? encoder.skip_row(Substitute::off) : encoder.push(row, 9);
-      CHECK(waiting.status == Status::more);
+      CHECK(waiting.status == Status::suspended);
       CHECK(waiting.samples == 9);
-      CHECK(encoder.finish() == (height == 1 ? Status::more : Status::slice_in_progress));
+      CHECK(encoder.finish() == (height == 1 ? Status::suspended : Status::slice_in_progress));
       line.room = 1000;
       reference::require_ok(encoder.resume());
       if (height == 2) reference::require_ok(encoder.push(row, 9).status);
@@ -839,7 +839,7 @@ TEST_CASE("a scan that begins anew has nothing of the one before, wherever that 
     for (uint32_t row = 0; row < 17 * 6 && status == Status::ok; ++row)
       status = row == 7 ? encoder.skip_row(Substitute::off).status
                         : encoder.push(&samples[row * 41], 41).status;
-    CHECK(status == Status::more);
+    CHECK(status == Status::suspended);
     if (room % 2 == 0) (void)encoder.abandon();
     Line line;
     reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
@@ -876,7 +876,7 @@ TEST_CASE("a row that never came waits for the line before anything is told of i
     reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
     reference::require_ok(encoder.push(volume.on.data(), skipped).status);
     line.room = 0;
-    CHECK(encoder.skip_row(Substitute::off).status == Status::more);
+    CHECK(encoder.skip_row(Substitute::off).status == Status::suspended);
     line.room = 100000;
     reference::require_ok(encoder.push(&volume.on[skipped + 1], height - skipped - 1).status);
     reference::require_ok(encoder.finish());

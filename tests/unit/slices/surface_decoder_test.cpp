@@ -32,7 +32,7 @@ Bytes regions() {
 
 Events decoded(SurfaceDecoder& decoder, const Memory& memory, const Bytes& stream) {
   EventLog log;
-  reference::require_ok(decoder.start(memory, sink_to(log)));
+  reference::require_ok(decoder.start(memory, make_sink(log)));
   reference::require_ok(push_stream(decoder, stream, 0));
   CHECK(log.starts.size() == 1);
   return log.events;
@@ -51,7 +51,7 @@ TEST_CASE("a surface decoder that is started again forgets everything") {
     REQUIRE(expected[i].size() > 100);
   }
   struct Taker {
-    Answer take(const Event&) { return left-- > 0 ? Answer::taken : Answer::not_now; }
+    SinkResult take(const Event&) { return left-- > 0 ? SinkResult::accepted : SinkResult::busy; }
     int left;
   };
   SurfaceDecoder decoder;
@@ -60,7 +60,7 @@ TEST_CASE("a surface decoder that is started again forgets everything") {
       CAPTURE(most);
       for (int i = 0; i < 2; ++i) {
         Taker taker{most};
-        reference::require_ok(decoder.start(all, sink_to(taker)));
+        reference::require_ok(decoder.start(all, make_sink(taker)));
         (void)decoder.push(before.data(), before.size());
         CHECK(decoded(decoder, all, streams[i]) == expected[i]);
         CHECK(decoder.report().holds_slices == (i == 0));
@@ -72,7 +72,7 @@ TEST_CASE("a surface decoder that was refused memory is started again without it
   const Bytes slices = encode_slices(volume());
   SurfaceDecoder decoder;
   EventLog log;
-  reference::require_ok(decoder.start({}, sink_to(log)));
+  reference::require_ok(decoder.start({}, make_sink(log)));
   CHECK(decoder.push(slices.data(), slices.size()).status == Status::too_little_memory);
   CHECK(decoder.finish() == Status::too_little_memory);
   CHECK(decoded(decoder, {}, regions()) == decode(regions()).events);
@@ -83,18 +83,18 @@ TEST_CASE("memory for the rows alone is too little, at the end as well") {
   Bytes memory(slice_decoder_bytes(limits));
   SurfaceDecoder decoder;
   EventLog log;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
   CHECK(decoder.push(slices.data(), slices.size()).status == Status::too_little_memory);
   CHECK(decoder.finish() == Status::too_little_memory);
 }
 
 TEST_CASE("a surface decoder that is started again amid rows that are lost has lost none") {
   struct Stubborn {
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       const bool is_skipped = event.kind == Event::Kind::skipped;
-      if (is_skipped && left == 0) return Answer::not_now;
+      if (is_skipped && left == 0) return SinkResult::busy;
       if (is_skipped) --left;
-      return Answer::taken;
+      return SinkResult::accepted;
     }
     uint32_t left = 3;
   } stubborn;
@@ -103,8 +103,8 @@ TEST_CASE("a surface decoder that is started again amid rows that are lost has l
   const Bytes stream = slices_with_a_loss();
   SurfaceDecoder decoder;
   const Events expected = decoded(decoder, all, stream);
-  reference::require_ok(decoder.start(all, sink_to(stubborn)));
-  CHECK(decoder.push(stream.data(), stream.size()).status == Status::more);
+  reference::require_ok(decoder.start(all, make_sink(stubborn)));
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::suspended);
   CHECK(stubborn.left == 0);
   CHECK(decoded(decoder, all, stream) == expected);
 }
@@ -116,7 +116,7 @@ TEST_CASE("memory is given to a surface decoder that has too little, and to no o
   SurfaceDecoder decoder;
   EventLog log;
   CHECK(decoder.give_memory(all) == Status::not_started);
-  reference::require_ok(decoder.start({}, sink_to(log)));
+  reference::require_ok(decoder.start({}, make_sink(log)));
   CHECK(decoder.give_memory(all) == Status::ok);
   const Decoded refused = decoder.push(stream.data(), stream.size());
   CHECK(refused.status == Status::too_little_memory);
@@ -135,7 +135,7 @@ TEST_CASE("a version that is not known is refused at the byte that tells of it")
   const Bytes stream = with_version(3, regions());
   SurfaceDecoder decoder;
   EventLog log;
-  reference::require_ok(decoder.start({}, sink_to(log)));
+  reference::require_ok(decoder.start({}, make_sink(log)));
   const Decoded decoded = decoder.push(stream.data(), stream.size());
   CHECK(decoded.status == Status::wrong_version);
   CHECK(decoded.bytes == frames_of(stream)[0].size());
@@ -205,14 +205,14 @@ std::vector<Bytes> frames_with_skips(const Scan& scan) {
 // What an extractor makes of the rows of one channel that a slice decoder hands out.
 Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
   struct Sweep {
-    Answer take(const RowEvent& event) {
+    SinkResult take(const RowEvent& event) {
       if (event.kind == RowEvent::Kind::row && event.channel == channel)
         reference::require_ok(extractor.push_bits(event.bits).status);
       if (event.kind == RowEvent::Kind::skipped && event.channel == channel)
         skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
       if (event.kind == RowEvent::Kind::lost) skip(event.count, Substitute::off);
       if (event.kind == RowEvent::Kind::finish) reference::require_ok(extractor.finish());
-      return Answer::taken;
+      return SinkResult::accepted;
     }
     void skip(uint64_t rows, Substitute substitute) {
       for (; rows > 0; --rows) reference::require_ok(extractor.skip_row(substitute).status);
@@ -224,7 +224,7 @@ Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
   const Limits size{scan.width, 8};
   Bytes memory(minimum_bytes<uint32_t>(size) + 100000), rows(slice_decoder_bytes(size, 2));
   reference::require_ok(
-      sweep.extractor.start(size, 1, {memory.data(), memory.size()}, sink_to(log)));
+      sweep.extractor.start(size, 1, {memory.data(), memory.size()}, make_sink(log)));
   SliceDecoder decoder;
   reference::require_ok(decoder.start({rows.data(), rows.size()}, row_sink_to(sweep)));
   reference::require_ok(push_stream(decoder, stream, 0));
@@ -247,7 +247,8 @@ TEST_CASE("rows that never came, or were lost, are skipped, of whatever surface,
         const auto channel = static_cast<uint8_t>(3 + surface);
         EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
         SurfaceDecoder decoder;
-        reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log), channel));
+        reference::require_ok(
+            decoder.start({memory.data(), memory.size()}, make_sink(log), channel));
         reference::require_ok(push_stream(decoder, stream, 0));
         CHECK(decoder.report().lost_rows == 8);
         CHECK(log.events == swept(stream, scan, channel));
@@ -266,7 +267,7 @@ TEST_CASE("a surface decoder tells how many bytes it has taken, and looks at no 
       CHECK(unasked.status == Status::not_started);
       CHECK(unasked.bytes == 0);
       CHECK(decoder.finish() == Status::not_started);
-      reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+      reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
       CHECK(decoder.push(stream.data(), first).bytes == first);
       CHECK(decoder.push(stream.data() + first, stream.size() - first).bytes ==
             stream.size() - first);
@@ -280,7 +281,7 @@ TEST_CASE("what the end of a scan brings is told before its stream is over, whoe
   Bytes memory(minimum_surface_bytes(limits) + 100000);
   EventLog log(reference::refuses_first);
   SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, sink_to(log)));
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
   size_t taken = 0;
   until_done([&] {
     const Decoded decoded = decoder.push(stream.data() + taken, stream.size() - taken);

@@ -55,7 +55,7 @@ void begin_part(Model& model, bool continues, bool is_fragment = false, Incidenc
   record.incidence = incidence;
   record.continues = continues;
   record.is_fragment = is_fragment;
-  record.came = came;
+  record.incoming = came;
   model.part(record);
 }
 
@@ -174,9 +174,9 @@ TEST_CASE("a decoder that is started again forgets everything") {
   Decoder decoder;
   for (size_t count = 0; count < stream.size(); count += 41) {
     EventLog first, second;
-    REQUIRE(decoder.start(sink_to(first)) == Status::ok);
+    REQUIRE(decoder.start(make_sink(first)) == Status::ok);
     REQUIRE(decoder.push(stream.data(), count).status == Status::ok);
-    REQUIRE(decoder.start(sink_to(second)) == Status::ok);
+    REQUIRE(decoder.start(make_sink(second)) == Status::ok);
     REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
     CHECK(second.events == sample.events);
     CHECK(decoder.report().is_complete());
@@ -194,21 +194,21 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   })});
   Decoder decoder;
   EventLog log;
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
   CHECK_FALSE(decoder.report().has_header);
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
   CHECK(log.events == Script().region(up).ring({1, 0, 0}).events);
 
   struct Wall {
-    Answer take(const Event&) { return Answer::not_now; }
+    SinkResult take(const Event&) { return SinkResult::busy; }
   } wall;
-  REQUIRE(decoder.start(sink_to(wall)) == Status::ok);
-  CHECK(decoder.push(lost.data(), lost.size()).status == Status::more);
-  CHECK(decoder.finish() == Status::more);
+  REQUIRE(decoder.start(make_sink(wall)) == Status::ok);
+  CHECK(decoder.push(lost.data(), lost.size()).status == Status::suspended);
+  CHECK(decoder.finish() == Status::suspended);
   EventLog again;
-  REQUIRE(decoder.start(sink_to(again)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(again)) == Status::ok);
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
   CHECK(again.events == sample.events);
   CHECK(decoder.report().is_complete());
@@ -216,8 +216,8 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
 
 TEST_CASE("a decoder that is started again does not go on with a region, nor tells it lost") {
   struct Taker {
-    Answer take(const Event& event) {
-      if (log.events.size() == most) return Answer::not_now;
+    SinkResult take(const Event& event) {
+      if (log.events.size() == most) return SinkResult::busy;
       return log.take(event);
     }
     size_t most;
@@ -228,11 +228,11 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
   for (const bool is_ended : {false, true}) {
     Taker taker{first_part().events.size()};
     Decoder decoder;
-    REQUIRE(decoder.start(sink_to(taker)) == Status::ok);
+    REQUIRE(decoder.start(make_sink(taker)) == Status::ok);
     REQUIRE(decoder.push(begun.data(), begun.size()).status == Status::ok);
-    if (is_ended) CHECK(decoder.finish() == Status::more);
+    if (is_ended) CHECK(decoder.finish() == Status::suspended);
     EventLog log;
-    REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+    REQUIRE(decoder.start(make_sink(log)) == Status::ok);
     CHECK(decoder.push(end.data(), end.size()).status == Status::ok);
     CHECK(decoder.finish() == Status::ok);
     CHECK(log.events.empty());
@@ -242,8 +242,8 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
 TEST_CASE("a decoder tells of the start of every stream, before all else, as soon as it is taken") {
   const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
   struct Late {
-    Answer take(const Event& event) {
-      if (event.kind == Event::Kind::start && refusals-- > 0) return Answer::not_now;
+    SinkResult take(const Event& event) {
+      if (event.kind == Event::Kind::start && refusals-- > 0) return SinkResult::busy;
       return log.take(event);
     }
     int refusals = 0;
@@ -252,12 +252,12 @@ TEST_CASE("a decoder tells of the start of every stream, before all else, as soo
   Decoder decoder;
   for (size_t streams = 1; streams < 4; ++streams) {
     late.refusals = 2;
-    REQUIRE(decoder.start(sink_to(late)) == Status::ok);
+    REQUIRE(decoder.start(make_sink(late)) == Status::ok);
     const Decoded first = decoder.push(stream.data(), stream.size());
-    CHECK(first.status == Status::more);
+    CHECK(first.status == Status::suspended);
     CHECK(first.bytes < stream.size());
     const Decoded second = decoder.push(stream.data() + first.bytes, stream.size() - first.bytes);
-    CHECK(second.status == Status::more);
+    CHECK(second.status == Status::suspended);
     CHECK(second.bytes == 0);
     CHECK(late.log.events.size() == streams - 1);
     const Decoded third = decoder.push(stream.data() + first.bytes, stream.size() - first.bytes);
@@ -269,7 +269,7 @@ TEST_CASE("a decoder tells of the start of every stream, before all else, as soo
 
 TEST_CASE("a start that is heard in the middle of a region is told behind it") {
   struct Listener {
-    Answer take(const Event& event) {
+    SinkResult take(const Event& event) {
       if (event.kind == Event::Kind::start) events_before_start = log.events.size();
       return log.take(event);
     }
@@ -277,7 +277,7 @@ TEST_CASE("a start that is heard in the middle of a region is told behind it") {
     EventLog log{};
   } listener;
   Decoder decoder;
-  REQUIRE(decoder.start(sink_to(listener)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(listener)) == Status::ok);
   const Bytes heard =
       joined({frame_at(1, first_payload()), header_after(2, 0), frame_at(3, last_payload())});
   REQUIRE(decoder.push(heard.data(), heard.size()).status == Status::ok);
@@ -295,7 +295,7 @@ TEST_CASE("a decoder that is started again takes a stream of any name, and count
   Decoder decoder;
   for (const Bytes& stream : {encode(square), encode(square, header)})
     for (size_t part = 1; part < 4; ++part) {
-      REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+      REQUIRE(decoder.start(make_sink(log)) == Status::ok);
       REQUIRE(decoder.push(stream.data(), stream.size() * part / 3).status == Status::ok);
       CHECK(decoder.report().foreign_packets == 0);
       CHECK(decoder.report().is_complete() == (part == 3));
@@ -307,12 +307,12 @@ TEST_CASE("of a version that is not known nothing is read, until the decoder is 
   const Bytes unknown = with_version(3, stream);
   EventLog log;
   Decoder decoder;
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
   CHECK_FALSE(decoder.report().has_header);
   CHECK(decoder.report().packets == 0);
   CHECK(log.starts.empty());
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::ok);
   CHECK(decoder.report().is_complete());
 }
@@ -327,14 +327,14 @@ TEST_CASE("packets of other channels and scans are left alone, and counted") {
   const Bytes link = joined({frame(1, 4), frame(2, 6), frame(3, 5), frame(4, 5)});
   EventLog log;
   Decoder decoder;
-  REQUIRE(decoder.start(sink_to(log), 5) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log), 5) == Status::ok);
   REQUIRE(decoder.push(link.data(), link.size()).status == Status::ok);
   CHECK(decoder.report().foreign_packets == 3);
   CHECK(decoder.report().packets == 1);
   CHECK(decoder.header().scan == 3);
   // The second of two surfaces from channel 4 on.
   const Bytes two = frame(9, 4 | 1 << 6);
-  REQUIRE(decoder.start(sink_to(log), 5) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log), 5) == Status::ok);
   REQUIRE(decoder.push(two.data(), two.size()).status == Status::ok);
   CHECK(decoder.header().scan == 9);
 }
@@ -343,7 +343,7 @@ TEST_CASE("zeros between frames mean nothing, and a byte between two is a damage
   const uint8_t bytes[] = {0, 0, 1, 0, 0, 2};
   EventLog log;
   Decoder decoder;
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   REQUIRE(decoder.push(bytes, sizeof bytes).status == Status::ok);
   CHECK(decoder.report().damaged_packets == 1);
   CHECK(decoder.finish() == Status::ok);
@@ -369,7 +369,7 @@ TEST_CASE("an application record says at which slice and row it was told") {
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   const uint8_t bytes[] = {0xFF, 0xFE};
-  REQUIRE(encoder.tell({9, 0x01020304, 0x05060708, bytes, 2}) == Status::ok);
+  REQUIRE(encoder.write_record({9, 0x01020304, 0x05060708, bytes, 2}) == Status::ok);
   const Received received = decode(line.bytes);
   REQUIRE(received.events.size() == 1);
   const Event event = received.events[0].event();
@@ -385,7 +385,7 @@ TEST_CASE("a decoder that is started again after half a frame begins with a new 
   EventLog log;
   Decoder decoder;
   for (int i = 0; i < 2; ++i) {
-    REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+    REQUIRE(decoder.start(make_sink(log)) == Status::ok);
     REQUIRE(decoder.push(stream.data(), 20).status == Status::ok);
   }
   REQUIRE(decoder.push(stream.data() + 20, stream.size() - 20).status == Status::ok);
@@ -397,9 +397,9 @@ TEST_CASE("a decoder that is started again counts from the first packet on") {
   const Bytes stream = joined(frames);
   EventLog log;
   Decoder decoder;
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.header().width == 0);
   // Number 1: whoever hears it first has missed one.
   REQUIRE(decoder.push(frames[1].data(), frames[1].size()).status == Status::ok);
@@ -529,7 +529,7 @@ TEST_CASE("a region goes on behind a header, whatever was missed before it began
   for (const uint32_t missed : {0U, 1U, 255U, 256U, 512U}) {
     CAPTURE(missed);
     EventLog log;
-    REQUIRE(decoder.start(sink_to(log)) ==
+    REQUIRE(decoder.start(make_sink(log)) ==
             Status::ok);  // anew, though it has heard a header before
     const Bytes heard = joined({frame_at(missed, first_payload()), header_after(missed + 1, 0),
                                 frame_at(missed + 2, last_payload())});
@@ -709,7 +709,7 @@ TEST_CASE("a frame too long at the end does not spoil a stream that follows all 
   const Bytes stream = encode(Script().finish().events, any_header());
   EventLog log;
   Decoder decoder;
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   REQUIRE(decoder.push(noise.data(), noise.size()).status == Status::ok);
   REQUIRE(decoder.finish() == Status::ok);
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
@@ -1208,9 +1208,9 @@ TEST_CASE("a sink may refuse what the end of a stream brings, as often as it lik
   })});
   for (const uint32_t refusals : {0U, 1U, 3U}) {
     struct Sullen {
-      Answer take(const Event& event) {
-        if (event.kind == Event::Kind::start) return Answer::taken;
-        if (refused++ < refusals) return Answer::not_now;
+      SinkResult take(const Event& event) {
+        if (event.kind == Event::Kind::start) return SinkResult::accepted;
+        if (refused++ < refusals) return SinkResult::busy;
         refused = 0;
         return log.take(event);
       }
@@ -1219,13 +1219,13 @@ TEST_CASE("a sink may refuse what the end of a stream brings, as often as it lik
       EventLog log{};
     } sullen{refusals};
     Decoder decoder;
-    REQUIRE(decoder.start(sink_to(sullen)) == Status::ok);
+    REQUIRE(decoder.start(make_sink(sullen)) == Status::ok);
     const Decoded decoded = decoder.push(stream.data(), stream.size());
     CHECK(decoded.bytes == stream.size());
-    CHECK(decoded.status == (refusals == 0 ? Status::ok : Status::more));
+    CHECK(decoded.status == (refusals == 0 ? Status::ok : Status::suspended));
     // What push() did not get rid of, and the loss, which only the end tells.
     uint32_t calls = 1;
-    while (decoder.finish() == Status::more) ++calls;
+    while (decoder.finish() == Status::suspended) ++calls;
     CHECK(calls == (refusals == 0 ? 1 : 4 * refusals));
     CHECK(sullen.log.events == Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events);
   }
@@ -1235,8 +1235,8 @@ TEST_CASE("a mark that the sink does not take is kept for it") {
   const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
   EventLog log(reference::refuses_first);
   Decoder decoder;
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
-  CHECK(decoder.push(stream.data(), stream.size()).status == Status::more);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
+  CHECK(decoder.push(stream.data(), stream.size()).status == Status::suspended);
   CHECK(log.events.empty());
   CHECK(decoder.finish() == Status::ok);
   CHECK(log.events == Script().layer(4).events);
@@ -1273,7 +1273,7 @@ TEST_CASE("a frame that is cut off at the end counts as damaged, once") {
   EventLog log;
   Decoder decoder;
   const Bytes frame = frames_of(encode(Script().finish().events)).front();
-  REQUIRE(decoder.start(sink_to(log)) == Status::ok);
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   REQUIRE(decoder.push(frame.data(), frame.size() - 1).status == Status::ok);
   for (int i = 0; i < 2; ++i) {
     CHECK(decoder.finish() == Status::ok);

@@ -77,13 +77,13 @@ TEST_CASE("a record is told between two pieces, also where the last one was lost
   Line line;
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  REQUIRE(encoder.take(region) == Answer::taken);
-  CHECK(encoder.tell({}) == Status::more);
-  REQUIRE(encoder.take(lost) == Answer::taken);
-  CHECK(encoder.tell({}) == Status::ok);
-  REQUIRE(encoder.take(region) == Answer::taken);
+  REQUIRE(encoder.take(region) == SinkResult::accepted);
+  CHECK(encoder.write_record({}) == Status::suspended);
+  REQUIRE(encoder.take(lost) == SinkResult::accepted);
+  CHECK(encoder.write_record({}) == Status::ok);
+  REQUIRE(encoder.take(region) == SinkResult::accepted);
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  CHECK(encoder.tell({}) == Status::ok);
+  CHECK(encoder.write_record({}) == Status::ok);
 }
 
 TEST_CASE("a ring of two runs, there and back, comes through") {
@@ -155,7 +155,7 @@ TEST_CASE("a flush hands over what is there, once") {
   CHECK(line.bytes.size() == header);
   uint64_t regions = 0;
   for (const RecordedEvent& recorded : events) {
-    REQUIRE(encoder.take(recorded.event()) == Answer::taken);
+    REQUIRE(encoder.take(recorded.event()) == SinkResult::accepted);
     regions += recorded.is(Kind::region_end);
     CHECK(encoder.flush());
     CHECK(decode(line.bytes).report.regions == regions);
@@ -197,7 +197,7 @@ TEST_CASE("a flush between the offers of an event leaves it whole") {
     Encoder encoder;
     REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
     for (const RecordedEvent& one : sample.events)
-      while (encoder.take(one.event()) != Answer::taken)
+      while (encoder.take(one.event()) != SinkResult::accepted)
         while (!encoder.flush()) continue;
     while (!encoder.flush()) continue;
     CHECK(decode(line.bytes).events == sample.events);
@@ -222,8 +222,8 @@ TEST_CASE("an output that takes nothing is asked, and nothing is lost") {
   REQUIRE(begin_stream(encoder, any_header(), output) == Status::ok);
   const Events events = many_regions(10);
   for (const RecordedEvent& recorded : events) {
-    while (encoder.take(recorded.event()) == Answer::not_now) {
-      CHECK(encoder.take(recorded.event()) == Answer::not_now);
+    while (encoder.take(recorded.event()) == SinkResult::busy) {
+      CHECK(encoder.take(recorded.event()) == SinkResult::busy);
       CHECK(room == 0);
       ++room;
     }
@@ -252,7 +252,7 @@ TEST_CASE("a line that is never busy never makes an event wait") {
     Encoder encoder;
     REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
     for (const RecordedEvent& recorded : sample.events)
-      REQUIRE(encoder.take(recorded.event()) == Answer::taken);
+      REQUIRE(encoder.take(recorded.event()) == SinkResult::accepted);
   }
 }
 
@@ -302,7 +302,7 @@ TEST_CASE("a further scan begins when the line has taken all of the one before")
   StreamHeader header = any_header();
   start.header = &header;
   uint32_t refusals = 0;
-  while (encoder.take(start) != Answer::taken) ++refusals;
+  while (encoder.take(start) != SinkResult::accepted) ++refusals;
   CHECK(refusals > 10);
   CHECK(line.bytes == encode({}));
   take_all(encoder, events);
@@ -318,7 +318,7 @@ TEST_CASE("the label's spacing is told where the scan itself knows of none, alon
     Event start{};
     start.kind = Event::Kind::start;
     start.header = &scan;
-    REQUIRE(encoder.take(start) == Answer::taken);
+    REQUIRE(encoder.take(start) == SinkResult::accepted);
     const StreamHeader header = decode(line.bytes).header;
     return std::vector<int32_t>(header.spacing_nm, header.spacing_nm + 3);
   };
@@ -344,7 +344,7 @@ TEST_CASE("an encoder that is started again amid a region in parts tells the nex
   REQUIRE(begin_stream(encoder, any_header(), narrow) == Status::ok);
   size_t told = 0;
   const Events long_region = many_regions(1, 500);
-  while (encoder.take(long_region[told].event()) == Answer::taken) ++told;
+  while (encoder.take(long_region[told].event()) == SinkResult::accepted) ++told;
   REQUIRE(long_region[told].is(Event::Kind::run));
   Line line;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
@@ -433,7 +433,8 @@ TEST_CASE("a region that is lost before its end is told as lost, whatever follow
 TEST_CASE("an encoder that is not started takes nothing") {
   Encoder encoder;
   const Events events = Script().layer(1).region(up).square({1, 0, 0}, 2).region_end().events;
-  for (const RecordedEvent& event : events) CHECK(encoder.take(event.event()) == Answer::never);
+  for (const RecordedEvent& event : events)
+    CHECK(encoder.take(event.event()) == SinkResult::not_started);
 }
 
 TEST_CASE("a ring may begin wherever a record is nearly full") {

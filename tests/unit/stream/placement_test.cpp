@@ -1,7 +1,6 @@
 // Where a volume lies in space, as an application record.
 #include <doctest/doctest.h>
 
-
 #include <algorithm>
 #include <discmc/placement.hpp>
 #include <iterator>
@@ -45,10 +44,10 @@ struct PlacementReceiver {
   Placement placement;
   uint32_t records = 0;
 
-  Answer take(const Event& event) {
+  SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
       ++records;
-    return Answer::taken;
+    return SinkResult::accepted;
   }
 };
 
@@ -115,10 +114,10 @@ TEST_CASE("a placement comes through a stream") {
   Encoder encoder;
   reference::require_ok(test::begin_stream(encoder, test::any_header(), line.output()));
   const Told told(any_placement(Frame::lps));
-  reference::require_ok(encoder.tell(told.record));
+  reference::require_ok(encoder.write_record(told.record));
   PlacementReceiver receiver;
   Decoder decoder;
-  reference::require_ok(decoder.start(sink_to(receiver)));
+  reference::require_ok(decoder.start(make_sink(receiver)));
   reference::require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
   CHECK(receiver.records == 1);
   CHECK(equal(receiver.placement, any_placement(Frame::lps)));

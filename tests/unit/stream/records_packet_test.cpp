@@ -57,7 +57,7 @@ Bytes appended(const KeptPackets& packets, const Event& finish, const Events& be
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   take_all(encoder, before);
   for (const KeptPacket& packet : packets) CHECK(append(encoder, packet) == Status::ok);
-  CHECK(encoder.take(finish) == Answer::taken);
+  CHECK(encoder.take(finish) == SinkResult::accepted);
   return line.bytes;
 }
 
@@ -82,10 +82,10 @@ struct Taker {
 Passed passed(const Bytes& stream) {
   Taker taker;
   Decoder decoder;
-  reference::require_ok(decoder.start(sink_to(taker.log)));
-  decoder.pass_whole_regions_to({&taker, [](void* context, const RecordsPacket& packet) {
-                                   static_cast<Taker*>(context)->take(packet);
-                                 }});
+  reference::require_ok(decoder.start(make_sink(taker.log)));
+  decoder.set_packet_passthrough({&taker, [](void* context, const RecordsPacket& packet) {
+                                    static_cast<Taker*>(context)->take(packet);
+                                  }});
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::ok);
   reference::require_ok(decoder.finish());
   taker.passed.events = taker.log.events;
@@ -209,11 +209,11 @@ TEST_CASE("a packet of another encoder that cannot be sent is refused") {
   CHECK(append(encoder, longest_part) == Status::ok);
   CHECK(append(encoder, too_many) == Status::bad_record);
   const Events events = small_regions(1);
-  REQUIRE(encoder.take(events.front().event()) == Answer::taken);
-  CHECK(append(encoder, longest) == Status::more);
+  REQUIRE(encoder.take(events.front().event()) == SinkResult::accepted);
+  CHECK(append(encoder, longest) == Status::suspended);
   for (size_t i = 1; i + 1 < events.size(); ++i)
-    REQUIRE(encoder.take(events[i].event()) == Answer::taken);
+    REQUIRE(encoder.take(events[i].event()) == SinkResult::accepted);
   CHECK(append(encoder, longest) == Status::ok);
-  REQUIRE(encoder.take(events.back().event()) == Answer::taken);
+  REQUIRE(encoder.take(events.back().event()) == SinkResult::accepted);
   CHECK(append(encoder, longest) == Status::finished);
 }

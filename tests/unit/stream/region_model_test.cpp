@@ -299,10 +299,10 @@ TEST_CASE("orders, items and parts come back") {
               static_cast<int64_t>(model.item_kind(static_cast<Item>(writes ? kind : 0))));
         Record fragment = record_with(writes ? Incidence{26} : no_incidence);
         fragment.is_fragment = writes;
-        fragment.came = writes ? 5 : 0;
+        fragment.incoming = writes ? 5 : 0;
         model.part(fragment);
-        coded.insert(coded.end(),
-                     {fragment.is_fragment, fragment.continues, fragment.incidence, fragment.came});
+        coded.insert(coded.end(), {fragment.is_fragment, fragment.continues, fragment.incidence,
+                                   fragment.incoming});
         Record region = record_with(writes ? Incidence{4} : no_incidence);
         region.continues = writes;
         model.part(region);

@@ -123,7 +123,7 @@ TEST_CASE("the high-water mark counts the holes that waited at once, and begins 
   Block block(bytes_for<uint16_t>(limits, ample));
   EventLog log;
   Extractor16 extractor;
-  require_ok(extractor.start(limits, ample, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));
   push_all(extractor, plate.on);
   const uint32_t records = extractor.high_water().records;
   CHECK(extractor.high_water().holes == 3);
@@ -195,9 +195,9 @@ Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& 
   limits.slab = slab;
   Block block(bytes_for<uint16_t>(limits, capacities));
   Extractor16 extractor;
-  require_ok(extractor.start(limits, capacities, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
   push_all(extractor, volume.on);
-  CHECK(extractor.finish() == (refused == SIZE_MAX ? Status::ok : Status::more));
+  CHECK(extractor.finish() == (refused == SIZE_MAX ? Status::ok : Status::suspended));
   refuses = false;
   CHECK(extractor.resume() == Status::ok);
   CHECK(block.is_intact());

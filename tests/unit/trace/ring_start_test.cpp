@@ -28,7 +28,7 @@ TEST_CASE("at no vertex has a plane two tops") {
       uint32_t tops_of[incidence_codes] = {};
       for (int i = 0; i < passes.count; ++i) {
         const trace::Pass& pass = passes.pass[i];
-        if (!is_top(link_vector(pass.came), link_vector(pass.first))) continue;
+        if (!is_top(link_vector(pass.incoming), link_vector(pass.first))) continue;
         ++tops;
         most = std::max(most, ++tops_of[pass.incidence]);
       }

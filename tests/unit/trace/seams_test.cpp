@@ -60,7 +60,7 @@ TEST_CASE("a slab without a slice of its own has no surface, however full its co
       Block block(bytes_for<uint16_t>(limits, ample));
       EventLog log;
       Extractor16 extractor;
-      require_ok(extractor.start(limits, ample, 1, block.memory(), sink_to(log)));
+      require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));
       require_ok(extractor.push(volume->on.data(), continues_below ? 40 : 20).status);
       finish_all(extractor);
       const Collector slab = collected(log.events, limits.slab);
@@ -77,7 +77,7 @@ TEST_CASE("a slab ends where there are no more numbers for slices") {
   Block block(minimum_bytes<uint16_t>(limits));
   EventLog log;
   Extractor16 extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), sink_to(log)));
+  require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
   const PushResult at_once = extractor.push(slices.data(), 5 * 6);
   CHECK(at_once.status == Status::too_deep);
   CHECK(at_once.samples == 3 * 6);

@@ -51,7 +51,7 @@ class Member final : public ByteSource {
     return done;
   }
 
-  std::uint64_t most_left() const override { return unbounded; }
+  std::uint64_t max_left() const override { return unbounded; }
   std::string damage() const override { return stream_.damage(); }
 
  private:
@@ -108,8 +108,8 @@ std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOpt
     fail(file, "projects of InVesalius are read twice, and a pipe is read once",
          "store the project in a file first");
   ByteStream list = member(std::move(stream), "main.plist");
-  constexpr std::size_t most_list_bytes = 1U << 20;
-  const std::string text(list.peek(most_list_bytes));
+  constexpr std::size_t max_list_bytes = 1U << 20;
+  const std::string text(list.peek(max_list_bytes));
   pugi::xml_document document;
   document.load_buffer(text.data(), text.size());
   const pugi::xml_node project = document.child("plist").child("dict");

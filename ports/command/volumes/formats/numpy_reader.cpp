@@ -22,8 +22,8 @@ std::string read_header(ByteStream& stream) {
          "save the array as version 1 to 3");
   std::uint32_t bytes = 0;
   for (std::size_t i = 0; i < 4; ++i) bytes |= std::uint32_t{length[i]} << 8 * i;
-  constexpr std::uint32_t most_header_bytes = 1U << 20;
-  if (bytes > most_header_bytes)
+  constexpr std::uint32_t max_header_bytes = 1U << 20;
+  if (bytes > max_header_bytes)
     fail(stream.file(), "the header has " + std::to_string(bytes) + " bytes",
          "save one plain array");
   std::string text(bytes, '\0');

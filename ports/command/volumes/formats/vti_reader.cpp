@@ -75,11 +75,11 @@ class Head {
  private:
   // Appends what comes, up to the end of a tag.
   void take_tag(ByteStream& stream, std::string& text) const {
-    constexpr std::size_t most_header_bytes = 1U << 20;
+    constexpr std::size_t max_header_bytes = 1U << 20;
     char c = 0;
     bool has_tag = false;
     while (c != '>' || !has_tag) {
-      if (text.size() == most_header_bytes || stream.read(&c, 1) == 0)
+      if (text.size() == max_header_bytes || stream.read(&c, 1) == 0)
         fail(file_,
              "there is no array of samples in the first " + std::to_string(text.size()) + " bytes",
              "give an image with point data");

@@ -8,7 +8,7 @@
 namespace discmc::command {
 namespace {
 
-constexpr std::uint32_t most_frames = 1U << 16;
+constexpr std::uint32_t max_frames = 1U << 16;
 
 std::string text(DcmItem& item, const DcmTagKey& key) {
   OFString value;
@@ -23,14 +23,14 @@ std::optional<std::uint32_t> whole(DcmItem& item, const DcmTagKey& key) {
   return value;
 }
 
-constexpr double most_told = 1e9;  // of millimetres and values
+constexpr double max_told = 1e9;  // of millimetres and values
 
 /// The numbers of an element, if it has so many at least and none is out of all measure.
 template <std::size_t count>
 std::optional<std::array<double, count>> reals(DcmItem& item, const DcmTagKey& key) {
   std::array<double, count> values{};
   for (std::size_t i = 0; i < count; ++i)
-    if (item.findAndGetFloat64(key, values[i], i).bad() || !(std::fabs(values[i]) <= most_told))
+    if (item.findAndGetFloat64(key, values[i], i).bad() || !(std::fabs(values[i]) <= max_told))
       return std::nullopt;
   return values;
 }
@@ -116,7 +116,7 @@ void add_grid_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
     double offset = 0;
     if (!frame.place ||
         dataset.findAndGetFloat64(DCM_GridFrameOffsetVector, offset, frame.number).bad() ||
-        !(std::fabs(offset) <= most_told))
+        !(std::fabs(offset) <= max_told))
       return;
     const auto normal = normal_of(*frame.place);
     for (std::size_t i = 0; i < 3; ++i) frame.place->position[i] += offset * normal[i];
@@ -189,7 +189,7 @@ DicomContent dicom_content(const std::filesystem::path& file) {
 
   Sint32 count = 0;
   if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) count = 1;
-  if (count < 1 || static_cast<std::uint32_t>(count) > most_frames)
+  if (count < 1 || static_cast<std::uint32_t>(count) > max_frames)
     return {{}, "an image of " + std::to_string(count) + " frames"};
   DicomContent content;
   for (Sint32 i = 0; i < count; ++i)

@@ -73,12 +73,12 @@ using Places = std::vector<std::size_t>;
 
 // places: of those to show among the stacks, the first is 0.
 std::string list(const std::vector<DicomStack>& stacks, const Places& places) {
-  constexpr std::size_t most_shown = 50;
+  constexpr std::size_t max_shown = 50;
   std::string text;
-  for (std::size_t i = 0; i < std::min(places.size(), most_shown); ++i)
+  for (std::size_t i = 0; i < std::min(places.size(), max_shown); ++i)
     text += "\n  " + std::to_string(places[i] + 1) + ": " + description(stacks[places[i]]);
-  if (places.size() > most_shown)
-    text += "\n  and " + std::to_string(places.size() - most_shown) + " more";
+  if (places.size() > max_shown)
+    text += "\n  and " + std::to_string(places.size() - max_shown) + " more";
   return text + "\n";
 }
 
@@ -178,7 +178,7 @@ Distances even_distances(const std::filesystem::path& source, const DicomStack& 
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (is_even(steps[i])) continue;
     const double missing =
-        std::min(std::round(steps[i] / step) - 1, static_cast<double>(most_missing));
+        std::min(std::round(steps[i] / step) - 1, static_cast<double>(max_missing));
     const std::string where = "between " + number(along(stack[i])) + " mm (" + name(stack[i]) +
                               ") and " + number(along(stack[i + 1])) + " mm (" +
                               name(stack[i + 1]) + ")";

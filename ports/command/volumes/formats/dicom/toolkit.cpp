@@ -64,13 +64,13 @@ std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& data
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {
   static const bool is_set_up = (set_up(), true);
   static_cast<void>(is_set_up);
-  constexpr std::uint32_t most_nested = 64;
-  if (!is_nested_within(most_nested, file) || is_deflated(file)) return nullptr;
-  constexpr Uint32 most_read_at_once = 4096;
+  constexpr std::uint32_t max_nested = 64;
+  if (!is_nested_within(max_nested, file) || is_deflated(file)) return nullptr;
+  constexpr Uint32 max_read_at_once = 4096;
   const DcmTagKey first_of_pixels(0x7fe0, 0);
   auto opened = std::make_unique<DcmFileFormat>();
   const OFCondition result = opened->loadFileUntilTag(
-      file.c_str(), EXS_Unknown, EGL_noChange, most_read_at_once, ERM_autoDetect,
+      file.c_str(), EXS_Unknown, EGL_noChange, max_read_at_once, ERM_autoDetect,
       pixels == Pixels::left_out ? first_of_pixels : DCM_UndefinedTagKey);
   return result.good() ? std::move(opened) : nullptr;
 }

@@ -152,8 +152,8 @@ Hdf5Handle cache_of_slice(const Hdf5Handle& dataset) {
   for (std::size_t axis = sizes.size() - 2; axis < sizes.size(); ++axis)
     counts[axis] = (sizes[axis] + chunk[axis] - 1) / chunk[axis];
   const std::uint64_t chunks = product(counts);
-  constexpr std::uint64_t most_chunks = std::uint64_t{1} << 20;
-  if (chunks > most_chunks) return access;
+  constexpr std::uint64_t max_chunks = std::uint64_t{1} << 20;
+  if (chunks > max_chunks) return access;
   const std::uint64_t bytes = chunks * product(chunk) * H5Tget_size(type_of(dataset).id());
   constexpr std::size_t slots_a_chunk = 10;  // so that few chunks want the same place
   H5Pset_chunk_cache(access.id(), slots_a_chunk * chunks + 1, bytes, 1.0);

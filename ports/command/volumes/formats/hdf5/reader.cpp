@@ -54,11 +54,11 @@ std::string listed(const Hdf5Description& dataset) {
 }
 
 std::string list_of(const std::vector<Hdf5Description>& datasets) {
-  constexpr std::size_t most_listed = 10;
+  constexpr std::size_t max_listed = 10;
   std::string text;
-  for (std::size_t i = 0; i < std::min(datasets.size(), most_listed); ++i)
+  for (std::size_t i = 0; i < std::min(datasets.size(), max_listed); ++i)
     text += (i > 0 ? ", " : "") + listed(datasets[i]);
-  return text + (datasets.size() > most_listed ? ", ..." : "");
+  return text + (datasets.size() > max_listed ? ", ..." : "");
 }
 
 // Stored values mean nothing without the scale of each slice.
@@ -87,10 +87,10 @@ std::string chosen_path(const std::filesystem::path& file,
 
 // Small files may claim large slices: what is unpacked of a byte has a limit.
 void require_possible(const std::filesystem::path& file, const VolumeInfo& info) {
-  constexpr std::uint64_t most_of_a_byte = 16384;
+  constexpr std::uint64_t max_of_a_byte = 16384;
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(file, error);
-  if (!error && info.slice_bytes() > bytes * most_of_a_byte)
+  if (!error && info.slice_bytes() > bytes * max_of_a_byte)
     fail(file,
          "a slice of " + std::to_string(info.slice_bytes()) + " bytes cannot be in a file of " +
              std::to_string(bytes),

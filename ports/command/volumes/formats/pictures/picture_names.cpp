@@ -126,7 +126,7 @@ std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files) 
     if (step == 0 || steps[i] == 0 || steps[i] % step != 0) return {};
     if (steps[i] > step)
       gaps.push_back(
-          {i, std::min(steps[i] / step - 1, most_missing),
+          {i, std::min(steps[i] / step - 1, max_missing),
            "between " + files[i].filename().string() + " and " + files[i + 1].filename().string()});
   }
   return gaps;

@@ -79,11 +79,11 @@ void require_alike(const PictureHeader& first, const PictureHeader& header,
 
 // Small files may claim large pictures: what is decoded of a byte has a limit.
 void require_possible(const std::filesystem::path& file, const PictureHeader& header) {
-  constexpr std::uint64_t most_of_a_byte = 16384;
+  constexpr std::uint64_t max_of_a_byte = 16384;
   const std::uint64_t bytes =
       std::uint64_t{header.width} * header.height * sample_bytes(header.type);
   const std::uint64_t file_bytes = ByteStream(file).left().value_or(0);
-  if (bytes / most_of_a_byte > file_bytes)
+  if (bytes / max_of_a_byte > file_bytes)
     fail(file,
          "a picture of " + std::to_string(bytes) + " bytes cannot be in a file of " +
              std::to_string(file_bytes),

@@ -152,9 +152,9 @@ class TiffFile final : public PictureFile {
     const auto tile_height = field<std::uint32_t>(tiff_, TIFFTAG_TILELENGTH, 0);
     const std::uint32_t page = TIFFCurrentDirectory(tiff_);
     const std::uint64_t tile_bytes = std::uint64_t{tile_width} * tile_height * sample;
-    constexpr std::uint64_t most_padding = std::uint64_t{1} << 26;
+    constexpr std::uint64_t max_padding = std::uint64_t{1} << 26;
     const std::uint64_t slice_bytes = std::uint64_t{told.width} * told.height * sample;
-    if (tile_width == 0 || tile_height == 0 || tile_bytes > slice_bytes + most_padding ||
+    if (tile_width == 0 || tile_height == 0 || tile_bytes > slice_bytes + max_padding ||
         tile_bytes != static_cast<std::uint64_t>(TIFFTileSize(tiff_)))
       fail_page(page);
     std::vector<unsigned char> tile(static_cast<std::size_t>(tile_bytes));

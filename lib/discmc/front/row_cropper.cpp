@@ -1,9 +1,9 @@
-#include <discmc/front/row_picker.hpp>
+#include <discmc/front/row_cropper.hpp>
 
 namespace discmc {
 
-Status RowPicker::start(const Limits& incoming, const PickedRange& x, const PickedRange& y,
-                        const PickedRange& z) {
+Status RowCropper::start(const Limits& incoming, const CropRange& x, const CropRange& y,
+                         const CropRange& z) {
   if (!incoming.is_valid() || x.step == 0 || y.step == 0 || z.step == 0) return Status::bad_limits;
   const uint32_t width = x.count_of(incoming.width), height = y.count_of(incoming.height);
   if (width == 0 || height == 0 || z.count == 0) return Status::bad_limits;
@@ -20,12 +20,12 @@ Status RowPicker::start(const Limits& incoming, const PickedRange& x, const Pick
   return Status::ok;
 }
 
-bool RowPicker::next() {
+bool RowCropper::next() {
   if (row_ == 0) {
     y_next_ = y_.first;
     const bool is_slice_picked = z_left_ > 0 && z_wait_ == 0;
     y_left_ = is_slice_picked ? y_.count : 0;
-    if (is_slice_picked && z_left_ != PickedRange::rest) --z_left_;
+    if (is_slice_picked && z_left_ != CropRange::rest) --z_left_;
     z_wait_ = z_wait_ == 0 ? z_step_ - 1 : z_wait_ - 1;
   }
   const bool is_picked = y_left_ > 0 && row_ == y_next_;
@@ -37,7 +37,7 @@ bool RowPicker::next() {
   return is_picked;
 }
 
-void RowPicker::pick_bits(const uint8_t* bits, uint8_t* picked) const {
+void RowCropper::crop_bits(const uint8_t* bits, uint8_t* picked) const {
   uint32_t from = first_;
   for (uint32_t to = 0; to < count_; to += 8) {
     const uint32_t end = count_ - to < 8 ? count_ - to : 8;

@@ -10,8 +10,8 @@
 //
 // The last blocks along an axis are made of the voxels that are left. Samples of 0 and 1 give a
 // majority: 1 where at least half of a block is.
-#ifndef DISCMC_BLOCK_MEANS_HPP
-#define DISCMC_BLOCK_MEANS_HPP
+#ifndef DISCMC_DOWNSAMPLER_HPP
+#define DISCMC_DOWNSAMPLER_HPP
 
 #include <discmc/arena.hpp>
 #include <discmc/limits.hpp>
@@ -22,15 +22,15 @@ namespace discmc {
 /// Rows of samples in, rows of means out. Sample is uint8_t, uint16_t or int16_t. It is neither
 /// copied nor moved: two would write to the same memory.
 template <class Sample>
-class BlockMeans {
+class Downsampler {
   static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
 
  public:
   static constexpr uint32_t max_extent = 16;  ///< of a block
 
-  BlockMeans() = default;
-  BlockMeans(const BlockMeans&) = delete;
-  BlockMeans& operator=(const BlockMeans&) = delete;
+  Downsampler() = default;
+  Downsampler(const Downsampler&) = delete;
+  Downsampler& operator=(const Downsampler&) = delete;
 
   /// The memory that start() takes: the sums of one slice, and a row of means. Units: bytes.
   static constexpr uint64_t bytes_for(const Limits& incoming, uint32_t extent) {
@@ -79,9 +79,9 @@ class BlockMeans {
   uint32_t block_ = 0;  // the row of blocks that comes next, of sums or of means
 };
 
-extern template class BlockMeans<uint8_t>;
-extern template class BlockMeans<uint16_t>;
-extern template class BlockMeans<int16_t>;
+extern template class Downsampler<uint8_t>;
+extern template class Downsampler<uint16_t>;
+extern template class Downsampler<int16_t>;
 
 }  // namespace discmc
 

@@ -1,9 +1,9 @@
-#include <discmc/front/block_means.hpp>
+#include <discmc/front/downsampler.hpp>
 
 namespace discmc {
 
 template <class Sample>
-Status BlockMeans<Sample>::start(const Limits& incoming, uint32_t extent, Memory memory) {
+Status Downsampler<Sample>::start(const Limits& incoming, uint32_t extent, Memory memory) {
   sums_ = nullptr;
   if (!incoming.is_valid() || extent == 0 || extent > max_extent) return Status::bad_limits;
   Arena arena(memory);
@@ -23,13 +23,13 @@ Status BlockMeans<Sample>::start(const Limits& incoming, uint32_t extent, Memory
 
 // How many voxels a block has of an axis that has so many.
 template <class Sample>
-uint32_t BlockMeans<Sample>::size_of(uint32_t block, uint32_t voxels) const {
+uint32_t Downsampler<Sample>::size_of(uint32_t block, uint32_t voxels) const {
   const uint32_t left = voxels - block * extent_;
   return left < extent_ ? left : extent_;
 }
 
 template <class Sample>
-const Sample* BlockMeans<Sample>::push(const Sample* samples) {
+const Sample* Downsampler<Sample>::push(const Sample* samples) {
   uint32_t* sum = sums_ + size_t{block_} * limits_.width;
   for (uint32_t left = incoming_.width; left > 0;) {
     const uint32_t count = left < extent_ ? left : extent_;
@@ -52,13 +52,13 @@ const Sample* BlockMeans<Sample>::push(const Sample* samples) {
 }
 
 template <class Sample>
-const Sample* BlockMeans<Sample>::drain() {
+const Sample* Downsampler<Sample>::drain() {
   return slice_ > 0 && block_ < limits_.height ? next_row(slice_) : nullptr;
 }
 
 // The means of a row of blocks, whose sums begin anew.
 template <class Sample>
-const Sample* BlockMeans<Sample>::next_row(uint32_t slices) {
+const Sample* Downsampler<Sample>::next_row(uint32_t slices) {
   uint32_t* const sums = sums_ + size_t{block_} * limits_.width;
   const uint32_t area = slices * size_of(block_, incoming_.height);
   for (uint32_t x = 0; x < limits_.width; ++x) {
@@ -70,8 +70,8 @@ const Sample* BlockMeans<Sample>::next_row(uint32_t slices) {
   return means_;
 }
 
-template class BlockMeans<uint8_t>;
-template class BlockMeans<uint16_t>;
-template class BlockMeans<int16_t>;
+template class Downsampler<uint8_t>;
+template class Downsampler<uint16_t>;
+template class Downsampler<int16_t>;
 
 }  // namespace discmc

@@ -1,6 +1,6 @@
 // Means of blocks beside those added voxel by voxel; that they are those of `discmc extract
 // --shrink` is in command/volume_part.
-#include <discmc/front/block_means.hpp>
+#include <discmc/front/downsampler.hpp>
 
 #include <doctest/doctest.h>
 
@@ -40,10 +40,10 @@ Sample mean_at(const std::vector<Sample>& samples, const Size& size, uint32_t ex
 }
 
 template <class Sample>
-std::vector<Sample> means_of(BlockMeans<Sample>& means, const std::vector<Sample>& samples,
+std::vector<Sample> means_of(Downsampler<Sample>& means, const std::vector<Sample>& samples,
                              const Size& size, uint32_t extent) {
   const Limits limits{size.width, size.height, Border::open};
-  Block block(BlockMeans<Sample>::bytes_for(limits, extent));
+  Block block(Downsampler<Sample>::bytes_for(limits, extent));
   REQUIRE(means.start(limits, extent, block.memory()) == Status::ok);
   const uint32_t width = means.limits().width;
   CHECK(width == (size.width + extent - 1) / extent);
@@ -71,7 +71,7 @@ void check(const Size& size, uint32_t extent) {
   CAPTURE(size.height);
   CAPTURE(size.depth);
   CAPTURE(extent);
-  BlockMeans<Sample> means;
+  Downsampler<Sample> means;
   CHECK(means_of(means, samples, size, extent) == expected);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("blocks become their mean, the last ones of the voxels that are left")
 TEST_CASE("the largest block of the largest samples does not overflow") {
   for (const int16_t sample : {int16_t{INT16_MIN}, int16_t{INT16_MAX}}) {
     const std::vector<int16_t> samples(16 * 16 * 16, sample);
-    BlockMeans<int16_t> means;
+    Downsampler<int16_t> means;
     CHECK(means_of(means, samples, {16, 16, 16}, 16) == std::vector<int16_t>{sample});
   }
 }
@@ -99,12 +99,12 @@ TEST_CASE("the largest block of the largest samples does not overflow") {
 TEST_CASE("means that are started again amid a volume begin a new one") {
   const Size size{5, 4, 3};
   const std::vector<uint8_t> samples = some_samples<uint8_t>(size, 1);
-  BlockMeans<uint8_t> fresh;
+  Downsampler<uint8_t> fresh;
   const std::vector<uint8_t> expected = means_of(fresh, samples, size, 2);
   for (uint32_t pushed = 0; pushed < 12; ++pushed) {
     const Limits limits{5, 4};
-    Block block(BlockMeans<uint8_t>::bytes_for(limits, 2));
-    BlockMeans<uint8_t> means;
+    Block block(Downsampler<uint8_t>::bytes_for(limits, 2));
+    Downsampler<uint8_t> means;
     REQUIRE(means.start(limits, 2, block.memory()) == Status::ok);
     for (uint32_t row = 0; row < pushed; ++row) (void)means.push(&samples[row * 5]);
     CHECK(means_of(means, samples, size, 2) == expected);
@@ -112,9 +112,9 @@ TEST_CASE("means that are started again amid a volume begin a new one") {
 }
 
 TEST_CASE("means refuse what no extractor takes, blocks of no size, and too little memory") {
-  BlockMeans<uint16_t> means;
+  Downsampler<uint16_t> means;
   const Limits limits{33, 4};
-  Block block(BlockMeans<uint16_t>::bytes_for(limits, 2) - 1);
+  Block block(Downsampler<uint16_t>::bytes_for(limits, 2) - 1);
   CHECK(means.start(limits, 2, block.memory()) == Status::too_little_memory);
   CHECK(means.start(limits, 3, block.memory()) == Status::ok);
   CHECK(means.start(limits, 0, block.memory()) == Status::bad_limits);
