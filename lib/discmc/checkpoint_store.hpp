@@ -1,7 +1,7 @@
 // A store of checkpoints in flash: the newest whole one is there after a power failure, whenever
 // that came.
 //
-//   store.start(device, most_bytes, buffer)   once: finds the newest whole checkpoint
+//   store.start(device, max_bytes, buffer)   once: finds the newest whole checkpoint
 //   store.restore(parts, count)               if has_checkpoint(): reads it back
 //   store.erase_ahead(bytes)                  between rows, while a scan goes on: saves time later
 //   store.save(parts, count)                  between two rows; while it says `suspended`, resume()
@@ -140,7 +140,7 @@ class CheckpointStore {
   CheckpointStore& operator=(const CheckpointStore&) = delete;
 
   /// Finds the newest whole checkpoint of a flash; what else is there, erased or not, is of no
-  /// matter. most_bytes: of all parts of a checkpoint; another number than before may not find what
+  /// matter. max_bytes: of all parts of a checkpoint; another number than before may not find what
   /// was saved then. buffer: at least geometry.program_bytes; Owner: the caller, as for the device,
   /// as long as the store is used. Errors: bad_device (no read() or program(), or no valid
   /// store_plan()), too_little_memory (the buffer). device_error: a read failed, and no checkpoint

@@ -276,7 +276,7 @@ TEST_CASE("what is not a number counts in a block only where nothing else is the
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr double nan_f64 = std::numeric_limits<double>::quiet_NaN();
   using F32 = std::vector<float>;
-  for (const BlockValue value : {BlockValue::mean, BlockValue::max_frequent}) {
+  for (const BlockValue value : {BlockValue::mean, BlockValue::most_frequent}) {
     CHECK(std::isnan(shrunk_block(F32(8, nan), SampleType::f32, value)));
     CHECK(shrunk_block(F32{nan, 2, nan, nan}, SampleType::f32, value) == 2);
     CHECK(shrunk_block(std::vector<double>{nan_f64, 2, nan_f64, nan_f64}, SampleType::f64, value) ==
@@ -289,7 +289,7 @@ TEST_CASE("what is not a number counts in a block only where nothing else is the
 TEST_CASE("a block of labels becomes the most frequent one, of several the first") {
   using U16 = std::vector<std::uint16_t>;
   const auto label = [](const U16& labels) {
-    return shrunk_block(labels, SampleType::u16, BlockValue::max_frequent);
+    return shrunk_block(labels, SampleType::u16, BlockValue::most_frequent);
   };
   CHECK(label({1, 7, 7, 7, 9, 1, 1, 7}) == 7);
   CHECK(label({9, 0, 9, 0, 9, 0, 9, 0}) == 9);
@@ -309,8 +309,8 @@ TEST_CASE("labels of blocks are those of their own voxels, also where a block is
   }
   labels[0] = 200;
   const auto file = folder.write("v.raw", bytes_of(labels));
-  const auto reader =
-      open_volume(file, with_shrink(options_of(SampleType::u8, size), 2, BlockValue::max_frequent));
+  const auto reader = open_volume(
+      file, with_shrink(options_of(SampleType::u8, size), 2, BlockValue::most_frequent));
   std::vector<double> expected;
   for (int block = 0; block < 12; ++block) expected.push_back(block);
   CHECK(read_all(*reader) == expected);

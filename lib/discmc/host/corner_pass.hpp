@@ -38,7 +38,7 @@ struct CornerPass {
   static constexpr uint32_t max_of_pass = 2;
 };
 
-/// Writes a pass at a vertex on an edge along an axis down as at most most_of_pass corner passes,
+/// Writes a pass at a vertex on an edge along an axis down as at most max_of_pass corner passes,
 /// and returns how many there are.
 uint32_t corner_passes(const Pass& pass, int axis, CornerPass* passes);
 

@@ -212,7 +212,7 @@ class RegionModel {
   // Of the chain:
   ChainKind kind_ = ChainKind::first;
   Direction direction_ = 0;
-  uint8_t links_ = 0;   // whose direction was told, up to one more than most_of_short
+  uint8_t links_ = 0;   // whose direction was told, up to one more than max_of_short
   uint8_t turns_ = 0;   // the last turn and one more; 0 before the first
   uint8_t length_ = 0;  // of the last run, or 3 when it is longer; 0 before the first
   Vertex start_{0, 0, 0};

@@ -21,7 +21,7 @@ class Delivery {
   using Records = Pool<Record<Index, Normal>, Index>;
   using Chains = Fragments<Index, Normal>;
 
-  /// heads: see Holes. most_holes: with as many waiting, further ones go out loose.
+  /// heads: see Holes. max_holes: with as many waiting, further ones go out loose.
   void start(Index* heads, uint32_t max_holes) {
     holes_.start(heads);
     max_holes_ = max_holes;

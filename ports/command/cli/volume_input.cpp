@@ -39,7 +39,7 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
 VolumeOptions volume_options(const VolumeArguments& arguments) {
   VolumeOptions options = volume_options(arguments.layout);
   // Labels have no mean.
-  if (arguments.selects_labels()) options.block_value = BlockValue::max_frequent;
+  if (arguments.selects_labels()) options.block_value = BlockValue::most_frequent;
   return options;
 }
 
@@ -53,7 +53,7 @@ std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
                                                   const VolumeArguments& arguments,
                                                   bool holds_labels) {
   VolumeOptions options = volume_options(arguments);
-  if (holds_labels) options.block_value = BlockValue::max_frequent;
+  if (holds_labels) options.block_value = BlockValue::most_frequent;
   auto volume = std::make_unique<MeasuredVolume>(open_volume(path, options));
   write_notes(path, volume->info());
   return volume;

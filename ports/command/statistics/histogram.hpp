@@ -10,7 +10,7 @@
 
 namespace discmc::command {
 
-/// Counts samples of one type. As long as no more than most_bins different ones have come, each
+/// Counts samples of one type. As long as no more than max_bins different ones have come, each
 /// has a bin of its own: always, where they are of 8 or 16 bits. Beyond, samples share a bin that
 /// are alike but for their last bits, as few bits as will do: then whole numbers are counted to
 /// 2^n, floating point to a part of 2^-n of them, mostly less than a thousandth.

@@ -16,7 +16,7 @@ namespace discmc::command {
 
 class ByteSource {
  public:
-  /// For most_left(): no bound is known.
+  /// For max_left(): no bound is known.
   static constexpr std::uint64_t unbounded = std::numeric_limits<std::uint64_t>::max();
 
   ByteSource() = default;

@@ -18,7 +18,7 @@ constexpr std::uint64_t max_missing = 1000000000;
 struct Gap {
   /// The slice before it, the first is 0.
   std::size_t slice = 0;
-  /// Limit: most_missing.
+  /// Limit: max_missing.
   std::uint64_t missing = 0;
   /// For people: "between a7.png and a9.png".
   std::string place;

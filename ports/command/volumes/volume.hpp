@@ -41,7 +41,7 @@ struct VoxelRange {
 using Crop = std::array<VoxelRange, 3>;
 
 /// What the voxel is that stands for a block of voxels.
-enum class BlockValue { mean, max_frequent };
+enum class BlockValue { mean, most_frequent };
 
 /// What is said of a volume beside its name.
 struct VolumeOptions {

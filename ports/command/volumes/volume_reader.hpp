@@ -35,7 +35,7 @@ struct VolumeInfo {
   /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
   /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored, and the
   /// placement only turns and moves it.
-  /// Units: millimetres. Limit: least_spacing_mm to most_spacing_mm either way.
+  /// Units: millimetres. Limit: min_spacing_mm to max_spacing_mm either way.
   std::array<double, 3> spacing_mm{1, 1, 1};
   /// Where the volume lies; nothing where the file tells no more of it than the spacing.
   /// Limit: is_usable().

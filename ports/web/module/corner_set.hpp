@@ -18,7 +18,7 @@ class CornerSet {
   static constexpr std::int32_t max_coordinate = 32767;
 
   /// Takes the corners of these polygons. Throws std::runtime_error where they lie beyond
-  /// most_coordinate, or in a box of too many blocks.
+  /// max_coordinate, or in a box of too many blocks.
   void fill(const command::Polygons& polygons);
 
   /// Limit: on a side of one of the polygons.

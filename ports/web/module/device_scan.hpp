@@ -21,7 +21,7 @@ struct DeviceScan {
 /// The least memory that scan_regions() takes. Units: bytes.
 std::uint64_t min_memory(const StreamHeader& header);
 
-/// As a stream of regions. Limit: memory >= least_memory(header).
+/// As a stream of regions. Limit: memory >= min_memory(header).
 DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::uint64_t memory);
 
 /// As a stream of slices, with one key slice.

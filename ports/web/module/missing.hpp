@@ -41,7 +41,7 @@ class Missing {
 
   /// Links where a polygon has no other beside it. A surface that is whole has none, but where an
   /// open one ends. Returns false, and adds nothing, where there are more than
-  /// most_open_links, or coordinates beyond 16 bits.
+  /// max_open_links, or coordinates beyond 16 bits.
   bool add_open_links(const command::Polygons& polygons);
 
   const std::vector<MissingLine>& lines() const { return lines_; }

@@ -103,7 +103,7 @@ export class Module {
   }
 
   leastMemory() {
-    return this.call('least_memory');
+    return this.call('min_memory');
   }
   /** The scan on a device. @param {number} memory in bytes; 0: as a stream of slices */
   scan(memory) {

@@ -123,7 +123,7 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   if (options.crop) mask = cropped(file, std::move(mask), *options.crop);
   mask = std::make_unique<Mask>(std::move(mask));
   if (options.shrink > 1)
-    mask = shrunk(file, std::move(mask), options.shrink, BlockValue::max_frequent);
+    mask = shrunk(file, std::move(mask), options.shrink, BlockValue::most_frequent);
   return mask;
 }
 

@@ -117,7 +117,7 @@ class MostFrequent final : public Blocks {
     for (std::uint32_t y = 0; y < division_.voxels[1]; y += division_.extent)
       for (std::uint32_t x = 0; x < division_.voxels[0]; x += division_.extent) {
         collect(x, y);
-        *value++ = max_frequent();
+        *value++ = most_frequent();
       }
     slices_.clear();
   }
@@ -140,7 +140,7 @@ class MostFrequent final : public Blocks {
                    block_.end());
   }
 
-  Sample max_frequent() {
+  Sample most_frequent() {
     if (block_.empty()) return std::numeric_limits<Sample>::quiet_NaN();
     const auto is_other = std::not_equal_to<>();
     if (std::adjacent_find(block_.begin(), block_.end(), is_other) == block_.end())
