@@ -62,7 +62,7 @@ struct FlashDevice {
   FlashGeometry geometry;
 };
 
-// ----
+// ---- Checkpoints in it.
 
 /// What a checkpoint says of itself in flash. Behind it come the bytes of its parts and a checksum
 /// of all that.

@@ -54,8 +54,6 @@ struct ApplicationRecord {
   size_t count = 0;                ///< Limit: at most max_bytes
 };
 
-// ----
-
 // ---- What a stream says of its scan, and what an encoder has to be told of it.
 
 /// For a decoder that takes the first stream that comes, of whatever channel.
@@ -106,7 +104,7 @@ struct StreamHeader {
   }
 };
 
-// ----
+// ---- Events, and who takes them.
 
 /// What a sink says of an event.
 enum class SinkResult : uint8_t {
@@ -144,7 +142,7 @@ struct Event {
     ring,          ///< one of its rings begins: start, hole
     run,           ///< the next run of the ring or fragment: run, normal
     region_end,    ///< the region is complete
-    fragment,      ///< a loose fragment begins: incidence, start, came
+    fragment,      ///< a loose fragment begins: incidence, start, incoming_direction
     fragment_end,  ///< the fragment is complete
     skipped,       ///< a row never came: slice, row; `repeated` when the row before stood in for it
     layer,         ///< every region that does not reach `slice` has been delivered

@@ -71,7 +71,7 @@ constexpr uint64_t slice_decoder_bytes(const Limits& limits, uint32_t surfaces =
          Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t));
 }
 
-// ----
+// ---- The encoder.
 
 /// Takes the samples of a scan, and writes one stream of the bits of its surfaces. It points into
 /// itself, so it is neither copied nor moved, but by save() and restore().
