@@ -10,7 +10,7 @@ import { asFile, openVolume, polygonsOf } from './module_of_page.js';
 import { nrrdOf, roughBall } from './ball.js';
 
 const folder = workFolder(after);
-const volumes = new URL('../command/volumes/', import.meta.url).pathname;
+const volumes = new URL('../../command/volumes/', import.meta.url).pathname;
 
 // That of a file, as the command tells it.
 function assertSpacing(spacing, path) {

@@ -60,7 +60,7 @@ test('a file that is dropped on the page is opened', async () => {
 
 test('every format is known in a browser, too', async () => {
   const { page, complaints } = await openPage(browser);
-  const volumes = new URL('../command/volumes/', import.meta.url).pathname;
+  const volumes = new URL('../../command/volumes/', import.meta.url).pathname;
   for (const file of ['nrrd/i16-big-gzip.nrrd', 'nifti1/i16-little.nii.gz', 'nifti2/f32-big.nii',
     'metaimage/i16-little-compressed.mha', 'numpy/i16-big.npy', 'dicom/u16.dcm']) {
     await openFiles(page, join(volumes, file));
