@@ -16,7 +16,7 @@ struct discmc_encoder_kind : discmc::Kind {
 namespace discmc {
 
 constexpr discmc_encoder_kind encoder_kind(uint32_t number, void (*prepare)(Encoder& encoder)) {
-  constexpr auto bytes = static_cast<uint32_t>(sizeof(discmc_encoder));
+  constexpr uint32_t bytes = sizeof(discmc_encoder);
   return {{bytes | number << 16 | Encoder::layout << 20, bytes}, prepare};
 }
 
