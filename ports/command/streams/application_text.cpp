@@ -2,6 +2,8 @@
 
 #include <discmc/placement.hpp>
 
+#include <cstdint>
+
 namespace discmc::command {
 namespace {
 
