@@ -145,6 +145,19 @@ Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
   return Status::ok;
 }
 
+/// Gives a decoder all bytes of a stream, again while its sink is busy, and no end. Returns how
+/// many bytes it took.
+template <class Decoding>
+size_t push_until_done(Decoding& decoder, const Bytes& bytes) {
+  size_t taken = 0;
+  until_done([&] {
+    const Decoded decoded = decoder.push(bytes.data() + taken, bytes.size() - taken);
+    taken += decoded.bytes;
+    return decoded.status;
+  });
+  return taken;
+}
+
 /// Decodes so many bytes at a time (0: all at once). Limit: the slices are as large as `size` says,
 /// or the status will tell that they are larger.
 inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& size, size_t chunk = 0,

@@ -592,12 +592,6 @@ TEST_CASE("the end of a stream that the sink refuses is told when the decoder is
   log.set_width(limits.width);
   SliceDecoder decoder;
   reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(log)));
-  size_t taken = 0;
-  until_done([&] {
-    const Decoded decoded = decoder.push(stream.data() + taken, stream.size() - taken);
-    taken += decoded.bytes;
-    return decoded.status;
-  });
-  CHECK(taken == stream.size());
+  CHECK(push_until_done(decoder, stream) == stream.size());
   CHECK(log.rows.back().is(RowEvent::Kind::finish));
 }

@@ -282,12 +282,6 @@ TEST_CASE("what the end of a scan brings is told before its stream is over, whoe
   EventLog log(reference::refuses_first);
   SurfaceDecoder decoder;
   reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
-  size_t taken = 0;
-  until_done([&] {
-    const Decoded decoded = decoder.push(stream.data() + taken, stream.size() - taken);
-    taken += decoded.bytes;
-    return decoded.status;
-  });
-  CHECK(taken == stream.size());
+  CHECK(push_until_done(decoder, stream) == stream.size());
   CHECK(log.events.back().is(Event::Kind::finish));
 }
