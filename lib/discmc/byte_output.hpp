@@ -37,8 +37,7 @@ struct ByteOutput {
 
 /// It holds a frame: what one encoder has begun to send is no matter of the others, who would wait
 /// for ever if that one had nothing more to say. The outputs that it gives point to it, so it is
-/// neither copied nor moved. Nothing is locked: the
-/// encoders of a link belong to one context.
+/// neither copied nor moved. Nothing is locked: the encoders of a link belong to one context.
 class SharedOutput {
  public:
   SharedOutput() = default;

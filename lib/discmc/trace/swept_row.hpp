@@ -27,9 +27,9 @@ struct SweptRow {
   int32_t y, z;
   uint32_t absent_rows;  ///< rows of cells (CellRowBits) that take no part
   RowPlace place;
-  bool has_open_ends;     ///< its first and its last column are those of an open border
-  bool has_y, has_z;      ///< whether edges along y and z are visited
-  uint8_t missing[3];     ///< by axis of an edge: quadrants whose row of cells takes no part
+  bool has_open_ends;  ///< its first and its last column are those of an open border
+  bool has_y, has_z;   ///< whether edges along y and z are visited
+  uint8_t missing[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
 
   /// Whether it is none of context.
   bool is_own() const { return place <= RowPlace::first_of_slab; }

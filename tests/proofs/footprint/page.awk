@@ -58,7 +58,7 @@ function print_summary(    target) {
   print grouped(figure("Stack", "Extractor16 into an Encoder", target)) \
     " bytes of stack. Extraction costs " \
     grouped(figure("Instructions", "an active cell: extraction", target)) \
-    " instructions an active cell. [lib/FOOTPRINT.md](lib/FOOTPRINT.md) has"
+    " instructions per active cell. [lib/FOOTPRINT.md](lib/FOOTPRINT.md) has"
   print "other processors, and says how this is measured."
 }
 

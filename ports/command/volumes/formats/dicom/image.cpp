@@ -23,14 +23,14 @@ std::optional<std::uint32_t> whole(DcmItem& item, const DcmTagKey& key) {
   return value;
 }
 
-constexpr double max_told = 1e9;  // of millimetres and values
+constexpr double max_magnitude = 1e9;  // of millimetres and values
 
 /// The numbers of an element, if it has so many at least and none is out of all measure.
 template <std::size_t count>
 std::optional<std::array<double, count>> reals(DcmItem& item, const DcmTagKey& key) {
   std::array<double, count> values{};
   for (std::size_t i = 0; i < count; ++i)
-    if (item.findAndGetFloat64(key, values[i], i).bad() || !(std::fabs(values[i]) <= max_told))
+    if (item.findAndGetFloat64(key, values[i], i).bad() || !(std::fabs(values[i]) <= max_magnitude))
       return std::nullopt;
   return values;
 }
@@ -116,7 +116,7 @@ void add_grid_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
     double offset = 0;
     if (!frame.place ||
         dataset.findAndGetFloat64(DCM_GridFrameOffsetVector, offset, frame.number).bad() ||
-        !(std::fabs(offset) <= max_told))
+        !(std::fabs(offset) <= max_magnitude))
       return;
     const auto normal = normal_of(*frame.place);
     for (std::size_t i = 0; i < 3; ++i) frame.place->position[i] += offset * normal[i];

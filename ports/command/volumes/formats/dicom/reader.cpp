@@ -65,11 +65,11 @@ class DicomVolume final : public VolumeReader {
 
 // Small files may claim large pictures: what is decoded of a byte has a limit.
 void require_possible(const DicomImage& image) {
-  constexpr std::uint64_t max_of_a_byte = 16384;
+  constexpr std::uint64_t max_expansion = 16384;
   std::error_code error;
   const std::uint64_t file = std::filesystem::file_size(image.file, error);
   const std::uint64_t frame = std::uint64_t{image.columns} * image.rows * sample_bytes(image.type);
-  if (!error && frame > file * (image.compression.empty() ? 1 : max_of_a_byte))
+  if (!error && frame > file * (image.compression.empty() ? 1 : max_expansion))
     fail(image.file,
          "an image of " + std::to_string(frame) + " bytes cannot be in a file of " +
              std::to_string(file),
