@@ -134,13 +134,13 @@ bool succeeds(discmc::Status status) {
   return status == discmc::Status::ok;
 }
 
-bool tells(const discmc::ApplicationRecord& record) {
+bool write(const discmc::ApplicationRecord& record) {
   discmc::Status status = encoder.write_record(record);
   while (waits(status)) status = encoder.write_record(record);  // it is not taken yet
   return status == discmc::Status::ok;
 }
 
-bool tells_time(int32_t z) {
+bool write_time(int32_t z) {
   const auto milliseconds = static_cast<uint16_t>(50 * z);
   const uint8_t bytes[] = {static_cast<uint8_t>(milliseconds & 0xFF),
                            static_cast<uint8_t>(milliseconds >> 8)};
@@ -148,10 +148,10 @@ bool tells_time(int32_t z) {
   record.kind = time_stamp;
   record.bytes = bytes;
   record.count = sizeof bytes;
-  return tells(record);
+  return write(record);
 }
 
-bool tells_place() {
+bool write_place() {
   constexpr int32_t millimetre = 1000 * 1000;
   discmc::Placement placement;
   for (int axis = 0; axis < 3; ++axis) {
@@ -159,7 +159,7 @@ bool tells_place() {
     placement.origin_nm[axis] = (1 - size) * (millimetre / 2);
   }
   uint8_t bytes[discmc::Placement::record_bytes];
-  return tells(discmc::record_of(placement, bytes));
+  return write(discmc::record_of(placement, bytes));
 }
 
 uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle
@@ -171,15 +171,15 @@ bool scans(uint16_t number) {
   discmc::StreamHeader header;
   header.width = header.height = header.depth = size;
   header.scan = number;  // so that no packet of one scan passes for one of another
-  header.threshold = thresholds[0];
-  header.further_surfaces = 1;
-  header.further_thresholds[0] = thresholds[1];
+  header.thresholds[0] = thresholds[0];
+  header.surface_count = 2;
+  header.thresholds[1] = thresholds[1];
   bool good = succeeds(encoder.start(header, key_slices, discmc::memory_of(memory), radio)) &&
-              tells_place();
+              write_place();
   for (int32_t z = 0; good && z < size; ++z) {
     radio_works = number != 1 || z < 16 || z >= 28;
     if (is_dropping && radio_works) take_up_again();
-    if (z % 8 == 0) good = tells_time(z);  // rarely: each takes a packet
+    if (z % 8 == 0) good = write_time(z);  // rarely: each takes a packet
     for (int32_t y = 0; good && y < size; ++y) {
       uint8_t row[size];
       for (int32_t x = 0; x < size; ++x) row[x] = sample_at(x, y, z);

@@ -93,7 +93,7 @@ bool scan_slices(bool is_ball, Measured& measured) {
   StreamHeader header;
   header.width = limits.width;
   header.height = limits.height;
-  header.threshold = threshold;
+  header.thresholds[0] = threshold;
   return slice_encoder.start(header, {}, memory_of(memory), {nullptr, take_all}) == Status::ok &&
          scan(slice_encoder, is_ball, measured);
 }

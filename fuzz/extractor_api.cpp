@@ -210,12 +210,11 @@ class Caller {
     if (kind == 0) return capacities;
     if (kind == 1) {
       // Of no use: too few, or more than an index counts.
-      capacities.records =
-          input_.below(2) != 0 ? capacities.records - 1 : UINT32_MAX - input_.byte();
+      capacities.slots = input_.below(2) != 0 ? capacities.slots - 1 : UINT32_MAX - input_.byte();
       return capacities;
     }
     if (kind == 2) return default_capacities<Index>({9, 9}, min_bytes + 16 * input_.byte());
-    capacities.records += input_.byte();
+    capacities.slots += input_.byte();
     capacities.holes += input_.below(16);
     return capacities;
   }
@@ -454,7 +453,7 @@ class Caller {
     const HighWater most = extractor_.high_water();
     const Capacities& room = extractor_.capacities();
     if (state_ == State::idle) return;
-    require(most.records <= room.records, "more in use than there is room for");
+    require(most.slots <= room.slots, "more in use than there is room for");
     require(extractor_.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
     require(extractor_.limits().width == limits_.width, "other limits");
     require(extractor_.bytes_used() <= place_->memory().bytes, "more bytes in use than given");

@@ -7,9 +7,9 @@
 #include "input.hpp"
 
 inline discmc::Capacities read_little_memory(Input& input) {
-  const uint32_t records = input.byte();
+  const uint32_t slots = input.byte();
   const uint32_t more = input.below(4) * 256;
-  return {discmc::minimum_capacities().records + records + more, input.below(32)};
+  return {discmc::minimum_capacities().slots + slots + more, input.below(32)};
 }
 
 #endif

@@ -52,14 +52,14 @@ Capacities read_capacities(Input& input, const Limits& limits, bool is_wide) {
                      : default_capacities<uint16_t>(limits, minimum_bytes<uint16_t>(limits) + room);
     }
     case 2:  // few holes may wait
-      return {ample.records, input.below(8)};
+      return {ample.slots, input.below(8)};
     default:
       return read_little_memory(input);
   }
 }
 
 bool holds_all(const Capacities& c, const Capacities& needed) {
-  return c.records >= needed.records && c.holes >= needed.holes;
+  return c.slots >= needed.slots && c.holes >= needed.holes;
 }
 
 void read_row(Input& input, BitVolume& volume, size_t row, Feed feed) {
@@ -231,7 +231,7 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   require(collected(log.events).is_finished(), "the scan has no finish event");
   const HighWater most = extractor.high_water();
   const Capacities& room = scenario.capacities;
-  require(most.records <= room.records && most.holes <= room.holes,
+  require(most.slots <= room.slots && most.holes <= room.holes,
           "more in use than there is room for");
   require(block.is_intact(), "a write outside the arena");
   return log;
@@ -301,10 +301,10 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
 // With so much memory that a host keeps corners, and more or less beyond it.
 void check_corners(const Scenario& scenario, const EventLog::Refuses& refuses) {
   Scenario large = scenario;
-  large.capacities = {trace::Corners::min_records + scenario.refusal_seed % 64 * 16, 1 << 12};
+  large.capacities = {trace::Corners::min_slots + scenario.refusal_seed % 64 * 16, 1 << 12};
   const EventLog corners = run<uint32_t, LearningExtractor>(large, refuses);
-  const EventLog records = run<uint32_t>(large, {});
-  require(corners.events == records.events, "a host that keeps corners gives other events");
+  const EventLog slots = run<uint32_t>(large, {});
+  require(corners.events == slots.events, "a host that keeps corners gives other events");
 }
 
 void check(const Scenario& scenario) {

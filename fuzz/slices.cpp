@@ -1,7 +1,7 @@
-// Fuzz target. The promises of streams of bits: any small volume comes through, whatever portions,
-// key slices, flushes, refusals and power failures there are; of packets that are lost, damaged or
-// made up under a correct checksum rows come out in their order, each once, and those that are
-// there but for made-up ones are right; nothing faults or goes on for ever.
+// Fuzz target. The promises of streams of slices: any small volume comes through, whatever
+// portions, key slices, flushes, refusals and power failures there are; of packets that are lost,
+// damaged or made up under a correct checksum rows come out in their order, each once, and those
+// that are there but for made-up ones are right; nothing faults or goes on for ever.
 //
 //   fuzz_slices -max_len=600 corpus/slices      with libFuzzer
 //   fuzz_slices corpus/slices                   with replay_main.cpp
@@ -24,7 +24,7 @@ SlicePlan read_plan(Input& input) {
   plan.bytes_a_time = input.below(20);
   const uint32_t flushing = input.below(72);
   plan.flush_every = flushing % 9;
-  plan.further_surfaces = static_cast<uint8_t>(flushing / 9 % 4);
+  plan.surface_count = static_cast<uint8_t>(1 + flushing / 9 % 4);
   plan.fails = flushing >= 36;
   return plan;
 }
@@ -54,10 +54,10 @@ Bytes mangled(const Bytes& stream, Input& input, bool& is_made_up) {
   return result;
 }
 
-// Returns whether all rows of the volume were told.
+// Returns whether all rows of the volume were sent.
 bool check_rows(const BitVolume& volume, const ReceivedRows& received, bool is_made_up) {
   size_t next = 0;
-  uint64_t told = 0;
+  uint64_t sent = 0;
   Bytes first_bits;  // of the first surface
   for (const RecordedRow& row : received.rows) {
     if (row.is(Kind::finish)) break;
@@ -74,9 +74,9 @@ bool check_rows(const BitVolume& volume, const ReceivedRows& received, bool is_m
     if (row.is(Kind::lost) || is_made_up) continue;
     const uint8_t* const first = &volume.on[at * volume.width];
     require(row.bits == Bytes(first, first + volume.width), "a row that is wrong");
-    ++told;
+    ++sent;
   }
-  return told == uint64_t{volume.height} * volume.depth;
+  return sent == uint64_t{volume.height} * volume.depth;
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const SlicePlan plan = read_plan(input);
   const size_t portion = 1 + input.below(30);
   const BitVolume volume = read_small_volume(input, {70, 9, 12});
-  const uint32_t surfaces = 1U + plan.further_surfaces;
+  const uint32_t surfaces = plan.surface_count;
   const reference::Size slice{volume.width, volume.height, volume.depth};
   const Bytes stream = encode_slices(volume, plan);
   const ReceivedRows whole = decode_slices(stream, slice, portion, true, surfaces);

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "oracle/facet_neighbours.hpp"
 #include "oracle/surface.hpp"
 #include "require.hpp"
 

@@ -3,21 +3,21 @@
 
 /** What fits, and what is needed. Units: bytes; indexBytes: 2 or 4. */
 function sizesOf(width, height, memory, indexBytes) {
-  const leastRecords = 4;
-  const mostRecords = indexBytes === 2 ? 32759 : 2147483639;
-  const recordBytes = indexBytes === 2 ? 8 : 16;
+  const leastSlots = 4;
+  const mostSlots = indexBytes === 2 ? 32759 : 2147483639;
+  const slotBytes = indexBytes === 2 ? 8 : 16;
   const rowBytes = 4 * (Math.floor(width / 30) + 1);
   const alignment = 3;
   const fixed = rowBytes * (2 * height + 4) + 288 * indexBytes + 16 * indexBytes + alignment;
-  const minimum = fixed + leastRecords * recordBytes;
+  const minimum = fixed + leastSlots * slotBytes;
   const spare = Math.max(0, Math.min(memory - minimum - 4, 0xffffffff));
-  const records = leastRecords + Math.min(Math.floor(spare / recordBytes), mostRecords - leastRecords);
+  const slots = leastSlots + Math.min(Math.floor(spare / slotBytes), mostSlots - leastSlots);
   const slices = (rows) => rowBytes * (rows + 1) + 548 + alignment;
   return {
     minimum,
-    records,
-    holes: Math.floor(records / 16),
-    used: fixed + records * recordBytes,
+    slots,
+    holes: Math.floor(slots / 16),
+    used: fixed + slots * slotBytes,
     slices: slices(Math.max(height + 2, 4)),
     keySlices: slices(4),
   };
@@ -32,14 +32,14 @@ function connectCalculator(form) {
   const grouped = (value) => Math.round(value).toLocaleString('en-US');
   const show = () => {
     const of = (name) => Number(form.elements[name].value);
-    const { minimum, records, holes, used, slices, keySlices } =
+    const { minimum, slots, holes, used, slices, keySlices } =
       sizesOf(of('width'), of('height'), of('memory'), of('index'));
     const stream = streamBytes(of('width') * of('height') * of('depth'));
     const line = (bytes) => `${grouped(bytes)} bytes, ${(bytes * 10 / of('baud')).toPrecision(3)} s`;
     const fits = of('memory') >= minimum;
     const lines = {
       minimum: `${grouped(minimum)} bytes`,
-      records: fits ? `${grouped(records)}, of them ${grouped(holes)} for holes; ${grouped(used)} bytes`
+      slots: fits ? `${grouped(slots)}, of them ${grouped(holes)} for holes; ${grouped(used)} bytes`
         : 'too little memory for regions',
       slices: `${grouped(slices)} bytes`,
       keySlices: `${grouped(keySlices)} bytes`,

@@ -21,16 +21,16 @@ constexpr Memory memory_of(uint8_t (&array)[N]) {
 }
 
 /// Hands out consecutive arrays of trivial types from one piece of memory; nothing is given back.
-/// Every array is aligned to four bytes, which suffices for all of the library's records. What this
+/// Every array is aligned to four bytes, which suffices for all of the library's objects. What this
 /// may cost at the beginning is set aside, needed or not, so that what fits does not depend on
 /// where the memory lies.
 class Arena {
  public:
   static constexpr size_t alignment = 4;
 
-  /// The bytes that an array of `count` records of `record_bytes` takes.
-  static constexpr uint64_t bytes_of(uint32_t count, uint32_t record_bytes) {
-    return (uint64_t{count} * record_bytes + alignment - 1) / alignment * alignment;
+  /// The bytes that an array of `count` items of `item_bytes` takes.
+  static constexpr uint64_t bytes_of(uint32_t count, uint32_t item_bytes) {
+    return (uint64_t{count} * item_bytes + alignment - 1) / alignment * alignment;
   }
 
   explicit Arena(Memory memory)
@@ -45,15 +45,15 @@ class Arena {
   /// The next array, or null when it does not fit, and from then on.
   template <class T>
   T* take(uint32_t count) {
-    return reinterpret_cast<T*>(take_records(count, sizeof(T)));
+    return reinterpret_cast<T*>(take_items(count, sizeof(T)));
   }
 
   /// Whether an array did not fit.
   bool is_exhausted() const { return is_exhausted_; }
 
  private:
-  uint8_t* take_records(uint32_t count, uint32_t record_bytes) {
-    const uint64_t bytes = bytes_of(count, record_bytes);
+  uint8_t* take_items(uint32_t count, uint32_t item_bytes) {
+    const uint64_t bytes = bytes_of(count, item_bytes);
     if (bytes > left_) is_exhausted_ = true;
     if (is_exhausted_) return nullptr;
     uint8_t* const place = next_;

@@ -1,4 +1,4 @@
-// How many bytes a scan needs, and how many records they hold: all of it known at compile time.
+// How many bytes a scan needs, and how many slots they hold: all of it known at compile time.
 #ifndef DISCMC_CAPACITIES_HPP
 #define DISCMC_CAPACITIES_HPP
 
@@ -8,7 +8,7 @@
 
 namespace discmc {
 
-/// Whether records can be counted with a type.
+/// Whether slots can be counted with a type.
 template <class Index>
 constexpr bool is_index = false;
 template <>
@@ -19,9 +19,9 @@ inline constexpr bool is_index<uint32_t> = true;
 /// What there is room for. A shortage costs bytes of the stream, never regions: what has no room is
 /// sent as loose fragments.
 struct Capacities {
-  uint32_t records;  ///< of 8 bytes (16-bit indices, no normals) each: an end that waits, up to
-                     ///< three corners of a fragment, or half a hole that waits
-  uint32_t holes;    ///< that wait for the ring around them; a bound on work, in the records above
+  uint32_t slots;  ///< of 8 bytes (16-bit indices, no normals) each: an end that waits, up to
+                   ///< three corners of a fragment, or half a hole that waits
+  uint32_t holes;  ///< that wait for the ring around them; a bound on work, in the slots above
 };
 
 namespace sizing {
@@ -33,19 +33,19 @@ constexpr uint32_t lesser(uint32_t a, uint32_t b) {
   return a < b ? a : b;
 }
 
-/// Bytes of one record.
+/// Bytes of one slot.
 template <class Index, class Normals>
-constexpr uint32_t record_bytes = sizeof(Index) == 4       ? 16
-                                  : Normals::holds_samples ? 14
-                                                           : 8;
+constexpr uint32_t slot_bytes = sizeof(Index) == 4       ? 16
+                                : Normals::holds_samples ? 14
+                                                         : 8;
 
-/// The most records that an index can count.
+/// The most slots that an index can count.
 template <class Index>
-constexpr uint32_t max_records = static_cast<Index>(~Index{0}) / 2 - 8;
+constexpr uint32_t max_slots = static_cast<Index>(~Index{0}) / 2 - 8;
 
-/// The most records that a cell may come to need: an end and a run for each link of the rings of
+/// The most slots that a cell may come to need: an end and a run for each link of the rings of
 /// its facets.
-constexpr uint32_t records_a_cell = 2 * 17;
+constexpr uint32_t slots_a_cell = 2 * 17;
 
 }  // namespace sizing
 
@@ -59,10 +59,10 @@ constexpr Capacities minimum_capacities() {
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
   // In 32 bits: no 64-bit division on small machines.
   const uint32_t cells = (limits.width + 1) * (limits.height + 1);
-  const uint32_t most = UINT32_MAX / sizing::records_a_cell;
+  const uint32_t most = UINT32_MAX / sizing::slots_a_cell;
   const uint32_t all = slices < most / cells ? cells * (slices + 1) : most;
-  const uint32_t records = all * sizing::records_a_cell;
-  return {records, records};
+  const uint32_t slots = all * sizing::slots_a_cell;
+  return {slots, slots};
 }
 
 /// The bytes that a scan with these limits and capacities takes from the caller's memory.
@@ -74,15 +74,15 @@ constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities)
          trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
          Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
          Arena::bytes_of(sizing::hole_lists, sizeof(Index)) +
-         Arena::bytes_of(capacities.records, sizing::record_bytes<Index, Normals>) +
-         Arena::alignment - 1;
+         Arena::bytes_of(capacities.slots, sizing::slot_bytes<Index, Normals>) + Arena::alignment -
+         1;
 }
 
-/// Whether an index of this width can count the records.
+/// Whether an index of this width can count the slots.
 template <class Index>
 constexpr bool is_valid(const Capacities& capacities) {
-  return capacities.records >= minimum_capacities().records &&
-         capacities.records <= sizing::max_records<Index>;
+  return capacities.slots >= minimum_capacities().slots &&
+         capacities.slots <= sizing::max_slots<Index>;
 }
 
 /// The least memory with which a scan works: the surface comes out right, in loose fragments of a
@@ -98,7 +98,7 @@ constexpr uint64_t worst_case_bytes(const Limits& limits, uint32_t slices) {
   return bytes_for<Index, Normals>(limits, worst_case_capacities(limits, slices));
 }
 
-/// The capacities that a number of bytes has room for: as many records as fit, of which holes may
+/// The capacities that a number of bytes has room for: as many slots as fit, of which holes may
 /// use an eighth. More bytes never make less of anything. Bytes below minimum_bytes() give the
 /// minimum.
 template <class Index, class Normals = NoNormals>
@@ -108,10 +108,10 @@ constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const uint64_t spare = bytes > taken ? bytes - taken : 0;
   // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
   const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) /
-                              sizing::record_bytes<Index, Normals>;
-  const uint32_t records =
-      least.records + sizing::lesser(affordable, sizing::max_records<Index> - least.records);
-  return {records, records / 16};
+                              sizing::slot_bytes<Index, Normals>;
+  const uint32_t slots =
+      least.slots + sizing::lesser(affordable, sizing::max_slots<Index> - least.slots);
+  return {slots, slots / 16};
 }
 
 }  // namespace discmc

@@ -61,12 +61,12 @@ struct Checkpoint {
  private:
   CheckpointHead head_with(Memory used) const {
     const auto offset = reinterpret_cast<uintptr_t>(used.data) % Arena::alignment;
-    CheckpointHead told{CheckpointHead::current_format, sizeof(Object) | Object::layout << 16,
-                        used.bytes, static_cast<uint32_t>(offset), 0};
-    uint32_t checksum = crc32(reinterpret_cast<const uint8_t*>(&told), sizeof told);
+    CheckpointHead described{CheckpointHead::current_format, sizeof(Object) | Object::layout << 16,
+                             used.bytes, static_cast<uint32_t>(offset), 0};
+    uint32_t checksum = crc32(reinterpret_cast<const uint8_t*>(&described), sizeof described);
     checksum = crc32(reinterpret_cast<const uint8_t*>(&object), sizeof object, checksum);
-    told.checksum = crc32(static_cast<const uint8_t*>(used.data), used.bytes, checksum);
-    return told;
+    described.checksum = crc32(static_cast<const uint8_t*>(used.data), used.bytes, checksum);
+    return described;
   }
 };
 

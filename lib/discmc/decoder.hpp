@@ -68,7 +68,7 @@ class Decoder {
   // What is under way between two bytes.
   enum class Stage : uint8_t { collect, whole_regions, records, record, mark, packet_mark };
 
-  void open(PacketReader::Arrival arrival);
+  void open(PacketReader::Completed arrival);
   void pass_whole_regions();
   void lose_open();
   void note_application();
@@ -85,7 +85,7 @@ class Decoder {
   bool rings_are_whole();
 
   bool deliver();
-  bool tell_start();
+  bool send_start();
   bool deliver_record();
   bool offer(const Event& event) {
     answer_ = sink_.take(sink_.context, event);
@@ -96,18 +96,18 @@ class Decoder {
   RecordsPacketSink packet_sink_;
   PacketReader packets_;
   bool is_started_ = false;
-  bool start_is_told_ = false;
+  bool start_is_sent_ = false;
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
 
   Stage stage_ = Stage::collect;
   Model model_{Coder{}};
   Record record_;
-  uint32_t told_ = 0;               // words of the record that the sink has taken
-  uint32_t told_runs_ = 0;          // of them runs
-  ToldNormals normals_;             // of the record
+  uint32_t sent_words_ = 0;         // words of the record that the sink has taken
+  uint32_t sent_runs_ = 0;          // of them runs
+  RecordNormals normals_;           // of the record
   bool normals_are_ahead_ = false;  // of the next record
-  bool begin_is_untold_ = false;
-  bool lost_is_untold_ = false;
+  bool begin_is_due_ = false;
+  bool lost_is_due_ = false;
   bool is_first_ring_ = true;
   // What the sink has begun and waits for the next part of.
   struct Open {

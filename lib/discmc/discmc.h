@@ -61,7 +61,7 @@ enum {
   DISCMC_OK,
   DISCMC_SUSPENDED,         /* the sink or output is busy; nothing is lost: resume() */
   DISCMC_BAD_LIMITS,        /* see discmc_limits and slab */
-  DISCMC_BAD_CAPACITIES,    /* too few records, or more than the kind counts; no rows */
+  DISCMC_BAD_CAPACITIES,    /* too few slots, or more than the kind counts; no rows */
   DISCMC_TOO_LITTLE_MEMORY, /* less than bytes(), or null */
   DISCMC_BAD_SINK,          /* a sink or output without a function, or a sink that is not started */
   DISCMC_NOT_STARTED,       /* an encoder that has not received the start of a scan */
@@ -182,13 +182,15 @@ typedef struct discmc_statistics {
   uint64_t skipped_rows;
 } discmc_statistics;
 
-/* What a stream says of a surface; see discmc_stream_label. */
+/* What a stream says of its surfaces; see discmc_stream_label. */
 typedef struct discmc_stream_header {
   uint32_t width, height, depth;
   int32_t spacing_nm[3];
-  int32_t threshold;
-  uint8_t border, channel;
+  int32_t thresholds[4]; /* of each surface */
+  uint8_t border;
+  uint8_t channel; /* of the first surface */
   uint16_t scan;
+  uint8_t surface_count; /* 1, or up to DISCMC_MAX_SURFACES in a stream of slices */
 } discmc_stream_header;
 
 /* One event. Only the members that its kind names have a meaning. */
@@ -248,12 +250,12 @@ typedef struct discmc_extractor_config {
   int32_t spacing_nm[3]; /* for normals: between voxels; all zero: they are cubes */
   /* Each holds up to three corners of polygons under way, in 8 bytes (normals 14, hosts 16). Few
    * make the stream longer; the surface is unchanged. 0: as many as the memory has room for. */
-  uint32_t records;
+  uint32_t slots;
   discmc_memory memory;
   discmc_sink sink;
 } discmc_extractor_config;
-enum { DISCMC_MIN_RECORDS = 4, DISCMC_MAX_RECORDS = 32759 };
-/* From kind, limits and records; 0 if the limits are bad. */
+enum { DISCMC_MIN_SLOTS = 4, DISCMC_MAX_SLOTS = 32759 };
+/* From kind, limits and slots; 0 if the limits are bad. */
 uint64_t discmc_extractor_bytes(const discmc_extractor_config* config);
 /* Begins a scan. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_CAPACITIES. */
 DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
@@ -286,11 +288,11 @@ DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor
                                                     const discmc_extractor_config* config);
 
 typedef struct discmc_extractor_info {
-  discmc_statistics statistics;      /* so far */
-  uint32_t slices, rows;             /* complete slices, and complete rows of the next */
-  uint32_t records, holes;           /* there is room for; holes lie in the records */
-  uint32_t peak_records, peak_holes; /* in use so far; 1,200 records more avoid all fragments */
-  size_t bytes_used;                 /* of the memory, from its beginning */
+  discmc_statistics statistics;    /* so far */
+  uint32_t slices, rows;           /* complete slices, and complete rows of the next */
+  uint32_t slots, holes;           /* there is room for; holes lie in the slots */
+  uint32_t peak_slots, peak_holes; /* in use so far; 1,200 slots more avoid all fragments */
+  size_t bytes_used;               /* of the memory, from its beginning */
 } discmc_extractor_info;
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
 
@@ -411,9 +413,7 @@ DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver
 DISCMC_CHECK discmc_status discmc_receiver_finish(discmc_receiver* receiver);
 
 typedef struct discmc_receiver_info {
-  discmc_stream_header header; /* of the first surface */
-  uint8_t surface_count;
-  int32_t thresholds[4];
+  discmc_stream_header header;
   uint8_t has_header, has_trailer, holds_slices, abandoned;
   uint8_t is_complete;   /* nothing is missing from header to trailer */
   uint8_t is_unreadable; /* whole packets of an unknown kind came */

@@ -17,7 +17,6 @@
 #include <discmc/front/row_cropper.hpp>
 #include <discmc/front/row_ring.hpp>
 #include <discmc/front/threshold_row.hpp>
-#include <discmc/geometry/facet_table.hpp>
 #include <discmc/gradient_normals.hpp>
 #include <discmc/joiner.hpp>
 #include <discmc/placement.hpp>

@@ -24,14 +24,14 @@ namespace discmc {
 
 /// High-water marks. Units: as Capacities.
 struct HighWater {
-  uint32_t records;
+  uint32_t slots;
   uint32_t holes;
 };
 
 /// What every extractor does: takes the samples of a scan, and hands its regions to a Sink. Use
 /// Extractor, NormalExtractor (gradient_normals.hpp) or LearningExtractor
 /// (host/learning_extractor.hpp).
-/// Index is uint16_t (up to 32,759 records; firmware) or uint32_t (hosts). The events do not depend
+/// Index is uint16_t (up to 32,759 slots; firmware) or uint32_t (hosts). The events do not depend
 /// on it, given the same capacities. An extractor is neither copied nor moved, but by save() and
 /// restore(): two would write to the same memory.
 template <class Index, class Intake, class Sweep>
@@ -41,7 +41,7 @@ class BasicExtractor {
  public:
   BasicExtractor() = default;
 
-  /// Begins a scan with as many records as the memory has room for (default_capacities()).
+  /// Begins a scan with as many slots as the memory has room for (default_capacities()).
   /// threshold: a voxel is on where its sample is >= threshold.
   /// memory: at least minimum_bytes<Index>(limits); Owner: the caller, for as long as the
   /// scan lasts. Errors: bad_limits, bad_sink (also a sink that does not take the start of the
@@ -123,14 +123,14 @@ class BasicExtractor {
   }
   const Capacities& capacities() const { return capacities_; }
   HighWater high_water() const {
-    return {sweep_.fragments().records().high_water(), sweep_.delivery().holes().high_water()};
+    return {sweep_.fragments().slots().high_water(), sweep_.delivery().holes().high_water()};
   }
   /// So many bytes at the beginning of the caller's memory the scan has used so far: nothing behind
   /// them has been written.
   size_t bytes_used() const;
   /// Complete slices so far, and complete rows of the current one.
-  uint32_t slices() const { return intake_.slices(rows_); }
-  uint32_t rows() const { return intake_.rows(rows_); }
+  uint32_t slices() const { return intake_.slices(bits_); }
+  uint32_t rows() const { return intake_.rows(bits_); }
 
   /// Of what a checkpoint holds: see CheckpointHead.
   static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Intake::type << 8;
@@ -155,7 +155,7 @@ class BasicExtractor {
 
   bool work();
   uint32_t rows_outside(int32_t y) const;
-  trace::RowPlace place() const;
+  trace::SlabRole slab_role() const;
   bool sweep_row();
   int32_t middle_slice() const;
   uint32_t ready_rows() const;
@@ -163,13 +163,13 @@ class BasicExtractor {
   bool end_slice();
   bool end_scan();
   uint32_t own_slices() const;
-  bool tell_start();
-  bool tell(Event::Kind kind);
+  bool send_start();
+  bool send(Event::Kind kind);
 
   // What the sweep works with stands first, where it is reached by short instructions.
   State state_ = State::idle;
   bool abandoned_ = false;
-  bool skip_untold_ = false;
+  bool skip_is_due_ = false;
   bool skip_repeated_ = false;
   Border border_ = Border::closed;
   bool continues_below_ = false;  // of the slab
@@ -181,7 +181,7 @@ class BasicExtractor {
   uint32_t first_slice_ = 0;  // of the slab
   Sink sink_;
   Intake intake_;
-  trace::BitRows rows_;
+  trace::BitRows bits_;
   Sweep sweep_;
   Statistics statistics_{};
   Capacities capacities_{};

@@ -59,7 +59,7 @@ class GradientNormals {
     for (int axis = 0; axis < 3; ++axis) spacing_nm_[axis] = spacing_nm[axis];
     weights_ = axis_weights(spacing_nm);
   }
-  void tell_spacing(int32_t (&spacing_nm)[3]) const {
+  void write_spacing(int32_t (&spacing_nm)[3]) const {
     for (int axis = 0; axis < 3; ++axis) spacing_nm[axis] = spacing_nm_[axis];
   }
 

@@ -175,16 +175,16 @@ class Joiner {
   // What becomes of the fragment that arrives, and the chain that holds it.
   enum class Arrival : uint8_t { none, held, passed, ignored };
   Arrival arrival_ = Arrival::none;
-  uint32_t arriving_ = no_record;
+  uint32_t arriving_ = no_slot;
 
   // What is delivered: the next event, and of which chain. `holes` complete a region that passes; a
   // `beginning` is of the fragment that arrives.
   Delivery delivery_ = Delivery::none;
   Event::Kind next_kind_{};
   bool is_letting_go_ = false;  // of all chains, one after another
-  uint32_t delivered_ = no_record;
-  uint32_t claimed_ = no_record;  // the holes that follow
-  uint32_t looked_at_ = 0;        // the last chain, on a walk over all
+  uint32_t delivered_ = no_slot;
+  uint32_t claimed_ = no_slot;  // the holes that follow
+  uint32_t looked_at_ = 0;      // the last chain, on a walk over all
 
   // The sum of the `finish` events.
   bool has_start_ = false;

@@ -56,6 +56,9 @@ constexpr int32_t dot(const Vertex& a, const Vertex& b) {
 constexpr Vertex cross(const Vertex& a, const Vertex& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+constexpr int32_t component(const Vertex& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
 
 /// A signed normal as a number: 13 + x + 3 y + 9 z for components in {-1, 0, 1}.
 /// Limit: 0 to 26; 13, the zero vector, is no incidence.
@@ -194,7 +197,7 @@ constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
   return link_vector(link_of(incidence, direction));
 }
 
-/// Moves v so many times along a link, or a direction; back by the complement of the number.
+/// Moves v so many times along a link, or a direction; back by the negative of the number (0 - n).
 /// Coordinates wrap.
 constexpr void move(Vertex& v, Link link, uint32_t times) {
   move(v, link_vector(link), times);

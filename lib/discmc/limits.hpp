@@ -20,9 +20,6 @@ struct Slab {
   uint32_t first = 0;  ///< number of its first own slice in the volume
   bool continues_below = false;
   bool continues_above = false;
-
-  /// Whether it is less than the whole volume.
-  constexpr bool is_part() const { return continues_below || continues_above; }
 };
 
 /// The size of a slice. The number of slices is not limited by memory.

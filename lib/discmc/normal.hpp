@@ -4,8 +4,8 @@
 // two voxels. It comes from one of three sources:
 //
 //   the facet      normal(incidence) of lattice.hpp, weighted(): exact, and free
-//   the samples    SampleWindow::negative_gradient(), weighted(): the gradient (Montani et al.
-//   1994, 2.4) the polygons   the sum of area_vector() over those that meet in a vertex, weighted()
+//   the samples    SampleWindow::negative_gradient(), weighted(): Montani et al. 1994, 2.4
+//   the polygons   the sum of area_vector() over those that meet in a vertex, weighted()
 #ifndef DISCMC_NORMAL_HPP
 #define DISCMC_NORMAL_HPP
 

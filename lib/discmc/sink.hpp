@@ -78,23 +78,18 @@ struct StreamHeader {
   uint32_t height = 0;
   uint32_t depth = 0;                 ///< planned slices; 0 when not known
   int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown
-  int32_t threshold = 0;              ///< a voxel is on where its sample is >= threshold
+  static constexpr uint8_t max_surfaces = 4;
+  int32_t thresholds[max_surfaces] = {};  ///< of each surface: a voxel is on where its sample is at
+                                          ///< least this
   Border border = Border::closed;
   uint8_t channel = 0;  ///< of the first surface, where a stream of slices has several
   uint16_t scan = 0;
+  uint8_t surface_count = 1;  ///< on consecutive channels; Limit: 1 to max_surfaces in a stream of
+                              ///< slices, else 1
 
-  static constexpr uint8_t max_surfaces = 4;
-  uint8_t further_surfaces = 0;  ///< in this stream, on the next channels; in slices alone
-  /// Of the second surface on.
-  int32_t further_thresholds[max_surfaces - 1] = {0, 0, 0};
-
-  constexpr uint32_t surfaces() const { return 1U + further_surfaces; }
-  constexpr int32_t threshold_of(uint32_t surface) const {
-    return surface == 0 ? threshold : further_thresholds[surface - 1];
-  }
   constexpr bool is_valid() const {
-    return Limits{width, height, border}.is_valid() && surfaces() <= max_surfaces &&
-           channel + further_surfaces <= StreamLabel::max_channel;
+    return Limits{width, height, border}.is_valid() && surface_count >= 1 &&
+           surface_count <= max_surfaces && channel + surface_count - 1 <= StreamLabel::max_channel;
   }
   constexpr bool has_spacing() const {
     return spacing_nm[0] != 0 || spacing_nm[1] != 0 || spacing_nm[2] != 0;

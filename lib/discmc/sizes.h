@@ -15,15 +15,15 @@
 #error "discmc needs an int of at least 32 bits: its integers are promoted to int"
 #endif
 
-/* With room for so many records, from DISCMC_MIN_RECORDS on; see discmc_extractor_config. */
-#define DISCMC_EXTRACTOR_BYTES(width, height, records)                         \
+/* With room for so many slots, from DISCMC_MIN_SLOTS on; see discmc_extractor_config. */
+#define DISCMC_EXTRACTOR_BYTES(width, height, slots)                           \
   (26 * sizeof(void*) + 962 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
-   UINT64_C(8) * (records))
+   UINT64_C(8) * (slots))
 
 /* With normals, of samples of 1 or 2 bytes. */
-#define DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sample_bytes, records)     \
+#define DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sample_bytes, slots)       \
   (28 * sizeof(void*) + 1032 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
-   (UINT64_C(4) * (height) + 6) * ((width) * (sample_bytes) + 2) + UINT64_C(14) * (records))
+   (UINT64_C(4) * (height) + 6) * ((width) * (sample_bytes) + 2) + UINT64_C(14) * (slots))
 
 /* Without normals, and with them. */
 #define DISCMC_ENCODER_BYTES (10 * sizeof(void*) + 991)

@@ -1,4 +1,4 @@
-// The slice decoder: bytes of a stream of bits in, rows out.
+// The slice decoder: bytes of a stream of slices in, rows out.
 //
 // Any bytes are safe. It never reads beyond what it is given nor writes beyond its object and its
 // memory, it allocates nothing, and what was whole is handed out, whatever came before or after.
@@ -52,7 +52,7 @@ RowSink row_sink_to(Receiver& receiver) {
           }};
 }
 
-/// Reads one stream of bits, and hands its rows to a RowSink. It points into itself, so it is
+/// Reads one stream of slices, and hands its rows to a RowSink. It points into itself, so it is
 /// neither copied nor moved.
 class SliceDecoder {
  public:
@@ -88,7 +88,7 @@ class SliceDecoder {
   // Between two bytes.
   enum class Stage : uint8_t { collect, start, lose, read, hand_out, application, finish };
 
-  void open(PacketReader::Arrival arrival);
+  void open(PacketReader::Completed arrival);
   void lay_out();
   void open_slices();
   bool begin_key_slice();

@@ -1,4 +1,4 @@
-// The slice encoder: samples in, a stream of bits out. For a device that leaves the surface to
+// The slice encoder: samples in, a stream of slices out. For a device that leaves the surface to
 // whoever receives it.
 //
 //   start(header, key_slices, memory, output)
@@ -23,7 +23,7 @@
 
 namespace discmc {
 
-// ---- How often a stream of bits can be begun, and what memory its two ends need.
+// ---- How often a stream of slices can be begun, and what memory its two ends need.
 
 /// How often a slice is told without the ones before, so that a receiver who has lost some, or who
 /// comes late, may begin.
@@ -179,11 +179,11 @@ class SliceEncoder {
   uint32_t column() const { return surfaces_.rows().column(); }
   PushResult take_row(slices::RowNote note);
   bool work();
-  bool tell_row();
+  bool encode_row();
   bool begin_row();
-  bool tell_what_precedes();
+  bool encode_what_precedes();
   bool is_at_key_slice() const;
-  void tell_note(slices::RowNote note);
+  void encode_note(slices::RowNote note);
   bool make_room();
   void begin_code();
   bool end_code();
@@ -202,7 +202,7 @@ class SliceEncoder {
   uint8_t packet_bits_ = 0;  // of the packet: see wire::SliceBits
   uint8_t surface_ = 0;      // whose row is told
   KeySlices key_slices_;
-  uint64_t told_rows_ = 0;
+  uint64_t encoded_rows_ = 0;
   uint64_t skipped_rows_ = 0;
   void* memory_ = nullptr;
   slices::RowWriter coder_;

@@ -16,8 +16,8 @@
 
 namespace discmc {
 
-/// The least memory for streams of bits of this size, with so many surfaces. More makes regions of
-/// loose fragments, at 16 bytes a record, as more memory of an Extractor32 does: for slices of
+/// The least memory for streams of slices of this size, with so many surfaces. More makes regions
+/// of loose fragments, at 16 bytes a slot, as more memory of an Extractor32 does: for slices of
 /// 256x256 this is 29,838 bytes; with 64 KiB two thirds of the regions of a CT head come whole,
 /// with 128 KiB 99 %, with 176 KiB all. A Joiner joins the others. Limit: valid limits.
 constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces = 1) {
@@ -36,7 +36,7 @@ class SurfaceDecoder {
   SurfaceDecoder& operator=(const SurfaceDecoder&) = delete;
 
   /// Begins a stream. memory: none for streams of regions, or before it is known; at least
-  /// minimum_surface_bytes() for the size that the header of a stream of bits will tell, and more
+  /// minimum_surface_bytes() for the size that the header of a stream of slices will tell, and more
   /// for fewer loose fragments (see there); Owner: the caller, as long as the decoder is used.
   /// channel: as of the Decoder; of several surfaces of one stream that one, or the first. Errors:
   /// bad_sink.
@@ -54,7 +54,7 @@ class SurfaceDecoder {
   /// As SliceDecoder::give_memory(), with minimum_surface_bytes() or more.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// As Decoder::finish(); errors as push(). Of a stream of bits that has no end the surface has
+  /// As Decoder::finish(); errors as push(). Of a stream of slices that has no end the surface has
   /// none either.
   [[nodiscard]] Status finish();
 
@@ -79,7 +79,7 @@ class SurfaceDecoder {
   Decoder regions_;
   SliceDecoder slices_;
   Extractor32 extractor_;
-  Status refusal_ = Status::ok;  // of a stream of bits
+  Status refusal_ = Status::ok;  // of a stream of slices
   bool is_known_ = false;        // what the stream holds
   bool is_of_slices_ = false;
   uint64_t skipped_rows_ = 0;  // of those that were lost together

@@ -1,5 +1,5 @@
-// Prints the probabilities of slice_model.cpp, trained on the streams of bits named on the command
-// line:
+// Prints the probabilities of slice_model.cpp, trained on the streams of slices named on the
+// command line:
 //   train_slice_model STREAM.dmc...
 // Every stream counts the same, however long, so that no single scan sets the tone.
 #include <discmc/slice_decoder.hpp>
@@ -112,7 +112,7 @@ int main(int argument_count, char** arguments) {
       RowCollector collector;
       discmc::Limits limits{};
       if (!read_stream(arguments[i], collector, limits)) {
-        std::fprintf(stderr, "%s: no whole stream of bits\n", arguments[i]);
+        std::fprintf(stderr, "%s: no whole stream of slices\n", arguments[i]);
         return 1;
       }
       Trainer trainer(limits, kind);

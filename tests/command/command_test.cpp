@@ -291,7 +291,7 @@ TEST_CASE("little memory costs bytes of the stream and never a polygon") {
   for (const std::string options :
        {"--memory 1500", "--memory 2K", "--capacities 20,0", "--capacities 100,9"}) {
     const std::string table = workshop.done("extract v.nrrd --iso 100 " + options + " -o v.dmc");
-    CHECK(contains(table, "memory ran short of records"));
+    CHECK(contains(table, "memory ran short of slots"));
     workshop.done("decode v.dmc -o v.stl");
     const Mesh mesh = mesh_of_stl(workshop.read("v.stl"));
     CHECK(check_mesh(mesh).closed());

@@ -209,10 +209,10 @@ TEST_CASE("capacities that are asked for are those of the scan, whatever they ar
     ExtractionOptions with_capacities = options();
     with_capacities.capacities = capacities;
     const Extracted scan = extracted(volume, with_capacities);
-    CHECK(scan.extraction.memory->capacities.records == capacities.records);
+    CHECK(scan.extraction.memory->capacities.slots == capacities.slots);
     CHECK(scan.extraction.memory->capacities.holes == capacities.holes);
-    CHECK(scan.extraction.memory->high_water.records > 0);
-    CHECK(scan.extraction.memory->high_water.records <= capacities.records);
+    CHECK(scan.extraction.memory->high_water.slots > 0);
+    CHECK(scan.extraction.memory->high_water.slots <= capacities.slots);
     CHECK(scan.extraction.memory->high_water.holes <= capacities.holes);
     CHECK(scan.extraction.memory->arena_bytes_used <= scan.extraction.memory->arena_bytes);
     CHECK(regions_of(scan.surface) == whole);
@@ -220,9 +220,9 @@ TEST_CASE("capacities that are asked for are those of the scan, whatever they ar
 }
 
 TEST_CASE("capacities that no scan can have are refused") {
-  for (const std::uint32_t records : {0U, 3U, 0x80000000U}) {
+  for (const std::uint32_t slots : {0U, 3U, 0x80000000U}) {
     ExtractionOptions with_capacities = options();
-    with_capacities.capacities = discmc::Capacities{records, 0};
+    with_capacities.capacities = discmc::Capacities{slots, 0};
     CHECK_THROWS_AS(extracted(box({2, 2, 2}, {0, 0, 0}, {1, 1, 1}), with_capacities),
                     std::invalid_argument);
   }
@@ -250,7 +250,7 @@ TEST_CASE("the header of a stream tells the volume") {
   CHECK(header.spacing_nm[0] == 500000);
   CHECK(header.spacing_nm[1] == -2000000);
   CHECK(header.spacing_nm[2] == 1250000);
-  CHECK(header.threshold == threshold);
+  CHECK(header.thresholds[0] == threshold);
   CHECK(header.border == Border::open);
 }
 

@@ -47,7 +47,7 @@ std::string stream_with_normals() {
   header.spacing_nm[0] = 500000;
   header.spacing_nm[1] = -1000000;
   header.spacing_nm[2] = 2000000;
-  header.threshold = 1000;
+  header.thresholds[0] = 1000;
   const discmc::Limits limits{extent, extent};
   const std::uint64_t least = discmc::minimum_bytes<std::uint32_t, WithNormals>(limits);
   discmc::reference::Block block(least + (std::uint64_t{1} << 20));
@@ -57,7 +57,7 @@ std::string stream_with_normals() {
   discmc::NormalExtractor32<std::uint16_t> extractor;
   extractor.set_spacing(header.spacing_nm);
   discmc::reference::require_ok(
-      extractor.start(limits, header.threshold, block.memory(), discmc::make_sink(encoder)));
+      extractor.start(limits, header.thresholds[0], block.memory(), discmc::make_sink(encoder)));
   std::vector<std::uint16_t> samples;
   for (const int sample : ball().samples) samples.push_back(static_cast<std::uint16_t>(sample));
   discmc::reference::push_all(extractor, samples);

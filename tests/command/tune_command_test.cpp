@@ -169,7 +169,7 @@ TEST_CASE("tune refuses with the value and the remedy") {
           "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
   refused("--iso 100 --memory 1M", 1,
           "give at most " + std::to_string(discmc::bytes_for<std::uint16_t>(limits, {32759, 0})));
-  refused("--iso 100 --capacities 40000,1", 1, "give 4 to 32759 records");
+  refused("--iso 100 --capacities 40000,1", 1, "give 4 to 32759 slots");
   refused("--iso 300", 1, "no voxel reaches 300");
   refused("--iso 300 --allow-empty", 2, "'--allow-empty' is not an option of tune");
   refused("--iso 100 --payload slices --memory 2K", 2, "leave out --memory and --capacities");

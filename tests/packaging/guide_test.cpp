@@ -84,7 +84,7 @@ uint8_t slice_memory[slice_encoder_bytes(limits, key_slices)];
 bool begin_slices(const ByteOutput& output) {
   StreamHeader header;
   header.width = header.height = size;
-  header.threshold = threshold;
+  header.thresholds[0] = threshold;
   return slice_encoder.start(header, key_slices, memory_of(slice_memory), output) == Status::ok;
 }
 

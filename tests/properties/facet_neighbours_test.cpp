@@ -9,7 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/facet_neighbours.hpp"
+
 using namespace discmc;
+using reference::across_edge;
+using reference::Neighbour;
 
 namespace {
 

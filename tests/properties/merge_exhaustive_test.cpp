@@ -78,12 +78,12 @@ std::string sweep_all(Size size, bool closed, uint64_t sample, uint64_t stride =
 }
 
 // The same of the first block whose loose fragments do not join to the regions that come out in
-// plenty of memory. Every number of records from the least to `most` has its turn.
+// plenty of memory. Every number of slots from the least to `most` has its turn.
 std::string press_all(Size size, bool closed, uint32_t most, uint64_t stride) {
   BlockScanner scanner(size, closed, plenty);
   std::vector<std::unique_ptr<BlockScanner>> loose;
-  for (uint32_t records = minimum_capacities().records; records <= most; ++records) {
-    const Capacities few{records, records / 8};
+  for (uint32_t slots = minimum_capacities().slots; slots <= most; ++slots) {
+    const Capacities few{slots, slots / 8};
     loose.push_back(std::make_unique<BlockScanner>(size, closed, few));
   }
   return for_each_block(size, stride, [&](uint64_t number, const BitVolume& volume) -> std::string {
@@ -107,7 +107,7 @@ void check_all(Size size, uint64_t sample, uint64_t stride = 1) {
 
 void press_all(Size size, uint64_t stride = 1) {
   for (const bool closed : {true, false})
-    for (const uint32_t most : {minimum_capacities().records, 20U}) {
+    for (const uint32_t most : {minimum_capacities().slots, 20U}) {
       CAPTURE(size.width);
       CAPTURE(size.height);
       CAPTURE(size.depth);

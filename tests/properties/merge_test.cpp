@@ -189,7 +189,7 @@ TEST_CASE("polygons and cells enclose the same volume") {
 TEST_CASE("the events depend on no index width and no capacity while nothing is loose") {
   for (const Named& shape : shapes())
     for (const Border border : {Border::closed, Border::open}) {
-      constexpr Capacities more{ample.records + 1777, ample.holes + 79};
+      constexpr Capacities more{ample.slots + 1777, ample.holes + 79};
       CAPTURE(shape.name);
       const EventLog narrow = events_of(shape.volume, border, ample, false);
       CHECK(events_of(shape.volume, border, ample, true).events == narrow.events);
@@ -201,7 +201,7 @@ TEST_CASE("the events depend on no index width under pressure either") {
   for (uint64_t seed = 0; seed < 300; ++seed) {
     const BitVolume volume = small_random(seed);
     const auto extra = static_cast<uint32_t>(seed % 50);
-    const Capacities few{minimum_capacities().records + 3 * extra, extra / 5};
+    const Capacities few{minimum_capacities().slots + 3 * extra, extra / 5};
     const Border border = seed % 2 == 0 ? Border::closed : Border::open;
     CHECK(events_of(volume, border, few, true).events ==
           events_of(volume, border, few, false).events);

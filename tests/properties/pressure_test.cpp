@@ -115,19 +115,19 @@ void for_each_case(Check check) {
   }
 }
 
-constexpr uint32_t least = minimum_capacities().records;
+constexpr uint32_t least = minimum_capacities().slots;
 
 }  // namespace
 
-TEST_CASE("at every number of records from the least to what is needed the rings are the same") {
+TEST_CASE("at every number of slots from the least to what is needed the rings are the same") {
   for_each_case([](const Pressed& pressed) {
-    const uint32_t most = pressed.needed().records + 10;
-    for (uint32_t records = least; records <= most; records += step(19)) {
-      CAPTURE(records);
-      const Capacities capacities{records, records / 16};
+    const uint32_t most = pressed.needed().slots + 10;
+    for (uint32_t slots = least; slots <= most; slots += step(19)) {
+      CAPTURE(slots);
+      const Capacities capacities{slots, slots / 16};
       CHECK(pressed.fault<uint16_t>(capacities) == "");
-      if (records % 5 == 0) CHECK(pressed.fault<uint32_t>(capacities) == "");
-      if (records % 3 == 0) CHECK(pressed.fault_after_reset(capacities) == "");
+      if (slots % 5 == 0) CHECK(pressed.fault<uint32_t>(capacities) == "");
+      if (slots % 3 == 0) CHECK(pressed.fault_after_reset(capacities) == "");
     }
   });
 }
@@ -140,10 +140,10 @@ TEST_CASE("whatever number of holes may wait, the rings are the same") {
   for (const BitVolume& volume : {sieve, grid, random({15, 15, 2}, 235, 3)}) {
     const Pressed pressed(volume, Border::closed);
     for (uint32_t holes = 0; holes < 30; ++holes)
-      for (const uint32_t records : {least, 40U, 200U, ample.records}) {
+      for (const uint32_t slots : {least, 40U, 200U, ample.slots}) {
         CAPTURE(holes);
-        CAPTURE(records);
-        CHECK(pressed.fault<uint16_t>(Capacities{records, holes}) == "");
+        CAPTURE(slots);
+        CHECK(pressed.fault<uint16_t>(Capacities{slots, holes}) == "");
       }
   }
 }
@@ -168,12 +168,12 @@ TEST_CASE("every single byte more than the minimum keeps the rings") {
     CHECK(pressed.fault<uint16_t>(bytes) == "");
 }
 
-TEST_CASE("as many records as a scan has used are all that it needs") {
+TEST_CASE("as many slots as a scan has used are all that it needs") {
   for (const BitVolume& volume : small_volumes())
     for (const Border border : {Border::closed, Border::open}) {
       const HighWater needed = Pressed(volume, border).needed();
       // Nothing is sent while a few are left.
-      const Capacities capacities{2 * needed.records + 64, needed.holes};
+      const Capacities capacities{2 * needed.slots + 64, needed.holes};
       Collector collector;
       scan_into<uint16_t>(collector, volume, {border}, capacities);
       CHECK(collector.loose().empty());
@@ -239,7 +239,7 @@ TEST_CASE("a thousand layers need no more memory than the first ones: nothing le
     std::copy_n(longer.on.begin(), shorter.voxels(), shorter.on.begin());
     const HighWater of_shorter = Pressed(shorter, Border::closed).needed();
     const HighWater of_longer = Pressed(longer, Border::closed).needed();
-    CHECK(of_longer.records == of_shorter.records);
+    CHECK(of_longer.slots == of_shorter.slots);
     CHECK(of_longer.holes == of_shorter.holes);
   }
 }

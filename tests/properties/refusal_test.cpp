@@ -218,11 +218,11 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   return receiver.log->events == plain.events ? "" : "other events";
 }
 
-// Few records: this scenario sends loose fragments.
+// Few slots: this scenario sends loose fragments.
 Scenario loose(uint64_t seed, Border border) {
   const auto step = static_cast<uint32_t>(seed % 7);
   Scenario scenario = scenario_of(random({6, 5, 5}, 60 + 25 * step, seed), border);
-  scenario.capacities = {minimum_capacities().records + 14 * step, step};
+  scenario.capacities = {minimum_capacities().slots + 14 * step, step};
   return scenario;
 }
 
@@ -231,7 +231,7 @@ Scenario pressed(uint64_t seed) {
   const auto density = static_cast<uint32_t>(60 + 30 * (seed % 6));
   Scenario scenario = scenario_of(random({5, 6, 5}, density, seed), Border::closed);
   const auto extra = static_cast<uint32_t>(seed % 40);
-  scenario.capacities = {minimum_capacities().records + 4 * extra, extra / 8};
+  scenario.capacities = {minimum_capacities().slots + 4 * extra, extra / 8};
   return scenario;
 }
 

@@ -215,7 +215,7 @@ TEST_CASE("a header says what the extractor was started with, and what the label
   CHECK(header.width == 40);
   CHECK(header.height == 30);
   CHECK(header.border == Border::open);
-  CHECK(header.threshold == -9);
+  CHECK(header.thresholds[0] == -9);
   CHECK(header.depth == 5);
   CHECK(header.spacing_nm[1] == -2000);
   CHECK(header.scan == 77);
@@ -279,7 +279,7 @@ TEST_CASE("several surfaces of one scan go over one link, frame by frame, whoeve
       for (uint32_t at = 0; at < all; ++at) volume.on[at] = samples[at] >= thresholds[i] ? 1 : 0;
       const Received received = decode_channel(line.bytes, i);
       CHECK(received.report.is_complete());
-      CHECK(received.header.threshold == thresholds[i]);
+      CHECK(received.header.thresholds[0] == thresholds[i]);
       EventLog alone;
       reference::scan_into<uint16_t>(alone, volume, {}, uint64_t{memory[i].size()});
       CHECK(received.events == alone.events);

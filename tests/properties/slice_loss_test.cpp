@@ -1,4 +1,5 @@
-// What a lossy link does to a stream of bits: every loss is told where it is, and no row is wrong.
+// What a lossy link does to a stream of slices: every loss is told where it is, and no row is
+// wrong.
 #include <doctest/doctest.h>
 
 #include "oracle/slice_stream.hpp"

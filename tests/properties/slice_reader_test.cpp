@@ -68,9 +68,9 @@ StreamHeader header_of(const Scan& scan) {
   header.depth = scan.size.depth;
   header.channel = 7;
   header.scan = 1994;
-  header.further_surfaces = static_cast<uint8_t>(scan.thresholds.size() - 1);
-  header.threshold = scan.thresholds[0];
-  std::copy(scan.thresholds.begin() + 1, scan.thresholds.end(), header.further_thresholds);
+  header.surface_count = static_cast<uint8_t>(scan.thresholds.size());
+  header.thresholds[0] = scan.thresholds[0];
+  std::copy(scan.thresholds.begin(), scan.thresholds.end(), header.thresholds);
   return header;
 }
 
@@ -94,7 +94,7 @@ Bytes encode(const Scan& scan) {
   const StreamHeader header = header_of(scan);
   const Bytes samples = samples_of(scan.size);
   Bytes memory(
-      slice_encoder_bytes({header.width, header.height}, scan.key_slices, header.surfaces()));
+      slice_encoder_bytes({header.width, header.height}, scan.key_slices, header.surface_count));
   Line line;
   SliceEncoder encoder;
   reference::require_ok(

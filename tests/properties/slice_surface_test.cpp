@@ -72,7 +72,7 @@ std::vector<BitVolume> volumes() {
 
 }  // namespace
 
-TEST_CASE("a stream of bits tells the events of an extractor that is given the same rows") {
+TEST_CASE("a stream of slices tells the events of an extractor that is given the same rows") {
   for (const BitVolume& volume : volumes())
     for (const Border border : {Border::closed, Border::open})
       for (const bool skips : {false, true})
@@ -131,7 +131,7 @@ TEST_CASE("the surface of a stream that has lost packets is closed, and what is 
   }
 }
 
-TEST_CASE("memory that is too small for a stream of bits is refused") {
+TEST_CASE("memory that is too small for a stream of slices is refused") {
   const BitVolume volume = volumes()[0];
   const Bytes stream = told(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
@@ -237,7 +237,7 @@ TEST_CASE("memory that is given takes the place of what was too little, all of i
   }
 }
 
-TEST_CASE("of a stream of bits without its end a refusal loses nothing") {
+TEST_CASE("of a stream of slices without its end a refusal loses nothing") {
   const BitVolume volume = reference::random({20, 10, 6}, 90, 2);
   const Limits limits{volume.width, volume.height};
   std::vector<Bytes> frames = frames_of(told(volume, Border::closed, false, 1));

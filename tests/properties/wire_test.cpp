@@ -21,8 +21,9 @@ uint64_t count_of(const Events& events, Kind kind) {
 
 bool equal(const StreamHeader& a, const StreamHeader& b) {
   return a.width == b.width && a.height == b.height && a.depth == b.depth &&
-         std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm) && a.threshold == b.threshold &&
-         a.border == b.border && a.scan == b.scan && a.channel == b.channel;
+         std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm) &&
+         a.thresholds[0] == b.thresholds[0] && a.border == b.border && a.scan == b.scan &&
+         a.channel == b.channel;
 }
 
 // The surface that a stream describes, put together by the tests' own collector.
@@ -130,8 +131,7 @@ TEST_CASE("random volumes in random memory come through") {
                           chance.below(257), chance.next());
     reference::Plan plan;
     plan.border = chance.below(2) == 0 ? Border::open : Border::closed;
-    const Capacities capacities{minimum_capacities().records + chance.below(1000),
-                                chance.below(20)};
+    const Capacities capacities{minimum_capacities().slots + chance.below(1000), chance.below(20)};
     const Events events = events_of(volume, capacities, plan);
     const Bytes stream = encode(events, header_of(volume, plan.border));
     const Received arrival = decode(stream, chance.below(50));
@@ -149,11 +149,11 @@ TEST_CASE("headers at the ends of every field come back") {
   header.spacing_nm[0] = INT32_MIN;
   header.spacing_nm[1] = INT32_MAX;
   header.spacing_nm[2] = -1;
-  header.threshold = INT32_MIN;
+  header.thresholds[0] = INT32_MIN;
   header.border = Border::open;
   CHECK(equal(decode(encode(Script().finish().events, header)).header, header));
   header.height = Limits::max_extent;
-  header.threshold = INT32_MAX;
+  header.thresholds[0] = INT32_MAX;
   CHECK(equal(decode(encode(Script().finish().events, header)).header, header));
 }
 

@@ -21,7 +21,7 @@ constexpr uint32_t extents[] = {1,   2,   3,   7,    8,    9,    30,    31,    3
                                 511, 512, 513, 1000, 2048, 4095, 10000, 32765, 32766};
 
 bool at_most(const Capacities& a, const Capacities& b) {
-  return a.records <= b.records && a.holes <= b.holes;
+  return a.slots <= b.slots && a.holes <= b.holes;
 }
 
 template <class Check>
@@ -134,19 +134,19 @@ TEST_CASE("exactly the bytes asked for are enough, wherever they begin, and one 
       }
 }
 
-TEST_CASE("fewer records than the minimum, or more than an index counts, are refused") {
+TEST_CASE("fewer slots than the minimum, or more than an index counts, are refused") {
   const Capacities least = minimum_capacities();
   CHECK(is_valid<uint16_t>(least));
   CHECK(is_valid<uint32_t>(least));
-  CHECK_FALSE(is_valid<uint16_t>({least.records - 1, 0}));
-  CHECK_FALSE(is_valid<uint32_t>({least.records - 1, 0}));
+  CHECK_FALSE(is_valid<uint16_t>({least.slots - 1, 0}));
+  CHECK_FALSE(is_valid<uint32_t>({least.slots - 1, 0}));
   CHECK(is_valid<uint16_t>({32759, 0}));
   CHECK_FALSE(is_valid<uint16_t>({32760, 0}));
   CHECK(is_valid<uint32_t>({0x7FFFFFF7, 0}));
   CHECK_FALSE(is_valid<uint32_t>({0x7FFFFFF8, 0}));
   CHECK(is_valid<uint16_t>({32759, UINT32_MAX}));
   CHECK(start_with<uint16_t>(small, {32760, 0}, 1 << 20) == Status::bad_capacities);
-  CHECK(start_with<uint16_t>(small, {least.records - 1, 0}, 1 << 20) == Status::bad_capacities);
+  CHECK(start_with<uint16_t>(small, {least.slots - 1, 0}, 1 << 20) == Status::bad_capacities);
 }
 
 TEST_CASE("the minimum lies below the worst case, and more slices need no less") {
@@ -162,7 +162,7 @@ TEST_CASE("the minimum lies below the worst case, and more slices need no less")
 
 TEST_CASE("the worst case is the greatest number from where it cannot be counted any more") {
   constexpr Limits limits{1, 1};
-  constexpr uint32_t slices = UINT32_MAX / sizing::records_a_cell / 4;  // of four cells each
+  constexpr uint32_t slices = UINT32_MAX / sizing::slots_a_cell / 4;  // of four cells each
   Capacities before = worst_case_capacities(limits, slices - 3);
   for (uint32_t more = slices - 2; more < slices + 3; ++more) {
     const Capacities now = worst_case_capacities(limits, more);

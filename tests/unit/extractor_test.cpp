@@ -277,7 +277,7 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
   const BitVolume volume = random({12, 10, 4}, 150, 3);
   const Limits limits = limits_of(volume, Border::closed);
   for (const uint32_t more : {20U, 150U}) {
-    const Capacities few{minimum_capacities().records + more, more / 4};
+    const Capacities few{minimum_capacities().slots + more, more / 4};
     EventLog expected;
     scan_into<uint16_t>(expected, volume, {}, few);
     for (int taken = 0; taken < 400; taken += 3) {
@@ -309,7 +309,7 @@ TEST_CASE("a scan begins with what the extractor knows of it") {
     CHECK(told.width == 7);
     CHECK(told.height == 3);
     CHECK(told.border == Border::open);
-    CHECK(told.threshold == -42);
+    CHECK(told.thresholds[0] == -42);
     CHECK_FALSE(told.has_spacing());
   }
 }

@@ -61,8 +61,8 @@ void check_refused_starts() {
   CHECK(extractor.start(good, 1, {memory.data, least - 1}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {memory.data, 0}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {nullptr, 1 << 16}, sink) == Status::too_little_memory);
-  for (const uint32_t records : {minimum_capacities().records - 1, UINT32_MAX})
-    CHECK(extractor.start(good, {records, 0}, 1, memory, sink) == Status::bad_capacities);
+  for (const uint32_t slots : {minimum_capacities().slots - 1, UINT32_MAX})
+    CHECK(extractor.start(good, {slots, 0}, 1, memory, sink) == Status::bad_capacities);
   for (const Slab& slab : {Slab{1, false, false}, Slab{0, true, false}})
     CHECK(extractor.start({8, 8, {}, slab}, 1, memory, sink) == Status::bad_limits);
   CHECK(extractor.start({32766, 32766}, 1, memory, sink) == Status::too_little_memory);
@@ -371,7 +371,7 @@ TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been
   }
   finish_all(extractor);
   used = extractor.bytes_used();
-  CHECK(used == bytes_for<uint16_t>(limits, {extractor.high_water().records, 0}));
+  CHECK(used == bytes_for<uint16_t>(limits, {extractor.high_water().slots, 0}));
   CHECK(std::count(memory.begin() + static_cast<ptrdiff_t>(used), memory.end(), uint8_t{0x5A}) ==
         static_cast<ptrdiff_t>(bytes - used));
   require_ok(extractor.reset());
@@ -388,15 +388,15 @@ TEST_CASE("the high-water marks lie within the capacities, and are all that a sc
       require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
       push_all(extractor, volume.on);
       finish_all(extractor);
-      CHECK(extractor.capacities().records == capacities.records);
-      CHECK(extractor.high_water().records <= capacities.records);
+      CHECK(extractor.capacities().slots == capacities.slots);
+      CHECK(extractor.high_water().slots <= capacities.slots);
       CHECK(extractor.high_water().holes <= capacities.holes);
       return extractor.high_water();
     };
     EventLog in_ample, in_few;
     const HighWater needed = scan_in(ample, in_ample);
-    CHECK(needed.records > 50);
-    (void)scan_in({needed.records / 2, needed.holes / 2}, in_few);
+    CHECK(needed.slots > 50);
+    (void)scan_in({needed.slots / 2, needed.holes / 2}, in_few);
     CHECK(collected(in_few.events).loose().size() > 0);
   }
 }

@@ -127,9 +127,9 @@ TEST_CASE("normals do not depend on chunks, or on a sink that refuses") {
 TEST_CASE("under pressure normals are right in loose fragments too") {
   const Size size{24, 20, 12};
   for (uint64_t seed = 0; seed < 4; ++seed)
-    for (const uint32_t records : {4U, 5U, 30U, 100U, 300U, 1000U}) {
+    for (const uint32_t slots : {4U, 5U, 30U, 100U, 300U, 1000U}) {
       const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
-      check_agreement(volume, {128, Border::closed, {records, records / 16}});
+      check_agreement(volume, {128, Border::closed, {slots, slots / 16}});
     }
 }
 

@@ -1,4 +1,4 @@
-// The pool: every record once, in an order that depends on the calls alone.
+// The pool: every slot once, in an order that depends on the calls alone.
 #include <doctest/doctest.h>
 #include <discmc/pool.hpp>
 
@@ -11,16 +11,16 @@ using namespace discmc;
 namespace {
 
 template <class Index>
-struct PooledRecord {
+struct PooledSlot {
   Index next;
   uint32_t payload;
 };
 
 template <class Index>
 void check_random_operations(uint32_t capacity, uint32_t seed) {
-  std::vector<PooledRecord<Index>> records(capacity);
-  Pool<PooledRecord<Index>, Index> pool;
-  pool.start(records.data(), capacity);
+  std::vector<PooledSlot<Index>> slots(capacity);
+  Pool<PooledSlot<Index>, Index> pool;
+  pool.start(slots.data(), capacity);
   pool.clear();
   std::vector<Index> taken;
   uint32_t high_water = 0;
@@ -30,8 +30,8 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
     const bool takes = (seed >> 20) % 100 < (i / 1000 % 2 == 0 ? 70U : 30U);
     if (takes) {
       const Index index = pool.take();
-      CHECK((index == no_record) == (taken.size() == capacity));
-      if (index == no_record) continue;
+      CHECK((index == no_slot) == (taken.size() == capacity));
+      if (index == no_slot) continue;
       REQUIRE(index >= 1);
       REQUIRE(index <= capacity);
       pool[index].payload = index * 3U;
@@ -52,27 +52,27 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("a pool gives each record once, and then none") {
-  std::vector<PooledRecord<uint16_t>> records(5);
-  Pool<PooledRecord<uint16_t>, uint16_t> pool;
-  pool.start(records.data(), 5);
+TEST_CASE("a pool gives each slot once, and then none") {
+  std::vector<PooledSlot<uint16_t>> slots(5);
+  Pool<PooledSlot<uint16_t>, uint16_t> pool;
+  pool.start(slots.data(), 5);
   pool.clear();
   std::set<uint16_t> taken;
   for (int i = 0; i < 5; ++i) taken.insert(pool.take());
   CHECK(taken == std::set<uint16_t>{1, 2, 3, 4, 5});
-  CHECK(pool.take() == no_record);
-  CHECK(pool.take() == no_record);
+  CHECK(pool.take() == no_slot);
+  CHECK(pool.take() == no_slot);
   CHECK(pool.in_use() == 5);
   CHECK(pool.available() == 0);
   pool.give(3);
   CHECK(pool.take() == 3);
-  CHECK(pool.take() == no_record);
+  CHECK(pool.take() == no_slot);
 }
 
-TEST_CASE("the record given back last is taken first") {
-  std::vector<PooledRecord<uint32_t>> records(8);
-  Pool<PooledRecord<uint32_t>, uint32_t> pool;
-  pool.start(records.data(), 8);
+TEST_CASE("the slot given back last is taken first") {
+  std::vector<PooledSlot<uint32_t>> slots(8);
+  Pool<PooledSlot<uint32_t>, uint32_t> pool;
+  pool.start(slots.data(), 8);
   pool.clear();
   for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.take() == i);
   pool.give(1);
@@ -82,10 +82,10 @@ TEST_CASE("the record given back last is taken first") {
   CHECK(pool.take() == 7);
 }
 
-TEST_CASE("clearing gives all records back and forgets the high-water mark") {
-  std::vector<PooledRecord<uint16_t>> records(4);
-  Pool<PooledRecord<uint16_t>, uint16_t> pool;
-  pool.start(records.data(), 4);
+TEST_CASE("clearing gives all slots back and forgets the high-water mark") {
+  std::vector<PooledSlot<uint16_t>> slots(4);
+  Pool<PooledSlot<uint16_t>, uint16_t> pool;
+  pool.start(slots.data(), 4);
   pool.clear();
   for (int i = 0; i < 4; ++i) pool.take();
   pool.give(2);
@@ -94,51 +94,51 @@ TEST_CASE("clearing gives all records back and forgets the high-water mark") {
   CHECK(pool.in_use() == 0);
   CHECK(pool.high_water() == 0);
   for (uint16_t i = 1; i <= 4; ++i) CHECK(pool.take() == i);
-  CHECK(pool.take() == no_record);
+  CHECK(pool.take() == no_slot);
 }
 
-TEST_CASE("a pool without records has none") {
-  Pool<PooledRecord<uint16_t>, uint16_t> pool;
-  CHECK(pool.take() == no_record);
+TEST_CASE("a pool without slots has none") {
+  Pool<PooledSlot<uint16_t>, uint16_t> pool;
+  CHECK(pool.take() == no_slot);
   pool.start(nullptr, 0);
   pool.clear();
-  CHECK(pool.take() == no_record);
+  CHECK(pool.take() == no_slot);
   CHECK(pool.capacity() == 0);
   CHECK(pool.high_water() == 0);
 }
 
 TEST_CASE("index 0, which means none, is never given, and every other one is") {
-  // As many records as a 16-bit index can name.
-  std::vector<PooledRecord<uint16_t>> records(65535);
-  Pool<PooledRecord<uint16_t>, uint16_t> pool;
-  pool.start(records.data(), 65535);
+  // As many slots as a 16-bit index can name.
+  std::vector<PooledSlot<uint16_t>> slots(65535);
+  Pool<PooledSlot<uint16_t>, uint16_t> pool;
+  pool.start(slots.data(), 65535);
   pool.clear();
   for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.take() == i);
-  CHECK(pool.take() == no_record);
+  CHECK(pool.take() == no_slot);
 }
 
-TEST_CASE("whatever is taken and given, no record is out twice and none is lost") {
+TEST_CASE("whatever is taken and given, no slot is out twice and none is lost") {
   for (const uint32_t capacity : {1U, 2U, 7U, 100U, 1000U}) {
     check_random_operations<uint16_t>(capacity, capacity);
     check_random_operations<uint32_t>(capacity, capacity + 1);
   }
 }
 
-TEST_CASE("a pool gives fresh records side by side as long as there are so many") {
-  std::vector<PooledRecord<uint16_t>> records(10);
-  Pool<PooledRecord<uint16_t>, uint16_t> pool;
-  pool.start(records.data(), 10);
+TEST_CASE("a pool gives fresh slots side by side as long as there are so many") {
+  std::vector<PooledSlot<uint16_t>> slots(10);
+  Pool<PooledSlot<uint16_t>, uint16_t> pool;
+  pool.start(slots.data(), 10);
   pool.clear();
   pool.give(pool.take());
-  CHECK(pool.take_fresh(10) == no_record);
+  CHECK(pool.take_fresh(10) == no_slot);
   CHECK(pool.take_fresh(4) == 2);
   CHECK(pool.in_use() == 4);
   CHECK(pool.high_water() == 5);
   pool.reserve(2);
-  CHECK(pool.take_fresh(5) == no_record);
+  CHECK(pool.take_fresh(5) == no_slot);
   CHECK(pool.take_fresh(4) == 6);
   CHECK(pool.available() == 0);
   for (uint16_t index = 2; index < 10; ++index) pool.give(index);
-  CHECK(pool.take_fresh(2) == no_record);
+  CHECK(pool.take_fresh(2) == no_slot);
   CHECK(pool.take_fresh(1) == 10);
 }

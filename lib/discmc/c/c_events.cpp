@@ -18,13 +18,13 @@ static_assert(sizeof(Event) == sizeof(discmc_event) &&
                   offsetof(Event, start) == offsetof(discmc_event, start) &&
                   offsetof(Event, statistics) == offsetof(discmc_event, of),
               "events have one layout; the tests compare their members");
-static_assert(sizeof(discmc_stream_header) <= sizeof(StreamHeader) &&
-                  offsetof(StreamHeader, spacing_nm) ==
-                      offsetof(discmc_stream_header, spacing_nm) &&
-                  offsetof(StreamHeader, threshold) == offsetof(discmc_stream_header, threshold) &&
-                  offsetof(StreamHeader, channel) == offsetof(discmc_stream_header, channel) &&
-                  offsetof(StreamHeader, scan) == offsetof(discmc_stream_header, scan),
-              "a header of C's is the beginning of one of C++'s");
+static_assert(
+    sizeof(StreamHeader) == sizeof(discmc_stream_header) &&
+        offsetof(StreamHeader, spacing_nm) == offsetof(discmc_stream_header, spacing_nm) &&
+        offsetof(StreamHeader, thresholds) == offsetof(discmc_stream_header, thresholds) &&
+        offsetof(StreamHeader, channel) == offsetof(discmc_stream_header, channel) &&
+        offsetof(StreamHeader, surface_count) == offsetof(discmc_stream_header, surface_count),
+    "headers have one layout");
 static_assert(sizeof(ApplicationRecord) == sizeof(discmc_application_record) &&
                   offsetof(ApplicationRecord, row) == offsetof(discmc_application_record, row) &&
                   offsetof(ApplicationRecord, count) == offsetof(discmc_application_record, count),

@@ -4,7 +4,7 @@ namespace discmc {
 
 // The bytes that are in use, from the object on.
 static size_t used_bytes(const discmc_extractor_kind& kind, const ExtractorView& view) {
-  const uint64_t bytes = bytes_of_scan(kind.sizes, view.limits, view.high_water.records);
+  const uint64_t bytes = bytes_of_scan(kind.sizes, view.limits, view.high_water.slots);
   return kind.object_bytes + static_cast<size_t>(bytes);
 }
 
@@ -23,8 +23,8 @@ uint64_t discmc_extractor_bytes(const discmc_extractor_config* config) {
   const Limits limits = cpp(config->limits);
   if (!limits.is_valid()) return 0;
   const discmc_extractor_kind& kind = *config->kind;
-  const uint32_t records = config->records == 0 ? minimum_capacities().records : config->records;
-  const uint64_t arena = bytes_of_scan(kind.sizes, limits, records);
+  const uint32_t slots = config->slots == 0 ? minimum_capacities().slots : config->slots;
+  const uint64_t arena = bytes_of_scan(kind.sizes, limits, slots);
   const bool has_learnt = kind.sizes.index_bytes == 4 && arena + learnt_bytes >= enough_to_learn;
   return bytes_with_object(kind.object_bytes, arena + (has_learnt ? learnt_bytes : 0));
 }
@@ -72,9 +72,9 @@ discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extracto
   return {c(*view.statistics),
           view.slices,
           view.rows,
-          view.capacities->records,
+          view.capacities->slots,
           view.capacities->holes,
-          view.high_water.records,
+          view.high_water.slots,
           view.high_water.holes,
           extractor->part(used_bytes(kind_of(*extractor), view)).bytes};
 }

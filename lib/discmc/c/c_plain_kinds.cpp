@@ -10,9 +10,9 @@ static_assert(DISCMC_EXTRACTOR_BYTES(31, 7, 5) >=
                   bytes_with_object(PlainKind<Bits>::functions.object_bytes,
                                     bytes_for<uint16_t>({31, 7}, {5, 0})),
               "the size in sizes.h suffices");
-static_assert(DISCMC_MIN_RECORDS == minimum_capacities().records &&
-                  is_valid<uint16_t>({DISCMC_MAX_RECORDS, 0}) &&
-                  !is_valid<uint16_t>({DISCMC_MAX_RECORDS + 1, 0}),
+static_assert(DISCMC_MIN_SLOTS == minimum_capacities().slots &&
+                  is_valid<uint16_t>({DISCMC_MAX_SLOTS, 0}) &&
+                  !is_valid<uint16_t>({DISCMC_MAX_SLOTS + 1, 0}),
               "constants are the same");
 
 }  // namespace discmc

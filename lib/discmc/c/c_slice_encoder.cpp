@@ -32,11 +32,8 @@ StreamHeader header_of(const discmc_slice_encoder_config& config) {
   for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
   header.channel = label.channel;
   header.scan = label.scan;
-  // None, as one too many, is refused.
-  header.further_surfaces = static_cast<uint8_t>(config.surface_count - 1);
-  header.threshold = config.thresholds[0];
-  for (int i = 1; i < StreamHeader::max_surfaces; ++i)
-    header.further_thresholds[i - 1] = config.thresholds[i];
+  header.surface_count = config.surface_count;
+  for (int i = 0; i < StreamHeader::max_surfaces; ++i) header.thresholds[i] = config.thresholds[i];
   return header;
 }
 

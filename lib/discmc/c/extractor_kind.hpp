@@ -19,17 +19,16 @@ struct ExtractorView {
   bool is_suspended;
 };
 
-/// What the memory of a scan depends on besides its limits and records.
+/// What the memory of a scan depends on besides its limits and slots.
 struct ScanSizes {
   uint8_t index_bytes;
-  uint8_t record_bytes;
+  uint8_t slot_bytes;
   uint8_t sample_bytes;  ///< of those that are kept for normals, or 0
 };
 
 /// As bytes_for(), in one piece of code for all.
-constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t records) {
-  uint64_t bytes =
-      bytes_for<uint16_t>(limits, {0, 0}) + Arena::bytes_of(records, sizes.record_bytes);
+constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t slots) {
+  uint64_t bytes = bytes_for<uint16_t>(limits, {0, 0}) + Arena::bytes_of(slots, sizes.slot_bytes);
   if (sizes.index_bytes > sizeof(uint16_t))
     bytes += bytes_for<uint32_t>({1, 1}, {0, 0}) - bytes_for<uint16_t>({1, 1}, {0, 0});
   const uint32_t rows = GradientNormals<uint8_t>::ring_rows(limits);
@@ -68,7 +67,7 @@ constexpr bool learns = false;
 /// What the type of an extractor says, whichever class of its own it has.
 template <class Index, class Intake, class Sweep>
 struct ExtractorType {
-  static constexpr ScanSizes sizes = {sizeof(Index), sizing::record_bytes<Index, Intake>,
+  static constexpr ScanSizes sizes = {sizeof(Index), sizing::slot_bytes<Index, Intake>,
                                       Intake::type / 2};
   static_assert(bytes_of_scan(sizes, {31, 7}, 5) == bytes_for<Index, Intake>({31, 7}, {5, 0}),
                 "it is as many bytes");
@@ -106,9 +105,8 @@ struct ExtractorKind {
     Limits limits = cpp(config.limits);
     limits.slab = {config.slab.first, config.slab.continues_below != 0,
                    config.slab.continues_above != 0};
-    const Capacities capacities = config.records == 0
-                                      ? Type::capacities(limits, memory.bytes)
-                                      : Capacities{config.records, config.records / 16};
+    const Capacities capacities = config.slots == 0 ? Type::capacities(limits, memory.bytes)
+                                                    : Capacities{config.slots, config.slots / 16};
     return scanner.start(limits, capacities, config.threshold, memory, sink);
   }
 

@@ -1,4 +1,5 @@
 #include <discmc/geometry/facet_table.hpp>
+#include <discmc/geometry/loop_facets.hpp>
 
 namespace discmc {
 
@@ -8,16 +9,6 @@ constexpr bool contains(const FacetRing& ring, Point point) {
   for (int i = 0; i < ring.count; ++i)
     if (ring.point[i] == point) return true;
   return false;
-}
-
-constexpr int sign(int value) {
-  return (value > 0) - (value < 0);
-}
-
-constexpr Incidence ring_incidence(const FacetRing& ring) {
-  const Vertex origin = position(ring.point[0]);
-  const Vertex n = cross(position(ring.point[1]) - origin, position(ring.point[2]) - origin);
-  return incidence_of(Vertex{sign(n.x), sign(n.y), sign(n.z)});
 }
 
 constexpr Shape ring_shape(Incidence incidence, const FacetRing& ring) {
@@ -30,26 +21,20 @@ constexpr Shape ring_shape(Incidence incidence, const FacetRing& ring) {
   return static_cast<Shape>(dot(n, n) == 1 ? outer / 2 : 2 + outer);
 }
 
-constexpr bool is_rectangle(const Loop& loop) {
-  if (loop.count != 4) return false;
-  const FacetRing ring{4, {loop.point[0], loop.point[1], loop.point[2], loop.point[3]}};
-  const Vertex n = normal(ring_incidence(ring));
-  return dot(n, n) == 2;
-}
-
 struct FacetList {
   uint8_t count;
   FacetRing ring[Loop::max_points];
 };
 
-constexpr FacetList facets_of(const Loop& loop) {
+constexpr FacetList rings_of(const LoopFacets& facets) {
   FacetList list{};
-  if (loop.count == 3 || is_rectangle(loop)) {
+  if (!facets.is_fan) {
     FacetRing& whole = list.ring[list.count++];
-    for (int i = 0; i < loop.count; ++i) whole.point[whole.count++] = loop.point[i];
+    for (int i = 0; i < facets.loop.count; ++i) whole.point[whole.count++] = facets.loop.point[i];
   } else {
-    for (int i = 0; i < loop.count; ++i)
-      list.ring[list.count++] = {3, {centroid, loop.point[i], loop.point[(i + 1) % loop.count]}};
+    for (int i = 0; i < facets.loop.count; ++i)
+      list.ring[list.count++] = {
+          3, {centroid, facets.loop.point[i], facets.loop.point[facets.wrap(i + 1)]}};
   }
   return list;
 }
@@ -100,9 +85,10 @@ constexpr Derived derive_all() {
     int enclosed = face_pyramids(configuration);
     for (int l = 0; l < loops.count; ++l) {
       triangles += loops.loop[l].count - 2;
-      const FacetList list = facets_of(loops.loop[l]);
+      const LoopFacets facets = facets_of(loops.loop[l]);
+      const FacetList list = rings_of(facets);
       for (int i = 0; i < list.count; ++i) {
-        const Incidence incidence = ring_incidence(list.ring[i]);
+        const Incidence incidence = facets.incidence[i];
         const Facet facet = facet_of(incidence, ring_shape(incidence, list.ring[i]));
         derived.table.facet[total++] = facet;
         derived.rings.ring[facet] = list.ring[i];
@@ -161,31 +147,5 @@ static_assert(derived.facts.enclosed[0] == 0 && derived.facts.enclosed[255] == 4
 const FacetTable facet_table = derived.table;
 const FacetRings facet_rings = derived.rings;
 const CellFacts cell_facts = derived.facts;
-
-namespace {
-
-bool has_edge(const FacetRing& ring, const Vertex& from, const Vertex& to) {
-  for (int i = 0; i < ring.count; ++i)
-    if (position(ring.point[i]) == from && position(ring.point[(i + 1) % ring.count]) == to)
-      return true;
-  return false;
-}
-
-}  // namespace
-
-Neighbour across_edge(Facet facet, int edge) {
-  constexpr Vertex cells[] = {{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0},
-                              {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
-  const FacetRing& ring = facet_rings.ring[facet];
-  const Vertex from = position(ring.point[edge]);
-  const Vertex to = position(ring.point[(edge + 1) % ring.count]);
-  for (const Vertex& cell : cells)
-    for (Shape shape = 0; shape < 8; ++shape) {
-      const Facet other = facet_of(incidence_of(facet), shape);
-      const Vertex shift = cell + cell;
-      if (has_edge(facet_rings.ring[other], to - shift, from - shift)) return {cell, other};
-    }
-  return {{0, 0, 0}, facet};
-}
 
 }  // namespace discmc

@@ -12,10 +12,10 @@
 namespace discmc {
 
 /// A facet's place within a plane and cell, 0 to 7:
-///   axis incidences      the direction of the triangle's link of length 2, halved (4 shapes)
-///   diagonal incidences  0: the rectangle cuts off the cell edge on the on side, 1: on the off
-///   side corner incidences    0, 1: likewise for the triangle that cuts off a corner;
-///                        2 to 7: a sector of the hexagon about the centroid, 2 + its outer link's
+///   axis incidences      the direction of the triangle's link of length 2, halved: 4 shapes
+///   diagonal incidences  the rectangle cuts off the cell edge: 0 on the on side, 1 on the off side
+///   corner incidences    the triangle cuts off a corner: 0 and 1 likewise;
+///                        a sector of the hexagon about the centroid: 2 + its outer link's
 ///                        direction
 using Shape = uint8_t;
 
@@ -62,17 +62,6 @@ struct CellFacts {
 extern const FacetTable facet_table;
 extern const FacetRings facet_rings;
 extern const CellFacts cell_facts;
-
-/// What lies on the other side of a facet's edge when it belongs to the same plane.
-struct Neighbour {
-  Vertex cell;  ///< the cell it lies in, as an offset in cells; (0, 0, 0) for the same cell
-  Facet facet;
-};
-
-/// The facet of the same incidence that shares edge `edge` (from point edge of the facet's ring to
-/// the next) with `facet`. It is unique, whether or not a given configuration contains it.
-/// Limit: edge < facet_rings.ring[facet].count. Cost: a search; for references and tests.
-Neighbour across_edge(Facet facet, int edge);
 
 }  // namespace discmc
 

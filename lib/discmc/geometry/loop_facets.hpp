@@ -1,10 +1,10 @@
 // The facets behind a loop: one for all of it, or a fan about the centroid.
-#ifndef DISCMC_TRACE_LOOP_FACETS_HPP
-#define DISCMC_TRACE_LOOP_FACETS_HPP
+#ifndef DISCMC_GEOMETRY_LOOP_FACETS_HPP
+#define DISCMC_GEOMETRY_LOOP_FACETS_HPP
 
 #include <discmc/geometry/cell.hpp>
 
-namespace discmc::trace {
+namespace discmc {
 
 constexpr int sign_of(int value) {
   return (value > 0) - (value < 0);
@@ -42,6 +42,6 @@ constexpr LoopFacets facets_of(const Loop& loop) {
   return facets;
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc
 
 #endif

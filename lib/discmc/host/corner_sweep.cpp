@@ -29,7 +29,7 @@ void CornerSweep::clear() {
   Plain::clear();
   passes_beyond_.clear();
   is_suspended_ = false;
-  keeps_corners_ = corners_.start(records());
+  keeps_corners_ = corners_.start(slots());
 }
 
 void CornerSweep::forget_addresses() {
@@ -39,7 +39,7 @@ void CornerSweep::forget_addresses() {
 
 bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
                         Statistics& statistics) {
-  if (row.place == RowPlace::below_slab) {
+  if (row.role == SlabRole::below_slab) {
     open_seam(row);
     return true;
   }
@@ -51,7 +51,7 @@ bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sin
   if (keeps_corners_) return true;
   // What comes from below a slab waits, or was counted as lost.
   SweptRow rest = row;
-  if (row.is_own()) rest.place = RowPlace::inside;
+  if (row.is_own()) rest.role = SlabRole::inside;
   return Plain::sweep(rest, normals, sink, statistics);
 }
 
@@ -63,12 +63,12 @@ void CornerSweep::open_seam(const SweptRow& row) {
   while (passes_beyond_.find(row, counts_)) {
     constexpr uint32_t most = Corners::max_cut;
     if (keeps_corners_ &&
-        (row.z >= CornerCode::max_slices || !corners_.make_room(records(), most, most)))
+        (row.z >= CornerCode::max_slices || !corners_.make_room(slots(), most, most)))
       hand_over(row, 0);
     for (; passes_beyond_.has_next(); passes_beyond_.advance()) {
       const Pass& pass = passes_beyond_.pass();
       if (keeps_corners_) {
-        corners_.cut_at_seam(records(), pass, passes_beyond_.vertex());
+        corners_.cut_at_seam(slots(), pass, passes_beyond_.vertex());
       } else {
         if (pass.in >= first_rising_queue) fragments_.push_lost(pass.in);
         if (pass.out >= first_rising_queue) fragments_.push_lost(pass.out);
@@ -82,7 +82,7 @@ bool CornerSweep::close_seam(const SweptRow& row, const Sink& sink, Statistics& 
   if (is_suspended_ && !go_on_delivering(sink, statistics)) return false;
   do {
     while (passes_beyond_.has_next()) {
-      corners_.cut_at_seam(records(), passes_beyond_.pass(), passes_beyond_.vertex());
+      corners_.cut_at_seam(slots(), passes_beyond_.pass(), passes_beyond_.vertex());
       passes_beyond_.advance();
       if (!deliver_chains(sink, statistics)) return false;
     }
@@ -102,13 +102,13 @@ bool CornerSweep::sweep_corners(const SweptRow& row, const Sink& sink, Statistic
   SweepCounts counts = counts_;
   while (learnt_.find(row, counts)) {
     if (row.z >= CornerCode::max_slices ||
-        !corners_.make_room(records(), learnt_.count(), learnt_.edges())) {
+        !corners_.make_room(slots(), learnt_.count(), learnt_.edges())) {
       hand_over(row, learnt_.first_word());
       passes_.go_on_from(learnt_.first_word());
       return true;
     }
     counts_ = counts;
-    corners_.take(records(), learnt_);
+    corners_.take(slots(), learnt_);
     if (!deliver_chains(sink, statistics)) return false;
   }
   counts.add_to(statistics);
@@ -130,7 +130,7 @@ bool CornerSweep::go_on_delivering(const Sink& sink, Statistics& statistics) {
 // Delivers the chains that close as those that have met are joined. False when the sink said "not
 // now".
 bool CornerSweep::deliver_chains(const Sink& sink, Statistics& statistics) {
-  while (const uint32_t closed = corners_.close_chain(records())) {
+  while (const uint32_t closed = corners_.close_chain(slots())) {
     const Chain chain = chain_of(closed);
     bool is_done;
     if (chain.code.begins_at_seam() || is_hole(chain.code) || may_have_holes(chain)) {
@@ -139,7 +139,7 @@ bool CornerSweep::deliver_chains(const Sink& sink, Statistics& statistics) {
     } else {
       is_done = deliver(chain, sink, statistics);
     }
-    corners_.give(records(), chain.start, chain.corners);
+    corners_.give(slots(), chain.start, chain.corners);
     if (!is_done) return false;
   }
   return true;
@@ -149,18 +149,18 @@ bool CornerSweep::deliver_chains(const Sink& sink, Statistics& statistics) {
 bool CornerSweep::may_have_holes(const Chain& ring) const {
   const auto& holes = delivery_.holes();
   return holes.count() > 0 &&
-         holes.has_any(fragments_.records(), ring.code.incidence(), ring.code.vertex());
+         holes.has_any(fragments_.slots(), ring.code.incidence(), ring.code.vertex());
 }
 
 // Finds where a chain begins: a ring at its last vertex, which is a corner, as Delivery does, and a
 // fragment at the corner that is named.
 CornerSweep::Chain CornerSweep::chain_of(uint32_t closed) {
-  Record<uint32_t, NoNormal>* const records = &fragments_.records()[0];
-  Chain chain{closed, 0, CornerRecord(records[closed]).code()};
+  Slot<uint32_t, NoNormal>* const slots = &fragments_.slots()[0];
+  Chain chain{closed, 0, CornerSlot(slots[closed]).code()};
   uint64_t last = chain.code.begins_at_seam() ? UINT64_MAX : chain.code.bits();
   uint32_t at = closed;
   do {
-    const CornerRecord corner(records[at]);
+    const CornerSlot corner(slots[at]);
     const CornerCode code = corner.code();
     if (code.bits() > last) {
       last = code.bits();
@@ -175,37 +175,37 @@ CornerSweep::Chain CornerSweep::chain_of(uint32_t closed) {
 
 // Delivers a region that is one ring. When the sink says "not now" the ordinary delivery goes on.
 bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& statistics) {
-  Record<uint32_t, NoNormal>* const records = &fragments_.records()[0];
+  Slot<uint32_t, NoNormal>* const slots = &fragments_.slots()[0];
   const Direction* const direction = directions.of[ring.code.incidence()];
   Event event{};
   event.incidence = ring.code.incidence();
   event.start = ring.code.vertex();
   uint32_t taken = 0;
   uint64_t links = 0;
-  const auto tell = [&](Event::Kind kind) {
+  const auto send = [&](Event::Kind kind) {
     event.kind = kind;
     if (sink.take(sink.context, event) != SinkResult::accepted) return false;
     ++taken;
     return true;
   };
-  const auto tell_runs = [&] {
+  const auto send_runs = [&] {
     uint32_t next = ring.start;
     CornerCode code = ring.code;
     do {
       const CornerCode from = code;
       do {
-        next = CornerRecord(records[next]).next();
-        code = CornerRecord(records[next]).code();
+        next = CornerSlot(slots[next]).next();
+        code = CornerSlot(slots[next]).code();
       } while (code.onwards() == from.onwards());
       const uint32_t length = links_between(from, code);
       links += length;
       event.run = Run::straight(direction[from.onwards()], length);
-      if (!tell(Event::Kind::run)) return false;
+      if (!send(Event::Kind::run)) return false;
     } while (next != ring.start);
     return true;
   };
-  if (!tell(Event::Kind::region) || !tell(Event::Kind::ring) || !tell_runs() ||
-      !tell(Event::Kind::region_end)) {
+  if (!send(Event::Kind::region) || !send(Event::Kind::ring) || !send_runs() ||
+      !send(Event::Kind::region_end)) {
     put_out(ring);
     delivery_.begin(fragments_);
     for (; taken > 0; --taken) delivery_.go_on(fragments_, statistics);
@@ -220,21 +220,21 @@ bool CornerSweep::deliver(const Chain& ring, const Sink& sink, Statistics& stati
 // Makes of a closed chain what goes out of the fragments.
 void CornerSweep::put_out(const Chain& chain) {
   using Kind = Outgoing<uint32_t>::Kind;
-  Records& records = fragments_.records();
+  Slots& slots = fragments_.slots();
   const CornerCode start = chain.code;
   auto& outgoing = fragments_.outgoing();
   outgoing.kind = start.begins_at_seam() ? Kind::fragment : Kind::ring;
   outgoing.incidence = start.incidence();
   outgoing.start = start.vertex();
   outgoing.incoming = sector_table.direction(start.incidence(), start.onwards());
-  outgoing.last = no_record;
+  outgoing.last = no_slot;
   uint32_t at = chain.start;
   do {
-    const CornerRecord corner(records[at]);
-    const CornerRecord next(records[corner.next()]);
-    append_side(records, outgoing.last, corner.code(), next.code());
+    const CornerSlot corner(slots[at]);
+    const CornerSlot next(slots[corner.next()]);
+    append_side(slots, outgoing.last, corner.code(), next.code());
     at = corner.next();
-  } while (at != chain.start && !CornerRecord(records[at]).code().ends_at_seam());
+  } while (at != chain.start && !CornerSlot(slots[at]).code().ends_at_seam());
 }
 
 }  // namespace discmc::trace

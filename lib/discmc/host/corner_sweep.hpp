@@ -1,6 +1,6 @@
 // The sweep of a host: faster, and with the same events, while there is memory to spare.
 //
-// Then fragments are lists of corners (corners.hpp). When too many records would be in use they are
+// Then fragments are lists of corners (corners.hpp). When too many slots would be in use they are
 // handed over to the sweep that firmware has, which goes on.
 #ifndef DISCMC_HOST_CORNER_SWEEP_HPP
 #define DISCMC_HOST_CORNER_SWEEP_HPP
@@ -28,7 +28,7 @@ class CornerSweep : private Sweep<uint32_t, NoNormal> {
              Statistics& statistics);
 
  private:
-  using Records = Corners::Records;
+  using Slots = Corners::Slots;
 
   // A chain that is closed, or cut off at seams.
   struct Chain {
@@ -48,7 +48,7 @@ class CornerSweep : private Sweep<uint32_t, NoNormal> {
   bool deliver(const Chain& ring, const Sink& sink, Statistics& statistics);
   void put_out(const Chain& chain);
 
-  Records& records() { return fragments_.records(); }
+  Slots& slots() { return fragments_.slots(); }
 
   bool keeps_corners_ = false;
   bool is_suspended_ = false;  // the sink has said "not now"

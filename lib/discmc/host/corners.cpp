@@ -5,16 +5,16 @@ namespace discmc::trace {
 
 namespace {
 
-using Records = Corners::Records;
+using Slots = Corners::Slots;
 using Lists = Corners::Chains::Lists;
 
-CornerRecord corner(Records& records, uint32_t index) {
-  return CornerRecord(records[index]);
+CornerSlot corner(Slots& slots, uint32_t index) {
+  return CornerSlot(slots[index]);
 }
 
-// The slots of queues, counted through all records.
-uint32_t* slots(Records& records) {
-  return reinterpret_cast<uint32_t*>(&records[0]);
+// The seats of queues, counted through all slots.
+uint32_t* seats(Slots& slots) {
+  return reinterpret_cast<uint32_t*>(&slots[0]);
 }
 
 /// The queues in which begins wait; in the others tails do.
@@ -52,87 +52,87 @@ bool is_centroid(const Vertex& v) {
   return (v.x & v.y & v.z & 1) != 0;
 }
 
-using Add = void(Records&, uint32_t&, const Lists::Slot&);
+using Add = void(Slots&, uint32_t&, const Lists::Entry&);
 
 // Adds a straight side to a list, in as many runs as it takes.
-void add_runs(Records& records, uint32_t& list, Direction direction, uint32_t length, Add& add) {
+void add_runs(Slots& slots, uint32_t& list, Direction direction, uint32_t length, Add& add) {
   while (length > 0) {
     const uint32_t taken = length < longest_short_run ? length : longest_short_run;
-    Lists::Slot slot;
-    slot.run = short_run(direction, taken);
-    add(records, list, slot);
+    Lists::Entry entry;
+    entry.run = short_run(direction, taken);
+    add(slots, list, entry);
     length -= taken;
   }
 }
 // The side from a corner to the next.
-void add_side(Records& records, uint32_t& list, CornerCode from, CornerCode to, Add& add) {
-  add_runs(records, list, sector_table.direction(from.incidence(), from.onwards()),
+void add_side(Slots& slots, uint32_t& list, CornerCode from, CornerCode to, Add& add) {
+  add_runs(slots, list, sector_table.direction(from.incidence(), from.onwards()),
            links_between(from, to), add);
 }
 
-/// Makes fragments of records out of lists of corners, which it gives back.
+/// Makes fragments of slots out of lists of corners, which it gives back.
 class HandOver {
  public:
   HandOver(Corners::Chains& chains, const Front& front)
-      : chains_(chains), records_(chains.records()), front_(front) {}
+      : chains_(chains), slots_(chains.slots()), front_(front) {}
 
   /// A begin that waits at a corner: hands it over with all up to the origin of the arm to the
   /// tail, which stays behind and names it, unless the fragment ends there, at a seam.
   void hand_over_begin(uint8_t queue, uint32_t at) {
-    uint32_t list = no_record;
-    const CornerCode first = corner(records_, at).code();
+    uint32_t list = no_slot;
+    const CornerCode first = corner(slots_, at).code();
     const uint32_t begin = add_end(queue, first, first.came(), opposite_link(first.came()), list);
     uint32_t origin = at;
-    while (!corner(records_, origin).code().is_origin()) origin = corner(records_, origin).next();
-    const uint32_t last = corner(records_, origin).mate();
+    while (!corner(slots_, origin).code().is_origin()) origin = corner(slots_, origin).next();
+    const uint32_t last = corner(slots_, origin).mate();
     append_sides(at, last, list);
-    if (corner(records_, last).code().ends_at_seam()) {
-      records_.give(last);
+    if (corner(slots_, last).code().ends_at_seam()) {
+      slots_.give(last);
       return chains_.connect(begin, loose_end<uint32_t>(), list);
     }
-    records_[begin].end.last = list;
-    corner(records_, last).set_next(begin);
-    corner(records_, last).set_mate(no_record);
+    slots_[begin].end.last = list;
+    corner(slots_, last).set_next(begin);
+    corner(slots_, last).set_mate(no_slot);
   }
 
   /// A tail that waits at a corner: hands it over with the arm to it, and with all from the seam on
   /// where the fragment begins there.
   void hand_over_tail(uint8_t queue, uint32_t at) {
-    uint32_t list = no_record;
-    CornerCode code = corner(records_, at).code();
+    uint32_t list = no_slot;
+    CornerCode code = corner(slots_, at).code();
     if (code.begins_at_seam() && !front_.has_passed(code.vertex())) {
-      records_.give(at);
+      slots_.give(at);
       return chains_.push_lost(queue);
     }
     const uint32_t tail = add_end(queue, code, code.onwards(), code.onwards(), list);
     while (!code.is_origin()) {
-      const uint32_t before = corner(records_, at).next();
-      const CornerCode code_before = corner(records_, before).code();
-      add_side(records_, list, code_before, code, Lists::prepend);
-      records_.give(at);
+      const uint32_t before = corner(slots_, at).next();
+      const CornerCode code_before = corner(slots_, before).code();
+      add_side(slots_, list, code_before, code, Lists::prepend);
+      slots_.give(at);
       at = before;
       code = code_before;
     }
-    const uint32_t first = corner(records_, at).mate();
-    uint32_t begin = corner(records_, at).next(), list_before = no_record;
-    if (first == no_record) {
-      list_before = records_[begin].end.last;
+    const uint32_t first = corner(slots_, at).mate();
+    uint32_t begin = corner(slots_, at).next(), list_before = no_slot;
+    if (first == no_slot) {
+      list_before = slots_[begin].end.last;
     } else {
-      const CornerCode seam = corner(records_, first).code();
+      const CornerCode seam = corner(slots_, first).code();
       begin = loose_end<uint32_t>(sector_table.direction(seam.incidence(), seam.onwards()));
       append_sides(first, at, list_before);
     }
-    records_.give(at);
-    chains_.connect(begin, tail, Lists::concatenate(records_, list_before, list));
+    slots_.give(at);
+    chains_.connect(begin, tail, Lists::concatenate(slots_, list_before, list));
   }
 
  private:
   // Appends the sides between two corners to a list, and gives back the corners but the last.
   void append_sides(uint32_t at, uint32_t last, uint32_t& list) {
     while (at != last) {
-      const uint32_t next = corner(records_, at).next();
-      append_side(records_, list, corner(records_, at).code(), corner(records_, next).code());
-      records_.give(at);
+      const uint32_t next = corner(slots_, at).next();
+      append_side(slots_, list, corner(slots_, at).code(), corner(slots_, next).code());
+      slots_.give(at);
       at = next;
     }
   }
@@ -145,11 +145,11 @@ class HandOver {
     // A chain that comes may turn at the centroid on the way: see corner_passes().
     const uint32_t passed =
         side != ahead && is_centroid(vertex + step) ? 0 : links_passed(vertex, step);
-    add_runs(records_, list, direction, passed, Lists::append);
+    add_runs(slots_, list, direction, passed, Lists::append);
     move(vertex, ahead, passed);
-    const uint32_t end = records_.take();
-    records_[end].end.side = Side(direction, place_of(vertex));
-    records_[end].end.mate = end;  // until it has one
+    const uint32_t end = slots_.take();
+    slots_[end].end.side = Side(direction, place_of(vertex));
+    slots_[end].end.mate = end;  // until it has one
     chains_.push(queue, end);
     return end;
   }
@@ -166,65 +166,65 @@ class HandOver {
   }
 
   Corners::Chains& chains_;
-  Records& records_;
+  Slots& slots_;
   Front front_;
 };
 
 }  // namespace
 
-void append_side(Records& records, uint32_t& list, CornerCode from, CornerCode to) {
-  add_side(records, list, from, to, Lists::append);
+void append_side(Slots& slots, uint32_t& list, CornerCode from, CornerCode to) {
+  add_side(slots, list, from, to, Lists::append);
 }
 
 // ---- room ----
 
-bool Corners::start(Records& records) {
-  constexpr uint32_t block = min_slots / slots_per_record;
+bool Corners::start(Slots& slots) {
+  constexpr uint32_t block = min_seats / seats_per_slot;
   corners_ = free_corners_ = free_places_ = 0;
-  free_ = no_record;
+  free_ = no_slot;
   joins_ = next_join_ = 0;
-  if (records.available() < min_records) return false;
+  if (slots.available() < min_slots) return false;
   for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
     count_[exit_of(queue)] = count_[entry_of(queue)] = 0;
-    set_ring(records, queue, min_slots - 1, records.take_fresh(block));
+    set_ring(slots, queue, min_seats - 1, slots.take_fresh(block));
   }
   return true;
 }
 
-// Gives a queue a ring of slots in a block of records. They are written, as all records in use are.
-void Corners::set_ring(Records& records, uint32_t queue, uint32_t mask, uint32_t block) {
-  const uint32_t first = block * slots_per_record;
-  for (uint32_t i = 0; i <= mask; ++i) slots(records)[first + i] = 0;
+// Gives a queue a ring of seats in a block of slots. They are written, as all slots in use are.
+void Corners::set_ring(Slots& slots, uint32_t queue, uint32_t mask, uint32_t block) {
+  const uint32_t first = block * seats_per_slot;
+  for (uint32_t i = 0; i <= mask; ++i) seats(slots)[first + i] = 0;
   mask_[exit_of(queue)] = mask_[entry_of(queue)] = mask;
   first_[exit_of(queue)] = first_[entry_of(queue)] = first;
 }
 
-bool Corners::find_room(Records& records, uint32_t corners, uint32_t edges) {
+bool Corners::find_room(Slots& slots, uint32_t corners, uint32_t edges) {
   const uint32_t more = corners > free_corners_ ? corners - free_corners_ : 0;
-  if (records.available() < more + reserve_of(corners_ + more)) return false;
-  add_corners(records, more);
-  return edges <= free_places_ || find_places(records);
+  if (slots.available() < more + reserve_of(corners_ + more)) return false;
+  add_corners(slots, more);
+  return edges <= free_places_ || find_places(slots);
 }
 
-void Corners::add_corners(Records& records, uint32_t count) {
+void Corners::add_corners(Slots& slots, uint32_t count) {
   corners_ += count;
   free_corners_ += count;
   for (; count > 0; --count) {
-    const uint32_t index = records.take();
-    CornerRecord made = corner(records, index);
+    const uint32_t index = slots.take();
+    CornerSlot made = corner(slots, index);
     made.set_next(free_);
-    made.set_mate(no_record);
+    made.set_mate(no_slot);
     made.set_code(CornerCode(0));
     free_ = index;
   }
 }
 
 // Makes room in the queues: each has a free place at least for each one that is taken.
-bool Corners::find_places(Records& records) {
+bool Corners::find_places(Slots& slots) {
   free_places_ = UINT32_MAX;
   for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
     const uint32_t mask = mask_[entry_of(queue)];
-    if (waiting(queue) > mask / 2 && !grow(records, queue)) return false;
+    if (waiting(queue) > mask / 2 && !grow(slots, queue)) return false;
     const uint32_t free = mask_[entry_of(queue)] + 1 - waiting(queue);
     if (free < free_places_) free_places_ = free;
   }
@@ -232,49 +232,49 @@ bool Corners::find_places(Records& records) {
 }
 
 // Makes a queue twice as long.
-DISCMC_NOINLINE bool Corners::grow(Records& records, uint32_t queue) {
+DISCMC_NOINLINE bool Corners::grow(Slots& slots, uint32_t queue) {
   const uint32_t old_mask = mask_[entry_of(queue)], old_first = first_[entry_of(queue)];
   const uint32_t mask = 2 * old_mask + 1;
-  const uint32_t old_block = (old_mask + 1) / slots_per_record;
-  const bool has_room = records.available() >= reserve_of(corners_) + 2 * old_block;
-  const uint32_t block = has_room ? records.take_fresh(2 * old_block) : no_record;
-  if (block == no_record) return false;
-  set_ring(records, queue, mask, block);
-  uint32_t* const slot = slots(records);
+  const uint32_t old_block = (old_mask + 1) / seats_per_slot;
+  const bool has_room = slots.available() >= reserve_of(corners_) + 2 * old_block;
+  const uint32_t block = has_room ? slots.take_fresh(2 * old_block) : no_slot;
+  if (block == no_slot) return false;
+  set_ring(slots, queue, mask, block);
+  uint32_t* const seat = seats(slots);
   for (uint32_t i = count_[exit_of(queue)]; i != count_[entry_of(queue)]; ++i)
-    slot[first_[entry_of(queue)] + (i & mask)] = slot[old_first + (i & old_mask)];
-  for (uint32_t i = 0; i < old_block; ++i) records.give(old_first / slots_per_record + i);
+    seat[first_[entry_of(queue)] + (i & mask)] = seat[old_first + (i & old_mask)];
+  for (uint32_t i = 0; i < old_block; ++i) slots.give(old_first / seats_per_slot + i);
   return true;
 }
 
 // ---- chains ----
 
-void Corners::take(Records& records, const LearntPasses& passes) {
-  Record<uint32_t, NoNormal>* const record = &records[0];
-  uint32_t* const slot = slots(records);
+void Corners::take(Slots& slots, const LearntPasses& passes) {
+  Slot<uint32_t, NoNormal>* const slot = &slots[0];
+  uint32_t* const seat = seats(slots);
   const NumberedPasses& numbered = passes.numbered();
   uint32_t free = free_;
   uint32_t joins = 0;
   uint32_t taken = passes.count();
   for (const FoundPass found : passes) {
     const CornerPass& pass = numbered[found];
-    uint32_t& in_slot = slot[first_[pass.in] + (count_[pass.in]++ & mask_[pass.in])];
-    uint32_t& out_slot = slot[first_[pass.out] + (count_[pass.out]++ & mask_[pass.out])];
-    const uint32_t from = in_slot, to = out_slot;
+    uint32_t& in_seat = seat[first_[pass.in] + (count_[pass.in]++ & mask_[pass.in])];
+    uint32_t& out_seat = seat[first_[pass.out] + (count_[pass.out]++ & mask_[pass.out])];
+    const uint32_t from = in_seat, to = out_seat;
     const uint32_t before = is_entry(pass.in) ? to : from;
     join_[joins] = {free, to};
     joins += pass.joins;
-    CornerRecord corner(record[free]);
+    CornerSlot corner(slot[free]);
     const uint32_t next_free = corner.next();
     // Where there is no corner none is made: what goes on is what was there before.
     const auto if_straight = static_cast<uint32_t>(int32_t{pass.if_straight});
     const uint32_t next_change = (before ^ next_free) & if_straight;
-    const uint32_t slot_change = (before ^ free) & if_straight;
+    const uint32_t seat_change = (before ^ free) & if_straight;
     corner.set_next(before ^ next_change);
     corner.set_mate(free);
     corner.set_code(CornerCode(found + pass.corner));
-    in_slot = out_slot = free ^ slot_change;
-    free = next_free ^ next_change ^ slot_change;
+    in_seat = out_seat = free ^ seat_change;
+    free = next_free ^ next_change ^ seat_change;
     taken += if_straight;
   }
   free_ = free;
@@ -283,46 +283,46 @@ void Corners::take(Records& records, const LearntPasses& passes) {
   joins_ = joins;
 }
 
-void Corners::cut_at_seam(Records& records, const Pass& pass, const Vertex& vertex) {
+void Corners::cut_at_seam(Slots& slots, const Pass& pass, const Vertex& vertex) {
   const auto corner_at = [&](const Vertex& at, Link incoming, Link onwards) {
     return CornerCode(CornerCode::position(at) |
                       CornerCode::sides(pass.incidence, incoming, onwards, true));
   };
   if (pass.in >= first_rising_queue)
-    add_at_seam(records, pass.in, pass.comes_from_ahead,
+    add_at_seam(slots, pass.in, pass.comes_from_ahead,
                 corner_at(vertex, pass.incoming, CornerCode::beyond_seam));
   if (pass.out >= first_rising_queue)
-    add_at_seam(records, pass.out, pass.goes_ahead(),
+    add_at_seam(slots, pass.out, pass.goes_ahead(),
                 corner_at(Chains::next_vertex(pass, vertex), CornerCode::beyond_seam, pass.second));
 }
 
 // Adds an origin that waits for what comes, or meets what has waited.
-void Corners::add_at_seam(Records& records, uint8_t queue, bool waits, CornerCode code) {
-  if (free_corners_ == 0) add_corners(records, 1);
+void Corners::add_at_seam(Slots& slots, uint8_t queue, bool waits, CornerCode code) {
+  if (free_corners_ == 0) add_corners(slots, 1);
   --free_corners_;
   const uint32_t index = free_;
-  CornerRecord made = corner(records, index);
+  CornerSlot made = corner(slots, index);
   free_ = made.next();
   made.set_mate(index);
   made.set_code(code);
   const Port port = waits ? entry_of(queue) : exit_of(queue);
-  uint32_t& slot = slots(records)[first_[port] + (count_[port]++ & mask_[port])];
+  uint32_t& seat = seats(slots)[first_[port] + (count_[port]++ & mask_[port])];
   if (waits) {
-    slot = index;
+    seat = index;
     --free_places_;
     return;
   }
-  made.set_next(code.ends_at_seam() ? slot : index);
-  join_[joins_++] = {index, code.ends_at_seam() ? index : slot};
+  made.set_next(code.ends_at_seam() ? seat : index);
+  join_[joins_++] = {index, code.ends_at_seam() ? index : seat};
 }
 
-uint32_t Corners::close_chain(Records& records) {
+uint32_t Corners::close_chain(Slots& slots) {
   while (next_join_ != joins_) {
     const Join join = join_[next_join_++];
     // The arm to the tail that came, turned round.
-    uint32_t from = corner(records, join.corner).next();
+    uint32_t from = corner(slots, join.corner).next();
     for (uint32_t after = join.corner;;) {
-      CornerRecord turned = corner(records, from);
+      CornerSlot turned = corner(slots, from);
       const uint32_t before = turned.next();
       turned.set_next(after);
       if (turned.code().is_origin()) break;
@@ -330,27 +330,26 @@ uint32_t Corners::close_chain(Records& records) {
       from = before;
     }
     // The arm from the begin that waited.
-    corner(records, join.corner).set_next(join.to);
+    corner(slots, join.corner).set_next(join.to);
     uint32_t to = join.to;
-    while (!corner(records, to).code().is_origin()) to = corner(records, to).next();
-    const uint32_t begin = corner(records, from).mate();
+    while (!corner(slots, to).code().is_origin()) to = corner(slots, to).next();
+    const uint32_t begin = corner(slots, from).mate();
     if (begin == to) return join.corner;
-    const uint32_t tail = corner(records, to).mate();
-    corner(records, begin).set_mate(tail);
-    corner(records, tail).set_mate(begin);
-    if (corner(records, begin).code().begins_at_seam() &&
-        corner(records, tail).code().ends_at_seam()) {
-      corner(records, tail).set_next(begin);
+    const uint32_t tail = corner(slots, to).mate();
+    corner(slots, begin).set_mate(tail);
+    corner(slots, tail).set_mate(begin);
+    if (corner(slots, begin).code().begins_at_seam() && corner(slots, tail).code().ends_at_seam()) {
+      corner(slots, tail).set_next(begin);
       return begin;
     }
   }
   joins_ = next_join_ = 0;
-  return no_record;
+  return no_slot;
 }
 
-void Corners::give(Records& records, uint32_t chain, uint32_t count) {
-  const uint32_t second = corner(records, chain).next();
-  corner(records, chain).set_next(free_);
+void Corners::give(Slots& slots, uint32_t chain, uint32_t count) {
+  const uint32_t second = corner(slots, chain).next();
+  corner(slots, chain).set_next(free_);
   free_ = second;
   free_corners_ += count;
 }
@@ -358,12 +357,12 @@ void Corners::give(Records& records, uint32_t chain, uint32_t count) {
 // ---- handing over ----
 
 void Corners::hand_over(Chains& chains, const SweptRow& row, uint32_t word) {
-  Records& records = chains.records();
+  Slots& slots = chains.slots();
   const BeginQueues begins = begin_queues();
   HandOver fragments(chains, {static_cast<int32_t>(column_of(word, 1)), row.y, row.z});
   const auto hand_over_from = [&](uint8_t queue) {
     for (uint32_t i = count_[exit_of(queue)]; i != count_[entry_of(queue)]; ++i) {
-      const uint32_t at = slots(records)[first_[exit_of(queue)] + (i & mask_[exit_of(queue)])];
+      const uint32_t at = seats(slots)[first_[exit_of(queue)] + (i & mask_[exit_of(queue)])];
       if (begins.has[queue])
         fragments.hand_over_begin(queue, at);
       else
@@ -375,20 +374,19 @@ void Corners::hand_over(Chains& chains, const SweptRow& row, uint32_t word) {
     if (begins.has[queue]) hand_over_from(queue);
   for (uint8_t queue = 0; queue < queue_count; ++queue)
     if (!begins.has[queue]) hand_over_from(queue);
-  give_all(records);
+  give_all(slots);
 }
 
 // Gives back what no fragment uses.
-void Corners::give_all(Records& records) {
-  while (free_ != no_record) {
-    const uint32_t next = corner(records, free_).next();
-    records.give(free_);
+void Corners::give_all(Slots& slots) {
+  while (free_ != no_slot) {
+    const uint32_t next = corner(slots, free_).next();
+    slots.give(free_);
     free_ = next;
   }
   for (uint32_t queue = 0; queue <= inner_queue; ++queue) {
-    const uint32_t block = first_[exit_of(queue)] / slots_per_record;
-    for (uint32_t i = 0; i <= mask_[exit_of(queue)] / slots_per_record; ++i)
-      records.give(block + i);
+    const uint32_t block = first_[exit_of(queue)] / seats_per_slot;
+    for (uint32_t i = 0; i <= mask_[exit_of(queue)] / seats_per_slot; ++i) slots.give(block + i);
   }
 }
 

@@ -7,7 +7,7 @@
 // It has two memories, which must not overlap. In that of learn_in() it remembers what it works out
 // of neighbourhoods: without it the events are the same, but cost more. In that of start() it
 // keeps fragments as any extractor, but as lists of corners while there is room: from 37,120
-// records on, some 600 KiB beside the rows, and ten records for each corner that waits. When that
+// slots on, some 600 KiB beside the rows, and ten slots for each corner that waits. When that
 // is used up it goes on as any other extractor.
 //
 // The events are the same as of other extractors, as long as nothing goes out loose; what does may

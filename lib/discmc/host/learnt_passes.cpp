@@ -18,9 +18,9 @@ uint64_t two_words(const uint32_t* words) {
 // Passes by words in which no edge crosses, two at a time.
 DISCMC_ALWAYS_INLINE uint32_t pass_by(const SweptRow& row, uint32_t word) {
   constexpr uint64_t own = own_columns * 0x100000001;
-  const uint32_t* const here = row.rows.row[1][1];
-  const uint32_t* const behind = row.rows.row[1][2];
-  const uint32_t* const above = row.rows.row[2][1];
+  const uint32_t* const here = row.around.row[1][1];
+  const uint32_t* const behind = row.around.row[1][2];
+  const uint32_t* const above = row.around.row[2][1];
   for (; word + 2 <= row.words; word += 2) {
     const uint64_t on = two_words(here + word);
     const uint64_t along_y = on ^ two_words(behind + word);
@@ -112,7 +112,7 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
        word = pass_by(row, word + 1)) {
     Crossings crossings;
     if (!crossings.find(row, word)) continue;
-    const BlockWord block(row.rows, word);
+    const BlockWord block(row.around, word);
     for (uint32_t left = crossings.voxels(); left != 0; left &= left - 1) {
       const uint32_t bit = trailing_zeros(left);
       const uint64_t voxel = origin + next_voxel * (column_of(word, bit) + 1);
@@ -132,7 +132,7 @@ uint32_t LearntPasses::collect(const SweptRow& row) {
 
 // Marks the edges around which cells may be absent: nothing is learnt of these.
 void LearntPasses::mark_incomplete(const SweptRow& row, Edge* end) {
-  const bool has_all_rows = row.missing[0] == 0;
+  const bool has_all_rows = row.absent_quadrants[0] == 0;
   if (has_all_rows && !row.has_open_ends) return;
   const uint64_t first = CornerCode::position({0, 2 * row.y, 2 * row.z});
   const uint64_t last = first + next_voxel * (row.width - 1);
@@ -181,8 +181,8 @@ DISCMC_NOINLINE LearntPasses::Derived LearntPasses::derive(const SweptRow& row, 
   const Vertex next = CornerCode(edge.voxel + next_voxel).vertex();
   const auto column = static_cast<uint32_t>(next.x) / 2;
   PassList list;
-  derive_passes({row.rows, column / columns_per_word, column % columns_per_word + 1, axis},
-                row.absent(axis, column - 1), list);
+  derive_passes({row.around, column / columns_per_word, column % columns_per_word + 1, axis},
+                row.absent_at(axis, column - 1), list);
   uint32_t count = 0;
   for (uint32_t i = 0; i < list.count; ++i) {
     const NumberedPasses::Numbers numbers = numbered_.of(list.pass[i], axis);

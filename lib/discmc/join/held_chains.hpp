@@ -11,7 +11,7 @@ namespace discmc {
 
 /// A run of a chain, and the normal where it starts.
 struct HeldRun {
-  uint32_t next;  ///< no_record behind the last
+  uint32_t next;  ///< no_slot behind the last
   Run run;
   OctahedralNormal normal;
 };
@@ -42,7 +42,7 @@ struct HeldChain {
 
 static_assert(sizeof(HeldChain) == 48 && sizeof(HeldRun) == 12, "what joiner.hpp reckons with");
 
-/// Chains and their runs in two pools, named by index from 1 on. Owner: the records lie in the
+/// Chains and their runs in two pools, named by index from 1 on. Owner: the slots lie in the
 /// arena. Cost of every function but contains() and give(): a few instructions.
 class HeldChains {
  public:
@@ -56,7 +56,7 @@ class HeldChains {
     runs_.clear();
   }
 
-  /// An open chain without runs, or no_record when there is no room.
+  /// An open chain without runs, or no_slot when there is no room.
   uint32_t take(Incidence incidence, const Vertex& start, Direction incoming);
 
   /// Gives a chain back, and its runs. Cost: its runs.

@@ -71,7 +71,7 @@ bool Joiner::begin_fragment(const Event& event) {
       return true;
     }
     arriving_ = chains().take(event.incidence, event.start, event.incoming_direction);
-    if (arriving_ != no_record) {
+    if (arriving_ != no_slot) {
       arrival_ = Arrival::held;
       return true;
     }
@@ -168,7 +168,7 @@ bool Joiner::pass_loose(const Event& event) {
 // Joins the fragment that has arrived with what it belongs to.
 void Joiner::place_fragment() {
   const uint32_t arrived = arriving_;
-  if (chains()[arrived].first_run == no_record) {
+  if (chains()[arrived].first_run == no_slot) {
     arrival_ = Arrival::ignored;
     return;
   }
@@ -176,7 +176,7 @@ void Joiner::place_fragment() {
   if (result.joined == WaitingChains::Joined::no_room) return run_short();
   ++report_.fragments;
   arrival_ = Arrival::none;
-  arriving_ = no_record;
+  arriving_ = no_slot;
   if (result.joined == WaitingChains::Joined::refused) return begin_loose(arrived);
   if (result.joined == WaitingChains::Joined::open) return;
   chains().close(result.chain);
@@ -188,15 +188,15 @@ void Joiner::place_fragment() {
 }
 
 void Joiner::forget_fragment() {
-  if (arriving_ != no_record) chains().give(arriving_);
-  arriving_ = no_record;
+  if (arriving_ != no_slot) chains().give(arriving_);
+  arriving_ = no_slot;
   arrival_ = Arrival::none;
 }
 
 // From now on everything is passed on, what is held first.
 void Joiner::run_short() {
   is_short_ = true;
-  if (arriving_ != no_record) arrival_ = Arrival::passed;
+  if (arriving_ != no_slot) arrival_ = Arrival::passed;
   let_all_go();
 }
 
@@ -250,7 +250,7 @@ void Joiner::go_on() {
     default:  // ring and fragment
       next_kind_ = Event::Kind::run;
   }
-  if (chains()[delivered_].first_run == no_record) end_chain();
+  if (chains()[delivered_].first_run == no_slot) end_chain();
 }
 
 // All runs of the chain are gone.
@@ -262,7 +262,7 @@ void Joiner::end_chain() {
       next_kind_ = Event::Kind::fragment_end;
       return;
     case Delivery::beginning:
-      arriving_ = no_record;
+      arriving_ = no_slot;
       delivery_ = Delivery::none;
       return;
     default:
@@ -280,7 +280,7 @@ void Joiner::begin_delivery(Delivery delivery, Event::Kind kind, uint32_t chain)
 
 void Joiner::begin_next_hole() {
   const uint32_t hole = claimed_;
-  if (hole != no_record) {
+  if (hole != no_slot) {
     claimed_ = chains()[hole].next;
     begin_delivery(delivery_, Event::Kind::ring, hole);
   } else if (delivery_ == Delivery::region) {
@@ -315,7 +315,7 @@ bool Joiner::begin_next_loose() {
   is_letting_go_ = false;
   looked_at_ = 0;
   waiting_.forget();
-  if (arriving_ == no_record) return false;
+  if (arriving_ == no_slot) return false;
   begin_delivery(Delivery::beginning, Event::Kind::fragment, arriving_);
   if (passes_loose()) return true;
   end_chain();

@@ -9,8 +9,8 @@ constexpr uint32_t none = WaitingTable::none;
 }  // namespace
 
 void WaitingChains::start(Arena& arena, uint32_t chains, uint32_t runs) {
-  HeldChain* const chain_records = arena.take<HeldChain>(chains);
-  chains_.start(chain_records, chains, arena.take<HeldRun>(runs), runs);
+  HeldChain* const chain_slots = arena.take<HeldChain>(chains);
+  chains_.start(chain_slots, chains, arena.take<HeldRun>(runs), runs);
   chains_.clear();
   const uint32_t slots = slots_for(chains);
   uint32_t* const hashes = arena.take<uint32_t>(slots);
@@ -86,17 +86,17 @@ uint32_t WaitingChains::first_outer(Incidence incidence, const Vertex& vertex) c
 // Puts another ring, or none, in the place of the first on a plane.
 void WaitingChains::set_first(uint32_t ring, uint32_t first, Role role) {
   table_.replace(plane_key(ring, role), entry(ring, role),
-                 first != no_record ? entry(first, role) : none);
+                 first != no_slot ? entry(first, role) : none);
 }
 
 uint32_t WaitingChains::take_claimed(uint32_t first_hole) {
-  uint32_t claimed = no_record, left = no_record;
-  for (uint32_t hole = first_hole; hole != no_record;) {
-    HeldChain& record = chains_[hole];
-    const bool is_claimed = record.state == HeldChain::State::hole_claimed;
+  uint32_t claimed = no_slot, left = no_slot;
+  for (uint32_t hole = first_hole; hole != no_slot;) {
+    HeldChain& slot = chains_[hole];
+    const bool is_claimed = slot.state == HeldChain::State::hole_claimed;
     uint32_t& list = is_claimed ? claimed : left;
-    const uint32_t next = record.next;
-    record.next = list;
+    const uint32_t next = slot.next;
+    slot.next = list;
     list = hole;
     if (is_claimed) --hole_count_;
     hole = next;

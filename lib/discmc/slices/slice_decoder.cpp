@@ -56,14 +56,14 @@ Status SliceDecoder::finish() {
 
 // ---- packets ----
 
-void SliceDecoder::open(PacketReader::Arrival arrival) {
+void SliceDecoder::open(PacketReader::Completed arrival) {
   if (packets_.is_refused()) refusal_ = Status::wrong_version;
   if (packets_.take_gap()) is_whole_ = false;
   if (report().holds_slices && !is_laid_out_) lay_out();
   if (!is_laid_out_) return;
-  if (arrival == PacketReader::Arrival::slices) open_slices();
-  if (arrival == PacketReader::Arrival::application) stage_ = Stage::application;
-  if (arrival == PacketReader::Arrival::trailer) {
+  if (arrival == PacketReader::Completed::slices) open_slices();
+  if (arrival == PacketReader::Completed::application) stage_ = Stage::application;
+  if (arrival == PacketReader::Completed::trailer) {
     const uint64_t most = uint64_t{Limits::max_slices} * header().height;
     const uint64_t total = report().total_rows < most ? report().total_rows : most;
     lost_rows_ = total > passed_rows_ ? total - passed_rows_ : 0;
@@ -205,9 +205,9 @@ bool SliceDecoder::begin_row() {
 bool SliceDecoder::read_note() {
   note_ = RowNote::none;
   if (!coder_.code_bit(surfaces_.note(), false)) return true;
-  const uint32_t told = coder_.number(slices::note_bits, 0);
-  if (told >= static_cast<uint32_t>(RowNote::none)) return false;
-  note_ = static_cast<RowNote>(told);
+  const uint32_t note = coder_.number(slices::note_bits, 0);
+  if (note >= static_cast<uint32_t>(RowNote::none)) return false;
+  note_ = static_cast<RowNote>(note);
   return note_ != RowNote::repeated || !is_key_ahead_;
 }
 

@@ -11,10 +11,10 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   if (!header.is_valid()) return Status::bad_label;
   if (output.write == nullptr) return Status::bad_sink;
   if (memory.data == nullptr ||
-      memory.bytes < slice_encoder_bytes(limits, key_slices, header.surfaces()))
+      memory.bytes < slice_encoder_bytes(limits, key_slices, header.surface_count))
     return Status::too_little_memory;
-  packets_.open(output);
-  packets_.start(header, wire::HeaderFlags::slices);
+  packets_.attach(output);
+  packets_.begin_stream(header, wire::HeaderFlags::slices);
   key_slices_ = key_slices;
   lay_out(memory);
   surfaces_.clear();
@@ -25,7 +25,7 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   code_is_open_ = false;
   key_is_due_ = false;
   is_abandoned_ = false;
-  told_rows_ = 0;
+  encoded_rows_ = 0;
   skipped_rows_ = 0;
   return Status::ok;
 }
@@ -56,7 +56,7 @@ PushResult SliceEncoder::push_samples(const Sample* samples, uint32_t count, uin
         samples_of_row(count - result.samples, column(), packets_.header().width);
     const Sample* const next = samples + size_t{result.samples} * stride;
     for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
-      surfaces_[surface].rows.append(next, taken, stride, packets_.header().threshold_of(surface));
+      surfaces_[surface].rows.append(next, taken, stride, packets_.header().thresholds[surface]);
     result.samples += taken;
     if (!surfaces_.rows().row_is_complete()) break;
     note_ = RowNote::none;
@@ -158,7 +158,7 @@ size_t SliceEncoder::bytes_used() const {
   if (state_ == State::idle) return 0;
   const StreamHeader& header = packets_.header();
   const uint64_t bytes =
-      slice_encoder_bytes({header.width, header.height}, key_slices_, header.surfaces());
+      slice_encoder_bytes({header.width, header.height}, key_slices_, header.surface_count);
   return static_cast<size_t>(bytes);
 }
 
@@ -200,17 +200,17 @@ Status SliceEncoder::continue_in(Memory memory, const ByteOutput& output) {
 // Does all that is due. False when the output said "not now".
 bool SliceEncoder::work() {
   if (!packets_.drain()) return false;
-  if (row_is_due_ && !tell_row()) return false;
+  if (row_is_due_ && !encode_row()) return false;
   if (state_ == State::finishing) {
     if (code_is_open_ && !end_code()) return false;
     const uint32_t slices_seen = slices() + (rows() > 0 ? 1 : 0);
-    packets_.seal_slices_trailer(slices_seen, is_abandoned_, told_rows_, skipped_rows_);
+    packets_.seal_slices_trailer(slices_seen, is_abandoned_, encoded_rows_, skipped_rows_);
     state_ = State::finished;
   }
   return packets_.drain();
 }
 
-bool SliceEncoder::tell_row() {
+bool SliceEncoder::encode_row() {
   for (; surface_ < surfaces_.count(); ++surface_) {
     if (!row_is_begun_ && !begin_row()) return false;
     while (!row_.is_done()) {
@@ -221,20 +221,20 @@ bool SliceEncoder::tell_row() {
   }
   surface_ = 0;
   row_is_due_ = false;
-  ++told_rows_;
+  ++encoded_rows_;
   surfaces_.next_row();
   return true;
 }
 
 bool SliceEncoder::begin_row() {
-  if (surface_ == 0 && !tell_what_precedes()) return false;
+  if (surface_ == 0 && !encode_what_precedes()) return false;
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? packets_.header().width : 0);
   row_is_begun_ = true;
   return true;
 }
 
 // Tells what comes before the voxels of a row; one that never came has none.
-bool SliceEncoder::tell_what_precedes() {
+bool SliceEncoder::encode_what_precedes() {
   const bool begins_key_slice = is_at_key_slice();
   if (begins_key_slice) {
     if (code_is_open_ && !end_code()) return false;
@@ -245,7 +245,7 @@ bool SliceEncoder::tell_what_precedes() {
     }
   }
   if (!make_room()) return false;
-  tell_note(note_);
+  encode_note(note_);
   if (rows() == 0 && !begins_key_slice) surfaces_.begin_following_slice();
   if (begins_key_slice) key_is_due_ = false;
   return true;
@@ -256,7 +256,7 @@ bool SliceEncoder::is_at_key_slice() const {
   return rows() == 0 && (key_is_due_ || key_slices_.is_key(slices()));
 }
 
-void SliceEncoder::tell_note(RowNote note) {
+void SliceEncoder::encode_note(RowNote note) {
   coder_.code_bit(surfaces_.note(), note != RowNote::none);
   if (note != RowNote::none) coder_.number(slices::note_bits, static_cast<uint32_t>(note));
 }
@@ -298,7 +298,7 @@ void SliceEncoder::begin_code() {
 
 // Ends the code between two rows.
 bool SliceEncoder::end_code() {
-  tell_note(RowNote::end);
+  encode_note(RowNote::end);
   return close_code(0);
 }
 
@@ -311,7 +311,7 @@ bool SliceEncoder::close_code(uint8_t bits) {
   packet_bits_ = static_cast<uint8_t>(packet_bits_ | wire::SliceBits::last | bits);
   uint8_t* end = code_end(coder_.range.finish());
   if (bits == wire::SliceBits::cut) {
-    const uint64_t rows_of_all = told_rows_ * surfaces_.count() + surface_;
+    const uint64_t rows_of_all = encoded_rows_ * surfaces_.count() + surface_;
     end = wire::put(end, static_cast<uint32_t>(rows_of_all), 4);
     end = wire::put(end, row_.left(), 2);
   }

@@ -54,7 +54,7 @@ Decoded SurfaceDecoder::push_to_both(const uint8_t* byte) {
 // The memory holds the rows of the slice decoder first, and behind them what the sweep needs.
 Status SurfaceDecoder::begin_sweep() {
   const Limits limits{header().width, header().height, header().border};
-  const uint64_t of_rows = slice_decoder_bytes(limits, header().surfaces());
+  const uint64_t of_rows = slice_decoder_bytes(limits, header().surface_count);
   if (memory_.data == nullptr || memory_.bytes < of_rows) return Status::too_little_memory;
   const auto bytes = static_cast<size_t>(of_rows);
   const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};
@@ -114,9 +114,9 @@ SinkResult SurfaceDecoder::take(const RowEvent& event) {
 SinkResult SurfaceDecoder::begin(const StreamHeader& all) {
   StreamHeader header = all;
   header.channel = wanted_channel();
-  header.threshold = all.threshold_of(header.channel - uint32_t{all.channel});
-  header.further_surfaces = 0;
-  for (int32_t& threshold : header.further_thresholds) threshold = 0;
+  header.thresholds[0] = all.thresholds[header.channel - uint32_t{all.channel}];
+  for (uint32_t i = 1; i < StreamHeader::max_surfaces; ++i) header.thresholds[i] = 0;
+  header.surface_count = 1;
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header;

@@ -17,7 +17,7 @@ class Surfaces {
   /// Takes rows and probabilities from the arena; clear() writes to them. Limit: a valid header.
   void start(Arena& arena, const StreamHeader& header, uint32_t rows) {
     const Limits limits{header.width, header.height, header.border};
-    count_ = header.surfaces();
+    count_ = header.surface_count;
     height_ = header.height;
     for (Surface& surface : *this) {
       surface.rows.start(arena, limits, rows);

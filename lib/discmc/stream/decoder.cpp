@@ -9,9 +9,9 @@ Status Decoder::start(const Sink& sink, uint8_t channel) {
   packet_sink_ = {};
   packets_.start(channel);
   is_started_ = true;
-  start_is_told_ = false;
+  start_is_sent_ = false;
   stage_ = Stage::collect;
-  lost_is_untold_ = false;
+  lost_is_due_ = false;
   is_open_ = false;
   return Status::ok;
 }
@@ -30,28 +30,28 @@ Status Decoder::finish() {
   if (!is_started_) return Status::not_started;
   if (!deliver()) return status_of(answer_);
   packets_.finish();
-  open(PacketReader::Arrival::nothing);
+  open(PacketReader::Completed::nothing);
   return deliver() ? Status::ok : status_of(answer_);
 }
 
-void Decoder::open(PacketReader::Arrival arrival) {
+void Decoder::open(PacketReader::Completed arrival) {
   if (packets_.take_gap()) lose_open();
-  if (arrival == PacketReader::Arrival::records) {
+  if (arrival == PacketReader::Completed::records) {
     model_ = Model(Coder{RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     normals_are_ahead_ = false;
     const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.take != nullptr;
     if (may_pass) lose_open();
     stage_ = may_pass ? Stage::whole_regions : Stage::records;
-  } else if (arrival == PacketReader::Arrival::application) {
+  } else if (arrival == PacketReader::Completed::application) {
     note_application();
-  } else if (arrival == PacketReader::Arrival::trailer) {
+  } else if (arrival == PacketReader::Completed::trailer) {
     note_finish();
   }
 }
 
 // What is under way cannot be ended: the sink is told.
 void Decoder::lose_open() {
-  lost_is_untold_ = lost_is_untold_ || is_open_;
+  lost_is_due_ = lost_is_due_ || is_open_;
   is_open_ = false;
 }
 
@@ -167,10 +167,10 @@ bool Decoder::read_ring(ChainKind kind) {
   }
   const Vertex u = direction_vector(record_.incidence, direction[0]);
   const Vertex v = direction_vector(record_.incidence, direction[1]);
-  uint32_t told = 0;
-  if (model_.is_parallel()) told = model_.length(1);
-  if (told > max_compact_length) return false;
-  const Closure closure = close_ring(u, v, way, told);
+  uint32_t first_length = 0;
+  if (model_.is_parallel()) first_length = model_.length(1);
+  if (first_length > max_compact_length) return false;
+  const Closure closure = close_ring(u, v, way, first_length);
   if (!closure.is_valid) return false;
   record_.add_run(Run::straight(direction[0], closure.first));
   record_.add_run(Run::straight(direction[1], closure.second));
@@ -255,8 +255,8 @@ void Decoder::read_mark(RecordKind kind) {
 // A part goes on with what the part before began; without that it is of no use.
 // False when the record breaks the grammar: a run that is in no ring, or a ring without a run.
 bool Decoder::begin_record() {
-  told_ = 0;
-  told_runs_ = 0;
+  sent_words_ = 0;
+  sent_runs_ = 0;
   const bool goes_on =
       is_open_ && open_.incidence == record_.incidence && open_.is_fragment == record_.is_fragment;
   if (record_.continues && !goes_on) {
@@ -273,7 +273,7 @@ bool Decoder::begin_record() {
     ring_is_empty_ = false;
   }
   if (!rings_are_whole()) return false;
-  begin_is_untold_ = !record_.continues;
+  begin_is_due_ = !record_.continues;
   return true;
 }
 
@@ -294,13 +294,13 @@ bool Decoder::rings_are_whole() {
 // Offers all that is known to the sink. False when it said "not now".
 bool Decoder::deliver() {
   for (;;) {
-    if (lost_is_untold_) {
+    if (lost_is_due_) {
       Event event{};
       event.kind = Event::Kind::lost;
       if (!offer(event)) return false;
-      lost_is_untold_ = false;
+      lost_is_due_ = false;
     }
-    if (!tell_start()) return false;
+    if (!send_start()) return false;
     switch (stage_) {
       case Stage::collect:
         return true;
@@ -324,8 +324,8 @@ bool Decoder::deliver() {
 
 // Before any header the sink has no scan, and gets events as ever.
 void Decoder::pass_whole_regions() {
-  stage_ = start_is_told_ ? Stage::collect : Stage::records;
-  if (!start_is_told_) return;
+  stage_ = start_is_sent_ ? Stage::collect : Stage::records;
+  if (!start_is_sent_) return;
   const uint32_t count = packets_.whole_regions();
   packet_sink_.take(packet_sink_.context,
                     {packets_.payload(), packets_.payload_bytes(), count, true});
@@ -335,49 +335,49 @@ void Decoder::pass_whole_regions() {
 
 // Tells of the header once it is there, and between two pieces. A stream of slices is not for this
 // decoder.
-bool Decoder::tell_start() {
+bool Decoder::send_start() {
   const bool is_there = report().has_header && !report().holds_slices;
-  if (start_is_told_ || !is_there || is_open_) return true;
+  if (start_is_sent_ || !is_there || is_open_) return true;
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header();
-  start_is_told_ = offer(event);
-  return start_is_told_;
+  start_is_sent_ = offer(event);
+  return start_is_sent_;
 }
 
 bool Decoder::deliver_record() {
   Event event{};
   event.incidence = record_.incidence;
-  if (begin_is_untold_) {
+  if (begin_is_due_) {
     event.kind = record_.is_fragment ? Event::Kind::fragment : Event::Kind::region;
     if (record_.is_fragment) {
       event.start = record_.start_at(0);
       event.incoming_direction = record_.incoming;
     }
     if (!offer(event)) return false;
-    begin_is_untold_ = false;
+    begin_is_due_ = false;
     open_ = {record_.incidence, record_.is_fragment};
     is_open_ = true;
     is_first_ring_ = true;
-    if (record_.is_fragment) told_ = Record::ring_words;
+    if (record_.is_fragment) sent_words_ = Record::ring_words;
   }
-  while (told_ < record_.count) {
-    const bool is_ring = record_.word[told_] == Record::ring_mark;
+  while (sent_words_ < record_.count) {
+    const bool is_ring = record_.word[sent_words_] == Record::ring_mark;
     if (is_ring) {
       event.kind = Event::Kind::ring;
-      event.start = record_.start_at(told_);
+      event.start = record_.start_at(sent_words_);
       event.hole = !is_first_ring_;
     } else {
       event.kind = Event::Kind::run;
-      event.run = Run::from_code(record_.word[told_]);
-      event.normal = normals_.at(told_runs_);
+      event.run = Run::from_code(record_.word[sent_words_]);
+      event.normal = normals_.at(sent_runs_);
     }
     if (!offer(event)) return false;
     if (is_ring)
       is_first_ring_ = false;
     else
-      ++told_runs_;
-    told_ += is_ring ? Record::ring_words : 1;
+      ++sent_runs_;
+    sent_words_ += is_ring ? Record::ring_words : 1;
   }
   if (!record_.is_last) return true;
   event.kind = record_.is_fragment ? Event::Kind::fragment_end : Event::Kind::region_end;

@@ -34,7 +34,7 @@ inline void Encoder::Coder::encode(uint32_t context, bool bit) {
 Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
   if (label.channel > StreamLabel::max_channel) return Status::bad_label;
   if (output.write == nullptr) return Status::bad_sink;
-  packets_.open(output);
+  packets_.attach(output);
   state_ = State::idle;
   StreamHeader& header = packets_.header();
   header.depth = label.depth;
@@ -56,11 +56,12 @@ SinkResult Encoder::begin_stream(const StreamHeader& scan) {
   }
   header.width = scan.width;
   header.height = scan.height;
-  header.threshold = scan.threshold;
+  header.thresholds[0] = scan.thresholds[0];
   header.border = scan.border;
+  header.surface_count = 1;
   if (scan.has_spacing())
     for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = scan.spacing_nm[axis];
-  packets_.start(header, 0);
+  packets_.begin_stream(header, 0);
   state_ = State::between;
   (void)drain();  // whoever listens knows at once; or later
   return SinkResult::accepted;

@@ -16,7 +16,7 @@ constexpr uint32_t first_normals_extension = 1;
 constexpr uint32_t last_normals_extension = first_normals_extension + 8;
 
 /// What an extension has told of normals, in the order of the record's runs.
-class ToldNormals {
+class RecordNormals {
  public:
   void clear() { count_ = 0; }
   /// Of run number `i`; none beyond those told.
@@ -88,7 +88,7 @@ void encode_normals(Model& model, const Record& record, const OctahedralNormal* 
 }
 
 template <class Model>
-void ToldNormals::decode(Model& model, uint32_t type, uint32_t bytes) {
+void RecordNormals::decode(Model& model, uint32_t type, uint32_t bytes) {
   using namespace normal_difference;
   count_ = 0;
   uint32_t left = 8 * bytes;

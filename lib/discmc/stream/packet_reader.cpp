@@ -10,33 +10,33 @@ void PacketReader::start(uint8_t channel) {
   header_ = StreamHeader{};
   report_ = StreamReport{};
   is_refused_ = false;
-  gap_is_untold_ = false;
+  gap_is_due_ = false;
   gap_is_noted_ = true;
   pieces_passed_ = 0;
   frame_bytes_ = 0;
 }
 
-PacketReader::Arrival PacketReader::take(uint8_t byte) {
+PacketReader::Completed PacketReader::take(uint8_t byte) {
   ++report_.bytes;
   if (byte != 0) {
     if (frame_bytes_ < sizeof(frame_)) frame_[frame_bytes_++] = byte;
-    return Arrival::nothing;
+    return Completed::nothing;
   }
   const size_t bytes = frame_bytes_;
   frame_bytes_ = 0;
-  return bytes == 0 ? Arrival::nothing : open_frame(bytes);  // a spare delimiter is no frame
+  return bytes == 0 ? Completed::nothing : open_frame(bytes);  // a spare delimiter is no frame
 }
 
 void PacketReader::finish() {
   if (frame_bytes_ > 0) damage();
   frame_bytes_ = 0;
-  gap_is_untold_ = true;
+  gap_is_due_ = true;
 }
 
 bool PacketReader::take_gap() {
-  const bool was_untold = gap_is_untold_;
-  gap_is_untold_ = false;
-  return was_untold;
+  const bool was_due = gap_is_due_;
+  gap_is_due_ = false;
+  return was_due;
 }
 
 void PacketReader::note_unreadable() {
@@ -44,12 +44,12 @@ void PacketReader::note_unreadable() {
   report_.is_unreadable = true;
 }
 
-PacketReader::Arrival PacketReader::damage() {
+PacketReader::Completed PacketReader::damage() {
   ++report_.damaged_packets;
-  return Arrival::nothing;
+  return Completed::nothing;
 }
 
-PacketReader::Arrival PacketReader::open_frame(size_t bytes) {
+PacketReader::Completed PacketReader::open_frame(size_t bytes) {
   using namespace wire;
   const size_t plain = cobs::unstuff(frame_, bytes);
   const uint8_t* const packet = frame_ + 1;
@@ -59,30 +59,30 @@ PacketReader::Arrival PacketReader::open_frame(size_t bytes) {
   if (crc != ByteReader(packet + checked, packet_crc).get(4)) return damage();
   payload_bytes_ = checked - packet_tag - packet_head;
   const PacketKind kind = static_cast<PacketKind>(packet[0]);
-  if (!is_ours(static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3)))) {
+  if (!adopt(static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3)))) {
     ++report_.foreign_packets;
-    return Arrival::nothing;
+    return Completed::nothing;
   }
   if (report_.has_trailer) {
     ++report_.repeated_packets;
-    return Arrival::nothing;
+    return Completed::nothing;
   }
-  if (kind == PacketKind::header && !read_header()) return Arrival::nothing;
-  if (!is_expected(packet)) return Arrival::nothing;
+  if (kind == PacketKind::header && !read_header()) return Completed::nothing;
+  if (!accept_number(packet)) return Completed::nothing;
   ++report_.packets;
   const bool is_trailer = kind == PacketKind::trailer || kind == PacketKind::slices_trailer;
   if (!is_trailer) digest_ = digest_with(digest_, crc);
   if (kind == PacketKind::trailer) return read_trailer();
   if (kind == PacketKind::slices_trailer) return read_slices_trailer();
   if (kind == PacketKind::application || kind == PacketKind::slices_application)
-    return payload_bytes_ < application_head ? damage() : Arrival::application;
-  if (is_of_slices(packet[0])) return Arrival::slices;
+    return payload_bytes_ < application_head ? damage() : Completed::application;
+  if (is_of_slices(packet[0])) return Completed::slices;
   if (kind == PacketKind::whole_regions) {
     if (payload_bytes_ < whole_regions_tail) return damage();
     payload_bytes_ -= whole_regions_tail;
-    return Arrival::records;
+    return Completed::records;
   }
-  return kind == PacketKind::records ? Arrival::records : Arrival::nothing;
+  return kind == PacketKind::records ? Completed::records : Completed::nothing;
 }
 
 uint32_t PacketReader::whole_regions() const {
@@ -102,12 +102,11 @@ ApplicationRecord PacketReader::application() const {
   return record;
 }
 
-// The first packet of the channel says which scan it is.
-bool PacketReader::is_ours(uint32_t tag) {
+// Whether a packet is of this stream; the first one of the channel decides which scan that is.
+bool PacketReader::adopt(uint32_t tag) {
   if (!has_tag_) {
     const uint32_t first = wire::channel_in(tag);
-    const bool holds_channel =
-        channel_ >= first && channel_ <= first + wire::further_surfaces_in(tag);
+    const bool holds_channel = channel_ >= first && channel_ < first + wire::surface_count_in(tag);
     if (channel_ != any_channel && !holds_channel) return false;
     tag_ = tag;
     has_tag_ = true;
@@ -115,10 +114,10 @@ bool PacketReader::is_ours(uint32_t tag) {
   return tag == tag_;
 }
 
-// Whether a packet is the next one or a later one; a gap before it is noted. Half of the counts of
-// pieces, and where these say nothing half of the numbers, lie behind.
-bool PacketReader::is_expected(const uint8_t* packet) {
-  if (wire::is_of_slices(packet[0])) return is_expected_by_number(packet);
+// Accepts a packet that is the next one or a later one, and notes a gap before it. Half of the
+// counts of pieces, and where these say nothing half of the numbers, lie behind.
+bool PacketReader::accept_number(const uint8_t* packet) {
+  if (wire::is_of_slices(packet[0])) return accept_long_number(packet);
   const uint8_t number = packet[1];
   const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
   const uint16_t pieces = static_cast<uint16_t>(low - pieces_passed_);
@@ -133,7 +132,7 @@ bool PacketReader::is_expected(const uint8_t* packet) {
 }
 
 // Those of slices tell more of their number instead.
-bool PacketReader::is_expected_by_number(const uint8_t* packet) {
+bool PacketReader::accept_long_number(const uint8_t* packet) {
   constexpr uint32_t numbers = uint32_t{1} << 24;
   const auto number = static_cast<uint32_t>(wire::ByteReader(packet + 1, 3).get(3));
   const uint32_t gap = (number - static_cast<uint32_t>(packets_passed())) % numbers;
@@ -148,43 +147,49 @@ bool PacketReader::is_expected_by_number(const uint8_t* packet) {
 void PacketReader::note_gap(uint64_t packets, uint64_t pieces) {
   if (packets == 0 && pieces == 0) return;
   gap_is_noted_ = true;
-  gap_is_untold_ = true;
+  gap_is_due_ = true;
   report_.lost_packets += packets;
   report_.lost_pieces += pieces;
   pieces_passed_ += pieces;
 }
 
-// The header's own counts are whole numbers: they set right what the short ones could not tell.
-// False when nothing more is to be had of the packet.
-bool PacketReader::read_header() {
+// False for what is no header, or one of another version.
+bool PacketReader::parse_header(StreamHeader& header, uint64_t& packets_before,
+                                uint64_t& pieces_before) {
   wire::ByteReader reader(payload(), payload_bytes_);
-  const bool is_ours = reader.get(3) == wire::magic;
-  is_refused_ = is_ours && reader.get(1) != wire::version;
+  const bool has_magic = reader.get(3) == wire::magic;
+  is_refused_ = has_magic && reader.get(1) != wire::version;
   if (is_refused_) return false;
-  StreamHeader header;
   header.width = static_cast<uint32_t>(reader.get(2));
   header.height = static_cast<uint32_t>(reader.get(2));
   header.depth = static_cast<uint32_t>(reader.get(4));
   for (int32_t& spacing : header.spacing_nm)
     spacing = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  header.threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  header.thresholds[0] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
   const uint64_t flags = reader.get(1);
   header.border = (flags & wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
-  const uint64_t packets_before = reader.get(4);
-  const uint64_t pieces_before = reader.get(8);
+  packets_before = reader.get(4);
+  pieces_before = reader.get(8);
   header.scan = static_cast<uint16_t>(tag_);
   header.channel = wire::channel_in(tag_);
-  header.further_surfaces = wire::further_surfaces_in(tag_);
-  for (int32_t& threshold : header.further_thresholds)
-    threshold = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  if (!is_ours || payload_bytes_ < wire::header_payload || !header.is_valid()) {
+  header.surface_count = wire::surface_count_in(tag_);
+  for (uint32_t i = 1; i < StreamHeader::max_surfaces; ++i)
+    header.thresholds[i] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  if (!has_magic || payload_bytes_ < wire::header_payload || !header.is_valid()) {
     damage();
     return false;
   }
-  if (!report_.has_header) {
-    header_ = header;
-    report_.holds_slices = (flags & wire::HeaderFlags::slices) != 0;
-  }
+  if (!report_.has_header) report_.holds_slices = (flags & wire::HeaderFlags::slices) != 0;
+  return true;
+}
+
+// The header's own counts are whole numbers: they correct what the short ones could not say. False
+// when nothing more is to be had of the packet.
+bool PacketReader::read_header() {
+  StreamHeader header;
+  uint64_t packets_before = 0, pieces_before = 0;
+  if (!parse_header(header, packets_before, pieces_before)) return false;
+  if (!report_.has_header) header_ = header;
   report_.has_header = true;
   if (packets_before < packets_passed()) {
     ++report_.repeated_packets;
@@ -200,7 +205,7 @@ bool PacketReader::read_header() {
   report_.lost_packets += packets_missing;
   if (is_gap_here) {
     note_gap(0, pieces);
-    gap_is_untold_ = true;
+    gap_is_due_ = true;
   }
   gap_is_noted_ = false;
   return true;
@@ -214,11 +219,11 @@ void PacketReader::note_end(wire::ByteReader& reader) {
 }
 
 // Where packets are missing it says nothing.
-void PacketReader::compare_digest(uint32_t told) {
-  report_.is_mixed = report_.lost_packets == 0 && told != digest_;
+void PacketReader::compare_digest(uint32_t expected) {
+  report_.is_mixed = report_.lost_packets == 0 && expected != digest_;
 }
 
-PacketReader::Arrival PacketReader::read_trailer() {
+PacketReader::Completed PacketReader::read_trailer() {
   if (payload_bytes_ < wire::trailer_payload) return damage();
   wire::ByteReader reader(payload(), payload_bytes_);
   note_end(reader);
@@ -227,17 +232,17 @@ PacketReader::Arrival PacketReader::read_trailer() {
   compare_digest(static_cast<uint32_t>(reader.get(4)));
   const uint64_t pieces = totals.regions + totals.fragments;
   if (pieces > pieces_passed_) note_gap(0, pieces - pieces_passed_);
-  return Arrival::trailer;
+  return Completed::trailer;
 }
 
-PacketReader::Arrival PacketReader::read_slices_trailer() {
+PacketReader::Completed PacketReader::read_slices_trailer() {
   if (payload_bytes_ < wire::slices_trailer_payload) return damage();
   wire::ByteReader reader(payload(), payload_bytes_);
   note_end(reader);
   report_.total_rows = reader.get(8);
   report_.totals.skipped_rows = reader.get(8);
   compare_digest(static_cast<uint32_t>(reader.get(4)));
-  return Arrival::trailer;
+  return Completed::trailer;
 }
 
 }  // namespace discmc

@@ -16,9 +16,9 @@ class PacketReader {
   void start(uint8_t channel);
 
   /// What a byte has completed.
-  enum class Arrival : uint8_t { nothing, records, slices, application, trailer };
+  enum class Completed : uint8_t { nothing, records, slices, application, trailer };
   /// Takes a byte. Limit: not is_refused(), and the decoder is done with the packet before.
-  Arrival take(uint8_t byte);
+  Completed take(uint8_t byte);
   /// Tells that no byte follows.
   void finish();
 
@@ -50,26 +50,27 @@ class PacketReader {
   StreamReport& report() { return report_; }
 
  private:
-  Arrival open_frame(size_t bytes);
-  Arrival damage();
-  bool is_ours(uint32_t tag);
-  bool is_expected(const uint8_t* packet);
-  bool is_expected_by_number(const uint8_t* packet);
+  Completed open_frame(size_t bytes);
+  Completed damage();
+  bool adopt(uint32_t tag);
+  bool accept_number(const uint8_t* packet);
+  bool accept_long_number(const uint8_t* packet);
   // What the next packet is to be numbered.
   uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
   void note_gap(uint64_t packets, uint64_t pieces);
+  bool parse_header(StreamHeader& header, uint64_t& packets_before, uint64_t& pieces_before);
   bool read_header();
   void note_end(wire::ByteReader& reader);
-  void compare_digest(uint32_t told);
-  Arrival read_trailer();
-  Arrival read_slices_trailer();
+  void compare_digest(uint32_t expected);
+  Completed read_trailer();
+  Completed read_slices_trailer();
 
   StreamHeader header_;
   StreamReport report_;
   uint8_t channel_ = any_channel;
   bool is_refused_ = false;
   bool has_tag_ = false;
-  bool gap_is_untold_ = false;
+  bool gap_is_due_ = false;
   bool gap_is_noted_ = true;    // since the last header; what came before the start is a gap
   uint32_t tag_ = 0;            // of the packets that are taken: scan and channel
   uint32_t digest_ = 0;         // of those that have been

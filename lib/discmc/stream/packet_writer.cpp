@@ -3,17 +3,17 @@
 
 namespace discmc {
 
-void PacketWriter::open(const ByteOutput& output) {
+void PacketWriter::attach(const ByteOutput& output) {
   if (frame_bytes_ > 0 && drained_ > 0) is_cut_ = true;
   output_ = output;
   is_under_way_ = false;
   frame_bytes_ = 0;
 }
 
-void PacketWriter::start(const StreamHeader& header, uint8_t flags) {
+void PacketWriter::begin_stream(const StreamHeader& header, uint8_t flags) {
   header_ = header;
-  const bool is_open = header.border == Border::open;
-  flags_ = static_cast<uint8_t>(flags | (is_open ? wire::HeaderFlags::open_border : 0));
+  const bool has_open_border = header.border == Border::open;
+  flags_ = static_cast<uint8_t>(flags | (has_open_border ? wire::HeaderFlags::open_border : 0));
   is_under_way_ = true;
   bytes_ = 0;
   pieces_ = 0;
@@ -26,10 +26,10 @@ void PacketWriter::start(const StreamHeader& header, uint8_t flags) {
 
 void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
   uint8_t* const packet = frame_ + 1;
-  const auto number = static_cast<uint8_t>(kind);
-  const uint32_t passed =
-      wire::is_of_slices(number) ? packets_ << 8 : (packets_ & 0xFF) << 8 | pieces_before_ << 16;
-  wire::put(packet, number | passed, wire::packet_head);
+  const auto kind_code = static_cast<uint8_t>(kind);
+  const uint32_t counts =
+      wire::is_of_slices(kind_code) ? packets_ << 8 : (packets_ & 0xFF) << 8 | pieces_before_ << 16;
+  wire::put(packet, kind_code | counts, wire::packet_head);
   end = wire::put(end, wire::tag_of(header_), wire::packet_tag);
   const uint32_t crc = crc32(packet, static_cast<size_t>(end - packet));
   end = wire::put(end, crc, wire::packet_crc);
@@ -42,19 +42,19 @@ void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
 }
 
 void PacketWriter::seal_header() {
-  uint8_t* place = wire::put(payload(), wire::magic | uint32_t{wire::version} << 24, 4);
-  place = wire::put(place, header_.width, 2);
-  place = wire::put(place, header_.height, 2);
-  place = wire::put(place, header_.depth, 4);
+  uint8_t* to = wire::put(payload(), wire::magic | uint32_t{wire::version} << 24, 4);
+  to = wire::put(to, header_.width, 2);
+  to = wire::put(to, header_.height, 2);
+  to = wire::put(to, header_.depth, 4);
   for (const int32_t spacing : header_.spacing_nm)
-    place = wire::put(place, static_cast<uint32_t>(spacing), 4);
-  place = wire::put(place, static_cast<uint32_t>(header_.threshold), 4);
-  place = wire::put(place, flags_, 1);
-  place = wire::put(place, packets_, 4);
-  place = wire::put_long(place, pieces_);
-  for (uint32_t surface = 1; surface < header_.surfaces(); ++surface)
-    place = wire::put(place, static_cast<uint32_t>(header_.threshold_of(surface)), 4);
-  seal(wire::PacketKind::header, place);
+    to = wire::put(to, static_cast<uint32_t>(spacing), 4);
+  to = wire::put(to, static_cast<uint32_t>(header_.thresholds[0]), 4);
+  to = wire::put(to, flags_, 1);
+  to = wire::put(to, packets_, 4);
+  to = wire::put_long(to, pieces_);
+  for (uint32_t surface = 1; surface < header_.surface_count; ++surface)
+    to = wire::put(to, static_cast<uint32_t>(header_.thresholds[surface]), 4);
+  seal(wire::PacketKind::header, to);
   packets_since_header_ = 0;
 }
 
@@ -65,38 +65,37 @@ void PacketWriter::put_delimiter() {
 }
 
 void PacketWriter::seal_trailer(const Event& finish) {
-  uint8_t* place = wire::put(payload(), finish.slice, 4);
-  place = wire::put(place, finish.abandoned ? 1 : 0, 1);
-  for (const auto total : wire::trailer_totals)
-    place = wire::put_long(place, finish.statistics->*total);
+  uint8_t* to = wire::put(payload(), finish.slice, 4);
+  to = wire::put(to, finish.abandoned ? 1 : 0, 1);
+  for (const auto total : wire::trailer_totals) to = wire::put_long(to, finish.statistics->*total);
   is_under_way_ = false;
-  seal(wire::PacketKind::trailer, wire::put(place, digest_, 4));
+  seal(wire::PacketKind::trailer, wire::put(to, digest_, 4));
 }
 
 void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
                                        uint64_t skipped_rows) {
-  uint8_t* place = wire::put(payload(), slices, 4);
-  place = wire::put(place, is_abandoned ? 1 : 0, 1);
-  place = wire::put_long(place, rows);
-  place = wire::put_long(place, skipped_rows);
+  uint8_t* to = wire::put(payload(), slices, 4);
+  to = wire::put(to, is_abandoned ? 1 : 0, 1);
+  to = wire::put_long(to, rows);
+  to = wire::put_long(to, skipped_rows);
   is_under_way_ = false;
-  seal(wire::PacketKind::slices_trailer, wire::put(place, digest_, 4));
+  seal(wire::PacketKind::slices_trailer, wire::put(to, digest_, 4));
 }
 
 void PacketWriter::seal_application(wire::PacketKind kind, const ApplicationRecord& record) {
-  uint8_t* place = wire::put(payload(), record.kind, 1);
-  place = wire::put(place, record.slice, 4);
-  place = wire::put(place, record.row, 4);
-  for (size_t i = 0; i < record.count; ++i) *place++ = record.bytes[i];
-  seal(kind, place);
+  uint8_t* to = wire::put(payload(), record.kind, 1);
+  to = wire::put(to, record.slice, 4);
+  to = wire::put(to, record.row, 4);
+  for (size_t i = 0; i < record.count; ++i) *to++ = record.bytes[i];
+  seal(kind, to);
 }
 
 void PacketWriter::seal_appended(const RecordsPacket& packet) {
-  uint8_t* place = payload();
-  for (size_t i = 0; i < packet.bytes; ++i) *place++ = packet.payload[i];
+  uint8_t* to = payload();
+  for (size_t i = 0; i < packet.bytes; ++i) *to++ = packet.payload[i];
   pieces_ += packet.pieces;
-  if (packet.is_whole) place = wire::put(place, packet.pieces, wire::whole_regions_tail);
-  seal(packet.is_whole ? wire::PacketKind::whole_regions : wire::PacketKind::records, place);
+  if (packet.is_whole) to = wire::put(to, packet.pieces, wire::whole_regions_tail);
+  seal(packet.is_whole ? wire::PacketKind::whole_regions : wire::PacketKind::records, to);
 }
 
 bool PacketWriter::drain() {

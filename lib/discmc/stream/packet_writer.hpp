@@ -13,11 +13,11 @@ namespace discmc {
 class PacketWriter {
  public:
   /// Says where packets go, and that there is no stream yet. Limit: the output has a function.
-  void open(const ByteOutput& output);
+  void attach(const ByteOutput& output);
   /// Begins a stream: the header is sealed. flags: of wire::HeaderFlags, those that the header does
   /// not tell. Where a part of a frame went out before, a zero goes first, which ends that. Limit:
   /// open(), and nothing is sealed.
-  void start(const StreamHeader& header, uint8_t flags);
+  void begin_stream(const StreamHeader& header, uint8_t flags);
   bool has_output() const { return output_.write != nullptr; }
   /// Of the stream that goes on, or went before.
   StreamHeader& header() { return header_; }
@@ -31,14 +31,14 @@ class PacketWriter {
   void seal(wire::PacketKind kind, uint8_t* end);
   /// Seals a trailer made of the event that ends the scan. Limit: the packet is open.
   void seal_trailer(const Event& finish);
-  /// The same of a scan whose slices were told.
+  /// The same of a scan whose slices were sent.
   void seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
                            uint64_t skipped_rows);
   /// Seals an application record. kind: of the two for such. Limit: the packet is open, and the
   /// record not too long.
   void seal_application(wire::PacketKind kind, const ApplicationRecord& record);
-  /// Seals a copy. Limit: the packet is open, the copy within wire::max_appended, and its pieces
-  /// within 16 bits.
+  /// Seals a copy. Limit: the packet is open, the copy at most as long as its kind may be
+  /// (wire::max_payload, max_whole_regions), and its pieces within 16 bits.
   void seal_appended(const RecordsPacket& packet);
   /// Hands over what is sealed. True when all of it is gone: then the next packet is open.
   bool drain();
@@ -73,7 +73,8 @@ class PacketWriter {
   uint32_t pieces_before_ = 0;  // the open packet, modulo 2^32
   uint64_t pieces_ = 0;         // regions and fragments so far
   uint64_t bytes_ = 0;
-  StreamHeader header_;
+  // All zero before the first stream, so that a static encoder takes no flash.
+  StreamHeader header_{0, 0, 0, {}, {}, Border::closed, 0, 0, 0};
   uint8_t frame_[wire::max_frame] = {};
 };
 

@@ -4,21 +4,16 @@ namespace discmc {
 
 namespace {
 
-// The component of a vector along an axis.
-int32_t component(const Vertex& vector, int axis) {
-  return axis == 0 ? vector.x : axis == 1 ? vector.y : vector.z;
-}
-
 bool is_length(int32_t value) {
   return value >= 1 && value <= static_cast<int32_t>(max_compact_length);
 }
 
 }  // namespace
 
-Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t told) {
+Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t first_length) {
   constexpr Closure invalid{false, 0, 0};
   const Vertex area = cross(u, v);
-  int32_t first = static_cast<int32_t>(told);
+  int32_t first = static_cast<int32_t>(first_length);
   int32_t second = 0;
   if (area == Vertex{0, 0, 0}) {
     const int axis = v.x != 0 ? 0 : v.y != 0 ? 1 : 2;

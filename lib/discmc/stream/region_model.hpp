@@ -227,7 +227,7 @@ struct Closure {
 
 /// Closes a ring along directions u and v by `way`. When they are parallel the length along u is
 /// `told`. Invalid where no two lengths of 1 to max_compact_length do it.
-Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t told);
+Closure close_ring(const Vertex& u, const Vertex& v, const Vertex& way, uint32_t first_length);
 
 /// Rings with longer runs are told in parts.
 constexpr uint32_t max_compact_length = 0xFFFF;
@@ -273,20 +273,20 @@ int32_t RegionModel<Coder>::delta(uint32_t first, int32_t value) {
 // are rows for a delta each.
 template <class Coder>
 int32_t RegionModel<Coder>::step(uint32_t row, int32_t to, int32_t& from) {
-  const int32_t told =
+  const int32_t sent =
       delta(context::start_z + row * context::size_of_delta,
             wrapped_difference(static_cast<uint32_t>(to), static_cast<uint32_t>(from)));
-  from = wrapped_sum(from, told);
-  return told;
+  from = wrapped_sum(from, sent);
+  return sent;
 }
 
 // The same for one whose parity is known: only the half is told.
 template <class Coder>
 int32_t RegionModel<Coder>::step_voxels(uint32_t row, int32_t to, int32_t& from, uint32_t parity) {
   int32_t half = from >> 1;
-  const int32_t told = step(row, to >> 1, half);
+  const int32_t sent = step(row, to >> 1, half);
   from = static_cast<int32_t>(static_cast<uint32_t>(half) << 1 | parity);
-  return told;
+  return sent;
 }
 
 // Component by component, z first, each guessed from the record before.
@@ -298,13 +298,13 @@ Incidence RegionModel<Coder>::incidence(Incidence incidence) {
     number = 3 * (number - 9 * digit);
     return digit;
   };
-  uint32_t told = incidence;
+  uint32_t sent = incidence;
   uint32_t before = incidence_;
   uint32_t coded = 0;
   // An axis and how many zeros came before: z 0, y 0 and 1, x 0 to 2.
   uint32_t row = 0;
   for (uint32_t rows = 1; rows <= 3; ++rows) {
-    const uint32_t digit = take_digit(told);
+    const uint32_t digit = take_digit(sent);
     const uint32_t by = 3 * row + take_digit(before);
     row += rows;
     uint32_t component = 1;

@@ -56,13 +56,13 @@ constexpr size_t max_payload = max_packet - packet_head - packet_tail;
 /// What names a stream: its scan, the channel of its first surface, and in the upper two bits how
 /// many surfaces follow that.
 constexpr uint32_t tag_of(const StreamHeader& header) {
-  return header.scan | uint32_t{header.channel} << 16 | uint32_t{header.further_surfaces} << 22;
+  return header.scan | uint32_t{header.channel} << 16 | (header.surface_count - 1U) << 22;
 }
 constexpr uint8_t channel_in(uint32_t tag) {
   return static_cast<uint8_t>(tag >> 16 & StreamLabel::max_channel);
 }
-constexpr uint8_t further_surfaces_in(uint32_t tag) {
-  return static_cast<uint8_t>(tag >> 22);
+constexpr uint8_t surface_count_in(uint32_t tag) {
+  return static_cast<uint8_t>(1 + (tag >> 22));
 }
 
 /// A packet of whole regions tells last how many they are. Units: bytes.

@@ -18,7 +18,7 @@ inline bool turns_right(Incidence incidence, Direction before, Direction after) 
 template <class Index, class Normal>
 class Delivery {
  public:
-  using Records = Pool<Record<Index, Normal>, Index>;
+  using Slots = Pool<Slot<Index, Normal>, Index>;
   using Chains = Fragments<Index, Normal>;
 
   /// heads: see Holes. max_holes: with as many waiting, further ones go out loose.
@@ -49,19 +49,19 @@ class Delivery {
   using Out = Outgoing<Index>;
   using Lists = RunLists<Index, Normal>;
   using Cursor = RunCursor<Index, Normal>;
-  using Slot = typename RunRecord<Index, Normal>::Slot;
+  using Entry = typename RunSlot<Index, Normal>::Entry;
 
-  void begin_ring(const Records& records);
+  void begin_ring(const Slots& slots);
   bool begin_hole(Chains& chains);
   void begin_next_loose(Chains& chains);
-  void next_run(const Records& records);
+  void next_run(const Slots& slots);
 
   bool is_delivering_ = false;
   bool is_fragment_ = false;
   uint32_t max_holes_ = 0;
   uint32_t holes_due_ = 0;  // marked ones: of the region, or to go before a loose fragment
   Event event_{};           // the next one; its start is that of the chain
-  Index last_ = no_record;  // of the chain's runs
+  Index last_ = no_slot;    // of the chain's runs
   Cursor first_;
   Cursor cursor_;  // behind the next event's run
   Holes<Index, Normal> holes_;
@@ -85,9 +85,9 @@ bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
   while (is_delivering_ || holes_.count() > 0) {
     if (!is_delivering_) {
       Out& out = chains.outgoing();
-      holes_.any_plane(chains.records(), out.incidence, out.start);
+      holes_.any_plane(chains.slots(), out.incidence, out.start);
       event_.incidence = out.incidence;
-      holes_due_ = holes_.mark(chains.records(), out);
+      holes_due_ = holes_.mark(chains.slots(), out);
       begin_next_loose(chains);
     }
     if (!settle(chains, sink, statistics)) return false;
@@ -97,25 +97,26 @@ bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
 
 template <class Index, class Normal>
 void Delivery<Index, Normal>::begin(Chains& chains) {
-  Records& records = chains.records();
+  Slots& slots = chains.slots();
   Out& out = chains.outgoing();
   last_ = out.last;
   event_.incidence = out.incidence;
   event_.start = out.start;
   if (out.kind == Out::Kind::fragment) {
-    holes_due_ = holes_.mark(records, out);
+    holes_due_ = holes_.mark(slots, out);
     return begin_next_loose(chains);
   }
-  begin_ring(records);
-  constexpr uint32_t min_spare = minimum_capacities().records + Holes<Index, Normal>::records_each;
+  begin_ring(slots);
+  constexpr uint32_t min_spare = minimum_capacities().slots + Holes<Index, Normal>::slots_each;
   if (event_.hole && holes_.count() < max_holes_ &&
-      // True for all that is known: pieces go out loose before.
+      // Never seen false: fragments are cut before so few slots are left. If it ever is, the hole
+      // goes out loose.
       chains.spare() >= min_spare) {
-    holes_.keep(records, out);
+    holes_.keep(slots, out);
     out.kind = Out::Kind::none;
     return;
   }
-  holes_due_ = event_.hole ? 0 : holes_.mark(records, out);
+  holes_due_ = event_.hole ? 0 : holes_.mark(slots, out);
   is_delivering_ = true;
   is_fragment_ = event_.hole;
   event_.kind = is_fragment_ ? Event::Kind::fragment : Event::Kind::region;
@@ -128,15 +129,15 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
 // a top: the ring ascends to it and descends from it. At no vertex has a plane two tops, so a ring
 // passes its last vertex once; a hole turns right there, and no other ring.
 template <class Index, class Normal>
-void Delivery<Index, Normal>::begin_ring(const Records& records) {
+void Delivery<Index, Normal>::begin_ring(const Slots& slots) {
   const Incidence incidence = event_.incidence;
   constexpr Vertex here{0, 0, 0};
   Vertex way = here;  // from the last vertex so far
-  Direction before = direction_of(Lists::last_run(records, last_));
-  const Cursor end(records, last_);
+  Direction before = direction_of(Lists::last_run(slots, last_));
+  const Cursor end(slots, last_);
   Cursor cursor = end;
   do {
-    const ShortRun run = cursor.run(records);
+    const ShortRun run = cursor.run(slots);
     const Direction direction = direction_of(run);
     if (!precedes(way, here)) {
       way = here;
@@ -145,11 +146,10 @@ void Delivery<Index, Normal>::begin_ring(const Records& records) {
     }
     move(way, incidence, direction, length_of(run));
     before = direction;
-    cursor.advance(records);
+    cursor.advance(slots);
   } while (cursor != end);
   event_.start = event_.start - way;
-  event_.hole =
-      turns_right(incidence, event_.incoming_direction, direction_of(first_.run(records)));
+  event_.hole = turns_right(incidence, event_.incoming_direction, direction_of(first_.run(slots)));
 }
 
 // Begins with the next of the marked holes. False when there is none.
@@ -157,8 +157,8 @@ template <class Index, class Normal>
 bool Delivery<Index, Normal>::begin_hole(Chains& chains) {
   if (holes_due_ == 0) return false;
   --holes_due_;
-  holes_.take(chains.records(), last_, event_.start);
-  begin_ring(chains.records());
+  holes_.take(chains.slots(), last_, event_.start);
+  begin_ring(chains.slots());
   return true;
 }
 
@@ -176,24 +176,24 @@ void Delivery<Index, Normal>::begin_next_loose(Chains& chains) {
   last_ = out.last;
   event_.incoming_direction = out.incoming;
   event_.start = out.start;
-  first_ = Cursor(chains.records(), last_);
+  first_ = Cursor(chains.slots(), last_);
 }
 
 // Runs of one direction go out as one.
 template <class Index, class Normal>
-void Delivery<Index, Normal>::next_run(const Records& records) {
+void Delivery<Index, Normal>::next_run(const Slots& slots) {
   event_.kind = Event::Kind::run;
-  const Slot& slot = cursor_.slot(records);
-  event_.run = long_run(slot.run);
-  if constexpr (sizeof(Slot) > sizeof(ShortRun)) event_.normal = slot.normal();
-  do cursor_.advance(records);
-  while (cursor_ != first_ && event_.run.absorb(long_run(cursor_.run(records))));
+  const Entry& entry = cursor_.entry(slots);
+  event_.run = long_run(entry.run);
+  if constexpr (sizeof(Entry) > sizeof(ShortRun)) event_.normal = entry.normal();
+  do cursor_.advance(slots);
+  while (cursor_ != first_ && event_.run.absorb(long_run(cursor_.run(slots))));
 }
 
 // The sink has taken an event: what comes next?
 template <class Index, class Normal>
 DISCMC_NOINLINE void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& statistics) {
-  Records& records = chains.records();
+  Slots& slots = chains.slots();
   switch (event_.kind) {
     case Event::Kind::region:
       event_.kind = Event::Kind::ring;
@@ -201,12 +201,12 @@ DISCMC_NOINLINE void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& 
     case Event::Kind::ring:
     case Event::Kind::fragment:
       cursor_ = first_;
-      next_run(records);
+      next_run(slots);
       break;
     case Event::Kind::run:
       statistics.links += event_.run.length();
-      if (cursor_ != first_) return next_run(records);
-      RunLists<Index, Normal>::give(records, last_);
+      if (cursor_ != first_) return next_run(slots);
+      RunLists<Index, Normal>::give(slots, last_);
       if (is_fragment_) {
         event_.kind = Event::Kind::fragment_end;
         break;

@@ -63,7 +63,7 @@ inline bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
     while ((crossings_.of[axis] >> bit & 1) == 0) ++axis;
     crossings_.of[axis] &= crossings_.of[axis] - 1;
     const uint32_t x = column_of(word_ - 1, bit);
-    derive_passes({row.rows, word_ - 1, bit, axis}, row.absent(axis, x), passes_);
+    derive_passes({row.around, word_ - 1, bit, axis}, row.absent_at(axis, x), passes_);
     if (row.is_own()) counts.add(passes_.parts);
     if (passes_.count == 0) continue;
     vertex_ = row.vertex(axis, x);

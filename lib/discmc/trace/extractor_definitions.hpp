@@ -11,8 +11,8 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
                                                    const Capacities& capacities, int32_t threshold,
                                                    Memory memory, const Sink& sink) {
   static_assert(
-      sizeof(trace::Record<Index, typename Intake::Normal>) == sizing::record_bytes<Index, Intake>,
-      "what is said of the size of a record is true");
+      sizeof(trace::Slot<Index, typename Intake::Normal>) == sizing::slot_bytes<Index, Intake>,
+      "what is said of the size of a slot is true");
   if (!limits.is_valid()) return Status::bad_limits;
   if (!is_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr) return Status::bad_sink;
@@ -27,7 +27,7 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
   sink_ = sink;
   threshold_ = threshold;
   if (!lay_out(limits, memory)) return Status::too_little_memory;
-  if (!tell_start()) return Status::bad_sink;
+  if (!send_start()) return Status::bad_sink;
   clear();
   return Status::ok;
 }
@@ -37,7 +37,7 @@ template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::lay_out(const Limits& limits, Memory memory) {
   Arena arena(memory);
   intake_.start(arena, limits);
-  rows_.start(arena, limits, trace::swept_rows(limits.height));
+  bits_.start(arena, limits, trace::swept_rows(limits.height));
   sweep_.start(arena, capacities_);
   memory_ = memory;
   return !arena.is_exhausted();
@@ -46,7 +46,7 @@ bool BasicExtractor<Index, Intake, Sweep>::lay_out(const Limits& limits, Memory 
 template <class Index, class Intake, class Sweep>
 void BasicExtractor<Index, Intake, Sweep>::forget_addresses() {
   intake_.forget_addresses();
-  rows_.forget_addresses();
+  bits_.forget_addresses();
   sweep_.forget_addresses();
   memory_ = {};
   sink_ = {};
@@ -55,7 +55,7 @@ void BasicExtractor<Index, Intake, Sweep>::forget_addresses() {
 template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::reset() {
   if (state_ == State::idle) return Status::not_started;
-  if (!tell_start()) return Status::bad_sink;
+  if (!send_start()) return Status::bad_sink;
   clear();
   return Status::ok;
 }
@@ -63,19 +63,19 @@ Status BasicExtractor<Index, Intake, Sweep>::reset() {
 template <class Index, class Intake, class Sweep>
 void BasicExtractor<Index, Intake, Sweep>::clear() {
   intake_.clear();
-  rows_.clear();
+  bits_.clear();
   sweep_.clear();
   statistics_ = Statistics{};
   state_ = State::scanning;
   abandoned_ = false;
-  skip_untold_ = false;
+  skip_is_due_ = false;
   swept_rows_ = 0;
 }
 
 template <class Index, class Intake, class Sweep>
 size_t BasicExtractor<Index, Intake, Sweep>::bytes_used() const {
   if (state_ == State::idle) return 0;
-  return static_cast<size_t>(bytes_for<Index, Intake>(limits(), {high_water().records, 0}));
+  return static_cast<size_t>(bytes_for<Index, Intake>(limits(), {high_water().slots, 0}));
 }
 
 // ---- what the caller gives ----
@@ -95,8 +95,8 @@ PushResult BasicExtractor<Index, Intake, Sweep>::push_samples(const Sample* samp
                                                               uint32_t stride) {
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
-    const uint32_t taken = samples_of_row(count - result.samples, intake_.column(rows_), width_);
-    note(intake_.append(rows_, samples + size_t{result.samples} * stride, taken, stride,
+    const uint32_t taken = samples_of_row(count - result.samples, intake_.column(bits_), width_);
+    note(intake_.append(bits_, samples + size_t{result.samples} * stride, taken, stride,
                         threshold_));
     result.samples += taken;
     const bool is_last = result.samples == count;
@@ -109,9 +109,9 @@ template <class Index, class Intake, class Sweep>
 PushResult BasicExtractor<Index, Intake, Sweep>::push_bits(const uint8_t* bits) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
-  if (rows_.column() != 0) return {Status::row_in_progress, 0};
-  rows_.append_bits(bits);
-  rows_.next_row();
+  if (bits_.column() != 0) return {Status::row_in_progress, 0};
+  bits_.append_bits(bits);
+  bits_.next_row();
   return {resume(), width_};
 }
 
@@ -119,8 +119,8 @@ template <class Index, class Intake, class Sweep>
 PushResult BasicExtractor<Index, Intake, Sweep>::skip_row(Substitute substitute) {
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
-  if (intake_.column(rows_) != 0) return {Status::row_in_progress, 0};
-  note(intake_.skip(rows_, substitute == Substitute::previous_row, threshold_));
+  if (intake_.column(bits_) != 0) return {Status::row_in_progress, 0};
+  note(intake_.skip(bits_, substitute == Substitute::previous_row, threshold_));
   return {resume(), width_};
 }
 
@@ -134,7 +134,7 @@ template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::finish() {
   if (state_ == State::scanning) {
     const bool is_between_slices = rows() == 0 || rows() == height_;
-    if (!is_between_slices || intake_.column(rows_) != 0) return Status::slice_in_progress;
+    if (!is_between_slices || intake_.column(bits_) != 0) return Status::slice_in_progress;
     state_ = State::finishing;
   }
   return resume();
@@ -154,7 +154,7 @@ template <class Index, class Intake, class Sweep>
 void BasicExtractor<Index, Intake, Sweep>::note(Arrival arrival) {
   if (arrival == Arrival::nothing) return;
   skip_repeated_ = arrival == Arrival::repeated;
-  skip_untold_ = true;
+  skip_is_due_ = true;
   ++statistics_.skipped_rows;
 }
 
@@ -163,7 +163,7 @@ void BasicExtractor<Index, Intake, Sweep>::note(Arrival arrival) {
 // Whether the sink has refused something that is due.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::is_suspended() const {
-  return skip_untold_ || swept_rows_ < ready_rows() || rows_.rows() == height_ ||
+  return skip_is_due_ || swept_rows_ < ready_rows() || bits_.rows() == height_ ||
          state_ == State::finishing;
 }
 
@@ -206,16 +206,16 @@ Status BasicExtractor<Index, Intake, Sweep>::continue_in(Memory memory, const Si
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::work() {
   while (state_ != State::finished) {
-    if (skip_untold_) {
-      if (!tell(Event::Kind::skipped)) return false;
-      skip_untold_ = false;
+    if (skip_is_due_) {
+      if (!send(Event::Kind::skipped)) return false;
+      skip_is_due_ = false;
     }
     for (; swept_rows_ < ready_rows(); ++swept_rows_)
       if (!sweep_row()) return false;
-    if (rows_.rows() == height_ && !end_slice()) return false;
+    if (bits_.rows() == height_ && !end_slice()) return false;
     if (state_ == State::scanning) break;
-    if (intake_.holds_rows(rows_))
-      note(intake_.drain(rows_, threshold_));
+    if (intake_.holds_rows(bits_))
+      note(intake_.drain(bits_, threshold_));
     else if (swept_rows_ == ready_rows() && !end_scan())
       return false;
   }
@@ -225,13 +225,13 @@ bool BasicExtractor<Index, Intake, Sweep>::work() {
 // The slice that is swept: the one before the slice that arrives, counted as slices are pushed.
 template <class Index, class Intake, class Sweep>
 int32_t BasicExtractor<Index, Intake, Sweep>::middle_slice() const {
-  return static_cast<int32_t>(rows_.slices()) - 1;
+  return static_cast<int32_t>(bits_.slices()) - 1;
 }
 
 // Whether no slice follows the one that is swept.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::is_last_slice() const {
-  return state_ == State::finishing && !intake_.holds_rows(rows_);
+  return state_ == State::finishing && !intake_.holds_rows(bits_);
 }
 
 // Rows of the slice that is swept whose neighbours are there. Those of a closed border begin with
@@ -244,7 +244,7 @@ uint32_t BasicExtractor<Index, Intake, Sweep>::ready_rows() const {
   const bool is_last = is_last_slice();
   // Nothing has come up to the slice above a slab that has no slices.
   if (is_last && continues_above_ && middle_slice() == first_own) return 0;
-  const uint32_t arrived = is_last ? height_ : rows_.rows();
+  const uint32_t arrived = is_last ? height_ : bits_.rows();
   if (arrived == height_) return height_ + (is_closed ? 1 : 0);
   return is_closed || arrived == 0 ? arrived : arrived - 1;
 }
@@ -263,11 +263,11 @@ uint32_t BasicExtractor<Index, Intake, Sweep>::rows_outside(int32_t y) const {
 
 // Where the slice that is swept lies.
 template <class Index, class Intake, class Sweep>
-DISCMC_NOINLINE trace::RowPlace BasicExtractor<Index, Intake, Sweep>::place() const {
-  using trace::RowPlace;
-  if (continues_below_ && middle_slice() == 0) return RowPlace::below_slab;
-  if (continues_below_ && middle_slice() == 1) return RowPlace::first_of_slab;
-  return continues_above_ && is_last_slice() ? RowPlace::above_slab : RowPlace::inside;
+DISCMC_NOINLINE trace::SlabRole BasicExtractor<Index, Intake, Sweep>::slab_role() const {
+  using trace::SlabRole;
+  if (continues_below_ && middle_slice() == 0) return SlabRole::below_slab;
+  if (continues_below_ && middle_slice() == 1) return SlabRole::first_of_slab;
+  return continues_above_ && is_last_slice() ? SlabRole::above_slab : SlabRole::inside;
 }
 
 template <class Index, class Intake, class Sweep>
@@ -276,15 +276,15 @@ bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
   trace::SweptRow row;
   row.y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
   row.z = middle_slice() + static_cast<int32_t>(first_slice_) - (continues_below_ ? 1 : 0);
-  rows_.find_around(row.y, row.rows);
-  row.words = rows_.words();
+  bits_.find_around(row.y, row.around);
+  row.words = bits_.words();
   row.width = width_;
-  row.place = place();
+  row.role = slab_role();
   row.absent_rows = rows_outside(row.y);
-  if (row.place == trace::RowPlace::below_slab) row.absent_rows |= trace::CellRowBits::below;
-  if (row.place == trace::RowPlace::above_slab) row.absent_rows |= trace::CellRowBits::above;
+  if (row.role == trace::SlabRole::below_slab) row.absent_rows |= trace::CellRowBits::below;
+  if (row.role == trace::SlabRole::above_slab) row.absent_rows |= trace::CellRowBits::above;
   row.has_open_ends = is_open;
-  row.set_missing();
+  row.set_absent_quadrants();
   return sweep_.sweep(row, intake_, sink_, statistics_);
 }
 
@@ -292,17 +292,17 @@ bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::own_slices() const {
   const uint32_t context = (continues_below_ ? 1U : 0U) + (continues_above_ ? 1U : 0U);
-  return rows_.slices() > context ? rows_.slices() - context : 0;
+  return bits_.slices() > context ? bits_.slices() - context : 0;
 }
 
 template <class Index, class Intake, class Sweep>
-bool BasicExtractor<Index, Intake, Sweep>::tell_start() {
+bool BasicExtractor<Index, Intake, Sweep>::send_start() {
   StreamHeader header;
   header.width = width_;
   header.height = height_;
-  header.threshold = threshold_;
+  header.thresholds[0] = threshold_;
   header.border = border_;
-  intake_.tell_spacing(header.spacing_nm);
+  intake_.write_spacing(header.spacing_nm);
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header;
@@ -311,12 +311,12 @@ bool BasicExtractor<Index, Intake, Sweep>::tell_start() {
 
 // Offers an event that tells of rows and slices.
 template <class Index, class Intake, class Sweep>
-bool BasicExtractor<Index, Intake, Sweep>::tell(Event::Kind kind) {
+bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
   const uint32_t below = continues_below_ ? 1 : 0;
   Event event{};
   event.kind = kind;
-  event.slice = rows_.slices() + first_slice_ - below;
-  event.row = rows_.rows() - 1;
+  event.slice = bits_.slices() + first_slice_ - below;
+  event.row = bits_.rows() - 1;
   event.repeated = skip_repeated_;
   event.abandoned = abandoned_;
   event.statistics = &statistics_;
@@ -326,8 +326,8 @@ bool BasicExtractor<Index, Intake, Sweep>::tell(Event::Kind kind) {
 
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::end_slice() {
-  if (!tell(Event::Kind::layer)) return false;
-  rows_.next_slice();
+  if (!send(Event::Kind::layer)) return false;
+  bits_.next_slice();
   swept_rows_ = 0;
   return true;
 }
@@ -335,7 +335,7 @@ bool BasicExtractor<Index, Intake, Sweep>::end_slice() {
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::end_scan() {
   if (!sweep_.settle_holes(sink_, statistics_)) return false;
-  if (!tell(Event::Kind::finish)) return false;
+  if (!send(Event::Kind::finish)) return false;
   state_ = State::finished;
   return true;
 }

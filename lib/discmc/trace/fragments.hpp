@@ -64,37 +64,37 @@ struct Outgoing {
   Kind kind = Kind::none;
   Incidence incidence = 0;
   Direction incoming = 0;  // of a fragment
-  Index last = no_record;
+  Index last = no_slot;
   Vertex start{0, 0, 0};
 };
 
-/// Index and Normal as of the records.
+/// Index and Normal as of the slots.
 template <class Index, class Normal>
 class Fragments {
  public:
-  using Records = Pool<Record<Index, Normal>, Index>;
+  using Slots = Pool<Slot<Index, Normal>, Index>;
   using Lists = RunLists<Index, Normal>;
 
-  /// With as many records left no fragment is sent early.
+  /// With as many slots left no fragment is sent early.
   static constexpr uint32_t plenty = 1024;
   /// What a pass may take.
-  static constexpr uint32_t records_a_pass = 6;
-  /// So many records more, or half of all, are kept from ends that wait for the next slice.
+  static constexpr uint32_t slots_a_pass = 6;
+  /// So many slots more, or half of all, are kept from ends that wait for the next slice.
   static constexpr uint32_t max_kept = 80;
 
-  void start(Record<Index, Normal>* records, uint32_t capacity, Queue<Index>* queues) {
-    records_.start(records, capacity);
+  void start(Slot<Index, Normal>* slots, uint32_t capacity, Queue<Index>* queues) {
+    slots_.start(slots, capacity);
     queues_.start(queues);
     kept_for_slice_ = capacity / 2 < max_kept ? capacity / 2 : max_kept;
-    enough_for_ends_ = records_a_pass + 2 * kept_for_slice_;
+    enough_for_ends_ = slots_a_pass + 2 * kept_for_slice_;
   }
   void clear() {
-    records_.clear();
+    slots_.clear();
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
   }
   void forget_addresses() {
-    records_.forget_addresses();
+    slots_.forget_addresses();
     queues_.start(nullptr);
   }
 
@@ -123,24 +123,24 @@ class Fragments {
   }
 
   /// Puts an end that waits, or was lost, behind the others of its queue.
-  void push(uint8_t queue, Index end) { queues_.push(records_, queue, end); }
-  void push_lost(uint8_t queue) { queues_.push_lost(records_, queue); }
+  void push(uint8_t queue, Index end) { queues_.push(slots_, queue, end); }
+  void push_lost(uint8_t queue) { queues_.push_lost(slots_, queue); }
   /// Makes the two ends of a fragment name each other, and one of them its runs.
   void connect(Index begin, Index tail, Index list);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   /// What goes out, until whoever delivers it sets its kind to none.
   Outgoing<Index>& outgoing() { return outgoing_; }
-  Records& records() { return records_; }
-  const Records& records() const { return records_; }
-  /// Records that may be taken without more ado.
-  uint32_t spare() const { return records_.available(); }
+  Slots& slots() { return slots_; }
+  const Slots& slots() const { return slots_; }
+  /// Slots that may be taken without more ado.
+  uint32_t spare() const { return slots_.available(); }
 
  private:
-  using EndRecord = End<Index, Normal>;
-  using Slot = typename Lists::Slot;
+  using EndSlot = End<Index, Normal>;
+  using Entry = typename Lists::Entry;
 
-  EndRecord& end(Index index) { return records_[index].end; }
+  EndSlot& end(Index index) { return slots_[index].end; }
   static Direction direction(const Pass& pass, Link link) {
     return sector_table.direction(pass.incidence, link);
   }
@@ -161,27 +161,27 @@ class Fragments {
   Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
   template <class Normals>
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
-  void lose_begin(const Pass& pass, Index begin, Link incoming, const Vertex& vertex);
+  void cut_begin(const Pass& pass, Index begin, Link incoming, const Vertex& vertex);
   void send_if_long(const Pass& pass, const Vertex& vertex, Index index, bool is_tail);
   // The runs of the fragment that has this begin.
   Index& runs_of(Index begin) {
-    EndRecord& record = end(begin);
-    return is_loose(record.mate) ? record.last : end(record.mate).last;
+    EndSlot& slot = end(begin);
+    return is_loose(slot.mate) ? slot.last : end(slot.mate).last;
   }
   void turn(Index tail, Link incoming, Place corner, Direction onwards, Normal normal);
   void turn_back(Index begin, Link onwards, Place corner, Direction incoming, Normal normal);
-  void lose_tail(const Pass& pass, const Vertex& vertex, Index tail);
+  void cut_tail(const Pass& pass, const Vertex& vertex, Index tail);
   void end_tail(const Pass& pass, Index tail, Link along, Vertex& at);
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
 
-  Index pop(uint8_t queue) { return queues_.pop(records_, queue); }
+  Index pop(uint8_t queue) { return queues_.pop(slots_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
     return spare() >= enough_for_ends_ || spare() >= min_spare(queue, mate);
   }
   uint32_t min_spare(uint8_t queue, Index mate) const;
   // Whether fragments have to be sent early, and this one is long enough.
-  bool should_send(Index list, Index other = no_record) const {
+  bool should_send(Index list, Index other = no_slot) const {
     return spare() < plenty && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
@@ -195,8 +195,8 @@ class Fragments {
   }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  Records records_;               // first, so that its address is at hand
-  uint32_t kept_for_slice_ = 0;   // records kept from ends that wait for the next slice
+  Slots slots_;                   // first, so that its address is at hand
+  uint32_t kept_for_slice_ = 0;   // slots kept from ends that wait for the next slice
   uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
   Outgoing<Index> outgoing_;
   Queues<Index, Normal> queues_;
@@ -209,15 +209,15 @@ template <class Normals>
 DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
                                                     const Normals& normals) {
   const Place here = place_of(vertex);
-  const Index begin = pass.goes_ahead() ? Index{no_record} : pop(pass.out);
+  const Index begin = pass.goes_ahead() ? Index{no_slot} : pop(pass.out);
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
-    if (begin != no_record) return lengthen_begin(pass, vertex, begin, normals);
+    if (begin != no_slot) return lengthen_begin(pass, vertex, begin, normals);
     tail = begin_fragment(pass, vertex, normals);
   } else {
     tail = pop(pass.in);
-    if (tail == no_record) {
+    if (tail == no_slot) {
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), normals);
     } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
@@ -229,7 +229,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vert
   if (pass.turns_at_centroid())
     turn(tail, pass.first, moved(here, pass.first), direction(pass, pass.second),
          normals.normal_at(last_corner(pass, vertex)));
-  if (begin != no_record) return join(pass, vertex, tail, begin);
+  if (begin != no_slot) return join(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
     if (admits(pass.out, end(tail).mate)) {
       push(pass.out, tail);
@@ -238,7 +238,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vert
     }
     push_lost(pass.out);
   }
-  lose_tail(pass, vertex, tail);
+  cut_tail(pass, vertex, tail);
 }
 
 // ---- how a chain comes to the vertex ----
@@ -248,12 +248,12 @@ template <class Index, class Normal>
 template <class Normals>
 DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex,
                                                          Index mate, const Normals& normals) {
-  const Index tail = records_.take();
-  EndRecord& record = end(tail);
-  record.mate = mate;
-  record.last = no_record;
-  record.side = Side(direction(pass, pass.first), place_of(vertex));
-  record.set_normal(normal_where(pass.turns(), vertex, normals));
+  const Index tail = slots_.take();
+  EndSlot& slot = end(tail);
+  slot.mate = mate;
+  slot.last = no_slot;
+  slot.side = Side(direction(pass, pass.first), place_of(vertex));
+  slot.set_normal(normal_where(pass.turns(), vertex, normals));
   return tail;
 }
 
@@ -264,10 +264,10 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
                                                                const Normals& normals) {
   const Direction incoming = direction(pass, pass.incoming);
   Index mate = loose_end<Index>(incoming);
-  if (admits(pass.in, pass.goes_ahead() ? Index{no_record} : mate)) {
-    mate = records_.take();
+  if (admits(pass.in, pass.goes_ahead() ? Index{no_slot} : mate)) {
+    mate = slots_.take();
     push(pass.in, mate);
-    end(mate).last = no_record;
+    end(mate).last = no_slot;
     end(mate).side = Side(incoming, place_of(vertex));
   } else {
     push_lost(pass.in);
@@ -297,7 +297,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
   }
   if (!is_waiting) {
     push_lost(pass.in);
-    return lose_begin(pass, begin, pass.incoming, vertex);
+    return cut_begin(pass, begin, pass.incoming, vertex);
   }
   push(pass.in, begin);
   if (has_new_runs) send_if_long(pass, vertex, begin, false);
@@ -305,13 +305,13 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
 
 // The fragment begins loose at a vertex, where it comes by a link.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::lose_begin(const Pass& pass, Index begin, Link incoming,
-                                          const Vertex& vertex) {
+void Fragments<Index, Normal>::cut_begin(const Pass& pass, Index begin, Link incoming,
+                                         const Vertex& vertex) {
   const Index tail = end(begin).mate;
   const Index list = runs_of(begin);
-  records_.give(begin);
+  slots_.give(begin);
   const Index loose = loose_end<Index>(direction(pass, incoming));
-  if (list != no_record && (is_loose(tail) || should_send(list)))
+  if (list != no_slot && (is_loose(tail) || should_send(list)))
     return send(pass, loose, tail, list, vertex);
   if (!is_loose(tail)) end(tail).mate = loose;
 }
@@ -322,34 +322,34 @@ void Fragments<Index, Normal>::lose_begin(const Pass& pass, Index begin, Link in
 template <class Index, class Normal>
 void Fragments<Index, Normal>::turn(Index tail, Link incoming, Place corner, Direction onwards,
                                     Normal normal) {
-  EndRecord& record = end(tail);
-  const Side side = record.side;
-  Slot run;
+  EndSlot& slot = end(tail);
+  const Side side = slot.side;
+  Entry run;
   run.run = short_run(side.direction(), links_between(side.place(), corner, incoming));
-  run.set_normal(record.normal());
-  record.side = Side(onwards, corner);
-  record.set_normal(normal);
-  Lists::append(records_, record.last, run);
+  run.set_normal(slot.normal());
+  slot.side = Side(onwards, corner);
+  slot.set_normal(normal);
+  Lists::append(slots_, slot.last, run);
 }
 
 // The side under way at a begin starts at a corner, and the one before it ends.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner,
                                          Direction incoming, Normal normal) {
-  EndRecord& record = end(begin);
-  const Side side = record.side;
-  Slot run;
+  EndSlot& slot = end(begin);
+  const Side side = slot.side;
+  Entry run;
   run.run = short_run(side.direction(), links_between(corner, side.place(), onwards));
   run.set_normal(normal);
-  record.side = Side(incoming, corner);
-  Lists::prepend(records_, runs_of(begin), run);
+  slot.side = Side(incoming, corner);
+  Lists::prepend(slots_, runs_of(begin), run);
 }
 
 // ---- how it goes on ----
 
 // The fragment ends loose at the next vertex.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::lose_tail(const Pass& pass, const Vertex& vertex, Index tail) {
+void Fragments<Index, Normal>::cut_tail(const Pass& pass, const Vertex& vertex, Index tail) {
   Vertex next = next_vertex(pass, vertex);
   end_tail(pass, tail, pass.second, next);
 }
@@ -360,7 +360,7 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
   turn(tail, along, place_of(at), {}, {});
   const Index begin = end(tail).mate;
   const Index list = end(tail).last;
-  records_.give(tail);
+  slots_.give(tail);
   if (!is_loose(begin) && !should_send(list)) return connect(begin, loose_end<Index>(), list);
   move_to_begin(at, pass.incidence, list);
   send(pass, begin, loose_end<Index>(), list, at);
@@ -370,28 +370,28 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
 template <class Index, class Normal>
 void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
                                     Index begin) {
-  EndRecord& before = end(tail);
+  EndSlot& before = end(tail);
   const Side after = end(begin).side;
   const Index first_end = before.mate;
   const Index last_end = end(begin).mate;
   const bool is_closed = first_end == begin;
   Index& runs_after = runs_of(begin);  // where it closes, those before
-  Slot run;
+  Entry run;
   run.run =
       short_run(after.direction(), links_between(before.side.place(), after.place(), pass.second));
   run.set_normal(before.normal());
-  const bool is_prepended = before.last == no_record && runs_after != no_record;
+  const bool is_prepended = before.last == no_slot && runs_after != no_slot;
   if (is_prepended)
-    Lists::prepend(records_, runs_after, run);
+    Lists::prepend(slots_, runs_after, run);
   else
-    Lists::append(records_, before.last, run);
+    Lists::append(slots_, before.last, run);
   const Index list = before.last;
   const Index list_after = runs_after;
-  records_.give(tail);
-  records_.give(begin);
+  slots_.give(tail);
+  slots_.give(begin);
   const bool is_loose_piece = is_loose(first_end) && is_loose(last_end);
   if (!is_closed && !is_loose_piece && !should_send(list, list_after))
-    return connect(first_end, last_end, Lists::concatenate(records_, list, list_after));
+    return connect(first_end, last_end, Lists::concatenate(slots_, list, list_after));
   Vertex corner = last_corner(pass, vertex);
   move(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
   if (is_closed) {
@@ -402,7 +402,7 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
     move(corner, pass.second, 0 - length_of(run.run));
   else
     move_to_begin(corner, pass.incidence, list);
-  send(pass, first_end, last_end, Lists::concatenate(records_, list, list_after), corner);
+  send(pass, first_end, last_end, Lists::concatenate(slots_, list, list_after), corner);
 }
 
 template <class Index, class Normal>
@@ -428,34 +428,33 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
   const uint8_t queue = ends ? pass.in : pass.out;
   if (queue < first_rising_queue) return;
   const Index index = pop(queue);
-  if (index == no_record) return;
+  if (index == no_slot) return;
   if (ends) return end_tail(pass, index, along, at);
   const Side side = end(index).side;
   if (side.place() != place_of(at)) turn_back(index, along, place_of(at), side.direction(), {});
-  lose_begin(pass, index, along, at);
+  cut_begin(pass, index, along, at);
 }
 
-// ---- short of records ----
+// ---- short of slots ----
 
 // Ends of links that stay within the slice are the last to be lost: they leave it soon. Of the
 // others those are lost first whose chain has lost an end before, so that more regions stay whole,
-// and those behind a lost one, where that takes no record.
+// and those behind a lost one, where that takes no slot.
 template <class Index, class Normal>
 uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
-  if (queue < first_rising_queue) return records_a_pass;
-  uint32_t least = records_a_pass + kept_for_slice_;
+  if (queue < first_rising_queue) return slots_a_pass;
+  uint32_t least = slots_a_pass + kept_for_slice_;
   if (is_loose(mate)) least += kept_for_slice_ / 2;
-  if (queues_.last_is_lost(records_, queue)) least += kept_for_slice_ / 4;
+  if (queues_.last_is_lost(slots_, queue)) least += kept_for_slice_ / 4;
   return least;
 }
 
-// The fewer records are left, the shorter a fragment may be to be sent as it stands; with none left
+// The fewer slots are left, the shorter a fragment may be to be sent as it stands; with none left
 // any is, and gives back what the pass has taken.
 template <class Index, class Normal>
 bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
   const uint32_t most = spare() / 16;
-  return Lists::records_up_to(records_, list, most) + Lists::records_up_to(records_, other, most) >
-         most;
+  return Lists::slots_up_to(slots_, list, most) + Lists::slots_up_to(slots_, other, most) > most;
 }
 
 // Sends the runs of a fragment that has been lengthened at a vertex, if there are too many: at its
@@ -463,26 +462,26 @@ bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send_if_long(const Pass& pass, const Vertex& vertex, Index index,
                                             bool is_tail) {
-  const EndRecord& record = end(index);
-  const Index list = is_tail ? record.last : runs_of(index);
+  const EndSlot& slot = end(index);
+  const Index list = is_tail ? slot.last : runs_of(index);
   if (!should_send(list)) return;
   // The corner: the vertex, or the centroid behind it.
   Vertex start = vertex;
-  if (record.side.place() != place_of(vertex)) follow(start, pass.first);
-  if (!is_tail) return send(pass, index, record.mate, list, start);
+  if (slot.side.place() != place_of(vertex)) follow(start, pass.first);
+  if (!is_tail) return send(pass, index, slot.mate, list, start);
   move_to_begin(start, pass.incidence, list);
-  send(pass, record.mate, index, list, start);
+  send(pass, slot.mate, index, list, start);
 }
 
 // Moves a vertex from the end of a list of runs to where it begins.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, Index list) const {
-  const RunCursor<Index, Normal> first(records_, list);
+  const RunCursor<Index, Normal> first(slots_, list);
   RunCursor<Index, Normal> cursor = first;
   do {
-    const ShortRun run = cursor.run(records_);
+    const ShortRun run = cursor.run(slots_);
     move(at, incidence, direction_of(run), 0 - length_of(run));
-    cursor.advance(records_);
+    cursor.advance(slots_);
   } while (cursor != first);
 }
 
@@ -494,9 +493,9 @@ void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, I
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
   put_out(Outgoing<Index>::Kind::fragment, pass.incidence, list, start);
   outgoing_.incoming = incoming;
-  const Direction last = direction_of(Lists::last_run(records_, list));
-  connect(begin, loose_end<Index>(), no_record);
-  connect(loose_end<Index>(last), tail, no_record);
+  const Direction last = direction_of(Lists::last_run(slots_, list));
+  connect(begin, loose_end<Index>(), no_slot);
+  connect(loose_end<Index>(last), tail, no_slot);
 }
 
 }  // namespace discmc::trace

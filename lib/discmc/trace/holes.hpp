@@ -2,7 +2,7 @@
 //
 // An outer ring closes after the holes in it, for no hole reaches as far along the sweep as what
 // surrounds it. So an outer ring that closes takes the holes of its plane that lie in it; those
-// further in were taken by the rings between. Holes are rare: lists by plane, whose records come
+// further in were taken by the rings between. Holes are rare: lists by plane, whose slots come
 // from the pool, so that they have no capacity of their own to be set wrong.
 #ifndef DISCMC_TRACE_HOLES_HPP
 #define DISCMC_TRACE_HOLES_HPP
@@ -13,22 +13,18 @@
 
 namespace discmc::trace {
 
-inline int32_t coordinate(const Vertex& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 template <class Index, class Normal>
 class Holes {
  public:
-  using Records = Pool<Record<Index, Normal>, Index>;
+  using Slots = Pool<Slot<Index, Normal>, Index>;
   using Cursor = RunCursor<Index, Normal>;
 
-  static constexpr uint32_t records_each = 2;
+  static constexpr uint32_t slots_each = 2;
 
   /// heads: of sizing::hole_lists lists.
   void start(Index* heads) { heads_ = heads; }
   void clear() {
-    for (uint32_t i = 0; i < sizing::hole_lists; ++i) heads_[i] = no_record;
+    for (uint32_t i = 0; i < sizing::hole_lists; ++i) heads_[i] = no_slot;
     count_ = 0;
     high_water_ = 0;
   }
@@ -36,22 +32,22 @@ class Holes {
   uint32_t count() const { return count_; }
   uint32_t high_water() const { return high_water_; }
 
-  /// Keeps a ring. Limit: there are records_each records.
-  void keep(Records& records, const Outgoing<Index>& ring);
+  /// Keeps a ring. Limit: there are slots_each slots.
+  void keep(Slots& slots, const Outgoing<Index>& ring);
 
   /// Whether there are holes on the plane of a vertex. Cost: the holes of a list.
-  bool has_any(const Records& records, Incidence incidence, const Vertex& at) const;
+  bool has_any(const Slots& slots, Incidence incidence, const Vertex& at) const;
 
   /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
   /// is marked. Cost: the holes of the plane, times the ring's runs.
-  uint32_t mark(Records& records, const Outgoing<Index>& by);
+  uint32_t mark(Slots& slots, const Outgoing<Index>& by);
 
   /// Takes one of the holes out that were marked last: its runs, and where they start. Limit: there
   /// is one.
-  void take(Records& records, Index& last, Vertex& start);
+  void take(Slots& slots, Index& last, Vertex& start);
 
   /// A plane that has holes. Limit: count() > 0.
-  void any_plane(const Records& records, Incidence& incidence, Vertex& at) const;
+  void any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const;
 
  private:
   uint32_t list_of(Incidence incidence, int32_t plane) const {
@@ -61,12 +57,12 @@ class Holes {
         (static_cast<uint32_t>(plane) * incidence_codes + incidence) * 0x9E3779B1U;
     return spread >> 16 & (sizing::hole_lists - 1);
   }
-  static bool lies_on(const Records& records, Index index, Incidence incidence, int32_t plane) {
-    const Hole<Index>& hole = records[index].hole;
+  static bool lies_on(const Slots& slots, Index index, Incidence incidence, int32_t plane) {
+    const Hole<Index>& hole = slots[index].hole;
     return hole.incidence == incidence &&
-           plane_offset(incidence, records[hole.start].hole_start.get()) == plane;
+           plane_offset(incidence, slots[hole.start].hole_start.get()) == plane;
   }
-  static bool surrounds(const Records& records, const Outgoing<Index>& ring, const Vertex& start,
+  static bool surrounds(const Slots& slots, const Outgoing<Index>& ring, const Vertex& start,
                         Direction first);
 
   Index* heads_ = nullptr;
@@ -78,12 +74,12 @@ class Holes {
 // ---- implementation ----
 
 template <class Index, class Normal>
-void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
-  const Index index = records.take();
-  const Index start = records.take();
-  records[start].hole_start.set(ring.start);
+void Holes<Index, Normal>::keep(Slots& slots, const Outgoing<Index>& ring) {
+  const Index index = slots.take();
+  const Index start = slots.take();
+  slots[start].hole_start.set(ring.start);
   Index& head = heads_[list_of(ring.incidence, plane_offset(ring.incidence, ring.start))];
-  Hole<Index>& hole = records[index].hole;
+  Hole<Index>& hole = slots[index].hole;
   hole.next = head;
   hole.last = ring.last;
   hole.start = start;
@@ -94,26 +90,26 @@ void Holes<Index, Normal>::keep(Records& records, const Outgoing<Index>& ring) {
 }
 
 template <class Index, class Normal>
-bool Holes<Index, Normal>::has_any(const Records& records, Incidence incidence,
+bool Holes<Index, Normal>::has_any(const Slots& slots, Incidence incidence,
                                    const Vertex& at) const {
   const int32_t plane = plane_offset(incidence, at);
   Index i = heads_[list_of(incidence, plane)];
-  while (i != no_record && !lies_on(records, i, incidence, plane)) i = records[i].linked.next;
-  return i != no_record;
+  while (i != no_slot && !lies_on(slots, i, incidence, plane)) i = slots[i].linked.next;
+  return i != no_slot;
 }
 
 template <class Index, class Normal>
-uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by) {
+uint32_t Holes<Index, Normal>::mark(Slots& slots, const Outgoing<Index>& by) {
   uint32_t marked = 0;
   if (count_ == 0) return marked;
   const int32_t plane = plane_offset(by.incidence, by.start);
   marked_list_ = list_of(by.incidence, plane);
-  for (Index i = heads_[marked_list_]; i != no_record; i = records[i].linked.next) {
-    if (!lies_on(records, i, by.incidence, plane)) continue;
-    Hole<Index>& hole = records[i].hole;
-    const Vertex start = records[hole.start].hole_start.get();
-    const Direction first = direction_of(Cursor(records, hole.last).run(records));
-    if (by.kind == Outgoing<Index>::Kind::ring && !surrounds(records, by, start, first)) continue;
+  for (Index i = heads_[marked_list_]; i != no_slot; i = slots[i].linked.next) {
+    if (!lies_on(slots, i, by.incidence, plane)) continue;
+    Hole<Index>& hole = slots[i].hole;
+    const Vertex start = slots[hole.start].hole_start.get();
+    const Direction first = direction_of(Cursor(slots, hole.last).run(slots));
+    if (by.kind == Outgoing<Index>::Kind::ring && !surrounds(slots, by, start, first)) continue;
     hole.is_marked = 1;
     ++marked;
   }
@@ -121,35 +117,35 @@ uint32_t Holes<Index, Normal>::mark(Records& records, const Outgoing<Index>& by)
 }
 
 template <class Index, class Normal>
-void Holes<Index, Normal>::take(Records& records, Index& last, Vertex& start) {
+void Holes<Index, Normal>::take(Slots& slots, Index& last, Vertex& start) {
   Index* link = &heads_[marked_list_];
-  while (records[*link].hole.is_marked == 0) link = &records[*link].linked.next;
+  while (slots[*link].hole.is_marked == 0) link = &slots[*link].linked.next;
   const Index index = *link;
-  const Hole<Index>& hole = records[index].hole;
+  const Hole<Index>& hole = slots[index].hole;
   *link = hole.next;
   last = hole.last;
-  start = records[hole.start].hole_start.get();
-  records.give(hole.start);
-  records.give(index);
+  start = slots[hole.start].hole_start.get();
+  slots.give(hole.start);
+  slots.give(index);
   --count_;
 }
 
 template <class Index, class Normal>
-void Holes<Index, Normal>::any_plane(const Records& records, Incidence& incidence,
-                                     Vertex& at) const {
+void Holes<Index, Normal>::any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const {
   uint32_t i = 0;
-  while (heads_[i] == no_record) ++i;
-  const Hole<Index>& hole = records[heads_[i]].hole;
+  while (heads_[i] == no_slot) ++i;
+  const Hole<Index>& hole = slots[heads_[i]].hole;
   incidence = hole.incidence;
-  at = records[hole.start].hole_start.get();
+  at = slots[hole.start].hole_start.get();
 }
 
 // Whether an outer ring surrounds a hole of its plane that starts at a vertex in a direction. The
 // middle of the hole's first link lies on no other ring: so it lies inside if a ray from it crosses
 // the ring an odd number of times. Seen along an axis that does not lie in the plane; only v may be
-// z, in which a ring may be long.
+// z, in which a ring may be long. Coordinates of a scan, relative to the hole, fit into 32 bits,
+// where PlaneSide (chain.hpp), safe with any coordinates, multiplies in 64.
 template <class Index, class Normal>
-bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Index>& ring,
+bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& ring,
                                      const Vertex& start, Direction first) {
   const Vertex n = normal(ring.incidence);
   const int v = n.z != 0 ? 1 : 2;
@@ -159,14 +155,14 @@ bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Inde
   };
   // From the hole's start: the middle is half of this, in half-steps; and the ring's vertex.
   const int8_t* const link = step(first);
-  int32_t at_u = coordinate(ring.start, u) - coordinate(start, u);
-  int32_t at_v = coordinate(ring.start, v) - coordinate(start, v);
+  int32_t at_u = component(ring.start, u) - component(start, u);
+  int32_t at_v = component(ring.start, v) - component(start, v);
   const auto is_above = [&](int32_t at) { return at > link[v] >> 1; };
   bool is_inside = false;
-  const Cursor begin(records, ring.last);
+  const Cursor begin(slots, ring.last);
   Cursor cursor = begin;
   do {
-    const ShortRun run = cursor.run(records);
+    const ShortRun run = cursor.run(slots);
     const int32_t length = static_cast<int32_t>(length_of(run));
     const int8_t* const side = step(direction_of(run));
     const int32_t end_v = at_v + length * side[v];
@@ -178,7 +174,7 @@ bool Holes<Index, Normal>::surrounds(const Records& records, const Outgoing<Inde
     }
     at_u += length * side[u];
     at_v = end_v;
-    cursor.advance(records);
+    cursor.advance(slots);
   } while (cursor != begin);
   return is_inside;
 }

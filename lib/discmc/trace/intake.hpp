@@ -31,7 +31,7 @@ class NoNormals {
   void start(Arena&, const Limits&) {}
   void clear() {}
   void forget_addresses() {}
-  void tell_spacing(int32_t (&)[3]) const {}
+  void write_spacing(int32_t (&)[3]) const {}
 
   /// Where the samples that arrive are.
   uint32_t column(const trace::BitRows& rows) const { return rows.column(); }

@@ -1,19 +1,19 @@
 // Ends wait in queues, first in, first out: one for each kind of link and way of the chain.
 //
 // An end that finds no room is lost, but its place in the queue is not: lost ends are counted, in
-// the queue itself while nothing else waits in it, else in a record of the queue. A queue that ends
-// with an end has one record of the pool reserved for that.
+// the queue itself while nothing else waits in it, else in a slot of the queue. A queue that ends
+// with an end has one slot of the pool reserved for that.
 #ifndef DISCMC_TRACE_QUEUES_HPP
 #define DISCMC_TRACE_QUEUES_HPP
 
 #include <discmc/compiler.hpp>
 #include <discmc/pool.hpp>
-#include <discmc/trace/records.hpp>
 #include <discmc/trace/sector_table.hpp>
+#include <discmc/trace/slots.hpp>
 
 namespace discmc::trace {
 
-/// The first and the last record of a queue. Without records it is the number of lost ends, with
+/// The first and the last slot of a queue. Without slots it is the number of lost ends, with
 /// the top bit of `head` set, or nothing.
 template <class Index>
 struct Queue {
@@ -23,47 +23,47 @@ struct Queue {
 template <class Index, class Normal>
 class Queues {
  public:
-  using Records = Pool<Record<Index, Normal>, Index>;
+  using Slots = Pool<Slot<Index, Normal>, Index>;
 
   void start(Queue<Index>* queues) { queues_ = queues; }
   void clear() {
-    for (int i = 0; i < queue_count; ++i) queues_[i].head = no_record;
+    for (int i = 0; i < queue_count; ++i) queues_[i].head = no_slot;
     lose_from(queue_count);
   }
 
   /// Whether the last of what waits in a queue is a lost end.
-  bool last_is_lost(const Records& records, uint8_t number) const {
+  bool last_is_lost(const Slots& slots, uint8_t number) const {
     const Queue<Index>& queue = queues_[number];
-    if (queue.head == no_record) return false;
-    return is_count(queue) || records[queue.tail].end.mate == no_record;
+    if (queue.head == no_slot) return false;
+    return is_count(queue) || slots[queue.tail].end.mate == no_slot;
   }
 
-  /// Puts an end behind what waits. Limit: records.available() >= 2.
-  void push(Records& records, uint8_t number, Index end) {
+  /// Puts an end behind what waits. Limit: slots.available() >= 2.
+  void push(Slots& slots, uint8_t number, Index end) {
     Queue<Index>& queue = queues_[number];
-    records[end].linked.next = no_record;
-    if (queue.head == no_record) {
+    slots[end].linked.next = no_slot;
+    if (queue.head == no_slot) {
       queue.head = end;
-      records.reserve();
+      slots.reserve();
     } else if (is_count(queue)) {
-      push_behind_lost(records, queue, end);
+      push_behind_lost(slots, queue, end);
     } else {
-      Record<Index, Normal>& last = records[queue.tail];
-      if (last.end.mate == no_record) records.reserve();
+      Slot<Index, Normal>& last = slots[queue.tail];
+      if (last.end.mate == no_slot) slots.reserve();
       last.linked.next = end;
     }
     queue.tail = end;
   }
 
   /// Puts a lost end behind what waits.
-  void push_lost(Records& records, uint8_t number) {
+  void push_lost(Slots& slots, uint8_t number) {
     Queue<Index>& queue = queues_[number];
-    if (queue.head == no_record) return set_count(queue, 1);
+    if (queue.head == no_slot) return set_count(queue, 1);
     if (is_count(queue)) return set_count(queue, count_of(queue) + 1);
-    End<Index, Normal>& last = records[queue.tail].end;
-    if (last.mate == no_record) return set_lost(last, lost_of(last) + 1);
-    records.release();
-    const Index lost = new_count(records, 1);
+    End<Index, Normal>& last = slots[queue.tail].end;
+    if (last.mate == no_slot) return set_lost(last, lost_of(last) + 1);
+    slots.release();
+    const Index lost = new_count(slots, 1);
     last.next = lost;
     queue.tail = lost;
   }
@@ -71,14 +71,14 @@ class Queues {
   /// Takes everything that is asked for in these queues and those behind them for lost.
   void lose_from(int number) { first_lost_ = static_cast<uint8_t>(number); }
 
-  /// Takes out what has waited longest: an end, or no_record for one that was lost.
-  Index pop(Records& records, uint8_t number) {
-    if (number >= first_lost_) return no_record;
+  /// Takes out what has waited longest: an end, or no_slot for one that was lost.
+  Index pop(Slots& slots, uint8_t number) {
+    if (number >= first_lost_) return no_slot;
     Queue<Index>& queue = queues_[number];
     const Index head = queue.head;
-    if (is_count(queue) || records[head].end.mate == no_record) return pop_lost(records, queue);
-    queue.head = records[head].linked.next;
-    if (queue.head == no_record) records.release();
+    if (is_count(queue) || slots[head].end.mate == no_slot) return pop_lost(slots, queue);
+    queue.head = slots[head].linked.next;
+    if (queue.head == no_slot) slots.release();
     return head;
   }
 
@@ -92,7 +92,7 @@ class Queues {
   }
   static void set_count(Queue<Index>& queue, uint32_t count) {
     queue.head =
-        count == 0 ? Index{no_record} : static_cast<Index>(top | (is_narrow ? count >> 16 : 0));
+        count == 0 ? Index{no_slot} : static_cast<Index>(top | (is_narrow ? count >> 16 : 0));
     queue.tail = static_cast<Index>(count);
   }
 
@@ -103,32 +103,32 @@ class Queues {
     end.last = static_cast<Index>(count);
     if (is_narrow) end.side.set_bits(static_cast<uint16_t>(count >> 16));
   }
-  Index new_count(Records& records, uint32_t count) {
-    const Index lost = records.take();
-    records[lost].end.next = no_record;
-    records[lost].end.mate = no_record;
-    set_lost(records[lost].end, count);
+  Index new_count(Slots& slots, uint32_t count) {
+    const Index lost = slots.take();
+    slots[lost].end.next = no_slot;
+    slots[lost].end.mate = no_slot;
+    set_lost(slots[lost].end, count);
     return lost;
   }
-  DISCMC_NOINLINE void push_behind_lost(Records& records, Queue<Index>& queue, Index end) {
-    const Index lost = new_count(records, count_of(queue));
-    records[lost].linked.next = end;
+  DISCMC_NOINLINE void push_behind_lost(Slots& slots, Queue<Index>& queue, Index end) {
+    const Index lost = new_count(slots, count_of(queue));
+    slots[lost].linked.next = end;
     queue.head = lost;
-    records.reserve();
+    slots.reserve();
   }
-  DISCMC_NOINLINE Index pop_lost(Records& records, Queue<Index>& queue) {
+  DISCMC_NOINLINE Index pop_lost(Slots& slots, Queue<Index>& queue) {
     if (is_count(queue)) {
       set_count(queue, count_of(queue) - 1);
-      return no_record;
+      return no_slot;
     }
     const Index lost = queue.head;
-    End<Index, Normal>& end = records[lost].end;
+    End<Index, Normal>& end = slots[lost].end;
     set_lost(end, lost_of(end) - 1);
     if (lost_of(end) == 0) {
       queue.head = end.next;
-      records.give(lost);
+      slots.give(lost);
     }
-    return no_record;
+    return no_slot;
   }
 
   Queue<Index>* queues_ = nullptr;

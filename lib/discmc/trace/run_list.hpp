@@ -1,89 +1,87 @@
-// Lists of runs: circular, named by their last record, three runs a record.
+// Lists of runs: circular, named by their last slot, three runs a slot.
 #ifndef DISCMC_TRACE_RUN_LIST_HPP
 #define DISCMC_TRACE_RUN_LIST_HPP
 
 #include <discmc/pool.hpp>
-#include <discmc/trace/records.hpp>
+#include <discmc/trace/slots.hpp>
 
 namespace discmc::trace {
 
-/// What can be done to the lists of a pool. An empty list is no_record.
+/// What can be done to the lists of a pool. An empty list is no_slot.
 template <class Index, class Normal>
 struct RunLists {
-  using Records = Pool<Record<Index, Normal>, Index>;
-  using Slot = typename RunRecord<Index, Normal>::Slot;
-  static constexpr int slots = RunRecord<Index, Normal>::slots;
+  using Slots = Pool<Slot<Index, Normal>, Index>;
+  using Entry = typename RunSlot<Index, Normal>::Entry;
+  static constexpr int entries = RunSlot<Index, Normal>::entries;
 
-  /// Puts a run behind the others, or before them. Cost: a record at most.
-  static void append(Records& records, Index& last, const Slot& run) {
-    add(records, last, run, slots - 1);
+  /// Puts a run behind the others, or before them. Cost: a slot at most.
+  static void append(Slots& slots, Index& last, const Entry& run) {
+    add(slots, last, run, entries - 1);
   }
-  static void prepend(Records& records, Index& last, const Slot& run) {
-    add(records, last, run, 0);
-  }
+  static void prepend(Slots& slots, Index& last, const Entry& run) { add(slots, last, run, 0); }
 
   /// The last run. Limit: not empty.
-  static ShortRun last_run(const Records& records, Index last) {
-    const Slot* const slot = records[last].runs.slot;
-    return slot[2].run != 0 ? slot[2].run : slot[1].run != 0 ? slot[1].run : slot[0].run;
+  static ShortRun last_run(const Slots& slots, Index last) {
+    const Entry* const entry = slots[last].runs.entry;
+    return entry[2].run != 0 ? entry[2].run : entry[1].run != 0 ? entry[1].run : entry[0].run;
   }
 
   /// Makes one list of two, which are then void.
-  static Index concatenate(Records& records, Index first, Index second) {
-    if (first == no_record) return second;
-    if (second == no_record) return first;
-    const Index head = records[first].linked.next;
-    records[first].linked.next = records[second].linked.next;
-    records[second].linked.next = head;
+  static Index concatenate(Slots& slots, Index first, Index second) {
+    if (first == no_slot) return second;
+    if (second == no_slot) return first;
+    const Index head = slots[first].linked.next;
+    slots[first].linked.next = slots[second].linked.next;
+    slots[second].linked.next = head;
     return second;
   }
 
-  /// Gives all records of a list back. Limit: not empty. Cost: a step a record.
-  static void give(Records& records, Index last) {
-    for (Index index = records[last].linked.next;;) {
-      const Index next = records[index].linked.next;
-      records.give(index);
+  /// Gives all slots of a list back. Limit: not empty. Cost: a step a slot.
+  static void give(Slots& slots, Index last) {
+    for (Index index = slots[last].linked.next;;) {
+      const Index next = slots[index].linked.next;
+      slots.give(index);
       if (index == last) return;
       index = next;
     }
   }
 
-  /// How many records a list has, if not more than `most`, else a larger number.
+  /// How many slots a list has, if not more than `most`, else a larger number.
   /// Cost: at most `most` steps and one.
-  static uint32_t records_up_to(const Records& records, Index last, uint32_t most) {
+  static uint32_t slots_up_to(const Slots& slots, Index last, uint32_t most) {
     uint32_t count = 0;
-    if (last == no_record) return count;
+    if (last == no_slot) return count;
     Index index = last;
     do {
-      index = records[index].linked.next;
+      index = slots[index].linked.next;
       ++count;
     } while (index != last && count <= most);
     return count;
   }
 
  private:
-  // outermost: the slot where a record is full on the side of the run: the last one behind the
+  // outermost: the entry where a slot is full on the side of the run: the last one behind the
   // others, the first one before them.
-  static void add(Records& records, Index& last, const Slot& run, int outermost) {
+  static void add(Slots& slots, Index& last, const Entry& run, int outermost) {
     const bool is_behind = outermost != 0;
-    if (last != no_record) {
-      Slot* const slot = records[is_behind ? last : records[last].linked.next].runs.slot;
-      if (slot[outermost].run == 0) {
-        slot[slot[1].run == 0 ? 1 : outermost] = run;
+    if (last != no_slot) {
+      Entry* const entry = slots[is_behind ? last : slots[last].linked.next].runs.entry;
+      if (entry[outermost].run == 0) {
+        entry[entry[1].run == 0 ? 1 : outermost] = run;
         return;
       }
     }
-    const Index index = records.take();
-    RunRecord<Index, Normal>& record = records[index].runs;
-    for (Slot& slot : record.slot) slot.run = 0;
-    record.slot[slots - 1 - outermost] = run;
+    const Index index = slots.take();
+    RunSlot<Index, Normal>& slot = slots[index].runs;
+    for (Entry& entry : slot.entry) entry.run = 0;
+    slot.entry[entries - 1 - outermost] = run;
     // Behind the last is before the first.
-    record.next = index;
-    if (last != no_record) {
-      record.next = records[last].linked.next;
-      records[last].linked.next = index;
+    slot.next = index;
+    if (last != no_slot) {
+      slot.next = slots[last].linked.next;
+      slots[last].linked.next = index;
     }
-    if (is_behind || last == no_record) last = index;
+    if (is_behind || last == no_slot) last = index;
   }
 };
 
@@ -91,35 +89,33 @@ struct RunLists {
 template <class Index, class Normal>
 class RunCursor {
  public:
-  using Records = Pool<Record<Index, Normal>, Index>;
-  using Slot = typename RunRecord<Index, Normal>::Slot;
+  using Slots = Pool<Slot<Index, Normal>, Index>;
+  using Entry = typename RunSlot<Index, Normal>::Entry;
 
   RunCursor() = default;
   /// At the first run of a list. Limit: not empty.
-  RunCursor(const Records& records, Index last) : place_(first_of(records[last].linked.next)) {
-    if (run(records) == 0) advance(records);
+  RunCursor(const Slots& slots, Index last) : place_(first_of(slots[last].linked.next)) {
+    if (run(slots) == 0) advance(slots);
   }
 
-  const Slot& slot(const Records& records) const {
-    return records[record()].runs.slot[place_ % places];
-  }
-  ShortRun run(const Records& records) const { return slot(records).run; }
-  void advance(const Records& records) {
+  const Entry& entry(const Slots& slots) const { return slots[slot()].runs.entry[place_ % places]; }
+  ShortRun run(const Slots& slots) const { return entry(slots).run; }
+  void advance(const Slots& slots) {
     do {
       ++place_;
-      if (place_ % places == RunLists<Index, Normal>::slots)
-        place_ = first_of(records[record()].linked.next);
-    } while (run(records) == 0);
+      if (place_ % places == RunLists<Index, Normal>::entries)
+        place_ = first_of(slots[slot()].linked.next);
+    } while (run(slots) == 0);
   }
 
   bool operator==(const RunCursor& other) const { return place_ == other.place_; }
   bool operator!=(const RunCursor& other) const { return place_ != other.place_; }
 
  private:
-  static constexpr size_t places = 4;  // of a record: its slots, and one more
+  static constexpr size_t places = 4;  // of a slot: its entries, and one more
 
-  static size_t first_of(Index record) { return size_t{record} * places; }
-  Index record() const { return static_cast<Index>(place_ / places); }
+  static size_t first_of(Index slot) { return size_t{slot} * places; }
+  Index slot() const { return static_cast<Index>(place_ / places); }
 
   size_t place_ = 0;
 };

@@ -11,13 +11,13 @@ namespace discmc::trace {
 template <class Index, class Normal>
 class Sweep {
  public:
-  /// Takes its part of the arena, and writes nothing there: clear() does. The records come last, so
+  /// Takes its part of the arena, and writes nothing there: clear() does. The slots come last, so
   /// that those never used are behind all that is in use.
   void start(Arena& arena, const Capacities& capacities) {
     auto* const queues = arena.take<Queue<Index>>(queue_count);
     auto* const holes = arena.take<Index>(sizing::hole_lists);
-    auto* const records = arena.take<Record<Index, Normal>>(capacities.records);
-    fragments_.start(records, capacities.records, queues);
+    auto* const slots = arena.take<Slot<Index, Normal>>(capacities.slots);
+    fragments_.start(slots, capacities.slots, queues);
     delivery_.start(holes, capacities.holes);
   }
   void clear() {
@@ -64,11 +64,11 @@ template <class Index, class Normal>
 template <class Normals>
 bool Sweep<Index, Normal>::sweep(const SweptRow& row, const Normals& normals, const Sink& sink,
                                  Statistics& statistics) {
-  if (row.place == RowPlace::below_slab) return true;
-  fragments_.set_below_is_lost(row.place == RowPlace::first_of_slab);
+  if (row.role == SlabRole::below_slab) return true;
+  fragments_.set_below_is_lost(row.role == SlabRole::first_of_slab);
   for (;;) {
     if (!take_passes(row, normals, sink, statistics)) return false;
-    chains_are_ended_ = row.place == RowPlace::above_slab && !chains_are_ended_;
+    chains_are_ended_ = row.role == SlabRole::above_slab && !chains_are_ended_;
     if (!chains_are_ended_) return true;
   }
 }

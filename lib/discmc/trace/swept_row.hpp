@@ -12,7 +12,7 @@
 namespace discmc::trace {
 
 /// Which slice a row is of.
-enum class RowPlace : uint8_t {
+enum class SlabRole : uint8_t {
   inside,
   first_of_slab,  ///< what comes up to it is another slab's
   below_slab,     ///< the slice of context below a slab
@@ -21,33 +21,33 @@ enum class RowPlace : uint8_t {
 
 /// A row of voxels and what of its surroundings takes part.
 struct SweptRow {
-  RowBlock rows;
+  RowBlock around;
   uint32_t words;
   uint32_t width;
   int32_t y, z;
   uint32_t absent_rows;  ///< rows of cells (CellRowBits) that take no part
-  RowPlace place;
-  bool has_open_ends;  ///< its first and its last column are those of an open border
-  bool has_y, has_z;   ///< whether edges along y and z are visited
-  uint8_t missing[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
+  SlabRole role;
+  bool has_open_ends;           ///< its first and its last column are those of an open border
+  bool has_y, has_z;            ///< whether edges along y and z are visited
+  uint8_t absent_quadrants[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
 
   /// Whether it is none of context.
-  bool is_own() const { return place <= RowPlace::first_of_slab; }
+  bool is_own() const { return role <= SlabRole::first_of_slab; }
   /// Sets what follows from absent_rows. Where no cells behind, or above, take part, no edges along
   /// y, or z, are visited.
-  void set_missing() {
+  void set_absent_quadrants() {
     has_y = (absent_rows & CellRowBits::back) != CellRowBits::back;
     has_z = (absent_rows & CellRowBits::above) != CellRowBits::above;
     const uint32_t front_below = absent_rows & 1, back_below = absent_rows >> 1 & 1;
     const uint32_t front_above = absent_rows >> 2 & 1, back_above = absent_rows >> 3;
-    missing[0] =
+    absent_quadrants[0] =
         static_cast<uint8_t>(back_above | front_above << 1 | front_below << 2 | back_below << 3);
-    missing[1] = static_cast<uint8_t>(9 * back_above | 6 * back_below);
-    missing[2] = static_cast<uint8_t>(3 * back_above | 12 * front_above);
+    absent_quadrants[1] = static_cast<uint8_t>(9 * back_above | 6 * back_below);
+    absent_quadrants[2] = static_cast<uint8_t>(3 * back_above | 12 * front_above);
   }
   /// Quadrants without a cell around an edge of the voxel at x, a bit each.
-  uint32_t absent(int axis, uint32_t x) const {
-    uint32_t absent = missing[axis];
+  uint32_t absent_at(int axis, uint32_t x) const {
+    uint32_t absent = absent_quadrants[axis];
     if (!has_open_ends || (x != 0 && x + 1 != width) || axis == 0) return absent;
     const uint32_t before = axis == 1 ? 12 : 6;
     if (x == 0) absent |= before;
@@ -74,7 +74,7 @@ struct Crossings {
 
   /// False when there are none, and then nothing changes.
   bool find(const SweptRow& row, uint32_t word) {
-    const auto& rows = row.rows.row;
+    const auto& rows = row.around.row;
     const uint32_t here = rows[1][1][word];
     const uint32_t x = here ^ here >> 1;
     const uint32_t y = here ^ rows[1][2][word];

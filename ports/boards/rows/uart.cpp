@@ -21,7 +21,7 @@ RowReceiver receiver(row_bytes);
 
 // What the host is still to be told. The main loop writes the first, the interrupts all others.
 uint32_t rows_emptied = 0;
-uint32_t rows_told = 0;
+uint32_t rows_reported = 0;
 uint32_t frames_dropped = 0;
 bool start_is_taken = false;
 bool start_is_refused = false;
@@ -34,8 +34,8 @@ bool next_answer(row_frame::Answer& answer) {
   } else if (start_is_refused) {
     start_is_refused = false;
     answer = row_frame::Answer::refused;
-  } else if (rows_told != __atomic_load_n(&rows_emptied, __ATOMIC_RELAXED)) {
-    ++rows_told;
+  } else if (rows_reported != __atomic_load_n(&rows_emptied, __ATOMIC_RELAXED)) {
+    ++rows_reported;
     answer = row_frame::Answer::taken;
   } else if (frames_dropped > 0) {
     --frames_dropped;

@@ -52,7 +52,7 @@ struct VolumeArguments {
   std::string mask;           ///< the file of a volume, or none
   bool allows_empty = false;  ///< surfaces
   std::uint64_t memory = 0;
-  std::vector<std::uint32_t> capacities;  ///< records and holes, or none
+  std::vector<std::uint32_t> capacities;  ///< slots and holes, or none
   LayoutArguments layout;
 
   /// Whether some surface is that of one value.

@@ -74,7 +74,7 @@ std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
     for (double& spacing : *options.spacing_mm) spacing /= options.shrink;
   }
   // Where the values are counted from makes no difference to the directions that they fall in.
-  auto volume = open_for_gradient(arguments.volume, options, header.threshold).reader;
+  auto volume = open_for_gradient(arguments.volume, options, header.thresholds[0]).reader;
   try {
     require_same_volume(volume->info(), header);
     require_same_part(volume->info(), decoded);
@@ -91,7 +91,7 @@ void add_normals(const StreamArguments& arguments, const DecodedStream& decoded,
   if (!arguments.volume.empty())
     add_gradient_normals(*open_volume_of(decoded, arguments), mesh);
   else if (!decoded.surface.normals.empty())
-    set_told_normals(decoded.surface, mesh);
+    set_stream_normals(decoded.surface, mesh);
   else
     throw std::invalid_argument(arguments.stream +
                                 ": the stream holds no normals: name the volume that it was made "

@@ -29,7 +29,7 @@ class SliceWriter {
  public:
   void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
     memory_.resize(
-        slice_encoder_bytes({header.width, header.height}, key_slices, header.surfaces()));
+        slice_encoder_bytes({header.width, header.height}, key_slices, header.surface_count));
     require(encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output));
   }
   SliceEncoder& encoder() { return encoder_; }
@@ -41,13 +41,13 @@ class SliceWriter {
   SliceEncoder encoder_;
 };
 
-// The header of a stream of slices that holds all surfaces. header: that of the first.
+// The header of a stream of slices that holds all surfaces. header: what they share.
 StreamHeader header_of_all(StreamHeader header, const VolumeInfo& info,
                            const std::vector<NamedSelection>& selections) {
-  header.further_surfaces = static_cast<std::uint8_t>(selections.size() - 1);
-  std::transform(selections.begin() + 1, selections.end(), header.further_thresholds,
-                 [&info](const NamedSelection& further) {
-                   return stored_threshold(info, further.selection.low);
+  header.surface_count = static_cast<std::uint8_t>(selections.size());
+  std::transform(selections.begin(), selections.end(), header.thresholds,
+                 [&info](const NamedSelection& surface) {
+                   return stored_threshold(info, surface.selection.low);
                  });
   return header;
 }
@@ -107,7 +107,7 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   if (arguments.wire == Wire::slices) {
     slices.start(header_of_all(header, info, selections), {arguments.key_slices},
                  output.byte_output());
-    tell_placement(info.placement, slices.encoder());
+    write_placement(info.placement, slices.encoder());
     options.slices = &slices.encoder();
   } else {
     link.start(output.byte_output());

@@ -23,7 +23,7 @@ std::string described(const StreamHeader& header) {
   std::ostringstream text;
   text << header.width << "x" << header.height << "x" << header.depth << " voxels of "
        << header.spacing_nm[0] / 1e6 << "," << header.spacing_nm[1] / 1e6 << ","
-       << header.spacing_nm[2] / 1e6 << " mm at threshold " << header.threshold
+       << header.spacing_nm[2] / 1e6 << " mm at threshold " << header.thresholds[0]
        << (header.border == Border::open ? ", border open" : "");
   return text.str();
 }
@@ -31,7 +31,7 @@ std::string described(const StreamHeader& header) {
 // Of scans whose surfaces can meet. The number of the scan may be another on each device.
 bool is_same_volume(const StreamHeader& a, const StreamHeader& b) {
   return a.width == b.width && a.height == b.height && a.depth == b.depth &&
-         a.threshold == b.threshold && a.border == b.border &&
+         a.thresholds[0] == b.thresholds[0] && a.border == b.border &&
          std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm);
 }
 
@@ -58,7 +58,7 @@ class Join {
   /// Limit: after the last stream.
   void finish() {
     if (!slabs_.missing().empty())
-      for (const SlabRange& range : slabs_.ranges()) tell_slab(range, encoder_);
+      for (const SlabRange& range : slabs_.ranges()) write_slab(range, encoder_);
     joiner_.finish();
     if (!encoder_.flush()) throw std::runtime_error("the output takes no more");
   }

@@ -28,7 +28,7 @@ Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
   note_left_out(arguments.input, surface, mesh);
   if (!smooth || surface.normals.empty()) return mesh;
   mesh.normals = surface_normals(mesh);
-  set_told_normals(surface, mesh);
+  set_stream_normals(surface, mesh);
   return mesh;
 }
 

@@ -25,10 +25,10 @@ namespace {
 std::vector<std::string> list_of_surfaces(const StreamReader& reader) {
   std::vector<std::string> list;
   for (const StreamHeader& header : reader.headers())
-    for (std::uint32_t surface = 0; surface < header.surfaces(); ++surface)
+    for (std::uint32_t surface = 0; surface < header.surface_count; ++surface)
       list.push_back("scan " + std::to_string(header.scan) + " channel " +
                      std::to_string(header.channel + surface) + " (threshold " +
-                     std::to_string(header.threshold_of(surface)) + ")");
+                     std::to_string(header.thresholds[surface]) + ")");
   return list;
 }
 

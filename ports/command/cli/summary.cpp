@@ -29,7 +29,7 @@ std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
   if (extraction.statistics.fragments == 0) return {};
   if (extraction.is_of_slab) return "at the seams, or as memory ran short";
   const bool lacked_holes = memory.high_water.holes == memory.capacities.holes;
-  return std::string("memory ran short of records") + (lacked_holes ? " or holes" : "");
+  return std::string("memory ran short of slots") + (lacked_holes ? " or holes" : "");
 }
 
 // In the words of --space where they fit.
@@ -50,8 +50,8 @@ void write_memory(const Extraction& extraction, std::ostream& out) {
   const MemoryUse& memory = *extraction.memory;
   row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
       "of " + grouped(memory.arena_bytes));
-  row(out, "  records at most in use", grouped(memory.high_water.records),
-      "of " + grouped(memory.capacities.records));
+  row(out, "  slots at most in use", grouped(memory.high_water.slots),
+      "of " + grouped(memory.capacities.slots));
   row(out, "  holes at most waiting", grouped(memory.high_water.holes),
       "of " + grouped(memory.capacities.holes));
   row(out, "loose fragments", grouped(extraction.statistics.fragments),
@@ -126,8 +126,7 @@ void write_info(const StreamHeader& header, std::uint8_t channel,
   out << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
       << "scan " << header.scan << '\n'
       << "channel " << int{channel} << '\n'
-      << "threshold " << header.threshold_of(static_cast<std::uint32_t>(channel - header.channel))
-      << '\n'
+      << "threshold " << header.thresholds[channel - header.channel] << '\n'
       << "border " << (header.border == Border::closed ? "closed" : "open") << '\n'
       << "regions " << counts.regions << '\n'
       << "rings " << counts.rings << '\n'
@@ -151,9 +150,9 @@ void write_info(const StreamHeader& header, std::uint8_t channel,
       << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
       << "complete " << (report.is_complete() ? "yes" : "no") << '\n';
   for (const StreamHeader& stream : streams)
-    for (std::uint32_t surface = 0; surface < stream.surfaces(); ++surface)
+    for (std::uint32_t surface = 0; surface < stream.surface_count; ++surface)
       out << "surface scan " << stream.scan << " channel " << stream.channel + surface
-          << " threshold " << stream.threshold_of(surface) << '\n';
+          << " threshold " << stream.thresholds[surface] << '\n';
 }
 
 }  // namespace discmc::command

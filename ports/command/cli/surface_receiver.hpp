@@ -18,7 +18,7 @@ namespace discmc::command {
 /// Tells a stream where its volume lies, if that is known. encoder: started; its output must take
 /// all.
 template <class Encoder>
-void tell_placement(const std::optional<VolumePlacement>& placement, Encoder& encoder) {
+void write_placement(const std::optional<VolumePlacement>& placement, Encoder& encoder) {
   if (!placement) return;
   std::uint8_t bytes[Placement::record_bytes];
   require(encoder.write_record(record_of(in_nanometres(*placement), bytes)));
@@ -26,7 +26,7 @@ void tell_placement(const std::optional<VolumePlacement>& placement, Encoder& en
 
 /// Tells a stream that it is of a part of the slices, if it is. encoder: as above.
 template <class Encoder>
-void tell_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
+void write_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
   if (!slab) return;
   std::uint8_t bytes[SlabRange::record_bytes];
   require(encoder.write_record(record_of(*slab, bytes)));
@@ -50,8 +50,8 @@ class SurfaceReceiver {
   SinkResult take(const Event& event) {
     if (encodes_ && encoder_.take(event) != SinkResult::accepted) return SinkResult::busy;
     if (encodes_ && event.kind == Event::Kind::start) {
-      tell_placement(placement_, encoder_);
-      tell_slab(slab_, encoder_);
+      write_placement(placement_, encoder_);
+      write_slab(slab_, encoder_);
     }
     return builds_ ? joiner_.take(event) : SinkResult::accepted;
   }

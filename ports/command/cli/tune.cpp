@@ -49,9 +49,9 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
   if (!arguments.capacities.empty()) {
     const Capacities capacities{arguments.capacities[0], arguments.capacities[1]};
     if (!is_valid<std::uint16_t>(capacities))
-      throw std::invalid_argument("--capacities " + std::to_string(capacities.records) + "," +
+      throw std::invalid_argument("--capacities " + std::to_string(capacities.slots) + "," +
                                   std::to_string(capacities.holes) +
-                                  ": give 4 to 32759 records, which 16-bit indices can count");
+                                  ": give 4 to 32759 slots, which 16-bit indices can count");
     return bytes_for<std::uint16_t>(limits, capacities);
   }
   if (arguments.memory == 0) return std::nullopt;
@@ -118,7 +118,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
 
 void write_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
   const HighWater& most = trials.plenty.high_water;
-  out << "  at most in use      " << grouped(most.records) << " records of 8 bytes, "
+  out << "  at most in use      " << grouped(most.slots) << " slots of 8 bytes, "
       << grouped(most.holes) << " holes\n"
       << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
       << '\n'
@@ -176,7 +176,7 @@ std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments)
 
 // Where the file's values are not those of its samples, or empty.
 std::string threshold_stands_for(const VolumeBits& volume, const Selection& selection) {
-  const std::int32_t threshold = volume.header().threshold;
+  const std::int32_t threshold = volume.header().thresholds[0];
   if (volume.is_floating() || selection.low == threshold) return "";
   return "The threshold of the samples is " + std::to_string(threshold) + " where the value is " +
          value_text(selection.low) + ".";
@@ -207,7 +207,7 @@ void write_all_code(const VolumeBits& volume, const TuneArguments& arguments, co
                     const Device& device, std::ostream& out) {
   FirmwareChoice choice;
   choice.limits = volume.limits();
-  choice.threshold = volume.header().threshold;
+  choice.threshold = volume.header().thresholds[0];
   if (!trials.regions.empty()) {
     const Trial& chosen = trials.regions[trials.chosen];
     choice.comments =

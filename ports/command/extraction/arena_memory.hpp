@@ -9,12 +9,12 @@
 
 namespace discmc::command {
 
-/// Whether 16-bit indices count as many records as so much memory holds of the wider ones: up to
+/// Whether 16-bit indices count as many slots as so much memory holds of the wider ones: up to
 /// half a MiB. A scan on the host then is one on a device.
 template <class Normals = NoNormals>
 bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
-  return default_capacities<std::uint16_t, Normals>(limits, memory).records >=
-         default_capacities<std::uint32_t, Normals>(limits, memory).records;
+  return default_capacities<std::uint16_t, Normals>(limits, memory).slots >=
+         default_capacities<std::uint32_t, Normals>(limits, memory).slots;
 }
 
 /// The message for memory that an extractor refuses. Units: bytes.

@@ -15,7 +15,7 @@ SinkResult EventRecord::take(const Event& event) {
   return SinkResult::accepted;
 }
 
-void EventRecord::tell(const Sink& sink) const {
+void EventRecord::replay(const Sink& sink) const {
   Event event;
   for (EventWords words(words_); words.next(event);) {
     if (event.kind == Event::Kind::start) event.header = &header_;

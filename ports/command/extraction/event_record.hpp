@@ -17,7 +17,7 @@ class EventRecord {
   SinkResult take(const Event& event);
 
   /// Tells all of them. sink: must take everything at once.
-  void tell(const Sink& sink) const;
+  void replay(const Sink& sink) const;
 
   void clear() { words_.clear(); }
 

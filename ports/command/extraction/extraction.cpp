@@ -25,10 +25,10 @@ Arena arena_with(const Limits& limits, const Capacities& capacities) {
     return {true, bytes_for<std::uint16_t, Normals>(limits, capacities), capacities};
   if (is_valid<std::uint32_t>(capacities))
     return {false, bytes_for<std::uint32_t, Normals>(limits, capacities), capacities};
-  throw std::invalid_argument("--capacities " + std::to_string(capacities.records) + "," +
+  throw std::invalid_argument("--capacities " + std::to_string(capacities.slots) + "," +
                               std::to_string(capacities.holes) + ": give at least " +
-                              std::to_string(minimum_capacities().records) +
-                              " records, and fewer than 2^31 - 8");
+                              std::to_string(minimum_capacities().slots) +
+                              " slots, and fewer than 2^31 - 8");
 }
 
 template <class Normals>
@@ -134,7 +134,7 @@ StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& opti
   header.depth = info.dims[2];
   const auto spacing = spacing_nm(info.spacing_mm);
   std::copy(spacing.begin(), spacing.end(), header.spacing_nm);
-  header.threshold = stored_threshold(info, options.selection.low);
+  header.thresholds[0] = stored_threshold(info, options.selection.low);
   header.border = options.border;
   return header;
 }

@@ -55,7 +55,7 @@ struct ExtractionOptions {
 /// What a device would need.
 struct MemoryUse {
   std::uint64_t arena_bytes = 0;       ///< given
-  std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by records that were ever in use
+  std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by slots that were ever in use
   Capacities capacities{};             ///< that the arena had
   HighWater high_water{};              ///< of them, the most in use at once
 };

@@ -54,9 +54,9 @@ class PartSurface {
   // What is to be joined goes to the joiner, which stands before the same sink.
   void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
-    joined_.tell(make_sink(joiner));
+    joined_.replay(make_sink(joiner));
     if (packets_) packets_->append_to(*request.encoder);
-    events_.tell(request.sink);
+    events_.replay(request.sink);
   }
 
  private:

@@ -108,7 +108,7 @@ class Scan {
     constexpr std::uint64_t reserve = 4096;  // more than any extractor keeps from being used
     return std::all_of(extractors_.begin(), extractors_.end(), [this](const AnyExtractor& each) {
       const HighWater most = each.high_water();
-      return most.records + reserve <= arena_.capacities.records &&
+      return most.slots + reserve <= arena_.capacities.slots &&
              most.holes < arena_.capacities.holes;
     });
   }

@@ -102,7 +102,7 @@ void set_polygon_normals(const Surface& surface, Mesh& mesh) {
   for (const LongVector& sum : sums) mesh.normals.push_back(normal_along(sum, weights));
 }
 
-void set_told_normals(const Surface& surface, Mesh& mesh) {
+void set_stream_normals(const Surface& surface, Mesh& mesh) {
   mesh.normals.resize(mesh.lattice.size());
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     const auto told = surface.normals.find(mesh.lattice[i]);

@@ -18,7 +18,7 @@ void set_polygon_normals(const Surface& surface, Mesh& mesh);
 
 /// Gives every vertex the normal that the scan or the stream told there. Where it told none the
 /// vertex keeps the one that it has.
-void set_told_normals(const Surface& surface, Mesh& mesh);
+void set_stream_normals(const Surface& surface, Mesh& mesh);
 
 /// Gives every vertex the direction in which the samples fall there. Where they are level, and on
 /// the walls around the volume, it keeps the normal that it has. Reads the volume to its end, and

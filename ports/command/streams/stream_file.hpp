@@ -61,7 +61,7 @@ class StreamReader {
   std::optional<ScanFilter> filter_;
   StreamCensus census_;
   SurfaceDecoder decoder_{};
-  std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of bits
+  std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of slices
   Status status_ = Status::ok;
   std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
 };

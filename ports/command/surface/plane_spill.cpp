@@ -91,14 +91,14 @@ void PlaneSpill::join(Group& group) {
                       return static_cast<PlaneSpill*>(context)->pass(event);
                     }};
   GrowingJoiner joiner(joined, InputOrder::any, std::max<std::uint64_t>(bytes, 4096));
-  tell(group, joiner);
+  replay(group, joiner);
   if (has_finish_) joiner.take(finish_);
   joiner.finish();
   if (has_finish_) totals_ = joiner.totals();  // for the next group, which adds its own
   group = {};
 }
 
-void PlaneSpill::tell(const Group& group, GrowingJoiner& joiner) {
+void PlaneSpill::replay(const Group& group, GrowingJoiner& joiner) {
   std::vector<std::uint32_t> words;
   Event event;
   for (const Block& block : group.blocks) {

@@ -50,7 +50,7 @@ class PlaneSpill {
   void append(const Event& event);
   void write(Group& group);
   void join(Group& group);
-  void tell(const Group& group, GrowingJoiner& joiner);
+  void replay(const Group& group, GrowingJoiner& joiner);
   SinkResult pass(const Event& event);
 
   Sink sink_;

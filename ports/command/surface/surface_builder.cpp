@@ -63,13 +63,13 @@ bool SurfaceBuilder::is_sound(const Chain& chain) {
   };
   std::uint64_t links = 0;
   bool is_always_inside = is_inside();
-  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
-    const Vertex step = direction_vector(incidence_, told->run.direction());
-    const std::int64_t length = told->run.length();
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    const Vertex step = direction_vector(incidence_, at->run.direction());
+    const std::int64_t length = at->run.length();
     x += step.x * length;
     y += step.y * length;
     z += step.z * length;
-    links += told->run.length();
+    links += at->run.length();
     is_always_inside = is_always_inside && is_inside();
   }
   const bool is_closed = x == chain.start.x && y == chain.start.y && z == chain.start.z;
@@ -93,8 +93,8 @@ bool SurfaceBuilder::is_convex(const Chain& chain) const {
   const int round = direction_count(incidence_);
   int left = 0, right = 0;
   Direction before = chain.end[-1].run.direction();
-  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
-    const Direction direction = told->run.direction();
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    const Direction direction = at->run.direction();
     const int turn = direction - before + (direction < before ? round : 0);
     if (2 * turn == round) return false;
     if (2 * turn < round)
@@ -110,10 +110,10 @@ void SurfaceBuilder::add_corners(const Chain& chain) {
   if (chain.begin == chain.end) return;
   Vertex vertex = chain.start;
   Direction before = chain.end[-1].run.direction();
-  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
-    if (told->run.direction() != before) corners_.push_back(vertex);
-    before = told->run.direction();
-    move(vertex, incidence_, before, told->run.length());
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    if (at->run.direction() != before) corners_.push_back(vertex);
+    before = at->run.direction();
+    move(vertex, incidence_, before, at->run.length());
   }
 }
 
@@ -146,8 +146,7 @@ void SurfaceBuilder::add_simple_rings(const Chain& chain) {
   };
   if (is_convex(chain)) return add_whole();
   ring_runs_.clear();
-  for (const ToldRun* told = chain.begin; told != chain.end; ++told)
-    ring_runs_.push_back(told->run);
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) ring_runs_.push_back(at->run);
   const auto run_count = static_cast<std::uint32_t>(ring_runs_.size());
   vertices_.resize(link_count(ring_runs_.data(), run_count));
   ring_vertices(incidence_, chain.start, ring_runs_.data(), run_count, vertices_.data());
@@ -165,9 +164,9 @@ void SurfaceBuilder::add_simple_rings(const Chain& chain) {
 
 void SurfaceBuilder::add_normals(const Chain& chain) {
   Vertex vertex = chain.start;
-  for (const ToldRun* told = chain.begin; told != chain.end; ++told) {
-    if (!told->normal.is_none()) surface_.normals.emplace(vertex, told->normal);
-    move(vertex, incidence_, told->run.direction(), told->run.length());
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    if (!at->normal.is_none()) surface_.normals.emplace(vertex, at->normal);
+    move(vertex, incidence_, at->run.direction(), at->run.length());
   }
 }
 

@@ -34,7 +34,7 @@ class SurfaceBuilder {
 
  private:
   // A run and the normal where it starts.
-  struct ToldRun {
+  struct PlacedRun {
     Run run;
     OctahedralNormal normal;
   };
@@ -45,8 +45,8 @@ class SurfaceBuilder {
   // A ring of the region under way, by its runs.
   struct Chain {
     Vertex start;
-    const ToldRun* begin;
-    const ToldRun* end;
+    const PlacedRun* begin;
+    const PlacedRun* end;
   };
 
   // A simple ring of the region under way, by its corners.
@@ -73,7 +73,7 @@ class SurfaceBuilder {
   Incidence incidence_ = no_incidence;
   // Of the region under way.
   std::vector<OpenRing> rings_;
-  std::vector<ToldRun> runs_;
+  std::vector<PlacedRun> runs_;
   std::vector<Span> simple_rings_;
   std::vector<Vertex> corners_;
   // Of one ring; here to keep the memory.

@@ -6,23 +6,23 @@ namespace discmc::command {
 namespace {
 
 constexpr std::uint64_t step = 256;
-constexpr std::uint32_t max_records = sizing::max_records<std::uint16_t>;
+constexpr std::uint32_t max_slots = sizing::max_slots<std::uint16_t>;
 
-// With so many records more than are in use nothing is ever sent loose (docs/memory.md).
-constexpr std::uint32_t spare_records = 1168;
+// With so many slots more than are in use nothing is ever sent loose (docs/memory.md).
+constexpr std::uint32_t spare_slots = 1168;
 
 std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) {
   return (bytes + unit - 1) / unit * unit;
 }
 
-std::uint64_t bytes_of_records(const Limits& limits, std::uint32_t records) {
-  return bytes_for<std::uint16_t>(limits, {std::min(records, max_records), 0});
+std::uint64_t bytes_of_slots(const Limits& limits, std::uint32_t slots) {
+  return bytes_for<std::uint16_t>(limits, {std::min(slots, max_slots), 0});
 }
 
 }  // namespace
 
 std::uint64_t max_arena_bytes(const Limits& limits) {
-  return bytes_of_records(limits, max_records);
+  return bytes_of_slots(limits, max_slots);
 }
 
 std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
@@ -32,10 +32,10 @@ std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Tr
     done();
     return trial.loose_pieces == 0;
   };
-  const std::uint32_t used = plenty.high_water.records;
+  const std::uint32_t used = plenty.high_water.slots;
   const Limits& limits = volume.limits();
-  std::uint64_t end = rounded_up(bytes_of_records(limits, used + spare_records), step) / step;
-  std::uint64_t begin = bytes_of_records(limits, std::max(used, 1U) - 1) / step;
+  std::uint64_t end = rounded_up(bytes_of_slots(limits, used + spare_slots), step) / step;
+  std::uint64_t begin = bytes_of_slots(limits, std::max(used, 1U) - 1) / step;
   Trial trial;
   if (!has_none(end, trial)) return std::nullopt;
   Trial least = trial;

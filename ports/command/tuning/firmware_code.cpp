@@ -26,7 +26,7 @@ void write_cpp_memory(const FirmwareChoice& choice, std::ostream& out) {
     return;
   }
   if (choice.capacities)
-    out << "constexpr discmc::Capacities capacities{" << choice.capacities->records << ", "
+    out << "constexpr discmc::Capacities capacities{" << choice.capacities->slots << ", "
         << choice.capacities->holes << "};\n"
         << "static uint8_t memory[discmc::bytes_for<uint16_t>(limits, capacities)];\n";
   else
@@ -45,8 +45,8 @@ void write_c_memory(const FirmwareChoice& choice, std::ostream& out) {
   const Capacities capacities =
       choice.capacities ? *choice.capacities
                         : default_capacities<std::uint16_t>(choice.limits, choice.arena_bytes);
-  out << "enum { RECORDS = " << capacities.records << " };\n"
-      << "static uint8_t extractor_memory[DISCMC_EXTRACTOR_BYTES(WIDTH, HEIGHT, RECORDS)];\n"
+  out << "enum { SLOTS = " << capacities.slots << " };\n"
+      << "static uint8_t extractor_memory[DISCMC_EXTRACTOR_BYTES(WIDTH, HEIGHT, SLOTS)];\n"
       << "static uint8_t encoder_memory[DISCMC_ENCODER_BYTES];\n";
 }
 

@@ -61,7 +61,7 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
   Encoder encoder;
   require(encoder.start(volume.header().label(), nowhere));
   Extractor<Index> extractor;
-  require(extractor.start(volume.limits(), capacities, volume.header().threshold,
+  require(extractor.start(volume.limits(), capacities, volume.header().thresholds[0],
                           {memory.get(), bytes}, make_sink(encoder)));
   Trial trial;
   trial.memory = bytes;

@@ -24,7 +24,7 @@ struct Trial {
 };
 
 /// Regions, in an arena of so many bytes. Limit: at least minimum_bytes<uint16_t>(), and what is
-/// beyond 32,759 records is not used.
+/// beyond 32,759 slots is not used.
 Trial try_regions(const VolumeBits& volume, std::uint64_t arena_bytes);
 
 /// The same with explicit capacities. Limit: valid for the index, which is 16 or 32 bits wide.

@@ -54,15 +54,15 @@ struct LineEvents::Lines {
     const int count = gpiod_line_event_read_multiple(line.handle, queue.data(), queue_events);
     if (count < 0) throw DeviceGone("the GPIO chip is gone: " + reason());
     for (int i = 0; i < count; ++i) {
-      const gpiod_line_event& event = queue[static_cast<std::size_t>(i)];
-      LineEvent told{};
-      told.role = line.role;
-      told.is_active =
-          line.role == LineRole::sync || event.event_type == GPIOD_LINE_EVENT_RISING_EDGE;
-      told.time_ns = static_cast<std::uint64_t>(event.ts.tv_sec) * 1'000'000'000U +
-                     static_cast<std::uint64_t>(event.ts.tv_nsec);
-      told.may_follow_loss = line.was_full;
-      events.push_back(told);
+      const gpiod_line_event& edge = queue[static_cast<std::size_t>(i)];
+      LineEvent event{};
+      event.role = line.role;
+      event.is_active =
+          line.role == LineRole::sync || edge.event_type == GPIOD_LINE_EVENT_RISING_EDGE;
+      event.time_ns = static_cast<std::uint64_t>(edge.ts.tv_sec) * 1'000'000'000U +
+                      static_cast<std::uint64_t>(edge.ts.tv_nsec);
+      event.may_follow_loss = line.was_full;
+      events.push_back(event);
     }
     line.was_full = static_cast<unsigned>(count) == queue_events;
   }

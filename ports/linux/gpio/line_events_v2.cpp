@@ -106,17 +106,17 @@ struct LineEvents::Lines {
       throw std::runtime_error("the GPIO lines cannot be had: " + reason() + "; see gpioinfo");
   }
 
-  LineEvent told(gpiod_edge_event* event) const {
-    const unsigned offset = gpiod_edge_event_get_line_offset(event);
+  LineEvent read(gpiod_edge_event* edge) const {
+    const unsigned offset = gpiod_edge_event_get_line_offset(edge);
     const auto line = std::find_if(taken.begin(), taken.end(),
                                    [&](const Taken& each) { return each.offset == offset; });
-    LineEvent told{};
-    told.role = line->role;
-    told.is_active = line->role == LineRole::sync ||
-                     gpiod_edge_event_get_event_type(event) == GPIOD_EDGE_EVENT_RISING_EDGE;
-    told.time_ns = gpiod_edge_event_get_timestamp_ns(event);
-    told.number = static_cast<std::uint32_t>(gpiod_edge_event_get_line_seqno(event));
-    return told;
+    LineEvent event{};
+    event.role = line->role;
+    event.is_active = line->role == LineRole::sync ||
+                      gpiod_edge_event_get_event_type(edge) == GPIOD_EDGE_EVENT_RISING_EDGE;
+    event.time_ns = gpiod_edge_event_get_timestamp_ns(edge);
+    event.number = static_cast<std::uint32_t>(gpiod_edge_event_get_line_seqno(edge));
+    return event;
   }
 };
 
@@ -147,7 +147,7 @@ std::vector<LineEvent> LineEvents::wait(std::chrono::milliseconds timeout) {
                                     lines_->request.get(), lines_->buffer.get(), queue_events);
   if (count < 0) throw DeviceGone("the GPIO chip is gone: " + reason());
   for (int i = 0; i < count; ++i)
-    events.push_back(lines_->told(
+    events.push_back(lines_->read(
         gpiod_edge_event_buffer_get_event(lines_->buffer.get(), static_cast<unsigned long>(i))));
   return events;
 }

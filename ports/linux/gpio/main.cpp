@@ -56,13 +56,13 @@ std::unique_ptr<RowSource> row_source(const Arguments& arguments) {
 void follow(LineEvents& lines, TriggeredScan& triggered, const RowScan& scan,
             StreamTarget& target) {
   command::Progress progress("row", 0);
-  bool is_told = false;
+  bool is_printed = false;
   while (triggered.state() != TriggeredScan::State::ended && !stop_signal::came()) {
     for (const LineEvent& event : lines.wait(patience)) triggered.take(event);
     target.flush();
     progress.show(scan.rows());
-    if (is_told || !triggered.first_missed_row()) continue;
-    is_told = true;  // once: telling takes time, and the report counts them all
+    if (is_printed || !triggered.first_missed_row()) continue;
+    is_printed = true;  // once: printing takes time, and the report counts them all
     std::cerr << "discmc-gpio: edges were missed from row " << *triggered.first_missed_row()
               << " on; their rows are skipped\n";
   }

@@ -57,7 +57,7 @@ struct Output {
   }
 };
 
-void tell(HidDevice& device, Report::Kind kind) {
+void send(HidDevice& device, Report::Kind kind) {
   HidDevice::Bytes report;
   Report{kind, 0, 0, 0, nullptr}.write(report.data());
   device.write(report);
@@ -102,7 +102,7 @@ int run_scan(const Arguments& arguments) {
   RowAssembler assembler(wanted.plan.row_bytes(), wanted.plan.rows());
 
   const bool is_scanned = outlives([&] {
-    tell(device, Report::Kind::start);
+    send(device, Report::Kind::start);
     follow(device, assembler, scan, output);
   });
   if (is_scanned) {
@@ -116,7 +116,7 @@ int run_scan(const Arguments& arguments) {
   const bool is_told = is_scanned && outlives([&] {
                          if (arguments.echo)
                            output.reports.send_all([&](const auto& bytes) { device.write(bytes); });
-                         tell(device, Report::Kind::stop);
+                         send(device, Report::Kind::stop);
                        });
 
   if (!wanted.quiet) {

@@ -30,7 +30,7 @@ DeviceScan scan(const VoxelBits& bits, const StreamHeader& header, std::uint64_t
   Encoder encoder;
   command::require(encoder.start(header.label(), output_to(result.stream)));
   Extractor<Index> extractor;
-  command::require(extractor.start(limits_of(header), header.threshold,
+  command::require(extractor.start(limits_of(header), header.thresholds[0],
                                    {memory.data(), memory.size()}, make_sink(encoder)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
     command::require(extractor.push_bits(bits.row(row)).status);

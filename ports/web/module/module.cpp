@@ -78,7 +78,7 @@ StreamHeader header() {
   header.depth = info.dims[2];
   const auto spacing = command::spacing_nm(info.spacing_mm);
   for (std::size_t axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = spacing[axis];
-  header.threshold = command::stored_threshold(info, state().iso);
+  header.thresholds[0] = command::stored_threshold(info, state().iso);
   return header;
 }
 
@@ -266,7 +266,7 @@ EXPORT(stream_state) const double* stream_state() {
   const StreamReport report = stream.report();
   const auto spacing = command::spacing_mm(header);
   const auto surface = static_cast<std::uint32_t>(stream.reader().channel() - header.channel);
-  const std::int32_t threshold = header.threshold_of(surface < header.surfaces() ? surface : 0);
+  const std::int32_t threshold = header.thresholds[surface < header.surface_count ? surface : 0];
   return numbers(report.has_header, header.width, header.height,
                  report.has_trailer ? report.slices : header.depth, spacing[0], spacing[1],
                  spacing[2], threshold, stream.polygons().size(), report.is_complete(),
@@ -287,10 +287,10 @@ EXPORT(stream_surfaces) const Bytes* stream_surfaces() {
   std::vector<std::int32_t>& list = state().surfaces;
   list.clear();
   for (const StreamHeader& header : state().stream->reader().headers())
-    for (std::uint32_t surface = 0; surface < header.surfaces(); ++surface) {
+    for (std::uint32_t surface = 0; surface < header.surface_count; ++surface) {
       list.push_back(header.scan);
       list.push_back(static_cast<std::int32_t>(header.channel + surface));
-      list.push_back(header.threshold_of(surface));
+      list.push_back(header.thresholds[surface]);
     }
   return bytes_of(list);
 }

@@ -43,7 +43,7 @@ class Scan {
     header.width = volume_.width;
     header.height = volume_.height;
     header.depth = volume_.depth;
-    header.threshold = volume_.threshold;
+    header.thresholds[0] = volume_.threshold;
     header.border = Border::open;
     return header;
   }

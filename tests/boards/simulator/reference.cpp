@@ -41,7 +41,7 @@ std::vector<std::uint8_t> reference_stream(const Rows& rows, const ReferenceScan
   Encoder encoder;
   Extractor16 extractor;
   require(encoder.start(scan.header.label(), output_to(stream)));
-  const Status started = extractor.start(limits, scan.header.threshold,
+  const Status started = extractor.start(limits, scan.header.thresholds[0],
                                          {arena.data(), arena.size()}, make_sink(encoder));
   if (started == Status::too_little_memory)
     throw std::invalid_argument("--memory " + std::to_string(scan.memory) +

@@ -7,8 +7,8 @@ let count = 0;
 let wrong = 0;
 for (const line of readFileSync(0, 'utf8').trim().split('\n')) {
   const [width, height, memory, indexBytes, ...expected] = line.trim().split(' ').map(Number);
-  const { minimum, records, holes, used, slices, keySlices } = sizesOf(width, height, memory, indexBytes);
-  const found = [minimum, records, holes, used, slices, keySlices];
+  const { minimum, slots, holes, used, slices, keySlices } = sizesOf(width, height, memory, indexBytes);
+  const found = [minimum, slots, holes, used, slices, keySlices];
   ++count;
   if (found.join() === expected.join()) continue;
   ++wrong;

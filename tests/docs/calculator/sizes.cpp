@@ -18,7 +18,7 @@ void print(const Limits& limits, std::uint64_t memory) {
                                  memory,
                                  sizeof(Index),
                                  minimum_bytes<Index>(limits),
-                                 capacities.records,
+                                 capacities.slots,
                                  capacities.holes,
                                  bytes_for<Index>(limits, capacities),
                                  slice_encoder_bytes(limits, {16}),

@@ -12,8 +12,8 @@ namespace {
 // So many that nothing is ever sent for lack of them.
 constexpr Capacities capacities{512, 8};
 
-// The most that a block needs at once. A record that is not given back is one more in some block.
-constexpr uint32_t max_records = 112;
+// The most that a block needs at once. A slot that is not given back is one more in some block.
+constexpr uint32_t max_slots = 112;
 
 // One block in so many shows that the reference is right: with the paper's Merge. A prime, so that
 // all values of all rows are among them.
@@ -141,7 +141,7 @@ const char* BlockProver::flaw() const {
   if (sum.unpaired != 0) return "an inner link that is used in one direction only";
   if (sum.fingerprint != forest_.fingerprint()) return "other regions than the facets make";
   if (sum.links != forest_.links()) return "a boundary with a slit";
-  if (extractor_.high_water().records > max_records) return "a record that is not given back";
+  if (extractor_.high_water().slots > max_slots) return "a slot that is not given back";
   return nullptr;
 }
 

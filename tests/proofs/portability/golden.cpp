@@ -222,7 +222,7 @@ class Scan {
   bool start(const Limits& limits, const Capacities& capacities) {
     if constexpr (has_normals) extractor_.set_spacing({1, -2, 3});
     const int32_t on_from = sample_of<Sample>(threshold);
-    return wire_between.start({width, height, depth, {1, -2, 3}, on_from, limits.border}) &&
+    return wire_between.start({width, height, depth, {1, -2, 3}, {on_from}, limits.border}) &&
            is_done(extractor_.start(limits, capacities, on_from, memory_of(memory),
                                     make_sink(wire_between)));
   }
@@ -328,7 +328,7 @@ class SlicesBetween {
  public:
   bool start(const Limits& limits, Memory arena) {
     line_.start();
-    const StreamHeader header{limits.width, limits.height, depth, {}, threshold, limits.border};
+    const StreamHeader header{limits.width, limits.height, depth, {}, {threshold}, limits.border};
     return line_.decoder().start(arena, line_.sink()) == Status::ok &&
            encoder_.start(header, {2}, memory_of(rows_), line_.output()) == Status::ok;
   }

@@ -13,7 +13,7 @@ struct Asked {
   uint64_t rows = 0;       ///< of voxels, swept
   uint64_t vertices = 0;   ///< in these rows
   uint64_t delivered = 0;  ///< events, and one more for every 680 links of a run
-  bool is_short = false;   ///< of records
+  bool is_short = false;   ///< of slots
 };
 
 /// Units: basic blocks of the code that GCC or Clang make with -O1.

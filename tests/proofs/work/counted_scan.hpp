@@ -120,7 +120,7 @@ class CountedScan {
     const uint64_t taken = blocks - before;
     require_ok(status);
     asked.delivered = counter_.events - events;
-    asked.is_short = room_.capacities.records < extractor_.high_water().records + plenty;
+    asked.is_short = room_.capacities.slots < extractor_.high_water().slots + plenty;
     calls_.push_back({asked, taken});
   }
 

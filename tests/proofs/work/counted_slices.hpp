@@ -22,9 +22,9 @@ struct SliceWork {
 /// encoder reports.
 inline SliceWork encode_slices(const reference::BitVolume& volume, KeySlices key_slices,
                                uint8_t surfaces) {
-  StreamHeader header{volume.width, volume.height, volume.depth, {}, 1, Border::closed};
-  header.further_surfaces = static_cast<uint8_t>(surfaces - 1);
-  std::fill_n(header.further_thresholds, surfaces - 1, 1);
+  StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}, Border::closed};
+  header.surface_count = surfaces;
+  std::fill_n(header.thresholds + 1, surfaces - 1, 1);
   std::vector<uint8_t> memory(
       slice_encoder_bytes({volume.width, volume.height}, key_slices, surfaces));
   SliceEncoder encoder;

@@ -82,8 +82,8 @@ std::vector<Hostile> hostile_volumes() {
 // least.
 std::vector<Room> rooms(Capacities ample) {
   return {{"ample", ample},
-          {"1,000 records", {1000, 60}},
-          {"60 records", {60, 4}},
+          {"1,000 slots", {1000, 60}},
+          {"60 slots", {60, 4}},
           {"least", minimum_capacities()}};
 }
 

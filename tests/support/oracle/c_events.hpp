@@ -4,6 +4,8 @@
 
 #include <discmc/discmc.h>
 
+#include <algorithm>
+
 #include "event_log.hpp"
 
 namespace discmc::reference {
@@ -14,10 +16,17 @@ inline Statistics from_c(const discmc_statistics& s) {
 }
 
 inline StreamHeader from_c(const discmc_stream_header& header) {
-  return {header.width,     header.height,
-          header.depth,     {header.spacing_nm[0], header.spacing_nm[1], header.spacing_nm[2]},
-          header.threshold, static_cast<Border>(header.border),
-          header.channel,   header.scan};
+  StreamHeader same;
+  same.width = header.width;
+  same.height = header.height;
+  same.depth = header.depth;
+  std::copy_n(header.spacing_nm, 3, same.spacing_nm);
+  std::copy_n(header.thresholds, StreamHeader::max_surfaces, same.thresholds);
+  same.border = static_cast<Border>(header.border);
+  same.channel = header.channel;
+  same.scan = header.scan;
+  same.surface_count = header.surface_count;
+  return same;
 }
 
 inline RecordedEvent from_c(const discmc_event& event) {
@@ -62,8 +71,10 @@ inline discmc_sink c_sink_to(EventLog& log) {
 inline bool operator==(const StreamHeader& a, const StreamHeader& b) {
   return a.width == b.width && a.height == b.height && a.depth == b.depth &&
          a.spacing_nm[0] == b.spacing_nm[0] && a.spacing_nm[1] == b.spacing_nm[1] &&
-         a.spacing_nm[2] == b.spacing_nm[2] && a.threshold == b.threshold && a.border == b.border &&
-         a.channel == b.channel && a.scan == b.scan && a.further_surfaces == b.further_surfaces;
+         a.spacing_nm[2] == b.spacing_nm[2] &&
+         std::equal(a.thresholds, a.thresholds + StreamHeader::max_surfaces, b.thresholds) &&
+         a.border == b.border && a.channel == b.channel && a.scan == b.scan &&
+         a.surface_count == b.surface_count;
 }
 
 /// Calls again while it is suspended.

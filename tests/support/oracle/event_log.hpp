@@ -29,8 +29,8 @@ void for_each_number(const Event& event, Add add) {
   switch (event.kind) {
     case Event::Kind::start:
       add_all(event.header->width, event.header->height, event.header->depth,
-              event.header->threshold, event.header->border, event.header->scan,
-              event.header->channel, event.header->further_surfaces);
+              event.header->thresholds[0], event.header->border, event.header->scan,
+              event.header->channel, event.header->surface_count);
       for (const int32_t spacing : event.header->spacing_nm) add_all(spacing);
       return;
     case Event::Kind::application:

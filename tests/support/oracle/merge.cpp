@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+
 #include <unordered_set>
+#include "facet_neighbours.hpp"
 
 namespace discmc::reference {
 

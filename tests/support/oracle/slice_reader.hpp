@@ -181,21 +181,21 @@ class SliceReader {
 
   /// Errors: throws where the stream is not whole, or not as WIRE.md tells it.
   SlicesRead read(const std::vector<uint8_t>& stream) {
-    told_ = SlicesRead{};
+    sent_words_ = SlicesRead{};
     uint32_t digest = 0, number = 0;
     for (const PacketRead& packet : packets_in(stream)) {
-      require_as_told(told_.slices == 0, "the last packet");
+      require_as_told(sent_words_.slices == 0, "the last packet");
       if (packet.kind == 1)
         read_header(packet, number);
       else
         require_as_told(packet.number == number % (1 << 24), "the number of a packet");
-      require_as_told(packet.surfaces == told_.surfaces, "the surfaces");
+      require_as_told(packet.surfaces == sent_words_.surfaces, "the surfaces");
       if (packet.kind >= 16 && packet.kind < 32) read_slices(packet);
       if (packet.kind == 4) read_trailer(packet, digest);
       digest = (digest << 1 | digest >> 31) ^ packet.check;
       ++number;
     }
-    return told_;
+    return sent_words_;
   }
 
  private:
@@ -212,27 +212,27 @@ class SliceReader {
     require_as_told(packet.number == number % 256, "the number and the pieces of a header");
     Fields fields(packet.payload);
     require_as_told(fields.next(4) == 0x02434D44, "magic and version");
-    told_.width = static_cast<uint32_t>(fields.next(2));
-    told_.height = static_cast<uint32_t>(fields.next(2));
-    told_.depth = static_cast<uint32_t>(fields.next(4));
+    sent_words_.width = static_cast<uint32_t>(fields.next(2));
+    sent_words_.height = static_cast<uint32_t>(fields.next(2));
+    sent_words_.depth = static_cast<uint32_t>(fields.next(4));
     fields.next(4), fields.next(4), fields.next(4), fields.next(4);  // spacing, threshold
     require_as_told((fields.next(1) & 2) != 0, "the flag of slices");
     require_as_told(fields.next(4) == number, "the packets of a header");
     require_as_told(fields.next(8) == 0, "the pieces of a header");
-    told_.channel = packet.channel;
-    told_.surfaces = packet.surfaces;
-    for (uint32_t surface = 1; surface < told_.surfaces; ++surface) fields.next(4);
+    sent_words_.channel = packet.channel;
+    sent_words_.surfaces = packet.surfaces;
+    for (uint32_t surface = 1; surface < sent_words_.surfaces; ++surface) fields.next(4);
   }
 
   void read_trailer(const PacketRead& packet, uint32_t digest) {
     require_as_told(!code_.is_open && !is_in_row_, "a trailer within a code");
     Fields fields(packet.payload);
-    told_.slices = static_cast<uint32_t>(fields.next(4));
-    told_.is_abandoned = fields.next(1) != 0;
-    told_.rows = fields.next(8);
-    told_.skipped_rows = fields.next(8);
+    sent_words_.slices = static_cast<uint32_t>(fields.next(4));
+    sent_words_.is_abandoned = fields.next(1) != 0;
+    sent_words_.rows = fields.next(8);
+    sent_words_.skipped_rows = fields.next(8);
     require_as_told(fields.next(4) == digest, "the digest");
-    require_as_told(told_.rows == told_.notes.size(), "the rows of the trailer");
+    require_as_told(sent_words_.rows == sent_words_.notes.size(), "the rows of the trailer");
   }
 
   void read_slices(const PacketRead& packet) {
@@ -257,8 +257,8 @@ class SliceReader {
     if ((packet.kind & 4) == 0) return;
     read_code();
     code_.is_open = false;
-    if (code_.packets > 1) ++told_.long_codes;
-    if (code_.is_cut) ++told_.cut_codes;
+    if (code_.packets > 1) ++sent_words_.long_codes;
+    if (code_.is_cut) ++sent_words_.cut_codes;
   }
 
   void begin_key_slice(std::vector<uint8_t>& bytes) {
@@ -268,12 +268,16 @@ class SliceReader {
     is_key_ = true;
     is_first_of_key_ = true;
     begin_contexts();
-    ++told_.key_codes;
+    ++sent_words_.key_codes;
   }
 
   // Where the next row is.
-  uint32_t slice() const { return static_cast<uint32_t>(told_.notes.size() / told_.height); }
-  uint32_t row() const { return static_cast<uint32_t>(told_.notes.size() % told_.height); }
+  uint32_t slice() const {
+    return static_cast<uint32_t>(sent_words_.notes.size() / sent_words_.height);
+  }
+  uint32_t row() const {
+    return static_cast<uint32_t>(sent_words_.notes.size() % sent_words_.height);
+  }
 
   void begin_contexts() {
     const std::array<uint32_t, 272>& table = tables_[is_key_ ? 0 : 1];
@@ -294,12 +298,12 @@ class SliceReader {
         if (note == 1) return;
         begin_row(note == 0 ? 0 : note - 1);
       }
-      for (; surface_ < told_.surfaces; ++surface_, x_ = 0)
-        while (x_ < told_.width) {
+      for (; surface_ < sent_words_.surfaces; ++surface_, x_ = 0)
+        while (x_ < sent_words_.width) {
           if (is_at_cut()) return;
           read_step(range);
         }
-      told_.notes.push_back(note_);
+      sent_words_.notes.push_back(note_);
       is_in_row_ = false;
     }
   }
@@ -315,24 +319,25 @@ class SliceReader {
     is_in_row_ = true;
     note_ = note;
     x_ = 0;
-    surface_ = note == 0 ? 0 : told_.surfaces;
-    for (uint32_t surface = 0; surface < told_.surfaces; ++surface) {
-      std::vector<uint8_t>& on = told_.on[surface];
-      const size_t before = on.size() - told_.width;
-      for (uint32_t x = 0; x < told_.width; ++x) on.push_back(note == 2 ? on[before + x] : 0);
+    surface_ = note == 0 ? 0 : sent_words_.surfaces;
+    for (uint32_t surface = 0; surface < sent_words_.surfaces; ++surface) {
+      std::vector<uint8_t>& on = sent_words_.on[surface];
+      const size_t before = on.size() - sent_words_.width;
+      for (uint32_t x = 0; x < sent_words_.width; ++x) on.push_back(note == 2 ? on[before + x] : 0);
     }
   }
 
   bool is_at_cut() const {
-    const uint64_t rows_before = told_.notes.size() * told_.surfaces + surface_;
+    const uint64_t rows_before = sent_words_.notes.size() * sent_words_.surfaces + surface_;
     return code_.is_cut && static_cast<uint32_t>(rows_before) == code_.cut_row &&
-           told_.width - x_ == code_.cut_left;
+           sent_words_.width - x_ == code_.cut_left;
   }
 
   // A voxel of the row that is read, or of one before; of what lies outside the slice, 0.
   uint8_t voxel(uint32_t surface, int64_t z, int64_t y, int64_t x) const {
-    if (z < 0 || y < 0 || y >= told_.height || x < 0 || x >= told_.width) return 0;
-    return told_.on[surface][static_cast<size_t>((z * told_.height + y) * told_.width + x)];
+    if (z < 0 || y < 0 || y >= sent_words_.height || x < 0 || x >= sent_words_.width) return 0;
+    return sent_words_
+        .on[surface][static_cast<size_t>((z * sent_words_.height + y) * sent_words_.width + x)];
   }
 
   uint32_t neighbours(int64_t x, uint8_t before) const {
@@ -351,14 +356,14 @@ class SliceReader {
   }
 
   void write(uint32_t count, uint8_t value) {
-    std::vector<uint8_t>& on = told_.on[surface_];
-    for (; count > 0; --count) on[told_.notes.size() * told_.width + x_++] = value;
+    std::vector<uint8_t>& on = sent_words_.on[surface_];
+    for (; count > 0; --count) on[sent_words_.notes.size() * sent_words_.width + x_++] = value;
   }
 
   void read_step(RangeRead& range) {
     std::vector<uint32_t>& p = p_[surface_];
     const uint8_t before = voxel(surface_, slice(), row(), int64_t{x_} - 1);
-    const uint32_t left = told_.width - x_;
+    const uint32_t left = sent_words_.width - x_;
     uint32_t n = 0;
     while (n < left && neighbours(x_ + n, before) == 0) ++n;
     if (n < 2) {
@@ -381,7 +386,7 @@ class SliceReader {
 
   std::array<std::array<uint32_t, 272>, 2> tables_{};
   std::array<std::vector<uint32_t>, 4> p_;
-  SlicesRead told_;
+  SlicesRead sent_words_;
   Code code_;
   bool is_key_ = false;           // the slice that is read
   bool is_first_of_key_ = false;  // the row that comes next

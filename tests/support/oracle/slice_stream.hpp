@@ -1,4 +1,4 @@
-// Streams of bits for tests: written, and read back as the rows that arrive.
+// Streams of slices for tests: written, and read back as the rows that arrive.
 #ifndef DISCMC_TESTS_SLICE_STREAM_HPP
 #define DISCMC_TESTS_SLICE_STREAM_HPP
 
@@ -14,11 +14,11 @@ namespace discmc::test {
 /// What happens while a volume is told.
 struct SlicePlan {
   KeySlices key_slices{};
-  uint32_t portion = 1000000;    ///< samples a push
-  size_t bytes_a_time = 0;       ///< that the line takes: see Line
-  uint32_t flush_every = 0;      ///< so many rows; 0 never
-  bool fails = false;            ///< the power, after each flush and before the end
-  uint8_t further_surfaces = 0;  ///< the same as the first
+  uint32_t portion = 1000000;  ///< samples a push
+  size_t bytes_a_time = 0;     ///< that the line takes: see Line
+  uint32_t flush_every = 0;    ///< so many rows; 0 never
+  bool fails = false;          ///< the power, after each flush and before the end
+  uint8_t surface_count = 1;   ///< all the same
 };
 
 inline void push_rows(SliceEncoder& encoder, const uint8_t* samples, uint32_t count,
@@ -55,10 +55,10 @@ inline void lose_power(SliceEncoder& encoder, reference::Block& memory, Line& li
 
 inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& plan = {}) {
   StreamHeader header = header_of(volume);
-  header.further_surfaces = plan.further_surfaces;
-  for (int32_t& threshold : header.further_thresholds) threshold = header.threshold;
+  header.surface_count = plan.surface_count;
+  for (int32_t& threshold : header.thresholds) threshold = header.thresholds[0];
   const Limits limits{volume.width, volume.height};
-  reference::Block block(slice_encoder_bytes(limits, plan.key_slices, header.surfaces()));
+  reference::Block block(slice_encoder_bytes(limits, plan.key_slices, header.surface_count));
   Line line(plan.bytes_a_time);
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, plan.key_slices, block.memory(), line.output()));
@@ -80,9 +80,9 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
 inline Bytes lost_slices(const reference::Size& size) {
   Line line;
   PacketWriter packets;
-  packets.open(line.output());
-  packets.start({size.width, size.height, size.depth, {}, 1, Border::closed},
-                wire::HeaderFlags::slices);
+  packets.attach(line.output());
+  packets.begin_stream({size.width, size.height, size.depth, {}, {1}, Border::closed},
+                       wire::HeaderFlags::slices);
   if (!packets.drain()) throw std::runtime_error("the line takes everything");
   packets.seal_slices_trailer(size.depth, false, uint64_t{size.height} * size.depth, 0);
   if (!packets.drain()) throw std::runtime_error("the line takes everything");

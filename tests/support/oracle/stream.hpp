@@ -60,7 +60,7 @@ inline StreamHeader header_of(const reference::BitVolume& volume, Border border 
   header.height = volume.height;
   header.depth = volume.depth;
   for (int32_t& spacing : header.spacing_nm) spacing = 1000000;
-  header.threshold = 1;
+  header.thresholds[0] = 1;
   header.border = border;
   return header;
 }

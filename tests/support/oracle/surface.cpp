@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "facet_neighbours.hpp"
+
 namespace discmc::reference {
 
 // The finalizer of splitmix64 (Steele, Lea, Flood 2014).

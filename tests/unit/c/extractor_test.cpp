@@ -36,13 +36,13 @@ std::vector<Sample> make_samples() {
 // ---- a scan in C ----
 
 struct Scan {
-  Scan(const discmc_extractor_kind& kind, uint64_t bytes, EventLog& log, uint32_t records = 0)
+  Scan(const discmc_extractor_kind& kind, uint64_t bytes, EventLog& log, uint32_t slots = 0)
       : memory(bytes) {
     config.kind = &kind;
     config.limits = {width, height, DISCMC_CLOSED};
     config.threshold = threshold;
     std::copy_n(uneven_spacing, 3, config.spacing_nm);
-    config.records = records;
+    config.slots = slots;
     config.memory = {memory.memory().data, bytes};
     config.sink = c_sink_to(log);
   }
@@ -130,14 +130,14 @@ void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
   const auto scanner = make_scanner<Scanner>();
   const discmc_extractor_info info = later.info();
   EventLog expected;
-  scan_in_cpp<Scanner, Sample>(*scanner, {width, height}, {info.records, info.holes}, expected);
+  scan_in_cpp<Scanner, Sample>(*scanner, {width, height}, {info.slots, info.holes}, expected);
   CHECK(log.events == expected.events);
   CHECK(log.starts.back() == expected.starts.back());
   CHECK(counts(from_c(info.statistics)) == counts(scanner->statistics()));
   CHECK(info.statistics.skipped_rows == 1);
   CHECK(info.slices == depth);
   // What keeps corners may take a few more after it was restored.
-  if (&kind != &discmc_host) CHECK(info.peak_records == scanner->high_water().records);
+  if (&kind != &discmc_host) CHECK(info.peak_slots == scanner->high_water().slots);
   CHECK(info.peak_holes == scanner->high_water().holes);
 }
 
@@ -185,14 +185,14 @@ TEST_CASE("the kind for hosts delivers what a LearningExtractor delivers, whatev
   }
 }
 
-TEST_CASE("a host has room for the records that it names") {
+TEST_CASE("a host has room for the slots that it names") {
   EventLog log;
-  for (const uint32_t records : {4U, 190000U, 200000U, 262144U, 300000U}) {
-    Scan scan(discmc_host, 0, log, records);
-    Scan exact(discmc_host, discmc_extractor_bytes(&scan.config), log, records);
+  for (const uint32_t slots : {4U, 190000U, 200000U, 262144U, 300000U}) {
+    Scan scan(discmc_host, 0, log, slots);
+    Scan exact(discmc_host, discmc_extractor_bytes(&scan.config), log, slots);
     CHECK(discmc_extractor_start(&exact.extractor, &exact.config) == DISCMC_OK);
-    CHECK(exact.info().records == records);
-    CHECK(exact.info().holes == records / 16);
+    CHECK(exact.info().slots == slots);
+    CHECK(exact.info().holes == slots / 16);
     CHECK(exact.memory.is_intact());
   }
 }
@@ -208,7 +208,7 @@ TEST_CASE("a slab in C is one in C++") {
   REQUIRE(discmc_extractor_finish(scan.extractor) == DISCMC_OK);
   Extractor16 scanner;
   scan_in_cpp<Extractor16, uint8_t>(scanner, {width, height, Border::closed, {5, true, true}},
-                                    {scan.info().records, scan.info().holes}, expected);
+                                    {scan.info().slots, scan.info().holes}, expected);
   CHECK(log.events == expected.events);
   CHECK(scan.info().slices == depth);
 }
@@ -244,7 +244,7 @@ TEST_CASE("an abandoned scan is closed") {
   Extractor16 scanner;
   std::vector<uint8_t> memory(20000);
   const discmc_extractor_info info = scan.info();
-  require_ok(scanner.start({width, height}, {info.records, info.holes}, threshold,
+  require_ok(scanner.start({width, height}, {info.slots, info.holes}, threshold,
                            {memory.data(), memory.size()}, make_sink(expected)));
   const auto samples = make_samples<uint8_t>();
   for (uint32_t row = 0; row < 3 * height + 5; ++row)
@@ -284,8 +284,8 @@ TEST_CASE("errors of extractors in C") {
   CHECK(status_of([](Config& c) { c.limits.width = 0; }) == DISCMC_BAD_LIMITS);
   CHECK(status_of([](Config& c) { c.limits.border = 2; }) == DISCMC_BAD_LIMITS);
   CHECK(status_of([](Config& c) { c.slab.first = 3; }) == DISCMC_BAD_LIMITS);
-  CHECK(status_of([](Config& c) { c.records = 3; }) == DISCMC_BAD_CAPACITIES);
-  CHECK(status_of([](Config& c) { c.records = 32760; }) == DISCMC_BAD_CAPACITIES);
+  CHECK(status_of([](Config& c) { c.slots = 3; }) == DISCMC_BAD_CAPACITIES);
+  CHECK(status_of([](Config& c) { c.slots = 32760; }) == DISCMC_BAD_CAPACITIES);
   CHECK(status_of([](Config& c) { c.memory.data = nullptr; }) == DISCMC_TOO_LITTLE_MEMORY);
   CHECK(status_of([](Config& c) { c.memory.bytes = 100; }) == DISCMC_TOO_LITTLE_MEMORY);
   CHECK(status_of([](Config& c) { c.memory.bytes = discmc_extractor_bytes(&c) - 1; }) ==

@@ -73,21 +73,20 @@ TEST_CASE("the constants of sizes.h suffice, and are not much more") {
   for (const uint32_t width : {1U, 29U, 30U, 31U, 64U, 256U, 32766U})
     for (const uint32_t height : {1U, 2U, 31U, 32U, 200U, 32766U}) {
       const discmc_limits limits = {width, height, DISCMC_CLOSED};
-      for (const uint32_t records : {4U, 5U, 100U, 32759U}) {
+      for (const uint32_t slots : {4U, 5U, 100U, 32759U}) {
         discmc_extractor_config config{};
         config.limits = limits;
-        config.records = records;
+        config.slots = slots;
         for (const discmc_extractor_kind* kind : plain) {
           config.kind = kind;
-          check_size(DISCMC_EXTRACTOR_BYTES(width, height, records),
-                     discmc_extractor_bytes(&config));
+          check_size(DISCMC_EXTRACTOR_BYTES(width, height, slots), discmc_extractor_bytes(&config));
         }
         config.kind = &discmc_normals_u8;
-        check_size(DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sizeof(uint8_t), records),
+        check_size(DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sizeof(uint8_t), slots),
                    discmc_extractor_bytes(&config));
         for (const discmc_extractor_kind* kind : {&discmc_normals_u16, &discmc_normals_i16}) {
           config.kind = kind;
-          check_size(DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sizeof(int16_t), records),
+          check_size(DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sizeof(int16_t), slots),
                      discmc_extractor_bytes(&config));
         }
       }
@@ -103,12 +102,12 @@ TEST_CASE("the constants of sizes.h suffice, and are not much more") {
     }
 }
 
-TEST_CASE("a config without records needs the least memory, and bad ones need none") {
+TEST_CASE("a config without slots needs the least memory, and bad ones need none") {
   discmc_extractor_config config{};
   config.kind = &discmc_plain_u8;
   config.limits = {10, 10, DISCMC_CLOSED};
   const uint64_t least = discmc_extractor_bytes(&config);
-  config.records = DISCMC_MIN_RECORDS;
+  config.slots = DISCMC_MIN_SLOTS;
   CHECK(discmc_extractor_bytes(&config) == least);
   config.limits.width = 0;
   CHECK(discmc_extractor_bytes(&config) == 0);

@@ -78,12 +78,11 @@ test::Bytes stream_of_cpp() {
                       height,
                       depth,
                       {1000, -2000, 3000},
-                      thresholds[0],
+                      {thresholds[0], thresholds[1], thresholds[2], thresholds[3]},
                       Border::open,
                       5,
                       300,
-                      surfaces - 1,
-                      {thresholds[1], thresholds[2], thresholds[3]}};
+                      surfaces};
   const auto samples = make_samples<Sample>();
   std::vector<uint8_t> memory(slice_encoder_bytes({width, height}, {4}, surfaces));
   Line line;
@@ -167,8 +166,8 @@ TEST_CASE("a slice encoder drops its stream, and is abandoned, as in C++") {
   scan.start();
   SliceEncoder encoder;
   std::vector<uint8_t> memory(10000);
-  const StreamHeader header{width,         height,       depth, {1000, -2000, 3000},
-                            thresholds[0], Border::open, 5,     300};
+  const StreamHeader header{width,           height,       depth, {1000, -2000, 3000},
+                            {thresholds[0]}, Border::open, 5,     300};
   require_ok(encoder.start(header, {4}, {memory.data(), memory.size()}, cpp_line.output()));
   const auto samples = make_samples<uint8_t>();
   for (uint32_t row = 0; row < lost_row; ++row) {

@@ -31,12 +31,12 @@ class Rows {
   trace::SweptRow swept(int32_t y, int32_t z) const {
     trace::SweptRow row{};
     for (int32_t dz = -1; dz <= 1; ++dz)
-      for (int32_t dy = -1; dy <= 1; ++dy) row.rows.row[dz + 1][dy + 1] = at(y + dy, z + dz);
+      for (int32_t dy = -1; dy <= 1; ++dy) row.around.row[dz + 1][dy + 1] = at(y + dy, z + dz);
     row.words = words_;
     row.width = volume_.width;
     row.y = y;
     row.z = z;
-    row.set_missing();
+    row.set_absent_quadrants();
     return row;
   }
 
@@ -58,7 +58,7 @@ class Rows {
   std::vector<uint32_t> bits_;
 };
 
-// What a sweep tells of a volume with a closed border, and the records that it has in use then.
+// What a sweep tells of a volume with a closed border, and the slots that it has in use then.
 struct Told {
   Events events;
   std::array<uint64_t, 8> counts;
@@ -71,9 +71,9 @@ constexpr uint32_t plenty = 250000;
 template <class Sweep>
 class Scanner {
  public:
-  explicit Scanner(uint32_t records) : memory_(bytes_for<uint32_t>({1, 1}, {records, 1000})) {
+  explicit Scanner(uint32_t slots) : memory_(bytes_for<uint32_t>({1, 1}, {slots, 1000})) {
     Arena arena({memory_.data(), memory_.size()});
-    sweep_->start(arena, {records, 1000});
+    sweep_->start(arena, {slots, 1000});
   }
 
   // lowest: the number of the volume's first slice.
@@ -87,7 +87,7 @@ class Scanner {
       return true;
     });
     CHECK(pauses == log.refusals());
-    return {log.events, counts(statistics), sweep_->fragments().records().in_use()};
+    return {log.events, counts(statistics), sweep_->fragments().slots().in_use()};
   }
   // Ends where the sink refuses an event.
   void break_off(const BitVolume& volume, uint64_t event) {
@@ -118,9 +118,9 @@ class Scanner {
 using Corner = Scanner<trace::CornerSweep>;
 using Plain = Scanner<trace::Sweep<uint32_t, NoNormal>>;
 
-// With so many records: does not hand over what it keeps, which is in use to the end.
-bool keeps_corners(const BitVolume& volume, uint32_t records) {
-  return Corner(records).scan(volume).in_use > 0;
+// With so many slots: does not hand over what it keeps, which is in use to the end.
+bool keeps_corners(const BitVolume& volume, uint32_t slots) {
+  return Corner(slots).scan(volume).in_use > 0;
 }
 
 // Two slices of noise, and another volume behind it, no larger in a slice.
@@ -163,8 +163,8 @@ TEST_CASE("whether and wherever corners are handed over, the events are those of
     const Told expected = Plain(plenty).scan(each.volume);
     for (uint32_t i = 0; i < 7; ++i) {
       CAPTURE(i);
-      const uint32_t records = i == 6 ? plenty : Corners::min_records + each.step * i;
-      const Told told = Corner(records).scan(each.volume, i % 2 == 0 ? nullptr : refuses_first);
+      const uint32_t slots = i == 6 ? plenty : Corners::min_slots + each.step * i;
+      const Told told = Corner(slots).scan(each.volume, i % 2 == 0 ? nullptr : refuses_first);
       CHECK(told.events == expected.events);
       CHECK(told.counts == expected.counts);
       // What is handed over is given back in the end.
@@ -183,17 +183,17 @@ TEST_CASE("sides longer than two places can tell are handed over") {
   }
 }
 
-TEST_CASE("corners are kept as long as ten records are free for each") {
+TEST_CASE("corners are kept as long as ten slots are free for each") {
   struct Known {
     BitVolume volume;
     uint32_t corners;
-    uint32_t longer;  // records by which queues have grown
-    uint32_t others;  // records that are in use besides for a while, when most corners are
+    uint32_t longer;  // slots by which queues have grown
+    uint32_t others;  // slots that are in use besides for a while, when most corners are
   };
   const Known all[] = {{random({31, 30, 3}, 128, 8), 2548, 0, 0},
                        {random({40, 40, 3}, 60, 8), 2011, 512, 0},
                        {columns({30, 30, 3}), 3956, 2560, 0},
-                       // The two records of a hole, and two of its runs.
+                       // The two slots of a hole, and two of its runs.
                        {noise_and(30, plate_with_a_hole()), 2129, 0, 4},
                        // Those of a queue that has just grown; the last one has so for the second
                        // time.
@@ -202,7 +202,7 @@ TEST_CASE("corners are kept as long as ten records are free for each") {
                        {noise_and(60, columns({30, 30, 2})), 7920, 4608, 256}};
   for (const Known& known : all) {
     CAPTURE(known.corners);
-    const uint32_t in_use = Corners::min_records / 2 + known.longer + known.corners;
+    const uint32_t in_use = Corners::min_slots / 2 + known.longer + known.corners;
     const Told told = Corner(plenty).scan(known.volume);
     CHECK(told.in_use == in_use);
     CHECK(told.events == Plain(plenty).scan(known.volume).events);
@@ -221,13 +221,13 @@ TEST_CASE("in no queue is an end lost, however many wait there for the next row"
   CHECK(told.in_use > 0);
 }
 
-TEST_CASE("with fewer records than the least no corners are kept") {
+TEST_CASE("with fewer slots than the least no corners are kept") {
   const BitVolume voxel = box({1, 1, 1}, {0, 0, 0}, {0, 0, 0});
-  CHECK(keeps_corners(voxel, Corners::min_records));
-  CHECK_FALSE(keeps_corners(voxel, Corners::min_records - 1));
+  CHECK(keeps_corners(voxel, Corners::min_slots));
+  CHECK_FALSE(keeps_corners(voxel, Corners::min_slots - 1));
 }
 
-TEST_CASE("a straight side takes no more records when it is longer") {
+TEST_CASE("a straight side takes no more slots when it is longer") {
   const auto in_use = [](const Size& size) {
     const Vertex last{static_cast<int32_t>(size.width) - 1, static_cast<int32_t>(size.height) - 1,
                       static_cast<int32_t>(size.depth) - 1};
@@ -248,7 +248,7 @@ TEST_CASE("the corners of rings that have closed are used again") {
 TEST_CASE("a scan that breaks off leaves nothing to the next") {
   const BitVolume volume = random({31, 30, 3}, 128, 8);
   const Told expected = Plain(plenty).scan(volume);
-  Corner scanner(Corners::min_records);
+  Corner scanner(Corners::min_slots);
   for (const uint64_t event : {0U, 1000U, 5000U, 15000U}) {
     scanner.break_off(volume, event);
     const Told told = scanner.scan(volume);

@@ -21,7 +21,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// With so many records corners are kept, in the rings of the queues and in half as many at least.
+// With so many slots corners are kept, in the rings of the queues and in half as many at least.
 constexpr Capacities much{60000, 100};
 constexpr uint32_t min_for_corners = 37120;
 
@@ -88,13 +88,13 @@ bool refuses_some(uint64_t offer) {
   return offer * 0x9E3779B97F4A7C15 >> 62 == 0;
 }
 
-// With so many records in use more than the least have been taken for queues.
+// With so many slots in use more than the least have been taken for queues.
 template <class Extractor>
 bool has_kept_corners(const Extractor& extractor) {
-  return extractor.high_water().records >= min_for_corners / 2;
+  return extractor.high_water().slots >= min_for_corners / 2;
 }
 
-// A scan of a volume with few records beyond the least, so that its fragments are handed over on
+// A scan of a volume with few slots beyond the least, so that its fragments are handed over on
 // the way.
 class HandingOver {
  public:
@@ -103,9 +103,9 @@ class HandingOver {
     expected_ = expected_of(volume, plan_);
     extractor_.learn_in(learnt_.memory());
   }
-  void check(uint32_t records_beyond, const EventLog::Refuses& refuses = {}) {
-    CAPTURE(records_beyond);
-    const Capacities capacities{min_for_corners + records_beyond, 1000};
+  void check(uint32_t slots_beyond, const EventLog::Refuses& refuses = {}) {
+    CAPTURE(slots_beyond);
+    const Capacities capacities{min_for_corners + slots_beyond, 1000};
     const EventLog log = scanned(extractor_, volume_, plan_, capacities, refuses);
     CHECK(has_kept_corners(extractor_));
     CHECK(log.events == expected_.events);
@@ -238,10 +238,9 @@ TEST_CASE("an extractor that learns gives the events of one that does not, from 
   }
 }
 
-TEST_CASE("it does with too few records to keep corners, down to those for little") {
-  constexpr uint32_t records[] = {60, 200, 1100, 3000, min_for_corners - 1};
-  for (size_t i = 0; i < std::size(records); i += step(2))
-    check_like_others(1 << 16, {records[i], 10});
+TEST_CASE("it does with too few slots to keep corners, down to those for little") {
+  constexpr uint32_t slots[] = {60, 200, 1100, 3000, min_for_corners - 1};
+  for (size_t i = 0; i < std::size(slots); i += step(2)) check_like_others(1 << 16, {slots[i], 10});
   LearningExtractor extractor;
   (void)scanned(extractor, plate(), {}, {min_for_corners - 1, 10});
   CHECK(!has_kept_corners(extractor));
@@ -311,9 +310,9 @@ TEST_CASE("a slab has the regions, the loose fragments and the counts of any oth
 }
 
 TEST_CASE("slabs join to the whole wherever their fragments are handed over, by whomever scanned") {
-  // With so many records fragments are handed over in the slice below, the first, a later one, or
+  // With so many slots fragments are handed over in the slice below, the first, a later one, or
   // not at all.
-  constexpr uint32_t records[] = {200, 37120, 41000, 48000, 60000};
+  constexpr uint32_t slots[] = {200, 37120, 41000, 48000, 60000};
   LearningExtractor extractor;
   Extractor32 other;
   uint32_t turn = 0;
@@ -325,8 +324,8 @@ TEST_CASE("slabs join to the whole wherever their fragments are handed over, by 
       const EventLog whole = expected_of(volume, plan);
       const std::vector<Region> regions = collected(whole.events).regions();
       const std::vector<Region> expected = canonical(regions);
-      for (size_t i = 0; i < std::size(records); i += step(2)) {
-        const uint32_t capacity = records[i];
+      for (size_t i = 0; i < std::size(slots); i += step(2)) {
+        const uint32_t capacity = slots[i];
         for (const std::vector<uint32_t>& thick : {thicknesses[0], thicknesses[4]}) {
           CAPTURE(capacity);
           CAPTURE(thick[0]);
@@ -367,7 +366,7 @@ TEST_CASE(
 
 TEST_CASE("the corners of loose fragments that have gone out are used again") {
   LearningExtractor extractor;
-  const auto records_used = [&](bool has_fragments) {
+  const auto slots_used = [&](bool has_fragments) {
     BitVolume volume({30, 30, 9});
     const BitVolume noise = random({30, 30, 2}, 128, 8);
     const auto put_noise = [&](uint32_t z) {
@@ -376,9 +375,9 @@ TEST_CASE("the corners of loose fragments that have gone out are used again") {
     if (has_fragments) put_noise(0);
     put_noise(5);
     (void)SlabScan{volume, Border::closed, 1, 9}.by(extractor, much);
-    return extractor.high_water().records;
+    return extractor.high_water().slots;
   };
-  CHECK(records_used(true) == records_used(false));
+  CHECK(slots_used(true) == slots_used(false));
 }
 
 TEST_CASE("slabs behind the slices that a corner's place has room for join to the whole") {

@@ -36,14 +36,14 @@ class Rows {
   // absent_rows: of the four rows of cells around, a bit each.
   trace::SweptRow swept(uint32_t absent_rows = 0, bool has_open_ends = false) const {
     trace::SweptRow row{};
-    for (uint32_t i = 0; i < 9; ++i) row.rows.row[i / 3][i % 3] = &bits_[size_t{i} * words_];
+    for (uint32_t i = 0; i < 9; ++i) row.around.row[i / 3][i % 3] = &bits_[size_t{i} * words_];
     row.words = words_;
     row.width = width_;
     row.y = 7;
     row.z = 5;
     row.absent_rows = absent_rows;
     row.has_open_ends = has_open_ends;
-    row.set_missing();
+    row.set_absent_quadrants();
     return row;
   }
 

@@ -19,15 +19,15 @@ namespace {
 struct DevicePlan {
   const char* name;
   KeySlices key_slices;
-  uint8_t further_surfaces;
+  uint8_t surface_count;
   size_t most;  // bytes that the output takes at a time
 };
 
-constexpr DevicePlan plans[] = {{"one key slice", {}, 0, SIZE_MAX},
-                                {"every third is one", {3}, 0, SIZE_MAX},
-                                {"all are", {1}, 0, SIZE_MAX},
-                                {"several surfaces", {2}, 2, SIZE_MAX},
-                                {"an output that lags behind", {3}, 1, 5}};
+constexpr DevicePlan plans[] = {{"one key slice", {}, 1, SIZE_MAX},
+                                {"every third is one", {3}, 1, SIZE_MAX},
+                                {"all are", {1}, 1, SIZE_MAX},
+                                {"several surfaces", {2}, 3, SIZE_MAX},
+                                {"an output that lags behind", {3}, 2, 5}};
 
 // A slice of it fills more than a packet.
 BitVolume noise() {
@@ -42,11 +42,11 @@ class SliceDevice {
  public:
   SliceDevice(const BitVolume& volume, const DevicePlan& plan)
       : volume_(volume), key_slices_(plan.key_slices), header_(header_of(volume)) {
-    header_.further_surfaces = plan.further_surfaces;
-    for (int32_t& threshold : header_.further_thresholds) threshold = header_.threshold;
+    header_.surface_count = plan.surface_count;
+    for (int32_t& threshold : header_.thresholds) threshold = header_.thresholds[0];
     store.most = plan.most;
     const Limits limits{volume.width, volume.height};
-    block_ = Block(slice_encoder_bytes(limits, key_slices_, header_.surfaces()));
+    block_ = Block(slice_encoder_bytes(limits, key_slices_, header_.surface_count));
   }
 
   void start() { require_ok(encoder.start(header_, key_slices_, block_.memory(), store.output())); }
@@ -126,7 +126,7 @@ TEST_CASE("slices go on from a checkpoint at any row as if nothing had happened"
 
 TEST_CASE("a receiver that cannot go back hears packets of slices again and loses none") {
   const BitVolume volume = smooth();
-  const DevicePlan plan{"an output that lags behind", {3}, 0, 5};
+  const DevicePlan plan{"an output that lags behind", {3}, 1, 5};
   SliceDevice device(volume, plan), again(volume, plan);
   device.start();
   device.scan_to(200);
@@ -218,7 +218,7 @@ TEST_CASE("what cannot be saved or restored of slices is refused") {
   StreamHeader header;
   header.width = 999;
   header.height = 9;
-  header.threshold = 1;
+  header.thresholds[0] = 1;
   constexpr Limits limits{999, 9};
   alignas(4) static uint8_t memory[slice_encoder_bytes(limits, {}) + 1] = {};
   const Memory whole{memory, sizeof memory - 1};

@@ -22,7 +22,7 @@ constexpr uint8_t of_key = SliceBits::key | whole_code;
 
 SlicePlan plan_of(uint8_t surfaces) {
   SlicePlan plan;
-  plan.further_surfaces = static_cast<uint8_t>(surfaces - 1);
+  plan.surface_count = surfaces;
   return plan;
 }
 
@@ -32,7 +32,7 @@ class Code {
   explicit Code(uint8_t surfaces = 1) : memory_(slice_encoder_bytes(limits, {}, surfaces)) {
     Arena arena({memory_.data(), memory_.size()});
     StreamHeader header = header_of(BitVolume(size));
-    header.further_surfaces = static_cast<uint8_t>(surfaces - 1);
+    header.surface_count = surfaces;
     surfaces_.start(arena, header, slices::rows_kept(limits.height, false));
     surfaces_.clear();
     surfaces_.begin_key_slice();
@@ -365,7 +365,7 @@ TEST_CASE("a trailer that tells of fewer rows than came counts none of them as l
 TEST_CASE("a slice decoder that is started again forgets everything") {
   const BitVolume volume = reference::random({40, 9, 8}, 60, 4);
   SlicePlan plan{{2}};
-  plan.further_surfaces = 1;
+  plan.surface_count = 2;
   std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
   REQUIRE(frames.size() > 5);
   frames.erase(frames.end() - 2);

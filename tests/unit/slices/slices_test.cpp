@@ -1,4 +1,4 @@
-// Streams of bits: every volume comes through, whatever the portions, the line and the receiver.
+// Streams of slices: every volume comes through, whatever the portions, the line and the receiver.
 #include <doctest/doctest.h>
 
 #include <discmc/surface_decoder.hpp>
@@ -83,7 +83,7 @@ struct Device {
     StreamHeader header;
     header.width = limits.width;
     header.height = limits.height;
-    header.threshold = 1;
+    header.thresholds[0] = 1;
     reference::require_ok(
         encoder.start(header, key_slices, {memory.data(), memory.size()}, line.output()));
   }
@@ -204,7 +204,7 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   StreamHeader header;
   header.width = 40;
   header.height = 2;
-  header.threshold = -5;
+  header.thresholds[0] = -5;
   Bytes memory(slice_encoder_bytes({40, 2}, {}));
   Line line;
   SliceEncoder encoder;
@@ -466,7 +466,7 @@ TEST_CASE("where every slice is a key slice four rows of bits are all that is ke
   CHECK(slice_decoder_bytes({256, 256}) == 259 * 9 * 4 + 548 + 3 + 32);
 }
 
-TEST_CASE("streams of bits are as short as the page of the stream says") {
+TEST_CASE("streams of slices are as short as the page of the stream says") {
   const auto bytes = [](const BitVolume& volume, uint32_t interval) {
     return encode_slices(volume, {{interval}}).size();
   };
@@ -506,9 +506,9 @@ StreamHeader header_of_surfaces(const reference::Size& size,
   header.height = size.height;
   header.depth = size.depth;
   header.channel = 5;
-  header.further_surfaces = static_cast<uint8_t>(thresholds.size() - 1);
-  header.threshold = thresholds[0];
-  std::copy(thresholds.begin() + 1, thresholds.end(), header.further_thresholds);
+  header.surface_count = static_cast<uint8_t>(thresholds.size());
+  header.thresholds[0] = thresholds[0];
+  std::copy(thresholds.begin(), thresholds.end(), header.thresholds);
   return header;
 }
 
@@ -517,7 +517,7 @@ Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, KeySlice
                       bool skips = false, size_t bytes_a_time = 0) {
   Line line(bytes_a_time);
   const Limits limits{header.width, header.height};
-  reference::Block block(slice_encoder_bytes(limits, key_slices, header.surfaces()));
+  reference::Block block(slice_encoder_bytes(limits, key_slices, header.surface_count));
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
@@ -546,7 +546,7 @@ TEST_CASE("several surfaces come through one stream, each as it would alone") {
         const Bytes stream = encode_surfaces(header, samples, {interval}, skips,
                                              interval == 1 ? 3 : 1000 * interval);
         const ReceivedRows received =
-            decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surfaces());
+            decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surface_count);
         REQUIRE(received.report.is_complete());
         CHECK(received.report.rows == size.height * size.depth);
         std::vector<Bytes> rows(thresholds.size());
@@ -619,7 +619,7 @@ TEST_CASE("a stream holds one to four surfaces, on channels up to 63") {
   header.channel = 61;
   CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
   header.channel = 0;
-  header.further_surfaces = 4;
+  header.surface_count = 5;
   CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
 }
 
@@ -629,7 +629,7 @@ namespace {
 template <class Coder>
 void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
   const Limits limits{header.width, header.height};
-  reference::Block block(slice_encoder_bytes(limits, {}, header.surfaces()));
+  reference::Block block(slice_encoder_bytes(limits, {}, header.surface_count));
   Arena arena(block.memory());
   slices::Surfaces surfaces;
   surfaces.start(arena, header, slices::rows_kept(limits.height, false));
@@ -655,7 +655,7 @@ void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& row
 // one that ends in zeros, or at it.
 std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
   Chance chance(seed);
-  const size_t row_bytes = (header.width + 7) / 8 * header.surfaces();
+  const size_t row_bytes = (header.width + 7) / 8 * header.surface_count;
   std::vector<Bytes> rows(header.height, Bytes(row_bytes));
   for (Bytes& row : rows)
     for (uint8_t& byte : row) byte = chance.byte();
@@ -683,7 +683,7 @@ TEST_CASE("codes are cut wherever a carry may come, between rows or within one o
         const std::vector<Bytes> rows = rows_on_the_edge(header, seed);
         Line line;
         reference::Block block(
-            slice_encoder_bytes({size.width, size.height}, {}, header.surfaces()));
+            slice_encoder_bytes({size.width, size.height}, {}, header.surface_count));
         SliceEncoder encoder;
         reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
         for (const Bytes& row : rows) reference::require_ok(encoder.push_bits(row.data()).status);
@@ -694,15 +694,16 @@ TEST_CASE("codes are cut wherever a carry may come, between rows or within one o
           if (kind < 16 || (kind & wire::SliceBits::last) == 0) continue;
           ++((kind & wire::SliceBits::cut) != 0 ? within : between);
         }
-        const ReceivedRows received = decode_slices(line.bytes, size, 0, false, header.surfaces());
+        const ReceivedRows received =
+            decode_slices(line.bytes, size, 0, false, header.surface_count);
         REQUIRE(received.report.is_complete());
-        REQUIRE(received.rows.size() == rows.size() * header.surfaces() + 1);
+        REQUIRE(received.rows.size() == rows.size() * header.surface_count + 1);
         uint32_t wrong = 0;
         const size_t row_bytes = (size.width + 7) / 8;
         for (size_t i = 0; i + 1 < received.rows.size(); ++i)
           for (uint32_t x = 0; x < size.width; ++x) {
             const uint8_t byte =
-                rows[i / header.surfaces()][i % header.surfaces() * row_bytes + x / 8];
+                rows[i / header.surface_count][i % header.surface_count * row_bytes + x / 8];
             if (received.rows[i].bits[x] != (byte >> x % 8 & 1)) ++wrong;
           }
         CHECK(wrong == 0);
@@ -730,10 +731,10 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
     CHECK(decoder.report().is_complete());
     CHECK(log.events == events_of(volume));
     REQUIRE(log.starts.size() == 1);
-    CHECK(log.starts[0].further_surfaces == 0);
-    CHECK(log.starts[0].further_thresholds[0] == 0);
+    CHECK(log.starts[0].surface_count == 1);
+    CHECK(log.starts[0].thresholds[1] == 0);
     CHECK(log.starts[0].channel == 5 + surface);
-    CHECK(log.starts[0].threshold == thresholds[surface]);
+    CHECK(log.starts[0].thresholds[0] == thresholds[surface]);
   }
 }
 

@@ -181,9 +181,9 @@ std::vector<Bytes> frames_with_skips(const Scan& scan) {
   header.width = scan.width;
   header.height = 8;
   header.channel = 3;
-  header.threshold = 100;
-  header.further_surfaces = static_cast<uint8_t>(scan.surfaces - 1);
-  header.further_thresholds[0] = 180;
+  header.thresholds[0] = 100;
+  header.surface_count = static_cast<uint8_t>(scan.surfaces);
+  header.thresholds[1] = 180;
   Bytes memory(slice_encoder_bytes({scan.width, 8}, {1}, scan.surfaces));
   Line line;
   SliceEncoder encoder;

@@ -55,9 +55,9 @@ TEST_CASE("what nobody has said of a scan is zero, and its label is what its hea
   const StreamHeader unsaid;
   CHECK(unsaid.height == 0);
   CHECK(unsaid.depth == 0);
-  CHECK(unsaid.threshold == 0);
+  CHECK(unsaid.thresholds[0] == 0);
   for (uint32_t surface = 1; surface < StreamHeader::max_surfaces; ++surface)
-    CHECK(unsaid.threshold_of(surface) == 0);
+    CHECK(unsaid.thresholds[surface] == 0);
   StreamHeader header;
   header.depth = 9;
   header.scan = 8;

@@ -12,9 +12,9 @@ using namespace discmc::reference;
 
 namespace {
 
-Statistics scanned(const BitVolume& volume, uint32_t records) {
+Statistics scanned(const BitVolume& volume, uint32_t slots) {
   Collector collector;
-  scan_into<uint16_t>(collector, volume, {}, Capacities{records, records});
+  scan_into<uint16_t>(collector, volume, {}, Capacities{slots, slots});
   return collector.statistics();
 }
 
@@ -30,21 +30,21 @@ TEST_CASE("a side is cut when its ends are 4,080 places apart, whichever comes f
     }
 }
 
-TEST_CASE("while a thousand records are left nothing goes out loose, however long a ring is") {
+TEST_CASE("while a thousand slots are left nothing goes out loose, however long a ring is") {
   CHECK(scanned(spiral({200, 200, 1}), 2700).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1778).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1777).fragments > 0);
 }
 
-TEST_CASE("with so few records so many regions stay whole") {
+TEST_CASE("with so few slots so many regions stay whole") {
   struct Known {
-    uint32_t records;
+    uint32_t slots;
     uint64_t regions, fragments;
   };
   const auto check = [](const BitVolume& volume, const std::vector<Known>& all) {
     for (const Known& known : all) {
-      CAPTURE(known.records);
-      const Statistics statistics = scanned(volume, known.records);
+      CAPTURE(known.slots);
+      const Statistics statistics = scanned(volume, known.slots);
       CHECK(statistics.regions == known.regions);
       CHECK(statistics.fragments == known.fragments);
     }

@@ -63,7 +63,7 @@ TEST_CASE("a hole goes to the ring around it, not to one whose oblique side pass
   }
 }
 
-TEST_CASE("a hole goes to its own ring, whatever its record has been used for") {
+TEST_CASE("a hole goes to its own ring, whatever its slot has been used for") {
   // Behind noise, pairs of plates side by side, of which one closes while the other's hole waits.
   const BitVolume noise = random({40, 36, 2}, 128, 8);
   BitVolume volume({40, 36, 5});
@@ -80,11 +80,11 @@ TEST_CASE("a hole goes to its own ring, whatever its record has been used for") 
 
 TEST_CASE("a hole is found by its plane, and when no ring comes, at last") {
   using Holes = trace::Holes<uint16_t, NoNormal>;
-  Holes::Records records;
-  trace::Record<uint16_t, NoNormal> memory[300];
+  Holes::Slots slots;
+  trace::Slot<uint16_t, NoNormal> memory[300];
   uint16_t heads[sizing::hole_lists];
-  records.start(memory, 300);
-  records.clear();
+  slots.start(memory, 300);
+  slots.clear();
   Holes holes;
   holes.start(heads);
   holes.clear();
@@ -92,24 +92,24 @@ TEST_CASE("a hole is found by its plane, and when no ring comes, at last") {
   trace::Outgoing<uint16_t> ring;
   ring.kind = trace::Outgoing<uint16_t>::Kind::fragment;
   ring.incidence = incidence;
-  const auto is_on = [&](int32_t z) { return holes.has_any(records, incidence, {4, 1, z}); };
+  const auto is_on = [&](int32_t z) { return holes.has_any(slots, incidence, {4, 1, z}); };
   for (int32_t z = 0; z < 40; ++z) {
     CHECK(!is_on(z));
     ring.start = {2, 1, z};
-    trace::RunLists<uint16_t, NoNormal>::Slot run;
+    trace::RunLists<uint16_t, NoNormal>::Entry run;
     run.run = trace::short_run(0, 1);
-    ring.last = no_record;
-    trace::RunLists<uint16_t, NoNormal>::append(records, ring.last, run);
-    holes.keep(records, ring);
+    ring.last = no_slot;
+    trace::RunLists<uint16_t, NoNormal>::append(slots, ring.last, run);
+    holes.keep(slots, ring);
     CHECK(is_on(z));
   }
   for (uint32_t left = 40; left > 0; --left) {
     CHECK(holes.count() == left);
     Vertex start{};
-    holes.any_plane(records, ring.incidence, ring.start);
+    holes.any_plane(slots, ring.incidence, ring.start);
     CHECK(is_on(ring.start.z));
-    CHECK(holes.mark(records, ring) == 1);
-    holes.take(records, ring.last, start);
+    CHECK(holes.mark(slots, ring) == 1);
+    holes.take(slots, ring.last, start);
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));
   }
@@ -125,7 +125,7 @@ TEST_CASE("the high-water mark counts the holes that waited at once, and begins 
   Extractor16 extractor;
   require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));
   push_all(extractor, plate.on);
-  const uint32_t records = extractor.high_water().records;
+  const uint32_t slots = extractor.high_water().slots;
   CHECK(extractor.high_water().holes == 3);
   // The next scan breaks off while the first three wait.
   require_ok(extractor.reset());
@@ -139,20 +139,20 @@ TEST_CASE("the high-water mark counts the holes that waited at once, and begins 
   for (const int64_t x : {2, 6}) one_hole.on[plate.index(x, 2, 1)] = 1;
   push_all(extractor, one_hole.on);
   CHECK(extractor.high_water().holes == 3);
-  CHECK(extractor.high_water().records == records);
+  CHECK(extractor.high_water().slots == slots);
 }
 
-TEST_CASE("however few records or holes there may be, the rings of a sieve are the same") {
+TEST_CASE("however few slots or holes there may be, the rings of a sieve are the same") {
   BitVolume sieve({9, 9, 3});
   for (int64_t y = 0; y < 9; ++y)
     for (int64_t x = 0; x < 9; ++x) sieve.on[sieve.index(x, y, 1)] = x % 3 != 1 || y % 2 != 1;
   const std::vector<Region> merged = merge(sieve, true);
-  for (uint32_t records = 4; records < 120; ++records)
+  for (uint32_t slots = 4; slots < 120; ++slots)
     for (const uint32_t holes : {1U, 3U, 100U}) {
-      CAPTURE(records);
+      CAPTURE(slots);
       CAPTURE(holes);
       Collector collector;
-      scan_into<uint16_t>(collector, sieve, {}, Capacities{records, holes});
+      scan_into<uint16_t>(collector, sieve, {}, Capacities{slots, holes});
       CHECK(unlike_joined({collector}, merged) == "");
     }
 }
@@ -162,10 +162,10 @@ TEST_CASE("a hole that goes out loose goes before the last piece of the ring aro
   for (uint8_t& voxel : volume.on) voxel ^= 1;
   const std::vector<Region> merged = merge(volume, true);
   uint32_t holes = 0;
-  for (uint32_t records = 200; records < 360; records += 13) {
-    CAPTURE(records);
+  for (uint32_t slots = 200; slots < 360; slots += 13) {
+    CAPTURE(slots);
     Collector collector;
-    scan_into<uint16_t>(collector, volume, {}, Capacities{records, 1000});
+    scan_into<uint16_t>(collector, volume, {}, Capacities{slots, 1000});
     CHECK(unlike_joined({collector}, merged) == "");
     const std::vector<Fragment>& loose = collector.loose();
     for (auto at = loose.begin(); at != loose.end(); ++at) {
@@ -213,9 +213,9 @@ TEST_CASE("a hole whose ring has gone out loose before it follows at the end of 
   const Slab below{0, false, true}, above{3, true, false};
   const Collector above_it = collected(slab_events(upper, above, ample), above);
   const std::vector<Region> merged = merge(volume, true);
-  for (const uint32_t records : {202U, 218U, 241U, 250U}) {
-    CAPTURE(records);
-    const Capacities few{records, 30};
+  for (const uint32_t slots : {202U, 218U, 241U, 250U}) {
+    CAPTURE(slots);
+    const Capacities few{slots, 30};
     const Events events = slab_events(volume, below, few);
     const Collector below_it = collected(events, below);
     CHECK(unlike_joined({below_it, above_it}, merged) == "");

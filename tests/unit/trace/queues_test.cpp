@@ -14,10 +14,10 @@ constexpr uint8_t number = 77;
 template <class Index>
 class Ends {
  public:
-  static constexpr uint32_t records = 20;
+  static constexpr uint32_t slots = 20;
 
   Ends() {
-    pool_.start(memory_, records);
+    pool_.start(memory_, slots);
     pool_.clear();
     queues_.start(heads_);
     queues_.clear();
@@ -32,25 +32,25 @@ class Ends {
   void lose(uint32_t count) {
     for (; count > 0; --count) queues_.push_lost(pool_, number);
   }
-  // What comes out next: an end, which is given back, or no_record.
+  // What comes out next: an end, which is given back, or no_slot.
   Index pop() {
     const Index end = queues_.pop(pool_, number);
-    if (end != no_record) pool_.give(end);
+    if (end != no_slot) pool_.give(end);
     return end;
   }
   // How many that were lost come out, before one that was not or at most so many.
   uint32_t pop_lost(uint32_t most) {
     uint32_t count = 0;
-    while (count < most && queues_.pop(pool_, number) == no_record) ++count;
+    while (count < most && queues_.pop(pool_, number) == no_slot) ++count;
     return count;
   }
   bool last_is_lost() const { return queues_.last_is_lost(pool_, number); }
   uint32_t in_use() const { return pool_.in_use(); }
 
  private:
-  trace::Record<Index, NoNormal> memory_[records];
+  trace::Slot<Index, NoNormal> memory_[slots];
   trace::Queue<Index> heads_[trace::queue_count];
-  Pool<trace::Record<Index, NoNormal>, Index> pool_;
+  Pool<trace::Slot<Index, NoNormal>, Index> pool_;
   trace::Queues<Index, NoNormal> queues_;
 };
 
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("lost ends keep their places among others", Index, uint16_t, 
     // A queue in which only lost ones are left.
     ends.push();
     ends.lose(many);
-    CHECK(ends.pop() != no_record);
+    CHECK(ends.pop() != no_slot);
     CHECK(ends.pop_lost(many) == many);
     CHECK(ends.in_use() == 0);
   }

@@ -42,7 +42,7 @@ TEST_CASE("at no centroid does an incidence come twice") {
   for (unsigned configuration = 0; configuration < 256; ++configuration) {
     const Loops loops = derive::loops(static_cast<Configuration>(configuration));
     for (int n = 0; n < loops.count; ++n) {
-      const trace::LoopFacets facets = trace::facets_of(loops.loop[n]);
+      const LoopFacets facets = facets_of(loops.loop[n]);
       if (!facets.is_fan) continue;
       bool has_come[incidence_codes] = {};
       for (int link = 0; link < facets.loop.count; ++link) {

@@ -1,4 +1,4 @@
-// Lists of runs: what was put in comes out in order, and every record goes back.
+// Lists of runs: what was put in comes out in order, and every slot goes back.
 #include <doctest/doctest.h>
 
 #include <discmc/trace/run_list.hpp>
@@ -16,46 +16,46 @@ using Cursor = trace::RunCursor<uint16_t, NoNormal>;
 struct Pooled {
   static constexpr uint32_t capacity = 200;
 
-  std::vector<trace::Record<uint16_t, NoNormal>> memory{capacity};
-  Lists::Records records;
+  std::vector<trace::Slot<uint16_t, NoNormal>> memory{capacity};
+  Lists::Slots slots;
 
   Pooled() {
-    records.start(memory.data(), capacity);
-    records.clear();
+    slots.start(memory.data(), capacity);
+    slots.clear();
   }
 };
 
 // A list, and what must be in it.
 struct List {
-  uint16_t last = no_record;
+  uint16_t last = no_slot;
   std::deque<trace::ShortRun> runs;
 
   void append(Pooled& pooled, trace::ShortRun run) {
-    Lists::append(pooled.records, last, slot(run));
+    Lists::append(pooled.slots, last, entry_of(run));
     runs.push_back(run);
   }
   void prepend(Pooled& pooled, trace::ShortRun run) {
-    Lists::prepend(pooled.records, last, slot(run));
+    Lists::prepend(pooled.slots, last, entry_of(run));
     runs.push_front(run);
   }
   void check(const Pooled& pooled) const {
-    REQUIRE((last == no_record) == runs.empty());
+    REQUIRE((last == no_slot) == runs.empty());
     if (runs.empty()) return;
-    CHECK(Lists::last_run(pooled.records, last) == runs.back());
-    const Cursor begin(pooled.records, last);
+    CHECK(Lists::last_run(pooled.slots, last) == runs.back());
+    const Cursor begin(pooled.slots, last);
     Cursor cursor = begin;
     for (const trace::ShortRun run : runs) {
-      CHECK(cursor.run(pooled.records) == run);
-      cursor.advance(pooled.records);
+      CHECK(cursor.run(pooled.slots) == run);
+      cursor.advance(pooled.slots);
     }
     CHECK(cursor == begin);
   }
 
  private:
-  static Lists::Slot slot(trace::ShortRun run) {
-    Lists::Slot slot;
-    slot.run = run;
-    return slot;
+  static Lists::Entry entry_of(trace::ShortRun run) {
+    Lists::Entry entry;
+    entry.run = run;
+    return entry;
   }
 };
 
@@ -78,7 +78,7 @@ TEST_CASE(
     List list = list_of(pooled, n % 6, n / 6 % 6);
     list.check(pooled);
     const List after = list_of(pooled, n / 36 % 6, n / 216);
-    list.last = Lists::concatenate(pooled.records, list.last, after.last);
+    list.last = Lists::concatenate(pooled.slots, list.last, after.last);
     list.runs.insert(list.runs.end(), after.runs.begin(), after.runs.end());
     list.check(pooled);
     list.append(pooled, trace::short_run(3, 1));
@@ -87,33 +87,33 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a list has a record for three runs that are put behind one another") {
+TEST_CASE("a list has a slot for three runs that are put behind one another") {
   Pooled pooled;
   (void)list_of(pooled, 30, 0);
-  CHECK(pooled.records.in_use() == 10);
+  CHECK(pooled.slots.in_use() == 10);
   (void)list_of(pooled, 0, 30);
-  CHECK(pooled.records.in_use() == 20);
+  CHECK(pooled.slots.in_use() == 20);
 }
 
 TEST_CASE("a list that is given back leaves nothing in use") {
   for (uint32_t runs = 1; runs < 20; ++runs) {
     Pooled pooled;
     const List kept = list_of(pooled, 4, 0);
-    const uint32_t in_use = pooled.records.in_use();
-    Lists::give(pooled.records, list_of(pooled, runs, 0).last);
-    CHECK(pooled.records.in_use() == in_use);
+    const uint32_t in_use = pooled.slots.in_use();
+    Lists::give(pooled.slots, list_of(pooled, runs, 0).last);
+    CHECK(pooled.slots.in_use() == in_use);
     kept.check(pooled);
   }
 }
 
-TEST_CASE("the records of a list are counted as far as they are asked for") {
+TEST_CASE("the slots of a list are counted as far as they are asked for") {
   Pooled pooled;
-  CHECK(Lists::records_up_to(pooled.records, no_record, 5) == 0);
-  for (const uint32_t records : {1U, 2U, 7U}) {
-    const List list = list_of(pooled, 3 * records, 0);
+  CHECK(Lists::slots_up_to(pooled.slots, no_slot, 5) == 0);
+  for (const uint32_t slots : {1U, 2U, 7U}) {
+    const List list = list_of(pooled, 3 * slots, 0);
     for (uint32_t most = 0; most < 10; ++most) {
-      const uint32_t counted = Lists::records_up_to(pooled.records, list.last, most);
-      CHECK(counted == (records <= most ? records : most + 1));
+      const uint32_t counted = Lists::slots_up_to(pooled.slots, list.last, most);
+      CHECK(counted == (slots <= most ? slots : most + 1));
     }
   }
 }

@@ -36,7 +36,7 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
                  "records and holes that the extractor has room for, in place of --memory")
       ->delimiter(',')
       ->expected(2)
-      ->option_text("RECORDS,HOLES")
+      ->option_text("SLOTS,HOLES")
       ->excludes(memory);
 }
 

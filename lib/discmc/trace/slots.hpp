@@ -3,10 +3,10 @@
 // A fragment is a piece of a chain whose two ends wait for the vertices where it goes on. Its tail
 // is where the chain goes, its begin where the chain comes from. The side under way at either end
 // has no length yet: an end knows where it starts (tail) or stops (begin), and its direction. The
-// sides between are runs, in a circular list of records named by its last, which the tail holds, or
+// sides between are runs, in a circular list of slots named by its last, which the tail holds, or
 // the begin where the tail is loose. So a fragment of k corners has k - 1 runs.
-#ifndef DISCMC_TRACE_RECORDS_HPP
-#define DISCMC_TRACE_RECORDS_HPP
+#ifndef DISCMC_TRACE_SLOTS_HPP
+#define DISCMC_TRACE_SLOTS_HPP
 
 #include <discmc/chain.hpp>
 #include <discmc/compiler.hpp>
@@ -82,13 +82,13 @@ constexpr bool is_loose(Index mate) {
   return mate >= loose_end<Index>();
 }
 
-/// Every record begins with the next one of its list, and of the pool's free list.
+/// Every slot begins with the next one of its list, and of the pool's free list.
 template <class Index>
 struct Linked {
   Index next;
 };
 
-/// An end that waits. Where the mate is no_record it is a number of ends that found no room.
+/// An end that waits. Where the mate is no_slot it is a number of ends that found no room.
 template <class Index, class Normal>
 struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal where the side starts
   Side side;
@@ -98,19 +98,19 @@ struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal where
 
 /// Up to three runs of a fragment, in order; those not in use are 0 and may stand before or behind.
 template <class Index, class Normal>
-struct RunRecord : Linked<Index> {
-  static constexpr int slots = 3;
-  struct Slot : NormalPart<Normal> {
+struct RunSlot : Linked<Index> {
+  static constexpr int entries = 3;
+  struct Entry : NormalPart<Normal> {
     ShortRun run;
   };
-  Slot slot[slots];
+  Entry entry[entries];
 };
 
-/// A hole that waits for the ring around it: two records.
+/// A hole that waits for the ring around it: two slots.
 template <class Index>
 struct Hole : Linked<Index> {
   Index last;   // of its runs
-  Index start;  // the other record
+  Index start;  // the other slot
   Incidence incidence;
   uint8_t is_marked;  // to be delivered next
 };
@@ -129,10 +129,10 @@ struct HoleStart {
 };
 
 template <class Index, class Normal>
-union Record {
+union Slot {
   Linked<Index> linked;
   End<Index, Normal> end;
-  RunRecord<Index, Normal> runs;
+  RunSlot<Index, Normal> runs;
   Hole<Index> hole;
   HoleStart<Index> hole_start;
 };

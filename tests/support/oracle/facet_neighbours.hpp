@@ -1,0 +1,42 @@
+// The facet on the other side of an edge: how regions are merged by the paper.
+#ifndef DISCMC_TESTS_ORACLE_FACET_NEIGHBOURS_HPP
+#define DISCMC_TESTS_ORACLE_FACET_NEIGHBOURS_HPP
+
+#include <discmc/geometry/facet_table.hpp>
+
+namespace discmc::reference {
+
+/// What lies on the other side of a facet's edge when it belongs to the same plane.
+struct Neighbour {
+  Vertex cell;  ///< the cell it lies in, as an offset in cells; (0, 0, 0) for the same cell
+  Facet facet;
+};
+
+inline bool has_edge(const FacetRing& ring, const Vertex& from, const Vertex& to) {
+  for (int i = 0; i < ring.count; ++i)
+    if (position(ring.point[i]) == from && position(ring.point[(i + 1) % ring.count]) == to)
+      return true;
+  return false;
+}
+
+/// The facet of the same incidence that shares edge `edge` (from point edge of the facet's ring to
+/// the next) with `facet`. It is unique, whether or not a given configuration contains it.
+/// Limit: edge < facet_rings.ring[facet].count. Cost: a search.
+inline Neighbour across_edge(Facet facet, int edge) {
+  constexpr Vertex cells[] = {{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0},
+                              {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+  const FacetRing& ring = facet_rings.ring[facet];
+  const Vertex from = position(ring.point[edge]);
+  const Vertex to = position(ring.point[(edge + 1) % ring.count]);
+  for (const Vertex& cell : cells)
+    for (Shape shape = 0; shape < 8; ++shape) {
+      const Facet other = facet_of(incidence_of(facet), shape);
+      const Vertex shift = cell + cell;
+      if (has_edge(facet_rings.ring[other], to - shift, from - shift)) return {cell, other};
+    }
+  return {{0, 0, 0}, facet};
+}
+
+}  // namespace discmc::reference
+
+#endif
