@@ -53,7 +53,7 @@ Compared surface_of_volume(const std::string& name, VolumeArguments reading) {
   Progress progress("extracting", volume->info().dims[2]);
   Mesh mesh = classic_mesh(*volume, extraction_options(reading, progress));
   if (mesh.face_count() == 0)
-    throw VolumeError(why_empty(name, reading, reading.selections[0].selection, *volume));
+    throw VolumeError(why_empty(name, reading, reading.selections[0], *volume));
   return placed(std::move(mesh), name, volume->info().placement, exit_ok);
 }
 

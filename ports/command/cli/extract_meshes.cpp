@@ -88,11 +88,11 @@ void write_parts(const ExtractArguments& arguments, const std::vector<Mesh>& par
   file.commit();
 }
 
-int extract_meshes(const ExtractArguments& arguments) {
+int extract_meshes(ExtractArguments arguments) {
   if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume, gradient_pass);
-  const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const FilePattern pattern(arguments.output);
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const VolumeInfo& info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);

@@ -76,7 +76,7 @@ void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& inf
 
 }  // namespace
 
-ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out) {
+ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   const auto volume = open_noted_volume(arguments.volume, arguments.reading);
   const VolumeInfo info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
@@ -129,7 +129,7 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   return stream;
 }
 
-int extract_stream(const ExtractArguments& arguments) {
+int extract_stream(ExtractArguments arguments) {
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
     throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
   OutputFile file(arguments.output);

@@ -20,8 +20,10 @@ namespace discmc::command {
 namespace {
 
 int info_of_volume(const InfoArguments& arguments) {
-  const auto volume = open_volume(arguments.input, volume_options(arguments.layout));
-  const VolumeInfo& info = volume->info();
+  const auto volume = open_layer(arguments.input, volume_options(arguments.layout));
+  VolumeInfo info = volume->info();
+  if (info.frames > 1 && !arguments.layout.frame)
+    info.notes.emplace_back("the values are those of layer 0; --frame N tells those of another");
   write_volume_info(info, std::cout);
   require_written(std::cout);
   Progress progress("measuring", info.dims[2]);

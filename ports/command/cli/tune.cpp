@@ -162,11 +162,13 @@ std::string comment_of(const Trial& trial, Payload payload, const Device& device
 // What has made the surface and is not in the code, or empty.
 std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
   std::vector<std::string> all;
-  const Selection& selection = arguments.selections[0].selection;
+  const NamedSelection& surface = arguments.selections[0];
   if (volume.is_floating())
     all.emplace_back("the threshold in whole numbers, as the device has them");
-  if (selection.has_upper_end())
-    all.push_back("voxels above " + value_text(selection.high) + " are off");
+  if (surface.is_label)
+    all.emplace_back("which voxels have the label");
+  else if (surface.has_upper_end())
+    all.push_back("voxels above " + value_text(surface.selection.high) + " are off");
   if (arguments.median > 0) all.emplace_back("a MajorityFilter and its memory");
   if (!arguments.mask.empty()) all.emplace_back("the mask");
   std::string text;
@@ -263,8 +265,8 @@ int run_tune(const TuneArguments& arguments) {
   }
   const Trials trials = try_all(*bits, found, given);
   if (trials.plenty.work.cells == 0)
-    throw VolumeError(why_empty(found.volume, found.reading, found.reading.selections[0].selection,
-                                *volume, bits->is_full()));
+    throw VolumeError(why_empty(found.volume, found.reading, found.reading.selections[0], *volume,
+                                bits->is_full()));
   write_report(*bits, found, trials, std::cout);
   require_written(std::cout);
   return exit_ok;

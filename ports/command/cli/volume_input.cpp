@@ -4,18 +4,16 @@
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
+#include "segmentation.hpp"
 #include "volumes/filters/mask_volume.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {
-namespace {
 
-void write_notes(const std::string& path, const VolumeInfo& info) {
+void print_notes(const std::string& path, const VolumeInfo& info) {
   for (const std::string& note : info.notes)
     std::cerr << "discmc: " << path << ": " << note << '\n';
 }
-
-}  // namespace
 
 VolumeOptions volume_options(const LayoutArguments& arguments) {
   VolumeOptions options;
@@ -36,11 +34,13 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
   return options;
 }
 
-VolumeOptions volume_options(const VolumeArguments& arguments) {
-  VolumeOptions options = volume_options(arguments.layout);
-  // Labels have no mean.
-  if (arguments.selects_labels()) options.block_value = BlockValue::most_frequent;
-  return options;
+std::unique_ptr<VolumeReader> open_layer(const std::string& path, VolumeOptions options) {
+  const bool is_chosen = options.frame.has_value();
+  if (!is_chosen) options.frame = 0;
+  auto volume = open_volume(path, options);
+  const VolumeInfo& info = volume->info();
+  if (!is_chosen && info.frames > 1 && info.labels.empty()) fail_frames(path, info);
+  return volume;
 }
 
 void require_second_pass(const std::string& path, const std::string& purpose) {
@@ -50,20 +50,22 @@ void require_second_pass(const std::string& path, const std::string& purpose) {
 }
 
 std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
-                                                  const VolumeArguments& arguments,
-                                                  bool holds_labels) {
-  VolumeOptions options = volume_options(arguments);
-  if (holds_labels) options.block_value = BlockValue::most_frequent;
-  auto volume = std::make_unique<MeasuredVolume>(open_volume(path, options));
-  write_notes(path, volume->info());
+                                                  VolumeArguments& arguments) {
+  if (arguments.selects_labels()) {
+    Segmentation segmentation(path, arguments);
+    return std::make_unique<MeasuredVolume>(open_labels(segmentation, path, arguments.selections));
+  }
+  auto volume = std::make_unique<MeasuredVolume>(open_volume(path, volume_options(arguments.layout)));
+  print_notes(path, volume->info());
   return volume;
 }
 
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
-                                              const VolumeInfo& volume) {
+                                              const VolumeInfo& volume, bool says) {
   if (arguments.mask.empty()) return nullptr;
   auto mask = open_mask(arguments.mask, volume_options(arguments.layout), volume);
-  write_notes(arguments.mask, mask->info());
+  if (!says) return mask;
+  print_notes(arguments.mask, mask->info());
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
     std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart

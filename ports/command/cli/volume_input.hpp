@@ -14,23 +14,28 @@
 
 namespace discmc::command {
 
-/// Of volume arguments with labels: blocks of voxels become one of theirs.
 VolumeOptions volume_options(const LayoutArguments& arguments);
-VolumeOptions volume_options(const VolumeArguments& arguments);
 
 /// Throws when the file can be read once only. purpose: what takes the pass.
 void require_second_pass(const std::string& path, const std::string& purpose);
 
 constexpr const char* gradient_pass = "normals of the gradient take a second pass";
 
-/// Opens the volume, and says what of its file is dropped. holds_labels: whatever is selected.
-std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
-                                                  const VolumeArguments& arguments,
-                                                  bool holds_labels = false);
+/// Opens the volume; of labels in several layers the first one, where none is chosen.
+std::unique_ptr<VolumeReader> open_layer(const std::string& path, VolumeOptions options);
 
-/// Opens the mask of the volume, if there is one, and says where it is not what it should be.
+/// Says what of the file of a volume is dropped or taken otherwise.
+void print_notes(const std::string& path, const VolumeInfo& info);
+
+/// Opens the volume, and says what of its file is dropped. Where labels are selected it is that of
+/// their bits, and the selections are what was found of them.
+std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
+                                                  VolumeArguments& arguments);
+
+/// Opens the mask of the volume, if there is one, and says where it is not what it should be,
+/// unless that was said.
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
-                                              const VolumeInfo& volume);
+                                              const VolumeInfo& volume, bool says = true);
 
 /// A volume that gradients can be made of, and what is on in it.
 struct GradientVolume {

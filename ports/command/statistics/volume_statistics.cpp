@@ -46,7 +46,10 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
   statistics.greatest = value(histogram.greatest());
   statistics.mean = value(histogram.mean());
   for (const Histogram::Bin& bin : histogram.bins())
-    statistics.counts.push_back({value(bin.sample), bin.count});
+    statistics.counts.push_back({value(bin.sample), bin.count, bin.whole});
+  statistics.are_whole = !is_floating(info.type) && info.slope == 1 && info.intercept == 0;
+  statistics.least_whole = histogram.least_whole();
+  statistics.greatest_whole = histogram.greatest_whole();
   statistics.is_exact = histogram.is_exact();
   return statistics;
 }

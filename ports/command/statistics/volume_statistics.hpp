@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "volumes/label_value.hpp"
 #include "volumes/volume_reader.hpp"
 
 namespace discmc::command {
@@ -15,6 +16,7 @@ namespace discmc::command {
 struct ValueCount {
   double value;
   std::uint64_t count;
+  LabelValue whole{};  ///< the value, exactly, where VolumeStatistics::are_whole
 };
 
 /// Units: those that the file declares. Infinite values count as infinite, and nowhere else.
@@ -25,6 +27,8 @@ struct VolumeStatistics {
   double least = 0;
   double greatest = 0;
   double mean = 0;
+  bool are_whole = false;            ///< the values, as they are stored: up to 64 bits
+  LabelValue least_whole{}, greatest_whole{};  ///< then `least` and `greatest`, exactly
   std::vector<ValueCount> counts;  ///< in the order of values
   /// Whether each of `counts` is of one value. Then percentiles and Otsu's threshold are exact,
   /// too.

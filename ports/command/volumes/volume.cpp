@@ -14,8 +14,10 @@
 #include "volume_format.hpp"
 #include "volumes/filters/cropped_volume.hpp"
 #include "volumes/filters/shrunk_volume.hpp"
+#include "volumes/filters/whole_labels.hpp"
 #include "volumes/formats/dicom/files.hpp"
 #include "volumes/formats/hdf5/name.hpp"
+#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 
 namespace discmc::command {
@@ -62,9 +64,26 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   return files;
 }
 
+std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+                                           const VolumeOptions& options);
+
+// Masks are labels. For what takes none, one of the files is to be named.
+std::unique_ptr<VolumeReader> open_told_masks(const std::filesystem::path& source,
+                                              const std::vector<std::filesystem::path>& files,
+                                              const VolumeOptions& options) {
+  const bool is_told = options.labels || options.frame;
+  if (is_told && files.size() > 1) return open_masks(source, files, options);
+  if (is_told) return open_as_told(files[0], options);
+  const std::string count = std::to_string(files.size());
+  fail(source, "volumes of their own: " + count + ", such as " + shown(files[0].filename().string()),
+       "give the name of one, or take all as labels, one a file, with --labels all or --label NAME");
+}
+
 std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
                                            const VolumeOptions& options) {
   const auto files = files_of_pattern(pattern);
+  if (std::all_of(files.begin(), files.end(), is_mask_name))
+    return open_told_masks(pattern, files, options);
   const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
   if (other == files.end()) return open_pictures(pattern, files, options);
   if (std::any_of(files.begin(), files.end(), is_picture_name))
@@ -172,8 +191,19 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
   if (!dicom.empty())
     return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
+  const auto masks = mask_files(folder);
+  if (!masks.empty()) return open_told_masks(folder, masks, options);
   fail(folder, "the folder holds no DICOM, PNG or TIFF files",
        "name a file, or the folder of a series");
+}
+
+void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
+  const std::string frames = std::to_string(info.frames);
+  const std::string remedy = "choose one with --frame N, the first is 0";
+  if (info.labels.empty())
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
+  fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
+       "take labels with --label NAME, or " + remedy);
 }
 
 bool is_volume_name(const std::filesystem::path& file) {
@@ -186,6 +216,7 @@ bool is_volume_name(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_as_told(file, options);
+  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
@@ -193,6 +224,7 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
     fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
   if (options.spacing_mm)
     volume = std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
+  if (options.labels) volume = whole_labels(file, std::move(volume), options.labels);
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);

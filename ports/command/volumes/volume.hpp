@@ -43,6 +43,13 @@ using Crop = std::array<VoxelRange, 3>;
 /// What the voxel is that stands for a block of voxels.
 enum class BlockValue { mean, most_frequent };
 
+/// What was made of values that are no whole numbers where labels are read.
+struct LabelReport {
+  std::uint64_t not_numbers = 0;  ///< of no label
+  std::uint64_t rounded = 0;      ///< to the nearest whole number
+  double first_rounded = 0;       ///< as it was, if any is
+};
+
 /// What is said of a volume beside its name.
 struct VolumeOptions {
   /// The layout of headerless samples; nothing where the file has a header.
@@ -63,6 +70,9 @@ struct VolumeOptions {
   /// Limit: 1 to 16.
   std::uint32_t shrink = 1;
   BlockValue block_value = BlockValue::mean;
+  /// Where values are labels: their volume is that of whole_labels(), which counts here as it is
+  /// read.
+  std::shared_ptr<LabelReport> labels = {};
 };
 
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
@@ -77,8 +87,8 @@ bool is_read_once(const std::filesystem::path& file);
 bool is_volume_head(std::string_view head);
 constexpr std::size_t magic_bytes = 348;
 
-/// Opens a volume: a file, a folder of DICOM or of pictures, files by a pattern with *, ? or [...],
-/// a pipe, or standard input by the name "-". With a layout the file is taken as headerless
+/// Opens a volume: a file, a folder of DICOM, of pictures or of masks, files by a pattern with *, ?
+/// or [...], a pipe, or standard input by the name "-". With a layout the file is taken as headerless
 /// samples, inflated first when its name ends in .gz, and must hold the volume and nothing else;
 /// without one the format follows from the name, or else from the first bytes, inflated first where
 /// they are gzip. Throws VolumeError when the file cannot be opened, is in no known format, or
@@ -86,6 +96,9 @@ constexpr std::size_t magic_bytes = 348;
 /// claims, and a file too short for its first slice is refused here.
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options = {});
+
+/// Throws the refusal of a file with several volumes of which none is chosen.
+[[noreturn]] void fail_frames(const std::filesystem::path& file, const VolumeInfo& info);
 
 }  // namespace discmc::command
 

@@ -116,7 +116,7 @@ double real(const std::filesystem::path& file, std::string_view field, std::stri
 
 /// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
 /// Throws when one is out of the range of VolumeInfo::dims, and when the file does not hold the
-/// frame asked for, or holds several and none is.
+/// frame asked for.
 void set_dims(VolumeInfo& info, const std::filesystem::path& file,
               const std::vector<std::int64_t>& sizes, const VolumeOptions& options = {});
 

@@ -45,7 +45,8 @@ struct VolumeInfo {
   double intercept = 0;
   /// Whether the file says that values are Hounsfield units.
   bool is_in_hounsfield = false;
-  /// The names and colours of labels that the file tells.
+  /// The labels that the file tells, those in other volumes of it too. Then these are layers of one
+  /// segmentation.
   LabelTable labels;
   /// The format and the way it is stored, for people: "NRRD, gzip".
   std::string format;

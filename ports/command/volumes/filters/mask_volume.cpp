@@ -1,10 +1,7 @@
 #include "mask_volume.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,24 +45,9 @@ class Mask final : public VolumeReader {
   std::vector<std::uint8_t> slice_;
 };
 
-// The sample that stands for 0; nothing where the type has none.
-template <class Sample>
-std::optional<Sample> zero_of(const VolumeInfo& info) {
-  const double exact = -info.intercept / info.slope;
-  for (const double stored : {std::round(exact), exact}) {
-    // The largest sample of 64 bits is none of double, but the one above it is.
-    if (!(stored >= static_cast<double>(std::numeric_limits<Sample>::lowest()) &&
-          stored < static_cast<double>(std::numeric_limits<Sample>::max()) + 1))
-      continue;
-    const auto sample = static_cast<Sample>(stored);
-    if (info.slope * static_cast<double>(sample) + info.intercept == 0) return sample;
-  }
-  return std::nullopt;
-}
-
-class MaskedVolume final : public VolumeReader {
+class MaskedLabels final : public VolumeReader {
  public:
-  MaskedVolume(std::unique_ptr<VolumeReader> volume, std::unique_ptr<VolumeReader> mask)
+  MaskedLabels(std::unique_ptr<VolumeReader> volume, std::unique_ptr<VolumeReader> mask)
       : volume_(std::move(volume)), mask_(std::move(mask)), on_(mask_->info().slice_bytes()) {}
 
   const VolumeInfo& info() const override { return volume_->info(); }
@@ -73,12 +55,10 @@ class MaskedVolume final : public VolumeReader {
   void read_slice(void* samples) override {
     volume_->read_slice(samples);
     mask_->read_slice(on_.data());
-    with_sample_type(info().type, [&](auto typed) {
-      using Sample = decltype(typed);
-      const Sample zero = *zero_of<Sample>(info());
-      auto* sample = static_cast<Sample*>(samples);
+    with_whole_type(info().type, [&](auto typed) {
+      auto* sample = static_cast<decltype(typed)*>(samples);
       for (const std::uint8_t is_on : on_) {
-        if (is_on == 0) *sample = zero;
+        if (is_on == 0) *sample = 0;
         ++sample;
       }
     });
@@ -92,16 +72,9 @@ class MaskedVolume final : public VolumeReader {
 
 }  // namespace
 
-std::unique_ptr<VolumeReader> masked(const std::filesystem::path& file,
-                                     std::unique_ptr<VolumeReader> volume,
+std::unique_ptr<VolumeReader> masked(std::unique_ptr<VolumeReader> labels,
                                      std::unique_ptr<VolumeReader> mask) {
-  const VolumeInfo& info = volume->info();
-  with_sample_type(info.type, [&](auto typed) {
-    if (!zero_of<decltype(typed)>(info))
-      fail(file, "no sample has the value 0, which voxels would get where the mask is 0",
-           "leave out --mask, or store the labels as they are");
-  });
-  return std::make_unique<MaskedVolume>(std::move(volume), std::move(mask));
+  return std::make_unique<MaskedLabels>(std::move(labels), std::move(mask));
 }
 
 std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,

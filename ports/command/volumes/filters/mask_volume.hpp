@@ -16,10 +16,8 @@ namespace discmc::command {
 std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
                                         const VolumeOptions& options, const VolumeInfo& volume);
 
-/// The volume with the value 0 where the mask is 0. file: its own. mask: of open_mask(). Throws
-/// VolumeError where no sample has the value 0.
-std::unique_ptr<VolumeReader> masked(const std::filesystem::path& file,
-                                     std::unique_ptr<VolumeReader> volume,
+/// The labels with 0 where the mask is 0. labels: of whole_labels(). mask: of open_mask().
+std::unique_ptr<VolumeReader> masked(std::unique_ptr<VolumeReader> labels,
                                      std::unique_ptr<VolumeReader> mask);
 
 }  // namespace discmc::command

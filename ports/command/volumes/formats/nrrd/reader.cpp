@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "segment_labels.hpp"
 #include "volumes/data_files.hpp"
+#include "volumes/filters/component_volume.hpp"
 #include "volumes/volume_format.hpp"
 
 namespace discmc::command {
@@ -107,6 +109,37 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
   if (type == "float") return SampleType::f32;
   if (type == "double") return SampleType::f64;
   fail_type(file, text);
+}
+
+// The next entry of a field that has one an axis: "in quotes", (in brackets), or a word.
+std::string_view first_entry(std::string_view text) {
+  const char first = text.front();
+  if (first != '"' && first != '(') return text.substr(0, text.find_first_of(" \t"));
+  const std::size_t end = text.find(first == '"' ? '"' : ')', 1);
+  return text.substr(0, end == std::string_view::npos ? end : end + 1);
+}
+
+// Whether a list of volumes is the first axis, as 3D Slicer has the layers of a segmentation:
+// their samples lie side by side.
+bool is_interleaved(const Header& header) {
+  const auto kinds = words(field(header.fields, "kinds"));
+  const auto directions = words(field(header.fields, "space directions"));
+  return words(field(header.fields, "sizes")).size() == 4 &&
+         ((!kinds.empty() && lower(kinds[0]) == "list") ||
+          (!header.segments.is_empty() && !directions.empty() && lower(directions[0]) == "none"));
+}
+
+// Makes the first axis the last one, where lists of volumes are otherwise.
+void move_first_axis_back(Fields& fields) {
+  for (const char* name :
+       {"sizes", "spacings", "space directions", "units", "kinds", "labels", "thicknesses",
+        "axis mins", "axis maxs", "axismins", "axismaxs", "centers", "centerings"}) {
+    const auto found = fields.find(name);
+    if (found == fields.end() || found->second.empty()) continue;
+    const std::string_view entries = found->second;
+    const std::string_view first = first_entry(entries);
+    found->second = std::string(trimmed(entries.substr(first.size()))) + ' ' + std::string(first);
+  }
 }
 
 void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
@@ -337,25 +370,43 @@ ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fi
   return joined(header.file(), files, bytes, open);
 }
 
+std::unique_ptr<VolumeReader> open_component(VolumeInfo info, ByteStream data, bool is_big_endian,
+                                             std::uint32_t frame) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  if (info.frames > most / info.dims[0])
+    fail(data.file(),
+         "the list has " + std::to_string(info.frames) + " volumes, whose rows are too long",
+         "make it the last axis, e.g. with: unu permute -p 1 2 3 0 -i in.nrrd -o out.nrrd");
+  const auto count = static_cast<std::uint32_t>(info.frames);
+  VolumeInfo all = info;
+  all.dims[0] *= count;
+  return component(std::make_unique<SliceStream>(std::move(all), std::move(data), is_big_endian),
+                   std::move(info), frame, count);
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
-  const Header header = parse(file, stream);
+  Header header = parse(file, stream);
+  const bool has_list_first = is_interleaved(header);
+  if (has_list_first) move_first_axis_back(header.fields);
   VolumeInfo info;
   info.type = sample_type(file, needed(file, header.fields, "type"));
   set_sizes(info, file, header.fields, options);
   set_geometry(info, file, header.fields);
-  info.labels = header.segments.table(
-      info.frames > 1 ? options.frame : std::optional<std::uint32_t>(), info.notes);
+  header.segments.describe(info);
   const bool is_big_endian = big_endian(file, header.fields, info.type);
 
   const std::string_view name = field(header.fields, "data file");
   if (name.empty() && !header.closed)
     fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
   ByteStream data = open_data(stream, name, header.fields, info);
-  skip_to_frame(data, info, options);
   info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
+  if (has_list_first)
+    return open_component(std::move(info), std::move(data), is_big_endian,
+                          options.frame.value_or(0));
+  skip_to_frame(data, info, options);
   return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian);
 }
 
