@@ -112,6 +112,12 @@ int extract_meshes(ExtractArguments arguments) {
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
   const std::vector<Extraction> extractions = extract(*volume, options, requests);
   note_not_numbers(arguments, extractions[0].not_numbers);
+  if (arguments.interpolates && volume->has_two_values())
+    std::cerr
+        << "discmc: " << arguments.volume
+        << ": there are two values alone, as in a mask, so the interpolated surface keeps the "
+           "steps of the voxels; leave out --surface interpolated, or give the scan that the "
+           "mask was made of\n";
   check_surfaces(arguments, extractions, *volume);
 
   std::vector<Mesh> parts;

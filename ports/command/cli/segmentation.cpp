@@ -89,8 +89,8 @@ void note_labels(const std::string& path, const VolumeArguments& arguments) {
   const LabelReport& report = *arguments.label_report;
   if (report.rounded > 0)
     std::cerr << "discmc: " << path << ": " << report.rounded
-              << " values are off whole numbers by up to 0.01, such as "
-              << value_text(report.first_rounded) << ", and rounded\n";
+              << " values are rounded to whole numbers, which labels are; farthest off was "
+              << value_text(report.farthest) << '\n';
   if (report.not_numbers > 0)
     std::cerr << "discmc: " << path << ": " << report.not_numbers
               << " samples are not a number (NaN), and taken as off\n";

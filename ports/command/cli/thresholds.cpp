@@ -54,6 +54,9 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
     std::cerr << "discmc: " << path << ": --iso " << surface.name << ": "
               << value_text(threshold.iso);
     if (threshold.rule != surface.rule) std::cerr << " (" << name(threshold.rule) << ')';
+    const auto padding = padding_value(statistics);
+    if (threshold.rule == ThresholdRule::otsu && padding)
+      std::cerr << ", without the " << value_text(*padding) << " outside of what was scanned";
     std::cerr << '\n';
   }
   return surfaces;

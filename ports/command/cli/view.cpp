@@ -91,7 +91,7 @@ void require_size(const std::string& input, const VolumeInfo& info, std::uint64_
   if (bytes > most)
     throw std::runtime_error(input + ": its samples are " + std::to_string(bytes >> 20) +
                              " MiB, and a page holds " + std::to_string(most >> 20) +
-                             ": give --iso VALUE, --shrink N or --crop");
+                             ": give --iso auto, --shrink 2 or a part by --crop");
 }
 
 int run_view(const ViewArguments& arguments) {

@@ -120,9 +120,11 @@ void propose_labels(const std::vector<std::string>& labels, std::ostream& out) {
 
 void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistics,
                         std::ostream& out) {
+  const auto padding = padding_value(statistics);
   if (const auto iso = otsu_threshold(statistics))
     out << "proposal --iso=" << value_text(*iso)
-        << " otsu: divides the values in two groups that differ most\n";
+        << " otsu: divides the values in two groups that differ most"
+        << (padding ? ", without the padding " + value_text(*padding) : "") << '\n';
   if (is_in_hounsfield && divides(bone_threshold, statistics))
     out << "proposal --iso=" << value_text(bone_threshold)
         << " bone: these are Hounsfield units, soft tissue has less\n";

@@ -47,7 +47,7 @@ enum class BlockValue { mean, most_frequent };
 struct LabelReport {
   std::uint64_t not_numbers = 0;  ///< of no label
   std::uint64_t rounded = 0;      ///< to the nearest whole number
-  double first_rounded = 0;       ///< as it was, if any is
+  double farthest = 0;            ///< of these from a whole number
 };
 
 /// What is said of a volume beside its name.
@@ -88,12 +88,12 @@ bool is_volume_head(std::string_view head);
 constexpr std::size_t magic_bytes = 348;
 
 /// Opens a volume: a file, a folder of DICOM, of pictures or of masks, files by a pattern with *, ?
-/// or [...], a pipe, or standard input by the name "-". With a layout the file is taken as headerless
-/// samples, inflated first when its name ends in .gz, and must hold the volume and nothing else;
-/// without one the format follows from the name, or else from the first bytes, inflated first where
-/// they are gzip. Throws VolumeError when the file cannot be opened, is in no known format, or
-/// holds what the command does not take. Nothing is allocated that depends on the sizes a file
-/// claims, and a file too short for its first slice is refused here.
+/// or [...], a pipe, or standard input by the name "-". With a layout the file is taken as
+/// headerless samples, inflated first when its name ends in .gz, and must hold the volume and
+/// nothing else; without one the format follows from the name, or else from the first bytes,
+/// inflated first where they are gzip. Throws VolumeError when the file cannot be opened, is in no
+/// known format, or holds what the command does not take. Nothing is allocated that depends on the
+/// sizes a file claims, and a file too short for its first slice is refused here.
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options = {});
 

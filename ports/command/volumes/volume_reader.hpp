@@ -43,6 +43,8 @@ struct VolumeInfo {
   /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
   double slope = 1;
   double intercept = 0;
+  /// The value that the file says it has where nothing was scanned.
+  std::optional<double> padding;
   /// Whether the file says that values are Hounsfield units.
   bool is_in_hounsfield = false;
   /// The labels that the file tells, those in other volumes of it too. Then these are layers of one

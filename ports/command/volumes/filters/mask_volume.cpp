@@ -1,6 +1,8 @@
 #include "mask_volume.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "cropped_volume.hpp"
 #include "shrunk_volume.hpp"
 #include "volumes/volume_format.hpp"
+#include "volumes/volume_offset.hpp"
 
 namespace discmc::command {
 namespace {
@@ -43,6 +46,66 @@ class Mask final : public VolumeReader {
   std::unique_ptr<VolumeReader> volume_;
   VolumeInfo info_;
   std::vector<std::uint8_t> slice_;
+};
+
+// A mask whose axes are put in the order and direction of another volume.
+class TurnedMask final : public VolumeReader {
+ public:
+  TurnedMask(std::filesystem::path file, std::unique_ptr<VolumeReader> mask, const AxesMatch& match)
+      : file_(std::move(file)),
+        mask_(std::move(mask)),
+        info_(mask_->info()),
+        is_slice_by_slice_(match[2].axis == 2 && !match[2].is_reversed) {
+    const VolumeInfo& of = mask_->info();
+    const VolumePlacement from = of.placement.value_or(along_coordinates(of.spacing_mm));
+    const std::array<std::ptrdiff_t, 3> steps = {1, static_cast<std::ptrdiff_t>(of.dims[0]),
+                                                 static_cast<std::ptrdiff_t>(of.slice_bytes())};
+    VolumePlacement to = from;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [axis, is_reversed] = match[i];
+      const double sign = is_reversed ? -1 : 1;
+      const std::uint32_t last = of.dims[axis] - 1;
+      info_.dims[i] = of.dims[axis];
+      info_.spacing_mm[i] = sign * of.spacing_mm[axis];
+      steps_[i] = is_reversed ? -steps[axis] : steps[axis];
+      if (is_reversed) first_ += last * steps[axis];
+      for (std::size_t j = 0; j < 3; ++j) {
+        to.axes_mm[i][j] = sign * from.axes_mm[axis][j];
+        if (is_reversed) to.origin_mm[j] += last * from.axes_mm[axis][j];
+      }
+    }
+    info_.placement = to;
+    info_.notes.emplace_back("axes put in the order and direction of those of the volume");
+    slices_.resize(of.slice_bytes() * (is_slice_by_slice_ ? 1 : of.dims[2]));
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+
+  void read_slice(void* samples) override {
+    require_slice_left(file_, next_, info_.dims[2]);
+    if (is_slice_by_slice_ || next_ == 0) read_mask();
+    auto* out = static_cast<std::uint8_t*>(samples);
+    const std::ptrdiff_t slice = first_ + (is_slice_by_slice_ ? 0 : next_ * steps_[2]);
+    for (std::uint32_t y = 0; y < info_.dims[1]; ++y)
+      for (std::uint32_t x = 0; x < info_.dims[0]; ++x)
+        *out++ = slices_[static_cast<std::size_t>(slice + y * steps_[1] + x * steps_[0])];
+    ++next_;
+  }
+
+ private:
+  void read_mask() {
+    const std::size_t bytes = mask_->info().slice_bytes();
+    for (std::size_t at = 0; at < slices_.size(); at += bytes) mask_->read_slice(&slices_[at]);
+  }
+
+  std::filesystem::path file_;
+  std::unique_ptr<VolumeReader> mask_;
+  VolumeInfo info_;
+  bool is_slice_by_slice_;
+  std::vector<std::uint8_t> slices_;       // of the mask: one, or all
+  std::array<std::ptrdiff_t, 3> steps_{};  // in it, from a voxel to the next along x, y and z
+  std::ptrdiff_t first_ = 0;               // voxel (0, 0, 0)
+  std::uint32_t next_ = 0;
 };
 
 class MaskedLabels final : public VolumeReader {
@@ -88,15 +151,23 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   if (mask->info().frames > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",
          "store the one to take in a file of its own");
+  mask = std::make_unique<Mask>(std::move(mask));
+  const AxesMatch match = matching_axes(volume, mask->info());
+  if (!is_same(match)) mask = std::make_unique<TurnedMask>(file, std::move(mask), match);
   const auto whole = volume.whole_dims.value_or(volume.dims);
   if (mask->info().dims != whole)
     fail(file,
          "the mask has " + extents(mask->info().dims) + " voxels, and the volume " + extents(whole),
          "give a mask with a voxel for each of the volume's");
   if (options.crop) mask = cropped(file, std::move(mask), *options.crop);
-  mask = std::make_unique<Mask>(std::move(mask));
   if (options.shrink > 1)
     mask = shrunk(file, std::move(mask), options.shrink, BlockValue::most_frequent);
+  if (!is_same(match) && offset_mm(mask->info(), volume) > 0)
+    fail(
+        file,
+        "the axes of the mask run otherwise than those of the volume, and its voxels are not where "
+        "the volume's are",
+        "resample the mask on the grid of the volume");
   return mask;
 }
 

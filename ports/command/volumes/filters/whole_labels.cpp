@@ -15,7 +15,8 @@ namespace {
 
 class WholeLabels final : public VolumeReader {
  public:
-  WholeLabels(std::filesystem::path file, std::unique_ptr<VolumeReader> volume, std::shared_ptr<LabelReport> report)
+  WholeLabels(std::filesystem::path file, std::unique_ptr<VolumeReader> volume,
+              std::shared_ptr<LabelReport> report)
       : file_(std::move(file)),
         volume_(std::move(volume)),
         info_(volume_->info()),
@@ -64,12 +65,19 @@ class WholeLabels final : public VolumeReader {
     }
     const auto label = nearest_label(value);
     if (!label)
-      fail(file_, "the value " + value_text(value) + " in slice " + std::to_string(next_) +
-                      " is no label: labels are whole numbers, below 2^53 where they are scaled or "
-                      "floating point",
+      fail(file_,
+           "the value " + value_text(value) + " in slice " + std::to_string(next_) +
+               " is no label: labels are whole numbers, below 2^53 where they are scaled or "
+               "floating point",
            "give --iso or --range");
-    was_rounded_ = std::fabs(value - static_cast<double>(*label)) > noticed;
-    if (was_rounded_ && report_->rounded++ == 0) report_->first_rounded = value;
+    const double off = std::fabs(value - static_cast<double>(*label));
+    was_rounded_ = off > noticed;
+    if (!was_rounded_) return *label;
+    ++report_->rounded;
+    if (off > off_) {
+      off_ = off;
+      report_->farthest = value;
+    }
     return *label;
   }
 
@@ -80,6 +88,7 @@ class WholeLabels final : public VolumeReader {
   std::vector<std::uint8_t> slice_;
   std::uint32_t next_ = 0;  // slice
   bool was_rounded_ = false;
+  double off_ = 0;  // most so far
 };
 
 }  // namespace

@@ -119,14 +119,30 @@ std::string_view first_entry(std::string_view text) {
   return text.substr(0, end == std::string_view::npos ? end : end + 1);
 }
 
-// Whether a list of volumes is the first axis, as 3D Slicer has the layers of a segmentation:
-// their samples lie side by side.
-bool is_interleaved(const Header& header) {
-  const auto kinds = words(field(header.fields, "kinds"));
-  const auto directions = words(field(header.fields, "space directions"));
-  return words(field(header.fields, "sizes")).size() == 4 &&
-         ((!kinds.empty() && lower(kinds[0]) == "list") ||
-          (!header.segments.is_empty() && !directions.empty() && lower(directions[0]) == "none"));
+bool is_of_space(std::string_view kind) {
+  return one_of(lower(kind), {"domain", "space", "time", "none", "???"});
+}
+
+// Whether the first axis is that of several volumes, whose samples lie side by side: the layers of
+// a segmentation, as 3D Slicer has them, or the components of vectors.
+bool is_interleaved(const Fields& fields) {
+  const auto kinds = words(field(fields, "kinds"));
+  const auto directions = words(field(fields, "space directions"));
+  return words(field(fields, "sizes")).size() == 4 &&
+         ((!kinds.empty() && !is_of_space(kinds[0])) ||
+          (!directions.empty() && lower(directions[0]) == "none"));
+}
+
+[[noreturn]] void fail_axis(const std::filesystem::path& file, std::size_t axis,
+                            const std::string& what, std::size_t axes) {
+  std::string order;
+  for (std::size_t other = 0; other < axes; ++other)
+    if (other != axis) order += std::to_string(other) + ' ';
+  const std::string command =
+      axes > 3 ? "make it the last one, e.g. with: unu permute -p " + order + std::to_string(axis)
+               : "extract one component, e.g. with: unu slice -p 0 -a " + std::to_string(axis);
+  fail(file, "axis " + std::to_string(axis + 1) + ' ' + what,
+       command + " -i in.nrrd -o out.nrrd");
 }
 
 // Makes the first axis the last one, where lists of volumes are otherwise.
@@ -157,9 +173,8 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields
 
   const auto kinds = words(field(fields, "kinds"));
   for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
-    if (!one_of(lower(kinds[axis]), {"domain", "space", "time", "none", "???"}))
-      fail(file, "axis " + std::to_string(axis + 1) + " is of kind " + shown(kinds[axis]),
-           "extract one component, e.g. with: unu slice");
+    if (!is_of_space(kinds[axis]))
+      fail_axis(file, axis, "is of kind " + shown(kinds[axis]), sizes.size());
 }
 
 // Returns the length of each axis's unit in millimetres. The units are strings in double quotes.
@@ -221,8 +236,7 @@ Axes directions_of(const std::filesystem::path& file, const Fields& fields) {
     const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
     text.remove_prefix(word.size());
     if (lower(trimmed(word)) == "none")
-      fail(file, "axis " + std::to_string(axis + 1) + " has no direction in space",
-           "extract one component, e.g. with: unu slice");
+      fail_axis(file, axis, "has no direction in space", words(field(fields, "sizes")).size());
     const auto numbers = vector_of(file, "space directions", trimmed(word));
     directions[axis] = {0, 0, 0};
     std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
@@ -389,8 +403,8 @@ std::unique_ptr<VolumeReader> open_component(VolumeInfo info, ByteStream data, b
 std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
   Header header = parse(file, stream);
-  const bool has_list_first = is_interleaved(header);
-  if (has_list_first) move_first_axis_back(header.fields);
+  const bool is_side_by_side = is_interleaved(header.fields);
+  if (is_side_by_side) move_first_axis_back(header.fields);
   VolumeInfo info;
   info.type = sample_type(file, needed(file, header.fields, "type"));
   set_sizes(info, file, header.fields, options);
@@ -403,7 +417,7 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
     fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
   ByteStream data = open_data(stream, name, header.fields, info);
   info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
-  if (has_list_first)
+  if (is_side_by_side)
     return open_component(std::move(info), std::move(data), is_big_endian,
                           options.frame.value_or(0));
   skip_to_frame(data, info, options);

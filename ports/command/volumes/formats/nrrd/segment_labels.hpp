@@ -20,8 +20,6 @@ class SegmentLabels {
   /// Takes a key and its value; of no use are other keys.
   void take(std::string_view key, std::string_view value);
 
-  bool is_empty() const { return segments_.empty(); }
-
   /// Tells the segments that have a name and are in one of the volumes of the file, with a note of
   /// those that are not. info: its frames are known.
   void describe(VolumeInfo& info) const;
