@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,8 +58,6 @@ struct VolumeArguments {
   std::vector<std::uint32_t> capacities;  ///< slots and holes, or none
   LayoutArguments layout;
   std::string label_table;  ///< file of the names of labels, or none
-  /// Of the labels that were read.
-  std::shared_ptr<LabelReport> label_report = std::make_shared<LabelReport>();
 
   /// Whether the surfaces are those of labels.
   bool selects_labels() const { return !selections.empty() && selections[0].is_label; }

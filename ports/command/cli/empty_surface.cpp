@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 
 #include "text/value_text.hpp"
 
@@ -72,8 +73,8 @@ std::string why_empty(const std::string& path, const VolumeArguments& arguments,
 
 void fail_empty(const std::string& path, const VolumeArguments& arguments,
                 const NamedSelection& surface, const MeasuredVolume& volume, bool is_full) {
-  throw VolumeError(why_empty(path, arguments, surface, volume, is_full) +
-                    ", --allow-empty takes an empty surface");
+  throw std::runtime_error(why_empty(path, arguments, surface, volume, is_full) +
+                           ", --allow-empty takes an empty surface");
 }
 
 void check_surface(const std::string& path, const VolumeArguments& arguments,
@@ -84,7 +85,8 @@ void check_surface(const std::string& path, const VolumeArguments& arguments,
     fail_empty(path, arguments, surface, volume, extraction.is_full);
   if (is_empty || !extraction.is_full) return;
   std::cerr << "discmc: " << name_for_people(path) << ": " << every_voxel(arguments, surface)
-            << ", so the surface is the box of the volume" << what_there_is(surface, volume) << '\n';
+            << ", so the surface is the box of the volume" << what_there_is(surface, volume)
+            << '\n';
 }
 
 }  // namespace discmc::command

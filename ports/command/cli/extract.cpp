@@ -10,7 +10,6 @@
 #include "commands.hpp"
 #include "empty_surface.hpp"
 #include "mesh_files/file_format.hpp"
-#include "segmentation.hpp"
 #include "thresholds.hpp"
 
 namespace discmc::command {
@@ -56,7 +55,6 @@ unsigned jobs_of(const ExtractArguments& arguments) {
 }
 
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers) {
-  note_labels(arguments.volume, arguments.reading);
   if (not_numbers > 0)
     std::cerr << "discmc: " << arguments.volume << ": " << not_numbers
               << " samples are not a number (NaN), and taken as off\n";

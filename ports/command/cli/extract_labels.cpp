@@ -44,16 +44,16 @@ Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names)
   try {
     labels = names.each(arguments.labels);
   } catch (const std::invalid_argument& error) {
-    throw VolumeError(arguments.volume + ": " + error.what());
+    throw std::invalid_argument(arguments.volume + ": " + error.what());
   }
   for (const NamedLabels& each : labels)
     for (const auto& [layer, values] : each.set) {
       auto& of_layer = chosen[layer];
       if (values.empty()) continue;  // a mask, which has one label
       if (values.size() > 1)
-        throw VolumeError(arguments.volume + ": '" + each.name + "' stands for " +
-                          std::to_string(values.size()) + " labels; give them one by one, or all " +
-                          "as one surface with --label");
+        throw std::invalid_argument(
+            arguments.volume + ": '" + each.name + "' stands for " + std::to_string(values.size()) +
+            " labels; give them one by one, or all " + "as one surface with --label");
       if (!of_layer) of_layer.emplace();
       of_layer->insert(values[0]);
     }
@@ -64,19 +64,12 @@ std::vector<LabelledSurface> surfaces_of(VolumeReader& volume, const ExtractArgu
                                          std::optional<std::set<LabelValue>> chosen) {
   Progress progress("extracting", volume.info().dims[2]);
   try {
-    return extract_labels(volume, {arguments.reading.border, arguments.reading.median > 0,
-                                   std::move(chosen),
-                                   [&progress](std::uint32_t slices) { progress.show(slices); }});
+    return extract_labels(
+        volume, {arguments.reading.border, arguments.reading.median > 0, std::move(chosen),
+                 [&progress](std::uint32_t slices) { progress.show(slices); }});
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(arguments.volume + ": " + error.what());
   }
-}
-
-// As in "it holds no label, every voxel is 0".
-std::string why_none(const ExtractArguments& arguments) {
-  if (!arguments.reading.mask.empty()) return " that --mask leaves";
-  return arguments.reading.label_report->not_numbers > 0 ? ", every voxel is 0 or not a number"
-                                                         : ", every voxel is 0";
 }
 
 // As in "label 2 (bone)".
@@ -90,7 +83,7 @@ void check_missing(const ExtractArguments& arguments, const std::vector<std::str
   std::string text = arguments.volume + ": no voxel has";
   for (const std::string& label : missing) text += (label == missing[0] ? " " : ", ") + label;
   if (arguments.labels != "all" && !arguments.reading.allows_empty)
-    throw VolumeError(text + "; leave out what is not there, or give --allow-empty");
+    throw std::runtime_error(text + "; leave out what is not there, or give --allow-empty");
   std::cerr << "discmc: " << text << '\n';
 }
 
@@ -109,12 +102,13 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
   std::vector<std::string> missing;
   for (const auto& [layer, chosen] : chosen_labels(arguments, names)) {
     std::unique_ptr<VolumeReader> volume = segmentation.open(layer);
-    const bool is_first = found.empty() && missing.empty();
-    if (auto mask = open_noted_mask(arguments.reading, volume->info(), is_first))
+    if (auto mask = open_noted_mask(arguments.reading, volume->info()))
       volume = masked(std::move(volume), std::move(mask));
     std::vector<LabelledSurface> surfaces = surfaces_of(*volume, arguments, chosen);
     for (const LabelValue label : chosen.value_or(std::set<LabelValue>())) {
-      const auto is_it = [value = label](const LabelledSurface& each) { return each.label == value; };
+      const auto is_it = [value = label](const LabelledSurface& each) {
+        return each.label == value;
+      };
       if (std::none_of(surfaces.begin(), surfaces.end(), is_it))
         missing.push_back(title(selection_of(names, layer, label)));
     }
@@ -146,10 +140,10 @@ int extract_label_meshes(const ExtractArguments& arguments) {
       mesh_placement(arguments.volume, segmentation.info().placement, arguments.space);
   pattern.require_folder();
   std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
-  note_labels(arguments.volume, arguments.reading);
   if (labels.empty() && !arguments.reading.allows_empty)
-    throw VolumeError(arguments.volume + ": it holds no label" + why_none(arguments) +
-                      "; --allow-empty takes that");
+    throw std::runtime_error(arguments.volume + ": it holds no label" +
+                             (arguments.reading.mask.empty() ? "" : " that --mask leaves") +
+                             "; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
   for (const FoundLabel& each : labels) selections.push_back(each.name);
@@ -181,8 +175,8 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   }
   if (is_shared) {
     if (parts.empty() && !arguments.reading.allows_empty)
-      throw VolumeError(arguments.volume + ": no label has a surface left, so " + arguments.output +
-                        " is not written; --allow-empty takes that");
+      throw std::runtime_error(arguments.volume + ": no label has a surface left, so " +
+                               arguments.output + " is not written; --allow-empty takes that");
     write_parts(arguments, parts);
     if (!arguments.quiet) write_file(arguments.output, std::cout);
   }

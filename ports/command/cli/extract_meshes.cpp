@@ -1,5 +1,6 @@
 // discmc extract -o FILE.stl: a volume to meshes, one a surface.
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -91,7 +92,7 @@ void write_parts(const ExtractArguments& arguments, const std::vector<Mesh>& par
 int extract_meshes(ExtractArguments arguments) {
   if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume, gradient_pass);
   const FilePattern pattern(arguments.output);
-  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const auto volume = open_measured(arguments.volume, arguments.reading);
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const VolumeInfo& info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
@@ -127,9 +128,9 @@ int extract_meshes(ExtractArguments arguments) {
     keep_chosen(arguments.volume + (files.size() > 1 ? ": " + selections[i].name : ""),
                 arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
-      throw VolumeError(arguments.volume +
-                        ": no body is as large as --min-volume says; give less, "
-                        "--allow-empty takes an empty surface");
+      throw std::runtime_error(arguments.volume +
+                               ": no body is as large as --min-volume says; give less, "
+                               "--allow-empty takes an empty surface");
     const SurfaceOutput output{surface, selections[i], files[i],
                                arguments.interpolates ? &finders[i].crossings() : nullptr};
     if (is_shared) {

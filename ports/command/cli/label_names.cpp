@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "text/control_character.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -49,9 +49,9 @@ std::string LabelNames::list_of_names() const {
   std::string text = "there are ";
   for (std::size_t i = 0; i < std::min(most, table_.size()); ++i)
     text += (i > 0 ? ", " : "") + shown(table_[i].name);
-  return table_.size() <= most
-             ? text
-             : text + " and " + std::to_string(table_.size() - most) + " more; discmc info lists all";
+  return table_.size() <= most ? text
+                               : text + " and " + std::to_string(table_.size() - most) +
+                                     " more; discmc info lists all";
 }
 
 std::optional<NamedLabels> LabelNames::by_number(std::string_view text) const {
@@ -60,10 +60,9 @@ std::optional<NamedLabels> LabelNames::by_number(std::string_view text) const {
   std::vector<const LabelDescription*> found;
   for (const LabelDescription& each : table_)
     if (!each.values.empty() && has_value(each, *value)) found.push_back(&each);
-  const bool is_in_one_layer =
-      std::all_of(found.begin(), found.end(), [&found](const LabelDescription* each) {
-        return each->layer == found[0]->layer;
-      });
+  const bool is_in_one_layer = std::all_of(
+      found.begin(), found.end(),
+      [&found](const LabelDescription* each) { return each->layer == found[0]->layer; });
   if (!is_in_one_layer)
     throw std::invalid_argument("label " + value->text() + " is " + shown(found[0]->name) +
                                 " and, in another layer, " + shown(found.back()->name) +

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "text/value_text.hpp"
 #include "volume_input.hpp"
 #include "volumes/label_table.hpp"
 
@@ -16,7 +15,7 @@ namespace {
 VolumeOptions options_of(const VolumeArguments& arguments) {
   VolumeOptions options = volume_options(arguments.layout);
   options.block_value = BlockValue::most_frequent;
-  options.labels = arguments.label_report;
+  options.holds_labels = true;
   return options;
 }
 
@@ -41,13 +40,12 @@ LabelTable table_of(const VolumeInfo& info, const VolumeArguments& arguments) {
 Segmentation::Segmentation(const std::string& path, const VolumeArguments& arguments)
     : path_(path),
       options_(options_of(arguments)),
-      first_(open_layer(path, options_)),
+      first_(noted(path, open_layer(path, options_))),
       info_(first_->info()),
       names_(table_of(info_, arguments), layers_of(info_, arguments)) {
   if (info_.frames > names_.layers().size() && !arguments.layout.frame)
-    info_.notes.push_back("layers without a label that is told left out: " +
-                          std::to_string(info_.frames - names_.layers().size()));
-  print_notes(path, info_);
+    std::cerr << "discmc: " << path << ": layers without a label that is told left out: "
+              << info_.frames - names_.layers().size() << '\n';
 }
 
 std::unique_ptr<VolumeReader> Segmentation::open(std::uint32_t layer) {
@@ -55,7 +53,7 @@ std::unique_ptr<VolumeReader> Segmentation::open(std::uint32_t layer) {
   require_second_pass(path_, "each layer of a segmentation takes a pass");
   VolumeOptions options = options_;
   options.frame = layer;
-  return open_volume(path_, options);
+  return open_noted(path_, options);
 }
 
 std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std::string& path,
@@ -71,7 +69,7 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
     try {
       labels = segmentation.names().together(each.given);
     } catch (const std::invalid_argument& error) {
-      throw VolumeError(path + ": " + error.what());
+      throw std::invalid_argument(path + ": " + error.what());
     }
     each.name = labels.name;
     each.colour = labels.colour;
@@ -83,17 +81,6 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
   }
   for (auto& [layer, volume] : layers) volume = segmentation.open(layer);
   return label_bits(std::move(layers), sets);
-}
-
-void note_labels(const std::string& path, const VolumeArguments& arguments) {
-  const LabelReport& report = *arguments.label_report;
-  if (report.rounded > 0)
-    std::cerr << "discmc: " << path << ": " << report.rounded
-              << " values are rounded to whole numbers, which labels are; farthest off was "
-              << value_text(report.farthest) << '\n';
-  if (report.not_numbers > 0)
-    std::cerr << "discmc: " << path << ": " << report.not_numbers
-              << " samples are not a number (NaN), and taken as off\n";
 }
 
 }  // namespace discmc::command

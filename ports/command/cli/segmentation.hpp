@@ -17,8 +17,8 @@ namespace discmc::command {
 /// --frame chooses one.
 class Segmentation {
  public:
-  /// Opens the first layer, and says what of its file is dropped. Throws where the file holds
-  /// several volumes that are no layers, and none is chosen.
+  /// Opens the first layer. Throws where the file holds several volumes that are no layers, and
+  /// none is chosen.
   Segmentation(const std::string& path, const VolumeArguments& arguments);
 
   /// Of the first layer; the others have the same extents.
@@ -37,13 +37,9 @@ class Segmentation {
 };
 
 /// Finds the labels that are selected, and names them. Returns their bits, in the order of the
-/// selections. Throws VolumeError where they are not found.
+/// selections. Throws std::invalid_argument where they are not found.
 std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std::string& path,
                                           std::vector<NamedSelection>& selections);
-
-/// Says what was made of values that are no whole numbers. arguments: with which the labels were
-/// read.
-void note_labels(const std::string& path, const VolumeArguments& arguments);
 
 }  // namespace discmc::command
 

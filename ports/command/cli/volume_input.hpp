@@ -21,21 +21,21 @@ void require_second_pass(const std::string& path, const std::string& purpose);
 
 constexpr const char* gradient_pass = "normals of the gradient take a second pass";
 
-/// Opens the volume; of labels in several layers the first one, where none is chosen.
+/// The volume, whose notes are printed: each once, however often it is opened. All commands open
+/// volumes by this or the next ones, but info, which has notes in its table.
+std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<VolumeReader> volume);
+std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options);
+
+/// Opens a volume; of labels in several layers the first one, where none is chosen.
 std::unique_ptr<VolumeReader> open_layer(const std::string& path, VolumeOptions options);
 
-/// Says what of the file of a volume is dropped or taken otherwise.
-void print_notes(const std::string& path, const VolumeInfo& info);
+/// As open_noted(), measured as it is read. Where labels are selected it is the volume of their
+/// bits, and the selections are what was found of them.
+std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments);
 
-/// Opens the volume, and says what of its file is dropped. Where labels are selected it is that of
-/// their bits, and the selections are what was found of them.
-std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
-                                                  VolumeArguments& arguments);
-
-/// Opens the mask of the volume, if there is one, and says where it is not what it should be,
-/// unless that was said.
+/// Opens the mask of the volume, if there is one, and says where it is not what it should be.
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
-                                              const VolumeInfo& volume, bool says = true);
+                                              const VolumeInfo& volume);
 
 /// A volume that gradients can be made of, and what is on in it.
 struct GradientVolume {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "volume_format.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {

@@ -11,7 +11,8 @@
 
 #include "label_json.hpp"
 #include "text/number_text.hpp"
-#include "volume_format.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -110,8 +111,7 @@ class Reader {
     const std::string_view own = value(words, "name");
     if (!own.empty()) return std::string(own);
     const std::string modifier(value(words, "typemodifier_codemeaning"));
-    return modifier + (modifier.empty() ? "" : " ") +
-           std::string(value(words, "type_codemeaning"));
+    return modifier + (modifier.empty() ? "" : " ") + std::string(value(words, "type_codemeaning"));
   }
 
   std::optional<LabelDescription> read_columns(const Words& words) const {
@@ -119,8 +119,7 @@ class Reader {
     const std::string_view colour = value(words, "color");
     const std::string_view red = value(words, "color_r");
     if (!red.empty()) {
-      const auto read =
-          colour_of({red, value(words, "color_g"), value(words, "color_b")}, 0);
+      const auto read = colour_of({red, value(words, "color_g"), value(words, "color_b")}, 0);
       return read ? entry(index, name(words), read) : std::nullopt;
     }
     if (colour.empty() || colour == "n/a") return entry(index, name(words), {});

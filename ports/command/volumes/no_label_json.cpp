@@ -1,6 +1,6 @@
 // In place of label_json.cpp where there is no library that reads JSON.
 #include "label_json.hpp"
-#include "volume_format.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 

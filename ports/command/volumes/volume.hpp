@@ -43,13 +43,6 @@ using Crop = std::array<VoxelRange, 3>;
 /// What the voxel is that stands for a block of voxels.
 enum class BlockValue { mean, most_frequent };
 
-/// What was made of values that are no whole numbers where labels are read.
-struct LabelReport {
-  std::uint64_t not_numbers = 0;  ///< of no label
-  std::uint64_t rounded = 0;      ///< to the nearest whole number
-  double farthest = 0;            ///< of these from a whole number
-};
-
 /// What is said of a volume beside its name.
 struct VolumeOptions {
   /// The layout of headerless samples; nothing where the file has a header.
@@ -70,22 +63,12 @@ struct VolumeOptions {
   /// Limit: 1 to 16.
   std::uint32_t shrink = 1;
   BlockValue block_value = BlockValue::mean;
-  /// Where values are labels: their volume is that of whole_labels(), which counts here as it is
-  /// read.
-  std::shared_ptr<LabelReport> labels = {};
+  /// Whether values are labels: their volume is then that of whole_labels().
+  bool holds_labels = false;
 };
 
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
-
-/// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
-bool is_read_once(const std::filesystem::path& file);
-
-/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
-/// that is, and streams never do. head: the first magic_bytes of them, fewer where there are no
-/// more.
-bool is_volume_head(std::string_view head);
-constexpr std::size_t magic_bytes = 348;
 
 /// Opens a volume: a file, a folder of DICOM, of pictures or of masks, files by a pattern with *, ?
 /// or [...], a pipe, or standard input by the name "-". With a layout the file is taken as

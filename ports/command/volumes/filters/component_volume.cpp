@@ -4,37 +4,35 @@
 #include <utility>
 #include <vector>
 
+#include "volumes/volume_filter.hpp"
+
 namespace discmc::command {
 namespace {
 
-class ComponentVolume final : public VolumeReader {
+class ComponentVolume final : public VolumeFilter {
  public:
   ComponentVolume(std::unique_ptr<VolumeReader> all, VolumeInfo info, std::uint32_t first,
                   std::uint32_t count)
-      : all_(std::move(all)),
-        info_(std::move(info)),
+      : VolumeFilter(std::move(all)),
         first_(first),
         count_(count),
-        slice_(all_->info().slice_bytes()) {}
-
-  const VolumeInfo& info() const override { return info_; }
+        slice_(volume().info().slice_bytes()) {
+    own_info() = std::move(info);
+  }
 
   void read_slice(void* samples) override {
-    all_->read_slice(slice_.data());
-    with_sample_type(info_.type, [&](auto typed) {
+    volume().read_slice(slice_.data());
+    with_sample_type(info().type, [&](auto typed) {
       using Sample = decltype(typed);
       const auto* from = reinterpret_cast<const Sample*>(slice_.data()) + first_;
       auto* to = static_cast<Sample*>(samples);
-      for (std::size_t left = info_.slice_bytes() / sizeof(Sample); left > 0; --left, from += count_)
+      for (std::size_t left = info().slice_bytes() / sizeof(Sample); left > 0;
+           --left, from += count_)
         *to++ = *from;
     });
   }
 
-  void skip_slice() override { all_->skip_slice(); }
-
  private:
-  std::unique_ptr<VolumeReader> all_;
-  VolumeInfo info_;
   std::uint32_t first_, count_;
   std::vector<std::uint8_t> slice_;
 };

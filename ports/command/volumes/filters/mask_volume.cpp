@@ -10,27 +10,26 @@
 
 #include "cropped_volume.hpp"
 #include "shrunk_volume.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_filter.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {
 namespace {
 
 // 1 where the value is another number than 0.
-class Mask final : public VolumeReader {
+class Mask final : public VolumeFilter {
  public:
   explicit Mask(std::unique_ptr<VolumeReader> volume)
-      : volume_(std::move(volume)), info_(volume_->info()), slice_(info_.slice_bytes()) {
-    info_.type = SampleType::u8;
-    info_.slope = 1;
-    info_.intercept = 0;
+      : VolumeFilter(std::move(volume)), slice_(info().slice_bytes()) {
+    own_info().type = SampleType::u8;
+    own_info().slope = 1;
+    own_info().intercept = 0;
   }
 
-  const VolumeInfo& info() const override { return info_; }
-
   void read_slice(void* samples) override {
-    const VolumeInfo& of = volume_->info();
-    volume_->read_slice(slice_.data());
+    const VolumeInfo& of = volume().info();
+    volume().read_slice(slice_.data());
     with_sample_type(of.type, [&](auto typed) {
       using Sample = decltype(typed);
       const auto* const first = reinterpret_cast<const Sample*>(slice_.data());
@@ -43,20 +42,17 @@ class Mask final : public VolumeReader {
   }
 
  private:
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
   std::vector<std::uint8_t> slice_;
 };
 
 // A mask whose axes are put in the order and direction of another volume.
-class TurnedMask final : public VolumeReader {
+class TurnedMask final : public VolumeFilter {
  public:
   TurnedMask(std::filesystem::path file, std::unique_ptr<VolumeReader> mask, const AxesMatch& match)
-      : file_(std::move(file)),
-        mask_(std::move(mask)),
-        info_(mask_->info()),
+      : VolumeFilter(std::move(mask)),
+        file_(std::move(file)),
         is_slice_by_slice_(match[2].axis == 2 && !match[2].is_reversed) {
-    const VolumeInfo& of = mask_->info();
+    const VolumeInfo& of = volume().info();
     const VolumePlacement from = of.placement.value_or(along_coordinates(of.spacing_mm));
     const std::array<std::ptrdiff_t, 3> steps = {1, static_cast<std::ptrdiff_t>(of.dims[0]),
                                                  static_cast<std::ptrdiff_t>(of.slice_bytes())};
@@ -65,8 +61,8 @@ class TurnedMask final : public VolumeReader {
       const auto [axis, is_reversed] = match[i];
       const double sign = is_reversed ? -1 : 1;
       const std::uint32_t last = of.dims[axis] - 1;
-      info_.dims[i] = of.dims[axis];
-      info_.spacing_mm[i] = sign * of.spacing_mm[axis];
+      own_info().dims[i] = of.dims[axis];
+      own_info().spacing_mm[i] = sign * of.spacing_mm[axis];
       steps_[i] = is_reversed ? -steps[axis] : steps[axis];
       if (is_reversed) first_ += last * steps[axis];
       for (std::size_t j = 0; j < 3; ++j) {
@@ -74,33 +70,35 @@ class TurnedMask final : public VolumeReader {
         if (is_reversed) to.origin_mm[j] += last * from.axes_mm[axis][j];
       }
     }
-    info_.placement = to;
-    info_.notes.emplace_back("axes put in the order and direction of those of the volume");
+    own_info().placement = to;
     slices_.resize(of.slice_bytes() * (is_slice_by_slice_ ? 1 : of.dims[2]));
+    add_note("axes put in the order and direction of those of the volume");
   }
 
-  const VolumeInfo& info() const override { return info_; }
-
   void read_slice(void* samples) override {
-    require_slice_left(file_, next_, info_.dims[2]);
+    require_slice_left(file_, next_, info().dims[2]);
     if (is_slice_by_slice_ || next_ == 0) read_mask();
     auto* out = static_cast<std::uint8_t*>(samples);
     const std::ptrdiff_t slice = first_ + (is_slice_by_slice_ ? 0 : next_ * steps_[2]);
-    for (std::uint32_t y = 0; y < info_.dims[1]; ++y)
-      for (std::uint32_t x = 0; x < info_.dims[0]; ++x)
+    for (std::uint32_t y = 0; y < info().dims[1]; ++y)
+      for (std::uint32_t x = 0; x < info().dims[0]; ++x)
         *out++ = slices_[static_cast<std::size_t>(slice + y * steps_[1] + x * steps_[0])];
     ++next_;
   }
 
+  // Some slices of the volume are in no slice of the mask alone.
+  void skip_slice() override {
+    std::vector<std::uint8_t> dropped(info().slice_bytes());
+    read_slice(dropped.data());
+  }
+
  private:
   void read_mask() {
-    const std::size_t bytes = mask_->info().slice_bytes();
-    for (std::size_t at = 0; at < slices_.size(); at += bytes) mask_->read_slice(&slices_[at]);
+    const std::size_t bytes = volume().info().slice_bytes();
+    for (std::size_t at = 0; at < slices_.size(); at += bytes) volume().read_slice(&slices_[at]);
   }
 
   std::filesystem::path file_;
-  std::unique_ptr<VolumeReader> mask_;
-  VolumeInfo info_;
   bool is_slice_by_slice_;
   std::vector<std::uint8_t> slices_;       // of the mask: one, or all
   std::array<std::ptrdiff_t, 3> steps_{};  // in it, from a voxel to the next along x, y and z
@@ -108,15 +106,13 @@ class TurnedMask final : public VolumeReader {
   std::uint32_t next_ = 0;
 };
 
-class MaskedLabels final : public VolumeReader {
+class MaskedLabels final : public VolumeFilter {
  public:
   MaskedLabels(std::unique_ptr<VolumeReader> volume, std::unique_ptr<VolumeReader> mask)
-      : volume_(std::move(volume)), mask_(std::move(mask)), on_(mask_->info().slice_bytes()) {}
-
-  const VolumeInfo& info() const override { return volume_->info(); }
+      : VolumeFilter(std::move(volume)), mask_(std::move(mask)), on_(mask_->info().slice_bytes()) {}
 
   void read_slice(void* samples) override {
-    volume_->read_slice(samples);
+    volume().read_slice(samples);
     mask_->read_slice(on_.data());
     with_whole_type(info().type, [&](auto typed) {
       auto* sample = static_cast<decltype(typed)*>(samples);
@@ -127,8 +123,12 @@ class MaskedLabels final : public VolumeReader {
     });
   }
 
+  void skip_slice() override {
+    volume().skip_slice();
+    mask_->skip_slice();
+  }
+
  private:
-  std::unique_ptr<VolumeReader> volume_;
   std::unique_ptr<VolumeReader> mask_;
   std::vector<std::uint8_t> on_;
 };

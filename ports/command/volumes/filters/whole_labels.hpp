@@ -16,12 +16,11 @@ namespace discmc::command {
 std::optional<std::int64_t> nearest_label(double value);
 
 /// The volume with its values as samples: slope 1, intercept 0. Whole numbers that are values
-/// already stay as they are, up to all 64 bits; others become i64, a value that is off a whole
-/// number by no more than 0.01 that number, what is not a number 0. report: counts both.
-/// Throws VolumeError in read_slice() where a value is of no nearest_label(). file: for errors.
+/// already stay as they are, up to all 64 bits; others become i64, each its nearest_label(), and
+/// what is not a number 0. Notes after the last slice tell how many are rounded or no numbers.
+/// Throws VolumeError in read_slice() where a value is of no label. file: for errors.
 std::unique_ptr<VolumeReader> whole_labels(const std::filesystem::path& file,
-                                           std::unique_ptr<VolumeReader> volume,
-                                           std::shared_ptr<LabelReport> report);
+                                           std::unique_ptr<VolumeReader> volume);
 
 }  // namespace discmc::command
 

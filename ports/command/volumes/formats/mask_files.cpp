@@ -7,8 +7,10 @@
 #include <system_error>
 #include <utility>
 
+#include "text/words.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_filter.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {
@@ -28,25 +30,23 @@ std::optional<std::string> mask_name(const std::filesystem::path& file) {
 }
 
 // Labels of which there must be one.
-class Mask final : public VolumeReader {
+class Mask final : public VolumeFilter {
  public:
   Mask(std::filesystem::path file, std::unique_ptr<VolumeReader> labels, VolumeInfo info)
-      : file_(std::move(file)), labels_(std::move(labels)), info_(std::move(info)) {}
-
-  const VolumeInfo& info() const override { return info_; }
+      : VolumeFilter(std::move(labels)), file_(std::move(file)) {
+    own_info() = std::move(info);
+  }
 
   void read_slice(void* samples) override {
-    labels_->read_slice(samples);
-    with_whole_type(info_.type, [&](auto typed) {
+    volume().read_slice(samples);
+    with_whole_type(info().type, [&](auto typed) {
       using Sample = decltype(typed);
       const auto* const begin = static_cast<const Sample*>(samples);
-      std::for_each(begin, begin + info_.slice_bytes() / sizeof(Sample), [this](Sample sample) {
+      std::for_each(begin, begin + info().slice_bytes() / sizeof(Sample), [this](Sample sample) {
         if (sample != 0 && label_ != LabelValue(sample)) take(sample);
       });
     });
   }
-
-  void skip_slice() override { labels_->skip_slice(); }
 
  private:
   void take(LabelValue label) {
@@ -59,8 +59,6 @@ class Mask final : public VolumeReader {
   }
 
   std::filesystem::path file_;
-  std::unique_ptr<VolumeReader> labels_;
-  VolumeInfo info_;
   LabelValue label_{};  // 0: none has come
 };
 
@@ -73,8 +71,7 @@ void require_same_place(const std::filesystem::path& file, const VolumeInfo& inf
     fail(file,
          "the mask has " + extents(info.dims) + " voxels, and " + name + " " + extents(first.dims),
          remedy);
-  if (offset_mm(info, first) > 0)
-    fail(file, "the mask lies elsewhere than " + name, remedy);
+  if (offset_mm(info, first) > 0) fail(file, "the mask lies elsewhere than " + name, remedy);
 }
 
 }  // namespace
@@ -102,7 +99,7 @@ std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
              std::to_string(files.size()) + " files",
          "choose one with --frame 0 to " + std::to_string(files.size() - 1));
   VolumeOptions of_one;
-  of_one.labels = options.labels;
+  of_one.holds_labels = options.holds_labels;
   auto volume = open_volume(files[number], of_one);
   VolumeInfo info = volume->info();
   if (number > 0)

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>
@@ -57,7 +57,7 @@ void take_labels(std::string_view xml, VolumeInfo& info) {
 }
 #else
 void take_labels(std::string_view, VolumeInfo& info) {
-  info.notes.emplace_back("names of labels left out: this discmc was built without pugixml");
+  note(info, "names of labels left out: this discmc was built without pugixml");
 }
 #endif
 

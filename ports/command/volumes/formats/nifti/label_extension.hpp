@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "volumes/volume_reader.hpp"
+#include "volumes/volume_info.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "volumes/volume_reader.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 
