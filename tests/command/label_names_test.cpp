@@ -1,5 +1,5 @@
 // Labels by numbers and names.
-#include "cli/label_names.hpp"
+#include "volumes/label_names.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,8 +15,8 @@
 namespace {
 
 using namespace volume_files;
+using command_tests::contains;
 using discmc::command::BlockValue;
-using discmc::command::LabelReport;
 
 // A row of f32 as a headerless file.
 std::string row_of(const std::vector<float>& samples) {
@@ -29,16 +28,17 @@ std::string row_of(const std::vector<float>& samples) {
 struct Read {
   VolumeInfo info;
   std::vector<double> labels;
-  LabelReport report;
+  std::vector<std::string> notes;
 };
 
 Read read_labels(const std::string& bytes, const VolumeOptions& options) {
   const Folder folder;
   VolumeOptions of_labels = options;
-  of_labels.labels = std::make_shared<LabelReport>();
+  of_labels.holds_labels = true;
+  of_labels.spacing_mm = {1, 1, 1};
   const auto volume = open_volume(folder.write("v.raw", bytes), of_labels);
   std::vector<double> labels = read_all(*volume);
-  return {volume->info(), std::move(labels), *of_labels.labels};
+  return {volume->info(), std::move(labels), volume->notes()};
 }
 
 VolumeOptions floats(std::uint32_t width, std::uint32_t depth = 1) {
@@ -56,9 +56,10 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
       read_labels(row_of({0, 0.99F, 1, 1.01F, 1.01F, -2.009F, nan, nan, 3}), floats(9));
   CHECK(read.info.type == SampleType::i64);
   CHECK(read.labels == std::vector<double>{0, 1, 1, 1, 1, -2, 0, 0, 3});
-  CHECK(read.report.rounded == 4);
-  CHECK(read.report.farthest == doctest::Approx(0.99));
-  CHECK(read.report.not_numbers == 2);
+  CHECK(read.notes ==
+        std::vector<std::string>{
+            "4 values are rounded to whole numbers, which labels are; farthest off was 0.99",
+            "2 samples are not a number (NaN), and taken as off"});
 }
 
 TEST_CASE("what rounding makes of a slope is no more than that") {
@@ -69,7 +70,7 @@ TEST_CASE("what rounding makes of a slope is no more than that") {
   const auto file =
       folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0.7F).file(samples));
   VolumeOptions options;
-  options.labels = std::make_shared<LabelReport>();
+  options.holds_labels = true;
   const auto volume = open_volume(file, options);
   CHECK_THROWS_WITH_AS(read_all(*volume), doctest::Contains("the value 0.7 in slice 0 is no label"),
                        VolumeError);
@@ -80,8 +81,9 @@ TEST_CASE("what rounding makes of a slope is no more than that") {
           tens.append(reinterpret_cast<const char*>(&sample), sizeof sample);
         return tens;
       }()));
-  CHECK(read_all(*open_volume(exact, options)) == std::vector<double>{0, 3, 6, 7});
-  CHECK(options.labels->rounded == 0);
+  const auto labels = open_volume(exact, options);
+  CHECK(read_all(*labels) == std::vector<double>{0, 3, 6, 7});
+  for (const std::string& note : labels->notes()) CHECK_FALSE(contains(note, "rounded"));
 }
 
 TEST_CASE("values that are no labels are refused with their slice") {

@@ -1,10 +1,10 @@
 #include "empty_surface.hpp"
 
 #include <cmath>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 
+#include "text/say.hpp"
 #include "text/value_text.hpp"
 
 namespace discmc::command {
@@ -47,10 +47,6 @@ std::string reason(const VolumeArguments& arguments, const NamedSelection& surfa
   return "no voxel " + condition(surface);
 }
 
-std::string name_for_people(const std::string& path) {
-  return path == "-" ? "standard input" : path;
-}
-
 // As in "the values are 0 to 255".
 std::string values_text(const std::optional<ValueRange>& range) {
   if (!range) return "no value is a finite number";
@@ -84,9 +80,8 @@ void check_surface(const std::string& path, const VolumeArguments& arguments,
   if (is_empty && !arguments.allows_empty)
     fail_empty(path, arguments, surface, volume, extraction.is_full);
   if (is_empty || !extraction.is_full) return;
-  std::cerr << "discmc: " << name_for_people(path) << ": " << every_voxel(arguments, surface)
-            << ", so the surface is the box of the volume" << what_there_is(surface, volume)
-            << '\n';
+  say(path, every_voxel(arguments, surface) + ", so the surface is the box of the volume" +
+                what_there_is(surface, volume));
 }
 
 }  // namespace discmc::command

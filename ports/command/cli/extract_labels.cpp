@@ -19,6 +19,7 @@
 #include "progress.hpp"
 #include "require.hpp"
 #include "segmentation.hpp"
+#include "text/say.hpp"
 #include "volume_input.hpp"
 #include "volumes/filters/mask_volume.hpp"
 
@@ -44,16 +45,17 @@ Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names)
   try {
     labels = names.each(arguments.labels);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(arguments.volume + ": " + error.what());
+    throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());
   }
   for (const NamedLabels& each : labels)
     for (const auto& [layer, values] : each.set) {
       auto& of_layer = chosen[layer];
       if (values.empty()) continue;  // a mask, which has one label
       if (values.size() > 1)
-        throw std::invalid_argument(
-            arguments.volume + ": '" + each.name + "' stands for " + std::to_string(values.size()) +
-            " labels; give them one by one, or all " + "as one surface with --label");
+        throw std::invalid_argument(name_for_people(arguments.volume) + ": '" + each.name +
+                                    "' stands for " + std::to_string(values.size()) +
+                                    " labels; give them one by one, or all " +
+                                    "as one surface with --label");
       if (!of_layer) of_layer.emplace();
       of_layer->insert(values[0]);
     }
@@ -68,7 +70,7 @@ std::vector<LabelledSurface> surfaces_of(VolumeReader& volume, const ExtractArgu
         volume, {arguments.reading.border, arguments.reading.median > 0, std::move(chosen),
                  [&progress](std::uint32_t slices) { progress.show(slices); }});
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(arguments.volume + ": " + error.what());
+    throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());
   }
 }
 
@@ -80,11 +82,12 @@ std::string title(const NamedSelection& label) {
 // Of labels that are asked for, and have no voxel.
 void check_missing(const ExtractArguments& arguments, const std::vector<std::string>& missing) {
   if (missing.empty()) return;
-  std::string text = arguments.volume + ": no voxel has";
+  std::string text = "no voxel has";
   for (const std::string& label : missing) text += (label == missing[0] ? " " : ", ") + label;
   if (arguments.labels != "all" && !arguments.reading.allows_empty)
-    throw std::runtime_error(text + "; leave out what is not there, or give --allow-empty");
-  std::cerr << "discmc: " << text << '\n';
+    throw std::runtime_error(name_for_people(arguments.volume) + ": " + text +
+                             "; leave out what is not there, or give --allow-empty");
+  say(arguments.volume, text);
 }
 
 NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelValue label) {
@@ -125,7 +128,7 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
 }
 
 // target: the file, or the name in it.
-void write_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
+void print_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
                 std::ostream& out) {
   out << std::setw(8) << label.label.text() << std::setw(14) << label.voxels << std::setw(12)
       << faces << "  " << target << '\n';
@@ -141,7 +144,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   pattern.require_folder();
   std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
   if (labels.empty() && !arguments.reading.allows_empty)
-    throw std::runtime_error(arguments.volume + ": it holds no label" +
+    throw std::runtime_error(name_for_people(arguments.volume) + ": it holds no label" +
                              (arguments.reading.mask.empty() ? "" : " that --mask leaves") +
                              "; --allow-empty takes that");
 
@@ -155,11 +158,12 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const LabelledSurface& label = labels[i].surface;
     Surface& surface = labels[i].surface.surface;
-    keep_chosen(arguments.volume + ": " + title(selections[i]), arguments.components, surface);
+    keep_chosen(name_for_people(arguments.volume) + ": " + title(selections[i]),
+                arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty) {
-      std::cerr << "discmc: " << arguments.volume << ": " << title(selections[i])
-                << " has no surface left, so "
-                << (is_shared ? "it is not in " + files[i] : files[i] + " is not written") << '\n';
+      say(arguments.volume,
+          title(selections[i]) + " has no surface left, so " +
+              (is_shared ? "it is not in " + files[i] : files[i] + " is not written"));
       continue;
     }
     const SurfaceOutput output{surface, selections[i], files[i]};
@@ -167,18 +171,19 @@ int extract_label_meshes(const ExtractArguments& arguments) {
       parts.push_back(part_of(arguments, output, placement));
       surface = {};  // its memory is the next part's
       if (!arguments.quiet)
-        write_line(label, parts.back().face_count(), parts.back().name, std::cout);
+        print_line(label, parts.back().face_count(), parts.back().name, std::cout);
     } else {
       const MeshSummary mesh = write_mesh_of(arguments, output, placement);
-      if (!arguments.quiet) write_line(label, mesh.face_count, files[i], std::cout);
+      if (!arguments.quiet) print_line(label, mesh.face_count, files[i], std::cout);
     }
   }
   if (is_shared) {
     if (parts.empty() && !arguments.reading.allows_empty)
-      throw std::runtime_error(arguments.volume + ": no label has a surface left, so " +
-                               arguments.output + " is not written; --allow-empty takes that");
+      throw std::runtime_error(name_for_people(arguments.volume) +
+                               ": no label has a surface left, so " + arguments.output +
+                               " is not written; --allow-empty takes that");
     write_parts(arguments, parts);
-    if (!arguments.quiet) write_file(arguments.output, std::cout);
+    if (!arguments.quiet) print_file(arguments.output, std::cout);
   }
   if (!arguments.quiet) require_written(std::cout);
   return exit_ok;

@@ -15,6 +15,7 @@
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
+#include "text/say.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {
@@ -114,11 +115,9 @@ int extract_meshes(ExtractArguments arguments) {
   const std::vector<Extraction> extractions = extract(*volume, options, requests);
   note_not_numbers(arguments, extractions[0].not_numbers);
   if (arguments.interpolates && volume->has_two_values())
-    std::cerr
-        << "discmc: " << arguments.volume
-        << ": there are two values alone, as in a mask, so the interpolated surface keeps the "
-           "steps of the voxels; leave out --surface interpolated, or give the scan that the "
-           "mask was made of\n";
+    say(arguments.volume,
+        "there are two values alone, as in a mask, so the interpolated surface keeps the steps of "
+        "the voxels; leave out --surface interpolated, or give the scan that the mask was made of");
   check_surfaces(arguments, extractions, *volume);
 
   std::vector<Mesh> parts;
@@ -140,15 +139,15 @@ int extract_meshes(ExtractArguments arguments) {
     }
     const MeshSummary mesh = write_mesh_of(arguments, output, placement);
     if (arguments.quiet) continue;
-    write_file(files[i], std::cout);
-    write_mesh_table(mesh, extractions[i], std::cout);
+    print_file(files[i], std::cout);
+    print_mesh_table(mesh, extractions[i], std::cout);
   }
   if (is_shared) {
     write_parts(arguments, parts);
-    if (!arguments.quiet) write_file(arguments.output, std::cout);
+    if (!arguments.quiet) print_file(arguments.output, std::cout);
     for (std::size_t i = 0; i < parts.size() && !arguments.quiet; ++i) {
       std::cout << parts[i].name << '\n';
-      write_mesh_table(summary_of(parts[i], arguments), extractions[i], std::cout);
+      print_mesh_table(summary_of(parts[i], arguments), extractions[i], std::cout);
     }
   }
   if (!arguments.quiet) require_written(std::cout);

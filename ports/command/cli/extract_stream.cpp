@@ -137,12 +137,12 @@ int extract_stream(ExtractArguments arguments) {
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
-  if (arguments.output != "-") write_file(arguments.output, out);
+  if (arguments.output != "-") print_file(arguments.output, out);
   for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
     SurfaceReceiver& receiver = *stream.receivers[i];
     if (stream.receivers.size() > 1)
       out << "channel " << i << ", at " << arguments.reading.selections[i].name << '\n';
-    write_table(stream.extractions[i], count(receiver.surface()),
+    print_table(stream.extractions[i], count(receiver.surface()),
                 arguments.wire == Wire::slices ? stream.slice_bytes : receiver.stream_bytes(),
                 stream.slice_memory, out);
   }

@@ -1,12 +1,12 @@
 #include "mesh_output.hpp"
 
-#include <iostream>
 #include <stdexcept>
 
 #include "mesh_files/mesh_files.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
+#include "text/say.hpp"
 
 namespace discmc::command {
 namespace {
@@ -61,11 +61,11 @@ void write_surface(const Surface& surface, Format format, const MeshOptions& opt
 
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {
   if (mesh.left_out.empty()) return;
-  std::cerr << "discmc: " << input << ": " << mesh.left_out.size() << " of "
-            << surface.polygons.size()
-            << " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
-               "first in line "
-            << mesh.left_out[0] + 1 << '\n';
+  say(input, std::to_string(mesh.left_out.size()) + " of " +
+                 std::to_string(surface.polygons.size()) +
+                 " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
+                 "first in line " +
+                 std::to_string(mesh.left_out[0] + 1));
 }
 
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface) {
@@ -73,8 +73,8 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
   const Progress progress("choosing");
   const ComponentCounts counts = keep_components(surface, choice);
   if (counts.kept == counts.found) return;
-  std::cerr << "discmc: " << name << ": " << counts.kept << " of " << counts.found
-            << " bodies and cavities kept\n";
+  say(name, std::to_string(counts.kept) + " of " + std::to_string(counts.found) +
+                " bodies and cavities kept");
 }
 
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {

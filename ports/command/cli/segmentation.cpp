@@ -1,11 +1,11 @@
 #include "segmentation.hpp"
 
-#include <iostream>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "text/say.hpp"
 #include "volume_input.hpp"
 #include "volumes/label_table.hpp"
 
@@ -44,8 +44,8 @@ Segmentation::Segmentation(const std::string& path, const VolumeArguments& argum
       info_(first_->info()),
       names_(table_of(info_, arguments), layers_of(info_, arguments)) {
   if (info_.frames > names_.layers().size() && !arguments.layout.frame)
-    std::cerr << "discmc: " << path << ": layers without a label that is told left out: "
-              << info_.frames - names_.layers().size() << '\n';
+    say(path, "layers without a label that is told left out: " +
+                  std::to_string(info_.frames - names_.layers().size()));
 }
 
 std::unique_ptr<VolumeReader> Segmentation::open(std::uint32_t layer) {
@@ -69,7 +69,7 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
     try {
       labels = segmentation.names().together(each.given);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(path + ": " + error.what());
+      throw std::invalid_argument(name_for_people(path) + ": " + error.what());
     }
     each.name = labels.name;
     each.colour = labels.colour;

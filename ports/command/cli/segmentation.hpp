@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "label_names.hpp"
+#include "volumes/label_names.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {

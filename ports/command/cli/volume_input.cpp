@@ -1,13 +1,15 @@
 #include "volume_input.hpp"
 
 #include <cstdint>
-#include <iostream>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
 #include "segmentation.hpp"
+#include "text/say.hpp"
+#include "text/value_text.hpp"
 #include "volumes/byte_source.hpp"
 #include "volumes/filters/mask_volume.hpp"
 #include "volumes/volume_filter.hpp"
@@ -17,9 +19,9 @@ namespace discmc::command {
 namespace {
 
 // A volume may be opened for a pass after another: it says once what is to be said.
-void print_once(const std::string& line) {
-  static std::set<std::string> printed;
-  if (printed.insert(line).second) std::cerr << line << '\n';
+void say_once(const std::string& path, const std::string& text) {
+  static std::set<std::pair<std::string, std::string>> said;
+  if (said.emplace(path, text).second) say(path, text);
 }
 
 // Prints the notes when it is opened, and what the last slice adds to them.
@@ -42,7 +44,7 @@ class NotedVolume final : public VolumeFilter {
 
  private:
   void print_notes() const {
-    for (const std::string& note : notes()) print_once("discmc: " + path_ + ": " + note);
+    for (const std::string& note : notes()) say_once(path_, note);
   }
 
   std::string path_;
@@ -72,7 +74,7 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
 
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
-    throw std::runtime_error((path == "-" ? "standard input" : path) + ": " + purpose +
+    throw std::runtime_error(name_for_people(path) + ": " + purpose +
                              ", and this can be read once; store the volume in a file first");
 }
 
@@ -108,8 +110,8 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
       noted(arguments.mask, open_mask(arguments.mask, volume_options(arguments.layout), volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
-    std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart
-              << " mm from those of the volume, and are taken for them one by one\n";
+    say(arguments.mask, "its voxels lie up to " + value_text(apart) +
+                            " mm from those of the volume, and are taken for them one by one");
   return mask;
 }
 

@@ -73,7 +73,7 @@ std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int mos
   return lines;
 }
 
-void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
+void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
   constexpr int max_lines = 16;
   constexpr double bar = 34;  // 80 columns in all
   const bool has_few_values = statistics.is_exact && statistics.counts.size() <= max_lines;
@@ -134,7 +134,7 @@ void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistic
 }
 
 // What is most likely comes first.
-void write_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
+void print_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
                      std::ostream& out) {
   const bool is_hounsfield = is_in_hounsfield(info, statistics);
   if (!is_hounsfield) propose_labels(labels(statistics), out);
@@ -142,7 +142,7 @@ void write_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
 }
 
 // As in "label 1 liver", "label 2,3 layer 0 kidney".
-void write_label(const LabelDescription& label, bool has_layers, std::ostream& out) {
+void print_label(const LabelDescription& label, bool has_layers, std::ostream& out) {
   out << "label ";
   for (std::size_t i = 0; i < label.values.size(); ++i)
     out << (i > 0 ? "," : "") << label.values[i].text();
@@ -153,7 +153,7 @@ void write_label(const LabelDescription& label, bool has_layers, std::ostream& o
 
 }  // namespace
 
-void write_volume_info(const VolumeInfo& info, std::ostream& out) {
+void print_volume_info(const VolumeInfo& info, std::ostream& out) {
   out << "format " << info.format << '\n'
       << "type " << name(info.type) << '\n'
       << "slope " << value_text(info.slope) << '\n'
@@ -164,12 +164,12 @@ void write_volume_info(const VolumeInfo& info, std::ostream& out) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     out << ' ' << value_text(info.dims[axis] * std::fabs(info.spacing_mm[axis]));
   out << '\n';
-  write_place(info.spacing_mm, info.placement, out);
-  for (const LabelDescription& label : info.labels) write_label(label, info.frames > 1, out);
+  print_place(info.spacing_mm, info.placement, out);
+  for (const LabelDescription& label : info.labels) print_label(label, info.frames > 1, out);
   for (const std::string& note : info.notes) out << "note " << note << '\n';
 }
 
-void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
+void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
                              std::ostream& out) {
   out << "voxels " << std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2] << '\n'
       << "not_numbers " << statistics.not_numbers << '\n'
@@ -184,8 +184,8 @@ void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& sta
       << "mean " << value_text(statistics.mean) << '\n';
   for (const int percent : {1, 5, 25, 50, 75, 95, 99})
     out << "percentile_" << percent << ' ' << value_text(percentile(statistics, percent)) << '\n';
-  write_histogram(statistics, out);
-  write_proposals(info, statistics, out);
+  print_histogram(statistics, out);
+  print_proposals(info, statistics, out);
 }
 
 }  // namespace discmc::command

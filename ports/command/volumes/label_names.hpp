@@ -1,6 +1,6 @@
 // Which labels of a segmentation are meant by numbers and names.
-#ifndef DISCMC_COMMAND_CLI_LABEL_NAMES_HPP
-#define DISCMC_COMMAND_CLI_LABEL_NAMES_HPP
+#ifndef DISCMC_COMMAND_VOLUMES_LABEL_NAMES_HPP
+#define DISCMC_COMMAND_VOLUMES_LABEL_NAMES_HPP
 
 #include <cstdint>
 #include <optional>
@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "label_description.hpp"
 #include "pictures/srgb.hpp"
 #include "volumes/filters/label_bits.hpp"
-#include "volumes/label_description.hpp"
 
 namespace discmc::command {
 

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "text/control_character.hpp"
-#include "volumes/volume_error.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -23,13 +24,8 @@ bool has_value(const LabelDescription& description, LabelValue value) {
 
 // Without what people leave out or write otherwise.
 std::string plain(std::string_view name) {
-  std::string result;
-  for (const char c : name) {
-    if (c >= 'A' && c <= 'Z')
-      result += static_cast<char>(c - 'A' + 'a');
-    else
-      result += c == '_' ? ' ' : c;
-  }
+  std::string result = lower(name);
+  std::replace(result.begin(), result.end(), '_', ' ');
   return result;
 }
 
