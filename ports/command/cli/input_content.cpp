@@ -4,7 +4,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "volumes/volume.hpp"
+#include "volumes/byte_source.hpp"
+#include "volumes/magic.hpp"
 
 namespace discmc::command {
 namespace {

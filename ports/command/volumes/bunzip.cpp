@@ -1,13 +1,13 @@
 #include <utility>
 
 #include "byte_source.hpp"
-#include "volume.hpp"
 
 #ifdef DISCMC_WITH_BZIP2
 #include <bzlib.h>
 
 #include <algorithm>
 #include <array>
+#include <new>
 #endif
 
 namespace discmc::command {
@@ -53,8 +53,7 @@ class Bunzipper final : public ByteSource {
 
  private:
   void start() {
-    if (BZ2_bzDecompressInit(&state_, 0, 0) != BZ_OK)
-      throw VolumeError("bzip2 does not start; the memory may be exhausted");
+    if (BZ2_bzDecompressInit(&state_, 0, 0) != BZ_OK) throw std::bad_alloc();
   }
   void refill() {
     if (state_.avail_in != 0) return;

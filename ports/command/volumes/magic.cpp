@@ -1,4 +1,4 @@
-#include "volume_format.hpp"
+#include "magic.hpp"
 
 namespace discmc::command {
 namespace {
@@ -39,21 +39,13 @@ constexpr Magic magics[] = {
     {"zstd", 0, "\x28\xb5\x2f\xfd"sv},
 };
 
+}  // namespace
+
 std::optional<std::string_view> format_of_head(std::string_view head) {
   for (const Magic& magic : magics)
     if (head.size() >= magic.offset && head.substr(magic.offset, magic.bytes.size()) == magic.bytes)
       return magic.format;
   return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<std::string_view> format_of_magic(ByteStream& stream) {
-  return format_of_head(stream.peek(magic_bytes));
-}
-
-bool is_volume_head(std::string_view head) {
-  return format_of_head(head).has_value();
 }
 
 }  // namespace discmc::command

@@ -3,15 +3,16 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "formats/readers.hpp"
+#include "magic.hpp"
 #include "other_kinds.hpp"
-#include "volume_format.hpp"
+#include "text/words.hpp"
 #include "volumes/filters/cropped_volume.hpp"
 #include "volumes/filters/shrunk_volume.hpp"
 #include "volumes/formats/dicom/files.hpp"
@@ -96,7 +97,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
   if (options.layout) {
     require_headerless_name(file);
-    return open_raw(ByteStream(file), *options.layout);
+    return open_raw(ByteStream(file), options);
   }
   if (is_folder(file))
     return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");
@@ -114,7 +115,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   if (is_mesh_name(file))
     fail(file, "this is a mesh, not a volume",
          std::string("give the volume that it was made of; ") + who_takes_meshes);
-  const auto found = format_of_magic(stream);
+  const auto found = format_of_head(stream.peek(magic_bytes));
   for (const Format& format : formats)
     if (found == format.name) return format.open(std::move(stream), options);
   const bool is_bare_file = !stream.is_decoded() && !stream.is_read_once();
@@ -129,31 +130,6 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
       "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims and "
       "--type");
 }
-
-// A volume whose spacing is said to be another than its file has it.
-class RespacedVolume final : public VolumeReader {
- public:
-  RespacedVolume(std::unique_ptr<VolumeReader> volume, std::array<double, 3> spacing_mm)
-      : volume_(std::move(volume)), info_(volume_->info()) {
-    const std::array<double, 3> told = info_.spacing_mm;
-    for (std::size_t axis = 0; axis < 3; ++axis) spacing_mm[axis] *= std::copysign(1.0, told[axis]);
-    set_spacing(info_, spacing_mm);
-    std::vector<std::string>& notes = info_.notes;
-    notes.erase(std::remove(notes.begin(), notes.end(), no_spacing_note), notes.end());
-    if (!info_.placement) return;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (double& along : info_.placement->axes_mm[axis])
-        along *= std::fabs(info_.spacing_mm[axis] / told[axis]);
-  }
-
-  const VolumeInfo& info() const override { return info_; }
-  void read_slice(void* samples) override { volume_->read_slice(samples); }
-  void skip_slice() override { volume_->skip_slice(); }
-
- private:
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
-};
 
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
@@ -191,8 +167,6 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
          "leave out --frame");
   if (!options.series.empty() && volume->info().format.rfind("DICOM", 0) != 0)
     fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
-  if (options.spacing_mm)
-    volume = std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);

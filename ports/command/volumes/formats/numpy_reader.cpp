@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -80,13 +83,13 @@ std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions&
   auto sizes = sizes_of(file, value_of(file, dictionary, "shape"));
   const bool is_fortran = value_of(file, dictionary, "fortran_order") == "True";
   if (is_fortran)
-    info.notes.emplace_back("Fortran order: taken as array[x][y][z]");
+    note(info, "Fortran order: taken as array[x][y][z]");
   else
     std::reverse(sizes.begin(), sizes.end());
-  set_dims(info, file, sizes, options);
-  info.notes.emplace_back(no_spacing_note);
-  skip_to_frame(stream, info, options);
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
+  set_dims(info, file, sizes, options.frame);
+  set_place(info, {}, options);
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian,
+                                       options.frame);
 }
 
 }  // namespace discmc::command

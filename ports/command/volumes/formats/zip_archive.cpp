@@ -2,7 +2,8 @@
 #include <utility>
 
 #include "text/control_character.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/formats/readers.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
 #include <archive.h>
@@ -15,6 +16,7 @@
 #include <clocale>
 #include <cstdlib>
 #include <fstream>
+#include <new>
 #include <set>
 #include <system_error>
 #include <vector>
@@ -40,8 +42,7 @@ class TemporaryFolder {
     std::error_code error;
     std::string name = (std::filesystem::temp_directory_path(error) / "discmc-zip-XXXXXX").string();
     if (error || mkdtemp(name.data()) == nullptr)
-      throw VolumeError(
-          "zip: no folder for temporary files; set TMPDIR to one that can be written");
+      fail("zip", "no folder for temporary files", "set TMPDIR to one that can be written");
     path_ = name;
     leave_to_remover();
   }
@@ -65,9 +66,8 @@ class TemporaryFolder {
     int ends[2];
     if (pipe(ends) != 0 || (remover_ = fork()) < 0) {
       rmdir(path_.c_str());
-      throw VolumeError(
-          "zip: no process can be started that removes what is unpacked; unpack it "
-          "and give the folder");
+      fail("zip", "no process can be started that removes what is unpacked",
+           "unpack it and give the folder");
     }
     if (remover_ == 0) remove_at_end(ends[0], ends[1]);
     close(ends[0]);
@@ -152,7 +152,7 @@ void unpack_member(const std::filesystem::path& zip, archive* reader,
 void unpack(const std::filesystem::path& zip, const std::filesystem::path& folder) {
   const Utf8Locale any_language;
   const Archive reader(archive_read_new(), archive_read_free);
-  if (!reader) throw VolumeError("libarchive does not start; the memory may be exhausted");
+  if (!reader) throw std::bad_alloc();
   archive_read_support_format_zip(reader.get());
   constexpr std::size_t block_bytes = 65536;
   int result = archive_read_open_filename(reader.get(), zip.c_str(), block_bytes);
@@ -212,12 +212,10 @@ class UnpackedVolume final : public VolumeReader {
     try {
       call();
     } catch (const VolumeError& error) {
-      std::string text = error.what();
-      const std::string folder = folder_.path().string(), zip = zip_.string();
-      for (std::size_t at = text.find(folder); at != std::string::npos;
-           at = text.find(folder, at + zip.size()))
-        text.replace(at, folder.size(), zip);
-      throw VolumeError(text);
+      const std::filesystem::path inner = error.file().lexically_relative(folder_.path());
+      const bool is_inside = !inner.empty() && *inner.begin() != "..";
+      const std::filesystem::path named = inner == "." ? zip_ : zip_ / inner;
+      fail(is_inside ? named : error.file(), error.fault(), error.remedy());
     }
   }
 

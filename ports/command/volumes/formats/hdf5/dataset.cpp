@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "sources.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

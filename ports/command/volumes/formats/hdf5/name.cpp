@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 

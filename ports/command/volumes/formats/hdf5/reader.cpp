@@ -7,7 +7,8 @@
 #include "dataset.hpp"
 #include "name.hpp"
 #include "text/control_character.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -97,12 +98,12 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
          "export or copy the file again");
 }
 
-void take_spacing(VolumeInfo& info, const Hdf5Dataset& dataset) {
-  const auto size = dataset.element_size_um();
-  if (size)
-    set_spacing(info, {(*size)[2] / 1000, (*size)[1] / 1000, (*size)[0] / 1000});
-  else
-    info.notes.emplace_back(no_spacing_note);
+ToldPlace place_of(const Hdf5Dataset& dataset) {
+  ToldPlace told;
+  told.set_unit("um");
+  if (const auto size = dataset.element_size_um())
+    std::copy(size->rbegin(), size->rend(), told.spacing.begin());
+  return told;
 }
 
 }  // namespace
@@ -123,9 +124,9 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   info.format = "HDF5, " + without_control(dataset.description().path) + ", " + dataset.storage();
   std::vector<std::int64_t> sizes = dataset.description().sizes;
   std::reverse(sizes.begin(), sizes.end());
-  set_dims(info, name, sizes, options);
+  set_dims(info, name, sizes, options.frame);
   if (!dataset.is_virtual()) require_possible(dataset.file(), info);
-  take_spacing(info, dataset);
+  set_place(info, place_of(dataset), options);
   return std::make_unique<Hdf5Volume>(name, std::move(info), std::move(dataset),
                                       options.frame.value_or(0));
 }
