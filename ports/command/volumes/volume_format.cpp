@@ -57,7 +57,7 @@ void require_slice_left(const std::filesystem::path& file, std::size_t read, std
 
 ByteStream open_content(const std::filesystem::path& file) {
   ByteStream stream(file);
-  if (stream.peek(2) == "\x1f\x8b") stream.decode(inflated);
+  if (const auto packing = packing_of(stream.peek(packing_magic_bytes))) stream.unpack(*packing);
   return stream;
 }
 

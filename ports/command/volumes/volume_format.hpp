@@ -57,7 +57,7 @@ bool has_zip_name(const std::filesystem::path& file);
 std::unique_ptr<VolumeReader> open_zip(const std::filesystem::path& file,
                                        const VolumeOptions& options);
 
-/// The bytes of a file, inflated where they are gzip.
+/// The bytes of a file, unpacked where it is packed as a whole.
 ByteStream open_content(const std::filesystem::path& file);
 
 /// The name of the format that a file begins like, of those known to have a header; nothing

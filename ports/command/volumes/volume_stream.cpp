@@ -55,10 +55,17 @@ ByteStream::ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> s
 void ByteStream::decode(const Decoder& decoder) {
   std::filesystem::path file = file_;
   const bool is_read_once = is_read_once_;
+  const auto packing = packing_;
   auto rest = std::make_unique<Rest>(std::move(*this));
   *this = ByteStream(std::move(file), decoder(std::move(rest)));
-  is_decoded_ = true;
+  packing_ = packing;
   is_read_once_ = is_read_once;
+}
+
+void ByteStream::unpack(Packing packing) {
+  const std::filesystem::path file = file_;
+  decode([&](auto in) { return unpacked(std::move(in), packing, file); });
+  packing_ = packing;
 }
 
 std::string_view ByteStream::peek(std::size_t count) {
@@ -161,6 +168,7 @@ std::optional<std::uint64_t> ByteStream::left() const {
 
 SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian, Behind behind)
     : info_(std::move(info)), stream_(std::move(stream)), big_endian_(big_endian), behind_(behind) {
+  if (stream_.packing()) info_.format += ", " + std::string(name(*stream_.packing()));
   // The caller's slice buffer is thus bounded by the file, whatever its header claims.
   const std::uint64_t slice = info_.slice_bytes();
   std::uint64_t most = stream_.max_left();

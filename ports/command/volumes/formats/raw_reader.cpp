@@ -53,10 +53,7 @@ std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const RawLayout& layou
   info.type = layout.type;
   info.format = "raw";
   set_dims(info, stream.file(), {layout.dims[0], layout.dims[1], layout.dims[2]}, {});
-  if (lower(stream.file().extension().string()) == ".gz") {
-    info.format += ", gzip";
-    stream.decode(inflated);
-  }
+  if (const auto packing = packing_of_name(stream.file())) stream.unpack(*packing);
   if (layout.skipped_bytes == 0) require_no_header(stream);
   stream.skip(layout.skipped_bytes);
   require_length(stream, info, layout);

@@ -24,17 +24,16 @@ namespace {
 
 static_assert(sizeof(nifti_1_header) == 348 && sizeof(nifti_2_header) == 540, "as in the file");
 
-std::filesystem::path without_gz(std::filesystem::path file) {
-  return lower(file.extension().string()) == ".gz" ? file.replace_extension() : file;
-}
-
-// Returns the other file of a pair: a.img or a.img.gz for a.hdr, and the other way round.
+// Returns the other file of a pair: a.img or a packed one, such as a.img.gz, for a.hdr, and the
+// other way round.
 std::filesystem::path partner(const std::filesystem::path& asked, const char* extension) {
-  std::filesystem::path file = without_gz(asked).replace_extension(extension);
-  std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) return file;
-  file += ".gz";
-  if (std::filesystem::exists(file, ignored)) return file;
+  const std::filesystem::path file = without_packing(asked).replace_extension(extension);
+  for (const std::string_view ending : packed_endings) {
+    std::filesystem::path packed = file;
+    packed += ending;
+    std::error_code ignored;
+    if (std::filesystem::exists(packed, ignored)) return packed;
+  }
   fail(asked, std::string("there is no ") + extension + " or " + extension + ".gz beside it",
        "put the other file of the pair there");
 }
@@ -245,7 +244,7 @@ std::uint64_t data_offset(const std::filesystem::path& file, const Header& heade
 
 std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
-  const bool is_data = lower(without_gz(file).extension().string()) == ".img";
+  const bool is_data = lower(without_packing(file).extension().string()) == ".img";
   if (is_data) stream = open_content(partner(file, ".hdr"));
   const Header header = read_header(stream);
   const nifti_2_header& fields = header.fields;
@@ -267,7 +266,6 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
     stream.skip(offset);
   }
   skip_to_frame(stream, info, options);
-  if (stream.is_decoded()) info.format += ", gzip";
   return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian);
 }
 
