@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "text/control_character.hpp"
 #include "volume_format.hpp"
 #include "volumes/filters/turned_volume.hpp"
 
@@ -39,9 +40,8 @@ std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
   for (std::size_t axis = 0; axis < kept.size(); ++axis) kept[axis] = axis;
   while (kept.size() > count) {
     const auto is_single = [&sizes](std::size_t axis) { return sizes[axis] == 1; };
-    const auto dropped = is_single(kept.back())
-                             ? kept.end() - 1
-                             : std::find_if(kept.begin(), kept.end(), is_single);
+    const auto dropped =
+        is_single(kept.back()) ? kept.end() - 1 : std::find_if(kept.begin(), kept.end(), is_single);
     if (dropped == kept.end()) break;
     kept.erase(dropped);
   }
@@ -64,11 +64,21 @@ std::int64_t product_along(char letter, const Sizes& sizes, const std::vector<st
   return product;
 }
 
+// " (0 DAPI, 1 GFP)"
+std::string list_of(const std::vector<std::string>& channels) {
+  std::string text;
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    text += (i > 0 ? ", " : " (") + std::to_string(i) + " " + without_control(channels[i]);
+  return text.empty() ? text : text + ")";
+}
+
 std::uint64_t chosen_channel(const std::filesystem::path& file, std::int64_t channels,
-                             const VolumeOptions& options) {
+                             const ArrayShape& shape, const VolumeOptions& options) {
   const std::string count = std::to_string(channels);
   if (channels > 1 && !options.channel)
-    fail(file, "the file holds " + count + " channels, and one is read at a time",
+    fail(file,
+         "the file holds " + count + " channels" + list_of(shape.channels) +
+             ", and one is read at a time",
          "choose one with --channel N, the first is 0");
   if (options.channel.value_or(0) >= channels)
     fail(file,
@@ -127,8 +137,7 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
   if (letters.size() != axes.size())
     fail(file, "the axes are said to be " + shown(said) + ", but the array is " + shape_shown,
          "name each of them with --axes, as in --axes zyx");
-  if (axes.size() < sizes.size())
-    info.notes.push_back("axes of size 1 dropped of " + shape_shown);
+  if (axes.size() < sizes.size()) info.notes.push_back("axes of size 1 dropped of " + shape_shown);
   const std::int64_t frames = product_along('t', sizes, axes, letters);
   if (said.empty() && frames > 1 && !options.frame)
     fail(file, "the file holds " + std::to_string(frames) + " volumes, and one is read at a time",
@@ -150,8 +159,8 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
   if (frames > 1) dims.push_back(frames);
   set_dims(info, file, dims, options);
   go_to(layout, 't', options.frame.value_or(0), axes, letters);
-  go_to(layout, 'c', chosen_channel(file, product_along('c', sizes, axes, letters), options), axes,
-        letters);
+  const std::int64_t channels = product_along('c', sizes, axes, letters);
+  go_to(layout, 'c', chosen_channel(file, channels, shape, options), axes, letters);
   return layout;
 }
 
@@ -181,9 +190,9 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
          "give a part of it");
   of_blocks.dims = {static_cast<std::uint32_t>(columns),
                     static_cast<std::uint32_t>(in_block / columns), info.dims[blocks.block_axis]};
-  return turned(
-      file, std::move(info),
-      std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), big_endian), blocks);
+  return turned(file, std::move(info),
+                std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), big_endian),
+                blocks);
 }
 
 }  // namespace discmc::command

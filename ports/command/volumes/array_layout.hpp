@@ -18,8 +18,9 @@ namespace discmc::command {
 
 /// What a file says of an array.
 struct ArrayShape {
-  std::vector<std::int64_t> sizes;  ///< of array[a][b][c]: a, b, c
-  std::string letters = {};         ///< of each axis, such as "tczyx", or nothing
+  std::vector<std::int64_t> sizes;         ///< of array[a][b][c]: a, b, c
+  std::string letters = {};                ///< of each axis, such as "tczyx", or nothing
+  std::vector<std::string> channels = {};  ///< their names, or none
   /// Whether neighbours along the first axis lie side by side, not along the last one.
   bool is_first_fastest = false;
 };

@@ -12,6 +12,9 @@
 
 namespace discmc::command {
 
+/// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
+double decimal(float value);
+
 class HeaderBytes {
  public:
   /// Reads the header. Throws VolumeError where the file is shorter.

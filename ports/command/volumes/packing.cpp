@@ -26,7 +26,7 @@ struct Described {
 };
 constexpr Described packings[] = {
     {Packing::gzip, "gzip", "\x1f\x8b"sv},       {Packing::bzip2, "bzip2", "BZh"sv},
-    {Packing::xz, "xz", "\xfd\x37zXZ\0"sv},     {Packing::zstd, "zstd", "\x28\xb5\x2f\xfd"sv},
+    {Packing::xz, "xz", "\xfd\x37zXZ\0"sv},      {Packing::zstd, "zstd", "\x28\xb5\x2f\xfd"sv},
     {Packing::lz4, "lz4", "\x04\x22\x4d\x18"sv},
 };
 

@@ -62,7 +62,8 @@ struct VolumeOptions {
   /// What the axes of an array are, the slowest first: letters of "tczyx", each once, x and y among
   /// them. Otherwise as the file says, or as its format has it.
   std::string axes = {};
-  /// Which of the resolutions of a file, the finest is 0. Otherwise the finest that VolumeInfo takes.
+  /// Which of the resolutions of a file, the finest is 0. Otherwise the finest that VolumeInfo
+  /// takes.
   std::optional<std::uint32_t> level = {};
   /// The part of the volume that is taken; otherwise all of it.
   std::optional<Crop> crop = {};

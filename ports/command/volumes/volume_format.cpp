@@ -13,7 +13,6 @@ namespace discmc::command {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
-constexpr std::int64_t max_across = 32766;
 // The half-steps of the last slice must fit into 31 bits.
 constexpr std::int64_t max_slices = (std::int64_t{1} << 30) - 1;
 

@@ -23,6 +23,8 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
 std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_mgh(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const RawLayout& layout);
 /// source: what was named, of which these are the DICOM files. notes: of what else it holds, told
@@ -49,8 +51,13 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
 std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                                         const VolumeOptions& options);
 
-/// Whether a file is named as archives of zip are.
-bool has_zip_name(const std::filesystem::path& file);
+/// An .npz file, or an array in it: scan.npz:/volume. As HDF5.
+std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
+                                       const VolumeOptions& options);
+
+/// A folder of Zarr: an image of OME-Zarr, an array, or a group with one of them.
+std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& folder,
+                                        const VolumeOptions& options);
 
 /// The same of what is in an archive of zip, unpacked into the folder for temporary files for as
 /// long as the volume is open.
@@ -59,10 +66,6 @@ std::unique_ptr<VolumeReader> open_zip(const std::filesystem::path& file,
 
 /// The bytes of a file, unpacked where it is packed as a whole.
 ByteStream open_content(const std::filesystem::path& file);
-
-/// The name of the format that a file begins like, of those known to have a header; nothing
-/// otherwise.
-std::optional<std::string_view> format_of_magic(ByteStream& stream);
 
 /// Throws a VolumeError that reads "file: what; remedy".
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what,
@@ -113,6 +116,9 @@ std::filesystem::path beside(const std::filesystem::path& header, std::string_vi
 std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text);
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text);
+
+/// Of VolumeInfo::dims. Units: voxels along x and y.
+constexpr std::int64_t max_across = 32766;
 
 /// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
 /// Throws when one is out of the range of VolumeInfo::dims, and when the file does not hold the

@@ -21,7 +21,8 @@ template <class Sample>
 void copy_plane(const unsigned char* from, const Plane& plane, unsigned char* to) {
   for (std::uint64_t row = 0; row < plane.rows; ++row)
     for (std::uint64_t column = 0; column < plane.columns; ++column, to += sizeof(Sample))
-      std::memcpy(to, from + sizeof(Sample) * (row * plane.row_stride + column * plane.column_stride),
+      std::memcpy(to,
+                  from + sizeof(Sample) * (row * plane.row_stride + column * plane.column_stride),
                   sizeof(Sample));
 }
 
@@ -82,7 +83,8 @@ class TurnedVolume final : public VolumeReader {
     if (planes_.empty()) read_planes();
     const std::uint64_t row_bytes = planes_.front().size() / info_.dims[2];
     if (layout_.block_axis == 1) {
-      for (const Bytes& plane : planes_) out = std::copy_n(&plane[next_ * row_bytes], row_bytes, out);
+      for (const Bytes& plane : planes_)
+        out = std::copy_n(&plane[next_ * row_bytes], row_bytes, out);
       return;
     }
     with_sample_type(info_.type, [&](auto sample) {

@@ -12,7 +12,8 @@
 
 namespace discmc::command {
 
-/// Where samples are in blocks, of which there is one for each voxel along one axis. Units: samples.
+/// Where samples are in blocks, of which there is one for each voxel along one axis. Units:
+/// samples.
 struct BlockLayout {
   std::size_t block_axis = 2;  ///< x, y or z: 0 to 2
   std::uint64_t first = 0;     ///< voxel (0, 0, 0) in the first block

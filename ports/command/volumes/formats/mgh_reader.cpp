@@ -1,8 +1,6 @@
 // FreeSurfer's .mgh, and .mgz, which is the same packed by gzip:
 // https://surfer.nmr.mgh.harvard.edu/fswiki/FsTutorial/MghFormat. All numbers are big-endian.
-#include <algorithm>
 #include <array>
-#include <cstring>
 #include <utility>
 
 #include "volumes/header_bytes.hpp"
@@ -45,7 +43,7 @@ Geometry geometry_of(const HeaderBytes& header) {
   std::size_t at = flag + 2;
   const auto take = [&](std::array<double, 3>& numbers) {
     for (double& number : numbers) {
-      number = static_cast<double>(header.number<float>(at));
+      number = decimal(header.number<float>(at));
       at += 4;
     }
   };

@@ -4,14 +4,20 @@
 #include <string>
 #include <utility>
 
+#include "volumes/format_list.hpp"
 #include "volumes/volume_format.hpp"
 
 namespace discmc::command {
 namespace {
 
 void require_no_header(ByteStream& stream) {
-  if (const auto format = format_of_magic(stream))
-    fail(stream.file(), "this begins like " + std::string(*format) + ", not like samples",
+  const std::string_view head = stream.peek(magic_bytes);
+  const Format* const format = format_of_head(head);
+  const auto packing = packing_of(head);
+  if (format != nullptr || packing)
+    fail(stream.file(),
+         "this begins like " + std::string(format != nullptr ? format->name : name(*packing)) +
+             ", not like samples",
          "leave out --dims and --type, or skip its header with --skip-bytes");
 }
 

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "types.hpp"
+#include "volumes/header_bytes.hpp"
 #include "volumes/volume_format.hpp"
 
 namespace discmc::command {
@@ -65,19 +66,6 @@ void turn_fields(Fields& fields) {
            fields.scl_inter, fields.qform_code, fields.sform_code, fields.quatern_b,
            fields.quatern_c, fields.quatern_d, fields.qoffset_x, fields.qoffset_y, fields.qoffset_z,
            fields.srow_x, fields.srow_y, fields.srow_z);
-}
-
-// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
-double decimal(float value) {
-  for (int digits = 6; digits <= 9 && std::isfinite(value); ++digits) {
-    std::stringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(digits);
-    text << value;
-    double result = 0;
-    if (text >> result && static_cast<float>(result) == value) return result;
-  }
-  return static_cast<double>(value);
 }
 
 std::int64_t whole_offset(const std::filesystem::path& file, float vox_offset) {

@@ -16,10 +16,6 @@
 
 namespace discmc::command {
 
-bool has_npz_name(const std::filesystem::path& name) {
-  return lower(array_name(name).file.extension().string()) == ".npz";
-}
-
 #ifdef DISCMC_WITH_LIBARCHIVE
 namespace {
 
@@ -61,8 +57,7 @@ std::vector<NamedArray> arrays_of(const std::filesystem::path& file) {
     if (numpy_type(header.type) && header.shape.sizes.size() >= 2)
       arrays.push_back({name, header.shape.sizes});
   }
-  if (!archive->damage().empty())
-    fail(file, archive->damage(), "copy or save the file again");
+  if (!archive->damage().empty()) fail(file, archive->damage(), "copy or save the file again");
   return arrays;
 }
 
@@ -74,7 +69,8 @@ std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
   // For its refusal of what is no file.
   if (ByteStream(parts.file).is_read_once())
     fail(name, "archives of NumPy are not read from a pipe", "store it in a file");
-  const std::string asked = parts.array.empty() ? only_array(name, arrays_of(parts.file)) : parts.array;
+  const std::string asked =
+      parts.array.empty() ? only_array(name, arrays_of(parts.file)) : parts.array;
   auto archive = opened(parts.file);
   while (const auto member = archive->next_member())
     if (name_of_array(*member) == asked)
