@@ -76,7 +76,7 @@ std::filesystem::path without_packing(const std::filesystem::path& file) {
 }
 
 std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> in, Packing packing,
-                                     const std::filesystem::path& file) {
+                                     [[maybe_unused]] const std::filesystem::path& file) {
   // Not by libarchive, which does not look at the checksum of gzip.
   if (packing == Packing::gzip) return inflated(std::move(in));
 #ifdef DISCMC_WITH_LIBARCHIVE

@@ -14,6 +14,7 @@
 #include "volumes/archive_source.hpp"
 #include "volumes/formats/dicom/files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
+#include "volumes/formats/zarr/folder.hpp"
 #include "volumes/unpacked_volume.hpp"
 #endif
 

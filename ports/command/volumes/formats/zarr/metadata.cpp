@@ -7,7 +7,7 @@
 namespace discmc::command {
 namespace {
 
-bool exists(const std::filesystem::path& file) {
+bool is_file(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored);
 }
@@ -59,7 +59,7 @@ std::vector<double> reals_of(const std::filesystem::path& file, const char* name
 
 ZarrNode read_zarr_node(const std::filesystem::path& folder) {
   ZarrNode node{folder, folder / "zarr.json"};
-  if (exists(node.file)) {
+  if (is_file(node.file)) {
     node.array = read_json(node.file);
     node.is_array = text_of(member(node.array, "node_type")) == "array";
     node.attributes = member(node.array, "attributes");
@@ -68,14 +68,14 @@ ZarrNode read_zarr_node(const std::filesystem::path& folder) {
     if (ome.is_object()) node.attributes.update(ome);
     return node;
   }
-  if (exists(folder / ".zattrs")) node.attributes = read_json(folder / ".zattrs");
+  if (is_file(folder / ".zattrs")) node.attributes = read_json(folder / ".zattrs");
   node.file = folder / ".zarray";
-  node.is_array = exists(node.file);
+  node.is_array = is_file(node.file);
   if (node.is_array)
     node.array = read_json(node.file);
   else
     node.file = folder / ".zattrs";
-  if (!node.is_array && !exists(folder / ".zgroup") && !exists(folder / ".zattrs"))
+  if (!node.is_array && !is_file(folder / ".zgroup") && !is_file(folder / ".zattrs"))
     fail(folder, "this is no group or array of Zarr", "give the folder of one");
   return node;
 }
