@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <clocale>
 #include <cstring>
+#include <new>
 #include <utility>
-
-#include "volume_reader.hpp"
 
 namespace discmc::command {
 namespace {
@@ -42,7 +41,7 @@ std::string name_of(archive_entry* entry, std::size_t number) {
 }  // namespace
 
 ArchiveSource::ArchiveSource(Support support) : archive_(archive_read_new(), archive_read_free) {
-  if (!archive_) throw VolumeError("libarchive does not start; the memory may be exhausted");
+  if (!archive_) throw std::bad_alloc();
   support(archive_.get());
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "text/control_character.hpp"
-#include "volume_format.hpp"
+#include "volume_error.hpp"
 #include "volumes/filters/turned_volume.hpp"
 
 namespace discmc::command {
@@ -137,7 +137,7 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
   if (letters.size() != axes.size())
     fail(file, "the axes are said to be " + shown(said) + ", but the array is " + shape_shown,
          "name each of them with --axes, as in --axes zyx");
-  if (axes.size() < sizes.size()) info.notes.push_back("axes of size 1 dropped of " + shape_shown);
+  if (axes.size() < sizes.size()) note(info, "axes of size 1 dropped of " + shape_shown);
   const std::int64_t frames = product_along('t', sizes, axes, letters);
   if (said.empty() && frames > 1 && !options.frame)
     fail(file, "the file holds " + std::to_string(frames) + " volumes, and one is read at a time",
@@ -157,7 +157,7 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
   Sizes dims{sizes[*layout.axes[0]], sizes[*layout.axes[1]]};
   if (layout.axes[2] || frames > 1) dims.push_back(layout.axes[2] ? sizes[*layout.axes[2]] : 1);
   if (frames > 1) dims.push_back(frames);
-  set_dims(info, file, dims, options);
+  set_dims(info, file, dims, options.frame);
   go_to(layout, 't', options.frame.value_or(0), axes, letters);
   const std::int64_t channels = product_along('c', sizes, axes, letters);
   go_to(layout, 'c', chosen_channel(file, channels, shape, options), axes, letters);
@@ -174,25 +174,32 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
     if (layout.axes[i]) blocks.strides[i] = strides[*layout.axes[i]];
     if (layout.axes[2] && layout.axes[i] == slowest) blocks.block_axis = i;
   }
-  std::uint64_t skipped = 0;
-  for (std::size_t axis = 0; axis < layout.sizes.size(); ++axis)
+  std::uint64_t skipped = 0, frames = 1;
+  for (std::size_t axis = 0; axis < layout.sizes.size(); ++axis) {
     (axis < slowest ? skipped : blocks.first) += layout.first[axis] * strides[axis];
-  stream.skip(skipped * sample_bytes(info.type));
-
-  const std::uint64_t in_block = strides[slowest] * (layout.axes[2] ? 1 : layout.sizes[slowest]);
-  if (blocks.block_axis == 2 && blocks.strides[0] == 1 && blocks.strides[1] == info.dims[0] &&
-      in_block == std::uint64_t{info.dims[0]} * info.dims[1])
-    return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
-  VolumeInfo of_blocks = info;
+    if (axis < slowest) frames *= layout.sizes[axis];
+  }
+  const std::uint64_t in_all = strides[slowest] * layout.sizes[slowest];
+  const auto frame = static_cast<std::uint32_t>(skipped / in_all);
+  const std::uint64_t in_block = layout.axes[2] ? strides[slowest] : in_all;
+  const bool is_plain = blocks.block_axis == 2 && blocks.strides[0] == 1 &&
+                        blocks.strides[1] == info.dims[0] && frames == info.frames &&
+                        in_block == std::uint64_t{info.dims[0]} * info.dims[1];
+  if (is_plain)
+    return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, frame);
+  // Those of all channels, where these are faster than the volume.
   const std::uint64_t columns = layout.sizes.back();
-  if (columns > UINT32_MAX || in_block / columns > UINT32_MAX)
+  if (columns > UINT32_MAX || in_block / columns > UINT32_MAX || frames > UINT32_MAX)
     fail(file, "the array has " + std::to_string(in_block) + " samples a slice",
          "give a part of it");
+  VolumeInfo of_blocks = info;
   of_blocks.dims = {static_cast<std::uint32_t>(columns),
                     static_cast<std::uint32_t>(in_block / columns), info.dims[blocks.block_axis]};
-  return turned(file, std::move(info),
-                std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), big_endian),
-                blocks);
+  of_blocks.frames = frames;
+  return turned(
+      std::move(info),
+      std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), big_endian, frame),
+      blocks, file);
 }
 
 }  // namespace discmc::command

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "text/control_character.hpp"
-#include "volume_format.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {

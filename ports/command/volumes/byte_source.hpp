@@ -43,6 +43,9 @@ class ByteSource {
   virtual std::string damage() const { return {}; }
 };
 
+/// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
+bool is_read_once(const std::filesystem::path& file);
+
 /// "-" is standard input. Throws VolumeError when there is no such file, or when it is a folder or
 /// a block device.
 std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file);

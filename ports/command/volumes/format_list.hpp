@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "volume_format.hpp"
+#include "formats/readers.hpp"
 
 namespace discmc::command {
 
@@ -42,6 +42,13 @@ const Format* format_of_name(const std::filesystem::path& file);
 /// Returns the format that bytes begin like, or null. head: the first magic_bytes of them, fewer
 /// where there are no more.
 const Format* format_of_head(std::string_view head);
+
+/// Units: bytes from the beginning of a file that tell its format.
+constexpr std::size_t magic_bytes = 348;
+
+/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
+/// that is, and streams never do.
+bool is_volume_head(std::string_view head);
 
 }  // namespace discmc::command
 

@@ -3,12 +3,14 @@
 #define DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <string>
 #include <string_view>
 
-#include "volume_format.hpp"
+#include "volume_error.hpp"
+#include "volume_stream.hpp"
 
 namespace discmc::command {
 
@@ -38,6 +40,12 @@ class HeaderBytes {
     Number value;
     std::memcpy(&value, bytes, sizeof value);
     return value;
+  }
+
+  /// Three numbers, one behind the other, each as decimal().
+  std::array<double, 3> reals(std::size_t offset) const {
+    return {decimal(number<float>(offset)), decimal(number<float>(offset + 4)),
+            decimal(number<float>(offset + 8))};
   }
 
  private:

@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "volume_format.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
 #include <archive.h>

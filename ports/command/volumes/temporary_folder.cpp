@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-#include "volume_reader.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -27,8 +27,7 @@ TemporaryFolder::TemporaryFolder() {
   std::string name =
       (std::filesystem::temp_directory_path(error) / "discmc-unpacked-XXXXXX").string();
   if (error || mkdtemp(name.data()) == nullptr)
-    throw VolumeError(
-        "unpacking: no folder for temporary files; set TMPDIR to one that can be written");
+    fail(name, "there is no folder for temporary files", "set TMPDIR to one that can be written");
   path_ = name;
   leave_to_remover();
 }
@@ -43,8 +42,8 @@ void TemporaryFolder::leave_to_remover() {
   int ends[2];
   if (pipe(ends) != 0 || (remover_ = fork()) < 0) {
     rmdir(path_.c_str());
-    throw VolumeError(
-        "unpacking: no process can be started that removes what is unpacked; unpack it yourself");
+    fail(path_, "no process can be started that removes what is unpacked",
+         "unpack it and give the file or the folder");
   }
   if (remover_ == 0) remove_at_end(ends[0], ends[1]);
   close(ends[0]);

@@ -2,7 +2,9 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "packing.hpp"
 #include "temporary_folder.hpp"
 
 namespace discmc::command {
@@ -20,6 +22,7 @@ class UnpackedVolume final : public VolumeReader {
   }
 
   const VolumeInfo& info() const override { return info_; }
+  const std::vector<std::string>& notes() const override { return volume_->notes(); }
   void read_slice(void* samples) override {
     renamed([&] { volume_->read_slice(samples); });
   }
@@ -33,13 +36,15 @@ class UnpackedVolume final : public VolumeReader {
     try {
       call();
     } catch (const VolumeError& error) {
-      std::string text = error.what();
-      const std::string folder = folder_.path().string(), packed = packed_.string();
-      for (std::size_t at = text.find(folder); at != std::string::npos;
-           at = text.find(folder, at + packed.size()))
-        text.replace(at, folder.size(), packed);
-      throw VolumeError(text);
+      const std::filesystem::path inner = error.file().lexically_relative(folder_.path());
+      const bool is_inside = !inner.empty() && *inner.begin() != "..";
+      fail(is_inside ? named(inner) : error.file(), error.fault(), error.remedy());
     }
+  }
+
+  // A file in the folder by that of what was packed.
+  std::filesystem::path named(const std::filesystem::path& inner) const {
+    return inner == "." || inner == without_packing(packed_).filename() ? packed_ : packed_ / inner;
   }
 
   std::filesystem::path packed_;

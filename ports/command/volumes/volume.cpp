@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <initializer_list>
 #include <string>
@@ -12,9 +11,10 @@
 #include <utility>
 
 #include "format_list.hpp"
+#include "formats/readers.hpp"
 #include "other_kinds.hpp"
+#include "text/words.hpp"
 #include "unpacked_volume.hpp"
-#include "volume_format.hpp"
 #include "volumes/filters/cropped_volume.hpp"
 #include "volumes/filters/shrunk_volume.hpp"
 #include "volumes/formats/dicom/files.hpp"
@@ -126,7 +126,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
   if (options.layout) {
     require_headerless_name(file);
-    return open_raw(ByteStream(file), *options.layout);
+    return open_raw(ByteStream(file), options);
   }
   if (is_zarr(file)) return open_zarr(file, options);
   const Format* format = format_of_name(file);
@@ -144,31 +144,6 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   if (format == nullptr) fail_unread(stream.file(), nullptr);
   return open_stream(std::move(stream), *format, options);
 }
-
-// A volume whose spacing is said to be another than its file has it.
-class RespacedVolume final : public VolumeReader {
- public:
-  RespacedVolume(std::unique_ptr<VolumeReader> volume, std::array<double, 3> spacing_mm)
-      : volume_(std::move(volume)), info_(volume_->info()) {
-    const std::array<double, 3> told = info_.spacing_mm;
-    for (std::size_t axis = 0; axis < 3; ++axis) spacing_mm[axis] *= std::copysign(1.0, told[axis]);
-    set_spacing(info_, spacing_mm);
-    std::vector<std::string>& notes = info_.notes;
-    notes.erase(std::remove(notes.begin(), notes.end(), no_spacing_note), notes.end());
-    if (!info_.placement) return;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (double& along : info_.placement->axes_mm[axis])
-        along *= std::fabs(info_.spacing_mm[axis] / told[axis]);
-  }
-
-  const VolumeInfo& info() const override { return info_; }
-  void read_slice(void* samples) override { volume_->read_slice(samples); }
-  void skip_slice() override { volume_->skip_slice(); }
-
- private:
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
-};
 
 // What is asked for must mean something to the format.
 void require_used(const std::filesystem::path& file, const VolumeOptions& options,
@@ -219,8 +194,6 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
   require_used(file, options, volume->info().format);
-  if (options.spacing_mm)
-    volume = std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);

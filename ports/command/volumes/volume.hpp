@@ -76,15 +76,6 @@ struct VolumeOptions {
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
 
-/// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
-bool is_read_once(const std::filesystem::path& file);
-
-/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
-/// that is, and streams never do. head: the first magic_bytes of them, fewer where there are no
-/// more.
-bool is_volume_head(std::string_view head);
-constexpr std::size_t magic_bytes = 348;
-
 /// Opens a volume: a file, a folder of DICOM or of pictures, files by a pattern with *, ? or [...],
 /// a pipe, or standard input by the name "-". With a layout the file is taken as headerless
 /// samples, inflated first when its name ends in .gz, and must hold the volume and nothing else;

@@ -13,7 +13,7 @@
 
 #include "byte_source.hpp"
 #include "packing.hpp"
-#include "volume.hpp"
+#include "volume_reader.hpp"
 
 namespace discmc::command {
 
@@ -88,15 +88,25 @@ class ByteStream {
   bool is_read_once_ = false;
 };
 
-/// What may stand behind a volume.
-enum class Behind { anything, nothing };
+/// The bytes of a file, unpacked where it is packed as a whole.
+ByteStream open_content(const std::filesystem::path& file);
+
+/// Goes to so many bytes before the end of the file. Throws when the file is shorter, and where it
+/// has no known end.
+void skip_to_end(ByteStream& stream, std::uint64_t bytes);
+
+/// Returns a note of what stands behind the samples; empty where that is of no account.
+using NoteOfRest = std::function<std::string(ByteStream&)>;
 
 /// The reader of every format: its header is done, the samples of all slices follow in order.
 class SliceStream final : public VolumeReader {
  public:
-  /// The stream stands at the first sample. Throws when the first slice cannot be there.
+  /// The stream stands at the first sample of the first volume in the file. frame: the volume that
+  /// is read. note_of_rest: asked when the last slice has been read; without it bytes behind the
+  /// last volume are noted, at once where the end of the file is known. Throws when the first slice
+  /// cannot be there.
   SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
-              Behind behind = Behind::anything);
+              std::optional<std::uint32_t> frame = {}, NoteOfRest note_of_rest = {});
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override;
@@ -105,12 +115,14 @@ class SliceStream final : public VolumeReader {
  private:
   void end_slice(std::uint64_t bytes);
   void end();
+  std::string note_of_bytes();
   [[noreturn]] void fail_in_slice(std::uint64_t missing) const;
 
   VolumeInfo info_;
   ByteStream stream_;
   bool big_endian_;
-  Behind behind_;
+  bool is_last_volume_;
+  NoteOfRest note_of_rest_;
   std::uint32_t slice_ = 0;
 };
 

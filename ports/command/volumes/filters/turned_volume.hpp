@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "volumes/volume.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::command {
 
@@ -23,9 +23,8 @@ struct BlockLayout {
 
 /// info: of the volume. blocks: its slices are the blocks. If there is a block for each z, one is
 /// held; otherwise all that the volume has of them. file: for errors.
-std::unique_ptr<VolumeReader> turned(const std::filesystem::path& file, VolumeInfo info,
-                                     std::unique_ptr<VolumeReader> blocks,
-                                     const BlockLayout& layout);
+std::unique_ptr<VolumeReader> turned(VolumeInfo info, std::unique_ptr<VolumeReader> blocks,
+                                     const BlockLayout& layout, const std::filesystem::path& file);
 
 }  // namespace discmc::command
 

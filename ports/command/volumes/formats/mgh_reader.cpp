@@ -3,8 +3,9 @@
 #include <array>
 #include <utility>
 
+#include "volumes/formats/readers.hpp"
 #include "volumes/header_bytes.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -29,41 +30,29 @@ SampleType sample_type(const std::filesystem::path& file, std::int32_t type) {
   }
 }
 
-// Directions and the coordinates of the centre; without them FreeSurfer takes coronal slices.
-struct Geometry {
-  std::array<double, 3> spacing{1, 1, 1};
-  Axes directions{{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
-  std::array<double, 3> centre{};
-};
-
-Geometry geometry_of(const HeaderBytes& header) {
-  Geometry geometry;
+// Where it says nothing, FreeSurfer takes coronal slices of 1 mm about the origin.
+ToldPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
   constexpr std::size_t flag = 28;
-  if (header.number<std::int16_t>(flag) == 0) return geometry;
-  std::size_t at = flag + 2;
-  const auto take = [&](std::array<double, 3>& numbers) {
-    for (double& number : numbers) {
-      number = decimal(header.number<float>(at));
-      at += 4;
-    }
-  };
-  take(geometry.spacing);
-  for (auto& direction : geometry.directions) take(direction);
-  take(geometry.centre);
-  return geometry;
-}
-
-void set_geometry(VolumeInfo& info, const Geometry& geometry) {
-  set_spacing(info, geometry.spacing);
-  VolumePlacement placement;
-  placement.frame = Frame::ras;
-  placement.origin_mm = geometry.centre;
+  std::array<double, 3> spacing{1, 1, 1}, centre{};
+  Axes directions{{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
+  if (header.number<std::int16_t>(flag) != 0) {
+    spacing = header.reals(flag + 2);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      directions[axis] = header.reals(flag + 14 + 12 * axis);
+    centre = header.reals(flag + 50);
+  } else {
+    note(info, "no directions given, coronal slices of 1 mm taken, as FreeSurfer does");
+  }
+  ToldPlace told;
+  told.set_unit("mm");
+  told.frame = Frame::ras;
+  told.spacing = {spacing[0], spacing[1], spacing[2]};
+  told.directions = directions;
+  told.origin = centre;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (std::size_t i = 0; i < 3; ++i) {
-      placement.axes_mm[axis][i] = info.spacing_mm[axis] * geometry.directions[axis][i];
-      placement.origin_mm[i] -= info.dims[axis] / 2.0 * placement.axes_mm[axis][i];
-    }
-  set_placement(info, placement);
+    for (std::size_t i = 0; i < 3; ++i)
+      told.origin[i] -= info.dims[axis] / 2.0 * spacing[axis] * directions[axis][i];
+  return told;
 }
 
 }  // namespace
@@ -82,10 +71,12 @@ std::unique_ptr<VolumeReader> open_mgh(ByteStream stream, const VolumeOptions& o
   for (std::size_t axis = 0; axis < 4; ++axis)
     sizes.push_back(header.number<std::int32_t>(4 + 4 * axis));
   if (sizes.back() == 1) sizes.pop_back();
-  set_dims(info, file, sizes, options);
-  set_geometry(info, geometry_of(header));
-  skip_to_frame(stream, info, options);
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), true);
+  set_dims(info, file, sizes, options.frame);
+  set_place(info, place_of(info, header), options);
+  // Parameters of the scan and commands that made it may follow.
+  const auto no_note = [](ByteStream&) { return std::string(); };
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), true, options.frame,
+                                       no_note);
 }
 
 }  // namespace discmc::command

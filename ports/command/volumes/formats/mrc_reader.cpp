@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "volumes/array_layout.hpp"
+#include "volumes/formats/readers.hpp"
 #include "volumes/header_bytes.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -48,12 +49,6 @@ std::array<std::int32_t, 3> integers(const HeaderBytes& header, std::size_t offs
   return numbers;
 }
 
-std::array<double, 3> reals(const HeaderBytes& header, std::size_t offset) {
-  std::array<double, 3> numbers{};
-  for (std::size_t i = 0; i < 3; ++i) numbers[i] = decimal(header.number<float>(offset + 4 * i));
-  return numbers;
-}
-
 struct Storage {
   SampleType type = SampleType::u8;
   bool is_half = false;
@@ -68,7 +63,7 @@ Storage storage_of(VolumeInfo& info, const std::filesystem::path& file, const He
     case 0:
       if (header.number<std::int32_t>(imod_stamp_at) == imod_stamp &&
           (header.number<std::int32_t>(imod_flags_at) & has_sign) == 0) {
-        info.notes.emplace_back("bytes taken as u8, as IMOD wrote them");
+        note(info, "bytes taken as u8, as IMOD wrote them");
         return {SampleType::u8};
       }
       return {SampleType::i8};
@@ -92,7 +87,7 @@ std::array<std::size_t, 3> axes_of(VolumeInfo& info, const std::filesystem::path
                                    const HeaderBytes& header) {
   const auto told = integers(header, axes_at);
   if (told == std::array<std::int32_t, 3>{}) {
-    info.notes.emplace_back("no axes given, columns, rows and sections taken as x, y and z");
+    note(info, "no axes given, columns, rows and sections taken as x, y and z");
     return {0, 1, 2};
   }
   if (!std::all_of(told.begin(), told.end(), is_axis) || told[0] == told[1] || told[0] == told[2] ||
@@ -133,8 +128,8 @@ ArrayShape shape_of(const std::filesystem::path& file, const HeaderBytes& header
 // The edges of the cell, of which the first runs along x and the second in the plane of x and y.
 Axes edges_of(const HeaderBytes& header) {
   constexpr double degree = 3.14159265358979323846 / 180;
-  const auto lengths = reals(header, cell_at);
-  auto angles = reals(header, cell_at + 12);
+  const auto lengths = header.reals(cell_at);
+  auto angles = header.reals(cell_at + 12);
   for (double& angle : angles)
     if (!(angle > 0 && angle < 180)) angle = 90;
   std::array<double, 3> cosines{};
@@ -151,32 +146,24 @@ Axes edges_of(const HeaderBytes& header) {
 
 // Where the map is: at ORIGIN, or where that is 0 as many steps away as the first column, row and
 // section are from those of the cell.
-void set_geometry(VolumeInfo& info, const HeaderBytes& header,
-                  const std::array<std::size_t, 3>& axes) {
+ToldPlace place_of(VolumeInfo& info, const HeaderBytes& header,
+                   const std::array<std::size_t, 3>& axes) {
+  ToldPlace told;
   const auto intervals = integers(header, intervals_at);
-  const auto lengths = reals(header, cell_at);
-  VolumePlacement placement;
-  placement.axes_mm = edges_of(header);
-  std::array<double, 3> spacing{};
-  bool is_told = true;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    is_told = is_told && intervals[axis] > 0 && lengths[axis] > 0;
-    spacing[axis] = lengths[axis] / intervals[axis];
-    for (double& along : placement.axes_mm[axis]) along /= intervals[axis];
-  }
-  if (!is_told) {
-    info.notes.emplace_back(no_spacing_note);
-    return;
-  }
-  info.notes.emplace_back("lengths are in angstrom: 1 angstrom is written as 1 mm");
-  set_spacing(info, spacing);
-  placement.origin_mm = reals(header, origin_at);
+  const auto lengths = header.reals(cell_at);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!(intervals[axis] > 0 && lengths[axis] > 0)) return told;
+  note(info, "lengths are in angstrom: 1 angstrom is written as 1 mm");
+  told.set_unit("mm");
+  Axes& steps = told.steps.emplace(edges_of(header));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (double& along : steps[axis]) along /= intervals[axis];
+  told.origin = header.reals(origin_at);
   const auto starts = integers(header, starts_at);
-  if (placement.origin_mm == std::array<double, 3>{})
+  if (told.origin == std::array<double, 3>{})
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        placement.origin_mm[j] += starts[i] * placement.axes_mm[axes[i]][j];
-  set_placement(info, placement);
+      for (std::size_t j = 0; j < 3; ++j) told.origin[j] += starts[i] * steps[axes[i]][j];
+  return told;
 }
 
 }  // namespace
@@ -191,7 +178,7 @@ std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& o
   info.type = storage.type;
   const auto axes = axes_of(info, file, header);
   const ArrayLayout layout = take_array(info, file, shape_of(file, header, axes), options);
-  set_geometry(info, header, axes);
+  set_place(info, place_of(info, header, axes), options);
   const auto extended = header.number<std::int32_t>(extended_bytes_at);
   if (extended < 0)
     fail(file, "the extended header has " + std::to_string(extended) + " bytes", "correct NSYMBT");

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>
@@ -50,13 +53,6 @@ class Head {
   }
   bool is_appended() const { return is_appended_; }
 
-  std::vector<double> reals(const pugi::xml_node& node, const char* name) const {
-    std::vector<double> numbers;
-    for (const auto word : words(node.attribute(name).value()))
-      numbers.push_back(real(file_, name, word));
-    return numbers;
-  }
-
   /// Six whole numbers: the first and the last point along each axis.
   std::vector<std::int64_t> extent(const pugi::xml_node& node, const char* name) const {
     std::vector<std::int64_t> numbers;
@@ -93,32 +89,44 @@ class Head {
   bool is_appended_ = false;
 };
 
+// The numbers that an attribute has, or none where it is not there.
+template <std::size_t count>
+std::optional<std::array<double, count>> numbers(const std::filesystem::path& file,
+                                                 const pugi::xml_node& node, const char* name) {
+  const std::string_view text = node.attribute(name).value();
+  const auto parts = words(text);
+  if (parts.empty()) return std::nullopt;
+  if (parts.size() != count)
+    fail(file,
+         std::string(name) + " is " + shown(text) + ", which is not " + std::to_string(count) +
+             " numbers",
+         "correct it");
+  std::array<double, count> result{};
+  for (std::size_t i = 0; i < count; ++i) result[i] = real(file, name, parts[i]);
+  return result;
+}
+
 void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Head& head,
                   const VolumeOptions& options) {
   const auto extent = head.extent(head.image(), "WholeExtent");
   if (head.extent(head.piece(), "Extent") != extent)
     fail(file, "the image is in several pieces", "write it in one, e.g. with ParaView");
   set_dims(info, file,
-           {extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1},
-           options);
-  auto spacing = head.reals(head.image(), "Spacing");
-  spacing.resize(3, 1);
-  set_spacing(info, {spacing[0], spacing[1], spacing[2]});
-  auto origin = head.reals(head.image(), "Origin");
-  origin.resize(3, 0);
-  const auto direction = head.reals(head.image(), "Direction");
-  VolumePlacement placement = along_coordinates(info.spacing_mm);
+           {extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1});
+  ToldPlace told;
+  const auto spacing = numbers<3>(file, head.image(), "Spacing");
+  if (spacing) std::copy(spacing->begin(), spacing->end(), told.spacing.begin());
+  told.origin = numbers<3>(file, head.image(), "Origin").value_or(told.origin);
   // A row of the matrix a coordinate.
-  for (std::size_t axis = 0; axis < 3 && direction.size() == 9; ++axis)
+  const auto matrix = numbers<9>(file, head.image(), "Direction");
+  Axes& directions = told.directions.emplace(coordinates);
+  for (std::size_t i = 0; i < 9 && matrix; ++i) directions[i % 3][i / 3] = (*matrix)[i];
+  // The origin is that of the point with the number 0.
+  for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t row = 0; row < 3; ++row)
-      placement.axes_mm[axis][row] = direction[3 * row + axis] * std::fabs(info.spacing_mm[axis]);
-  for (std::size_t row = 0; row < 3; ++row) {
-    placement.origin_mm[row] = origin[row];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      placement.origin_mm[row] +=
-          static_cast<double>(extent[2 * axis]) * placement.axes_mm[axis][row];
-  }
-  set_placement(info, placement);
+      told.origin[row] += static_cast<double>(extent[2 * axis]) * directions[axis][row] *
+                          told.spacing[axis].value_or(1);
+  set_place(info, told, options);
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view type) {
@@ -229,7 +237,10 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
     else
       blocks.go_to_compressed_samples(bytes_of_all(info));
   }
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
+  // The length of the array is told, and elements follow it.
+  const auto no_note = [](ByteStream&) { return std::string(); };
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, std::nullopt,
+                                       no_note);
 }
 #else
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {

@@ -1,5 +1,6 @@
 // A zip of DICOM or pictures: unpacked into a folder for temporary files, and read from there.
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/formats/readers.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
 #include <archive.h>

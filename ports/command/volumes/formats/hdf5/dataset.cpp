@@ -6,7 +6,7 @@
 
 #include "filters.hpp"
 #include "sources.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "volumes/array_name.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 #ifdef DISCMC_WITH_BLOSC
 #include <blosc.h>

@@ -10,7 +10,8 @@
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/filters/turned_volume.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
 
 #ifdef DISCMC_WITH_JSON
 #include <nlohmann/json.hpp>
@@ -138,18 +139,15 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
          "export or copy the file again");
 }
 
-void take_spacing(VolumeInfo& info, const Hdf5Dataset& dataset, const ArrayLayout& layout) {
+// What it tells is for the three axes of space as they are stored; an image may lack the first.
+ToldPlace place_of(const Hdf5Dataset& dataset, const ArrayLayout& layout) {
+  ToldPlace told;
+  told.set_unit("um");
   const auto size = dataset.element_size_um();
-  if (!size) {
-    info.notes.emplace_back(no_spacing_note);
-    return;
-  }
-  // They are told for the three axes of space, and an image may lack the first of them.
   const std::string order = layout.order();
-  std::array<double, 3> spacing{1, 1, 1};
-  for (std::size_t i = 0; i < order.size(); ++i)
-    spacing[static_cast<std::size_t>(order[i] - 'x')] = (*size)[3 - order.size() + i] / 1000;
-  set_spacing(info, spacing);
+  for (std::size_t i = 0; size && i < order.size(); ++i)
+    told.spacing[static_cast<std::size_t>(order[i] - 'x')] = (*size)[3 - order.size() + i];
+  return told;
 }
 
 // By slices, or where the samples of one are far from each other, by regions along the slowest
@@ -178,7 +176,7 @@ std::unique_ptr<VolumeReader> volume_of(const std::filesystem::path& name, Volum
   auto reader = std::make_unique<Hdf5Blocks>(name, std::move(of_blocks), std::move(dataset),
                                              std::move(first), std::move(count), axis);
   if (blocks.block_axis == 2 && column == 0) return reader;
-  return turned(name, std::move(info), std::move(reader), blocks);
+  return turned(std::move(info), std::move(reader), blocks, name);
 }
 
 }  // namespace
@@ -195,14 +193,13 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   info.type = *dataset.description().type;
   info.format = "HDF5, " + without_control(dataset.description().path) + ", " + dataset.storage();
   if (!contents.dead_links.empty())
-    info.notes.push_back("links that lead nowhere: " + list_of(contents.dead_links));
+    note(info, "links that lead nowhere: " + list_of(contents.dead_links));
   const ArrayLayout layout =
       take_array(info, name, {dataset.description().sizes, letters_of(dataset)}, options);
   if (dataset.text("MATLAB_class") && options.axes.empty())
-    info.notes.emplace_back(
-        "an array of MATLAB: its first index is taken as x; if that is y, give --axes zxy");
+    note(info, "an array of MATLAB: its first index is taken as x; if that is y, give --axes zxy");
   if (!dataset.is_virtual()) require_possible(dataset.file(), info);
-  take_spacing(info, dataset, layout);
+  set_place(info, place_of(dataset, layout), options);
   return volume_of(name, std::move(info), std::move(dataset), file, layout);
 }
 

@@ -16,9 +16,12 @@
 #include <system_error>
 #include <utility>
 
+#include "text/words.hpp"
 #include "types.hpp"
+#include "volumes/formats/readers.hpp"
 #include "volumes/header_bytes.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -163,60 +166,70 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const std::i
                const VolumeOptions& options) {
   if (dim[0] < 1 || dim[0] > 7)
     fail(file, "the header gives " + std::to_string(dim[0]) + " dimensions", "correct dim[0]");
-  set_dims(info, file, std::vector<std::int64_t>(dim + 1, dim + 1 + dim[0]), options);
+  set_dims(info, file, std::vector<std::int64_t>(dim + 1, dim + 1 + dim[0]), options.frame);
 }
 
-// The sform needs no pixdim, and some programs leave it at 1.
-void prefer_sform(VolumeInfo& info, const Axes& axes_mm) {
-  constexpr double rounding = 1e-3;
-  std::array<double, 3> lengths{};
-  bool is_same = true;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
-    is_same =
-        is_same && std::fabs(lengths[axis] - info.spacing_mm[axis]) <= rounding * lengths[axis];
+std::string unit_of(int code) {
+  switch (XYZT_TO_SPACE(code)) {
+    case NIFTI_UNITS_METER:
+      return "m";
+    case NIFTI_UNITS_MM:
+      return "mm";
+    case NIFTI_UNITS_MICRON:
+      return "um";
+    default:
+      return {};
   }
-  if (is_same || !is_usable(axes_mm)) return;
-  info.notes.emplace_back("pixdim contradicts the sform, whose spacing is taken");
-  set_spacing(info, lengths);
 }
 
-void set_geometry(VolumeInfo& info, const nifti_2_header& header) {
-  const int unit = XYZT_TO_SPACE(header.xyzt_units);
-  const double unit_mm = unit == NIFTI_UNITS_METER    ? 1000.0
-                         : unit == NIFTI_UNITS_MICRON ? 1e-3
-                                                      : 1.0;
-  std::array<double, 3> spacing{};
+// Rows of a matrix that leads from voxels to space.
+using Rows = std::array<std::array<double, 4>, 3>;
+
+Rows sform_of(const nifti_2_header& header) {
+  Rows rows{};
+  std::copy(std::begin(header.srow_x), std::end(header.srow_x), rows[0].begin());
+  std::copy(std::begin(header.srow_y), std::end(header.srow_y), rows[1].begin());
+  std::copy(std::begin(header.srow_z), std::end(header.srow_z), rows[2].begin());
+  return rows;
+}
+
+Rows qform_of(const nifti_2_header& header) {
+  const auto real = [](double value) { return static_cast<float>(value); };
+  const auto length = [&](int axis) { return real(std::fabs(header.pixdim[axis])); };
+  const mat44 matrix =
+      nifti_quatern_to_mat44(real(header.quatern_b), real(header.quatern_c), real(header.quatern_d),
+                             real(header.qoffset_x), real(header.qoffset_y), real(header.qoffset_z),
+                             length(1), length(2), length(3), real(header.pixdim[0]));
+  Rows rows{};
+  for (std::size_t row = 0; row < 3; ++row)
+    std::copy(std::begin(matrix.m[row]), std::end(matrix.m[row]), rows[row].begin());
+  return rows;
+}
+
+// Returns whether they span a space.
+bool take(const Rows& rows, ToldPlace& told) {
+  Axes steps{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t axis = 0; axis < 3; ++axis) steps[axis][row] = rows[row][axis];
+  if (!is_usable(steps)) return false;
+  told.frame = Frame::ras;
+  told.steps = steps;
+  for (std::size_t row = 0; row < 3; ++row) told.origin[row] = rows[row][3];
+  return true;
+}
+
+void set_geometry(VolumeInfo& info, const nifti_2_header& header, const VolumeOptions& options) {
+  ToldPlace told;
+  told.set_unit(unit_of(header.xyzt_units));
   for (std::size_t axis = 0; axis < 3; ++axis)
-    spacing[axis] = unit_mm * std::fabs(header.pixdim[axis + 1]);
-  set_spacing(info, spacing);
-
-  std::array<std::array<double, 4>, 3> to_space{};
-  if (header.sform_code > 0) {
-    std::copy(std::begin(header.srow_x), std::end(header.srow_x), to_space[0].begin());
-    std::copy(std::begin(header.srow_y), std::end(header.srow_y), to_space[1].begin());
-    std::copy(std::begin(header.srow_z), std::end(header.srow_z), to_space[2].begin());
-  } else if (header.qform_code > 0) {
-    const auto real = [](double value) { return static_cast<float>(value); };
-    const auto length = [&](int axis) { return real(std::fabs(header.pixdim[axis])); };
-    const mat44 matrix = nifti_quatern_to_mat44(
-        real(header.quatern_b), real(header.quatern_c), real(header.quatern_d),
-        real(header.qoffset_x), real(header.qoffset_y), real(header.qoffset_z), length(1),
-        length(2), length(3), real(header.pixdim[0]));
-    for (std::size_t row = 0; row < 3; ++row)
-      std::copy(std::begin(matrix.m[row]), std::end(matrix.m[row]), to_space[row].begin());
-  } else {
-    return;
+    told.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
+  bool is_placed = header.sform_code > 0 && take(sform_of(header), told);
+  if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, dropped");
+  if (!is_placed && header.qform_code > 0) {
+    is_placed = take(qform_of(header), told);
+    if (!is_placed) note(info, "the qform spans no space, dropped");
   }
-  VolumePlacement placement;
-  placement.frame = Frame::ras;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      placement.axes_mm[axis][row] = unit_mm * to_space[row][axis];
-    placement.origin_mm[row] = unit_mm * to_space[row][3];
-  }
-  if (header.sform_code > 0) prefer_sform(info, placement.axes_mm);
-  set_placement(info, placement);
+  set_place(info, told, options);
 }
 
 std::uint64_t data_offset(const std::filesystem::path& file, const Header& header) {
@@ -239,11 +252,10 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
   VolumeInfo info;
   info.type = sample_type(file, fields.datatype);
   set_sizes(info, file, fields.dim, options);
-  set_geometry(info, fields);
+  set_geometry(info, fields, options);
   set_scale(info, file, fields.scl_slope, fields.scl_inter);
   info.format = header.format;
-  if (header.format == "Analyze 7.5")
-    info.notes.emplace_back("Analyze 7.5 does not tell which side is left");
+  if (header.format == "Analyze 7.5") note(info, "Analyze 7.5 does not tell which side is left");
 
   const std::uint64_t offset = data_offset(file, header);
   if (header.one_file) {
@@ -253,8 +265,8 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
     stream = open_content(is_data ? file : partner(file, ".img"));
     stream.skip(offset);
   }
-  skip_to_frame(stream, info, options);
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian);
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian,
+                                       options.frame);
 }
 
 }  // namespace discmc::command

@@ -6,7 +6,7 @@
 
 #include "header.hpp"
 #include "volumes/array_name.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
 #include <archive.h>

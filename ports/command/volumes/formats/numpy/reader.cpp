@@ -3,7 +3,8 @@
 
 #include "header.hpp"
 #include "volumes/array_layout.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 
@@ -16,10 +17,9 @@ std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions&
   info.format = "NumPy";
   info.type = type->type;
   if (header.shape.is_first_fastest && options.axes.empty())
-    info.notes.emplace_back(
-        "Fortran order: taken as array[x][y][z]; if it is array[z][y][x], give --axes zyx");
+    note(info, "Fortran order: taken as array[x][y][z]; if it is array[z][y][x], give --axes zyx");
   const ArrayLayout layout = take_array(info, file, header.shape, options);
-  info.notes.emplace_back(no_spacing_note);
+  set_place(info, {}, options);
   bool big_endian = type->big_endian;
   if (type->is_half) {
     stream.decode([big_endian](auto in) { return floats_of_halves(std::move(in), big_endian); });

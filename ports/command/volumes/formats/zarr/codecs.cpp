@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "volumes/packing.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 #ifdef DISCMC_WITH_BLOSC
 #include <blosc.h>

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "volumes/formats/numpy/header.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

@@ -9,7 +9,8 @@
 #include "folder.hpp"
 #include "text/control_character.hpp"
 #include "volumes/array_name.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 namespace {

@@ -2,7 +2,8 @@
 
 #include <system_error>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_stream.hpp"
 
 namespace discmc::command {
 namespace {

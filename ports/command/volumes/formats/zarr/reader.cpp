@@ -12,7 +12,8 @@
 #include "folder.hpp"
 #include "image.hpp"
 #include "volumes/array_layout.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -135,34 +136,17 @@ void require_possible(const std::filesystem::path& folder, const VolumeInfo& inf
        "copy the folder whole");
 }
 
-double length_of(VolumeInfo& info, const std::string& unit) {
-  if (unit == "millimeter") return 1;
-  if (unit == "micrometer") return 1e-3;
-  if (unit == "nanometer") return 1e-6;
-  if (unit == "centimeter") return 10;
-  if (unit == "meter") return 1e3;
-  info.notes.push_back(unit.empty() ? std::string("no unit of lengths given, mm taken")
-                                    : "the unit " + shown(unit) + " is not known, mm taken");
-  return 1;
-}
-
-void set_geometry(VolumeInfo& info, const ZarrImage& image, const ArrayLayout& layout) {
-  if (!image.has_scale) {
-    info.notes.emplace_back(no_spacing_note);
-    return;
-  }
-  std::array<double, 3> spacing{1, 1, 1}, origin{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!layout.axes[i]) continue;
+ToldPlace place_of(const ZarrImage& image, const ArrayLayout& layout) {
+  ToldPlace told;
+  told.set_unit("mm");
+  for (std::size_t i = 0; i < 3 && image.has_scale; ++i) {
+    if (!layout.axes[i]) continue;  // an image
     const ZarrAxis& axis = image.axes[*layout.axes[i]];
-    const double unit = length_of(info, axis.unit);
-    spacing[i] = unit * axis.scale;
-    origin[i] = unit * axis.origin;
+    told.spacing[i] = axis.scale;
+    told.origin[i] = axis.origin;
+    told.axis_units[i] = told.space_units[i] = axis.unit;
   }
-  set_spacing(info, spacing);
-  VolumePlacement placement = along_coordinates(info.spacing_mm);
-  placement.origin_mm = origin;
-  set_placement(info, placement);
+  return told;
 }
 
 std::string letters_of(const ZarrImage& image) {
@@ -185,7 +169,7 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
   if (!image.level.empty()) info.format += ", " + image.level;
   const ArrayShape shape{image.array.sizes, letters_of(image), image.channels};
   const ArrayLayout layout = take_array(info, folder, shape, options);
-  set_geometry(info, image, layout);
+  set_place(info, place_of(image, layout), options);
   require_possible(image.array.folder, info);
   return std::make_unique<ZarrVolume>(folder, std::move(info), ZarrChunks(std::move(image.array)),
                                       layout);
