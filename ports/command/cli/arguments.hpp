@@ -32,6 +32,7 @@ struct LayoutArguments {
   std::string series;
   bool allow_gaps = false;
   std::optional<std::uint32_t> frame;
+  std::optional<std::uint32_t> channel;
   std::optional<Crop> crop;
   std::uint32_t shrink = 1;
 };

@@ -189,6 +189,10 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
+  if (options.channel.value_or(0) >= volume->info().channels)
+    fail(file,
+         "this has one channel, and channel " + std::to_string(*options.channel) + " is asked for",
+         "leave out --channel");
   if (!options.series.empty() && volume->info().format.rfind("DICOM", 0) != 0)
     fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
   if (options.spacing_mm)

@@ -57,6 +57,8 @@ struct VolumeOptions {
   bool allow_gaps = false;
   /// Which of the volumes of a file, the first is 0. Without it, a file of several is refused.
   std::optional<std::uint32_t> frame = {};
+  /// Which channel of its voxels, the first is 0. Without it, voxels of several are refused.
+  std::optional<std::uint32_t> channel = {};
   /// The part of the volume that is taken; otherwise all of it.
   std::optional<Crop> crop = {};
   /// Blocks of so many voxels along x, y and z become one voxel each, after the crop.

@@ -44,6 +44,16 @@ std::string list(const std::array<double, 3>& numbers) {
   return text.str();
 }
 
+// " ('red', 'green', 'blue')", of the first names.
+std::string in_brackets(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 8;
+  if (names.empty()) return {};
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    text += (i == 0 ? " (" : ", ") + shown(names[i]);
+  return text + (names.size() > most ? ", ...)" : ")");
+}
+
 }  // namespace
 
 void fail(const std::filesystem::path& file, const std::string& what, const std::string& remedy) {
@@ -194,6 +204,22 @@ void set_dims(VolumeInfo& info, const std::filesystem::path& file,
     fail(file,
          "there is no volume " + std::to_string(*options.frame) + ": the file holds " + frames,
          "choose one with --frame 0 to " + std::to_string(info.frames - 1));
+}
+
+void set_channels(VolumeInfo& info, const std::filesystem::path& file, std::uint64_t channels,
+                  const VolumeOptions& options, const std::vector<std::string>& names) {
+  info.channels = channels;
+  const std::string count = std::to_string(channels);
+  if (channels > 1 && !options.channel)
+    fail(file,
+         "the file holds " + count + " channels" + in_brackets(names) +
+             ", and one is read at a time",
+         "choose one with --channel N, the first is 0");
+  if (options.channel && *options.channel >= channels)
+    fail(file,
+         "there is no channel " + std::to_string(*options.channel) + ": the file holds " + count,
+         channels > 1 ? "choose one with --channel 0 to " + std::to_string(channels - 1)
+                      : "leave out --channel");
 }
 
 void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm) {

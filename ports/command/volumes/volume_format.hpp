@@ -120,6 +120,11 @@ double real(const std::filesystem::path& file, std::string_view field, std::stri
 void set_dims(VolumeInfo& info, const std::filesystem::path& file,
               const std::vector<std::int64_t>& sizes, const VolumeOptions& options = {});
 
+/// Takes how many channels a voxel has. Throws when the one asked for is not among them, and when
+/// there are several and none is asked for. names: of the channels, for people, or none.
+void set_channels(VolumeInfo& info, const std::filesystem::path& file, std::uint64_t channels,
+                  const VolumeOptions& options, const std::vector<std::string>& names = {});
+
 /// Takes the spacing, along the coordinates.
 /// Units: millimetres. A value of no use becomes 1, with a note.
 void set_spacing(VolumeInfo& info, const std::array<double, 3>& spacing_mm);

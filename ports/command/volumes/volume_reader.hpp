@@ -32,6 +32,8 @@ struct VolumeInfo {
   std::optional<std::array<std::uint32_t, 3>> whole_dims;
   /// The number of volumes in the file, of which this is one: 3D volumes of a 4D one.
   std::uint64_t frames = 1;
+  /// The number of samples that the file holds of a voxel, of which this is one: colours, stains.
+  std::uint64_t channels = 1;
   /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
   /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored, and the
   /// placement only turns and moves it.

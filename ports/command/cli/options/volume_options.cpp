@@ -90,6 +90,9 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
   app.add_option("--frame", arguments.frame,
                  "the volume to read of a file that holds several (4D), the first is 0")
       ->option_text("N");
+  app.add_option("--channel", arguments.channel,
+                 "the channel to read where voxels have several, as colours, the first is 0")
+      ->option_text("N");
   app.add_option("--spacing", arguments.spacing,
                  "distances of voxels in millimetres, in place of those of the file (default: "
                  "those of the file, or 1 where it tells none)")
