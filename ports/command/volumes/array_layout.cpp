@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "text/control_character.hpp"
 #include "volume_error.hpp"
 #include "volumes/filters/turned_volume.hpp"
 
@@ -62,30 +61,6 @@ std::int64_t product_along(char letter, const Sizes& sizes, const std::vector<st
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (letters[i] == letter) product *= sizes[axes[i]];
   return product;
-}
-
-// " (0 DAPI, 1 GFP)"
-std::string list_of(const std::vector<std::string>& channels) {
-  std::string text;
-  for (std::size_t i = 0; i < channels.size(); ++i)
-    text += (i > 0 ? ", " : " (") + std::to_string(i) + " " + without_control(channels[i]);
-  return text.empty() ? text : text + ")";
-}
-
-std::uint64_t chosen_channel(const std::filesystem::path& file, std::int64_t channels,
-                             const ArrayShape& shape, const VolumeOptions& options) {
-  const std::string count = std::to_string(channels);
-  if (channels > 1 && !options.channel)
-    fail(file,
-         "the file holds " + count + " channels" + list_of(shape.channels) +
-             ", and one is read at a time",
-         "choose one with --channel N, the first is 0");
-  if (options.channel.value_or(0) >= channels)
-    fail(file,
-         "there is no channel " + std::to_string(*options.channel) + ": the file holds " + count,
-         channels == 1 ? "leave out --channel"
-                       : "choose one with --channel 0 to " + std::to_string(channels - 1));
-  return options.channel.value_or(0);
 }
 
 // Of the axes with a letter, the last one counts fastest.
@@ -159,8 +134,9 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
   if (frames > 1) dims.push_back(frames);
   set_dims(info, file, dims, options.frame);
   go_to(layout, 't', options.frame.value_or(0), axes, letters);
-  const std::int64_t channels = product_along('c', sizes, axes, letters);
-  go_to(layout, 'c', chosen_channel(file, channels, shape, options), axes, letters);
+  set_channels(info, file, static_cast<std::uint64_t>(product_along('c', sizes, axes, letters)),
+               options.channel, shape.channels);
+  go_to(layout, 'c', options.channel.value_or(0), axes, letters);
   return layout;
 }
 

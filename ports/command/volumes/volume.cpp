@@ -193,6 +193,10 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
+  if (options.channel.value_or(0) >= volume->info().channels)
+    fail(file,
+         "this has one channel, and channel " + std::to_string(*options.channel) + " is asked for",
+         "leave out --channel");
   require_used(file, options, volume->info().format);
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
