@@ -9,9 +9,18 @@
 namespace discmc::command {
 namespace {
 
-constexpr std::int64_t max_across = 32766;
 // The half-steps of the last slice must fit into 31 bits.
 constexpr std::int64_t max_slices = (std::int64_t{1} << 30) - 1;
+
+// " ('red', 'green', 'blue')", of the first names.
+std::string in_brackets(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 8;
+  if (names.empty()) return {};
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    text += (i == 0 ? " (" : ", ") + shown(names[i]);
+  return text + (names.size() > most ? ", ...)" : ")");
+}
 
 }  // namespace
 
@@ -52,6 +61,21 @@ void set_dims(VolumeInfo& info, const std::filesystem::path& file,
   if (frame && *frame >= info.frames)
     fail(file, "there is no volume " + std::to_string(*frame) + ": the file holds " + frames,
          "choose one with --frame 0 to " + std::to_string(info.frames - 1));
+}
+
+void set_channels(VolumeInfo& info, const std::filesystem::path& file, std::uint64_t channels,
+                  std::optional<std::uint32_t> channel, const std::vector<std::string>& names) {
+  info.channels = channels;
+  const std::string count = std::to_string(channels);
+  if (channels > 1 && !channel)
+    fail(file,
+         "the file holds " + count + " channels" + in_brackets(names) +
+             ", and one is read at a time",
+         "choose one with --channel N, the first is 0");
+  if (channel && *channel >= channels)
+    fail(file, "there is no channel " + std::to_string(*channel) + ": the file holds " + count,
+         channels > 1 ? "choose one with --channel 0 to " + std::to_string(channels - 1)
+                      : "leave out --channel");
 }
 
 void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope,

@@ -25,6 +25,8 @@ struct VolumeInfo {
   std::optional<std::array<std::uint32_t, 3>> whole_dims;
   /// The number of volumes in the file, of which this is one: 3D volumes of a 4D one.
   std::uint64_t frames = 1;
+  /// The number of samples that the file holds of a voxel, of which this is one: colours, stains.
+  std::uint64_t channels = 1;
   /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
   /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored, and the
   /// placement only turns and moves it.
@@ -56,12 +58,21 @@ struct VolumeInfo {
 /// Adds a note, unless it is there.
 void note(VolumeInfo& info, const std::string& text);
 
+/// Of VolumeInfo::dims. Units: voxels along x and y.
+constexpr std::int64_t max_across = 32766;
+
 /// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
 /// frame: the one of them that is asked for. Throws when a size is out of the range of
 /// VolumeInfo::dims, and when the file does not hold the frame, or holds several and none is asked
 /// for. Limit: after the type.
 void set_dims(VolumeInfo& info, const std::filesystem::path& file,
               const std::vector<std::int64_t>& sizes, std::optional<std::uint32_t> frame = {});
+
+/// Takes how many channels a voxel has. channel: the one that is asked for. names: of the channels,
+/// for people, or none. Throws when the one asked for is not among them, and when there are several
+/// and none is asked for.
+void set_channels(VolumeInfo& info, const std::filesystem::path& file, std::uint64_t channels,
+                  std::optional<std::uint32_t> channel, const std::vector<std::string>& names = {});
 
 /// Takes value = slope * stored + intercept; a slope of 0 stands for no scaling at all. Throws when
 /// slope is negative or either not finite.
