@@ -110,9 +110,13 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   of_all.allow_gaps = options.allow_gaps;
   // The options are those of the volume: none tells what is in a mask.
   of_all.frame = 0;
+  of_all.channel = 0;
   auto mask = open_volume(file, of_all);
   if (mask->info().frames > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",
+         "store the one to take in a file of its own");
+  if (mask->info().channels > 1)
+    fail(file, "the mask holds " + std::to_string(mask->info().channels) + " channels",
          "store the one to take in a file of its own");
   const auto whole = volume.whole_dims.value_or(volume.dims);
   if (mask->info().dims != whole)

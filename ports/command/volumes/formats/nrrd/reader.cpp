@@ -351,9 +351,10 @@ ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
          "give the bytes to skip as a number from 0");
   data.skip_lines(static_cast<std::uint64_t>(lines));
   if (encoding == "gzip") data.decode(inflated);
-  if (encoding == "bzip2" && !has_bzip2())
-    fail(file, "this discmc was built without bzip2", "store the volume with gzip, or raw");
-  if (encoding == "bzip2") data.decode(bunzipped);
+  if (encoding == "bzip2")
+    data.decode([name = std::filesystem::path(file)](auto in) {
+      return unpacked(std::move(in), Packing::bzip2, name);
+    });
   if (bytes >= 0)
     data.skip(static_cast<std::uint64_t>(bytes));
   else
