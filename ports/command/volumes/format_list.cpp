@@ -23,8 +23,8 @@ constexpr std::string_view to_zarr = "convert it, e.g. with: bioformats2raw FILE
 constexpr std::string_view unpack = "unpack it, and give the folder or the file";
 
 // The first one counts whose ending or magic fits.
-const std::vector<Format>& formats() {
-  static const std::vector<Format> list = {
+const std::vector<VolumeFormat>& formats() {
+  static const std::vector<VolumeFormat> list = {
       {"NRRD", {".nrrd", ".nhdr"}, {{0, "NRRD000"}}, open_nrrd, nullptr},
       {"MetaImage", {".mha", ".mhd"}, {{0, "ObjectType"}, {0, "NDims"}}, open_metaimage, nullptr},
       {"NIfTI",
@@ -139,27 +139,27 @@ bool ends_with(std::string_view text, std::string_view end) {
 }
 
 template <class Fits>
-const Format* first_format(Fits fits) {
+const VolumeFormat* first_format(Fits fits) {
   const auto found = std::find_if(formats().begin(), formats().end(), fits);
   return found == formats().end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-const Format* format_of_name(const std::filesystem::path& file) {
+const VolumeFormat* format_of_name(const std::filesystem::path& file) {
   const ArrayName parts = array_name(file);
   const std::string name = lower(without_packing(parts.file).filename().string());
   const bool is_npz = ends_with(name, ".npz");
   if (!parts.array.empty() && !is_npz)
-    return first_format([](const Format& format) { return format.open_file == open_hdf5; });
-  return first_format([&name](const Format& format) {
+    return first_format([](const VolumeFormat& format) { return format.open_file == open_hdf5; });
+  return first_format([&name](const VolumeFormat& format) {
     return std::any_of(format.endings.begin(), format.endings.end(),
                        [&name](std::string_view ending) { return ends_with(name, ending); });
   });
 }
 
-const Format* format_of_head(std::string_view head) {
-  return first_format([head](const Format& format) {
+const VolumeFormat* format_of_head(std::string_view head) {
+  return first_format([head](const VolumeFormat& format) {
     return std::any_of(format.magics.begin(), format.magics.end(), [head](const Magic& magic) {
       return head.size() >= magic.offset &&
              head.substr(magic.offset, magic.bytes.size()) == magic.bytes;

@@ -20,7 +20,7 @@ struct Magic {
 
 /// A format is read from a stream of bytes, from a file that is there and not packed, or not at
 /// all.
-struct Format {
+struct VolumeFormat {
   std::string_view name;
   std::vector<std::string_view> endings;  ///< of the names of files, in lower case
   std::vector<Magic> magics;
@@ -31,17 +31,17 @@ struct Format {
   std::string_view remedy = {};
 };
 
-inline bool is_read(const Format& format) {
+inline bool is_read(const VolumeFormat& format) {
   return format.open_stream != nullptr || format.open_file != nullptr;
 }
 
 /// Returns the format that a file has by its name, which may be that of an array in it; a packed
 /// file has that of its content. Null where the name tells none.
-const Format* format_of_name(const std::filesystem::path& file);
+const VolumeFormat* format_of_name(const std::filesystem::path& file);
 
 /// Returns the format that bytes begin like, or null. head: the first magic_bytes of them, fewer
 /// where there are no more.
-const Format* format_of_head(std::string_view head);
+const VolumeFormat* format_of_head(std::string_view head);
 
 /// Units: bytes from the beginning of a file that tell its format.
 constexpr std::size_t magic_bytes = 348;

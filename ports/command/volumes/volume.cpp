@@ -30,7 +30,7 @@ bool is_raw_name(const std::filesystem::path& file) {
 }
 
 bool may_be_headerless(const std::filesystem::path& file) {
-  const Format* const format = format_of_name(file);
+  const VolumeFormat* const format = format_of_name(file);
   return format == nullptr || !is_read(*format) ||
          lower(without_packing(file).extension().string()) == ".img";
 }
@@ -76,7 +76,7 @@ void require_headerless_name(const std::filesystem::path& file) {
          "leave them out, or name headerless samples .raw");
 }
 
-[[noreturn]] void fail_unread(const std::filesystem::path& file, const Format* format) {
+[[noreturn]] void fail_unread(const std::filesystem::path& file, const VolumeFormat* format) {
   if (format != nullptr)
     fail(file, "this is " + std::string(format->name) + ", which is not read",
          std::string(format->remedy));
@@ -111,7 +111,7 @@ std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptio
   });
 }
 
-std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const Format& format,
+std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat& format,
                                           const VolumeOptions& options) {
   if (format.open_stream != nullptr) return format.open_stream(std::move(stream), options);
   if (!is_read(format)) fail_unread(stream.file(), &format);
@@ -129,7 +129,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     return open_raw(ByteStream(file), options);
   }
   if (is_zarr(file)) return open_zarr(file, options);
-  const Format* format = format_of_name(file);
+  const VolumeFormat* format = format_of_name(file);
   if (is_folder(file)) {
     if (format != nullptr && !is_read(*format)) fail_unread(file, format);
     return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");

@@ -14,7 +14,7 @@ namespace {
 
 void require_no_header(ByteStream& stream) {
   const std::string_view head = stream.peek(magic_bytes);
-  const Format* const format = format_of_head(head);
+  const VolumeFormat* const format = format_of_head(head);
   const auto packing = packing_of(head);
   if (format != nullptr || packing)
     fail(stream.file(),
