@@ -179,7 +179,8 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   const Workshop workshop;
   workshop.write("v.nrrd", u8_file);
   workshop.write("nothing", "words");
-  check_failure(workshop.run("info v.nrrd --channel 1"), 2, {"--channel", "is for streams"});
+  check_failure(workshop.run("info v.nrrd --stream-channel 1"), 2,
+                {"--stream-channel", "is for streams"});
   check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "is for volumes"});
   check_failure(workshop.run("info nothing"), 1, {"nothing", "is this a .dmc file?"});
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});
