@@ -27,6 +27,8 @@ constexpr Magic magics[] = {
     {"PNG", 0, "\x89PNG"sv},
     {"TIFF", 0, "II*\0"sv},
     {"TIFF", 0, "MM\0*"sv},
+    {"TIFF", 0, "II+\0"sv},
+    {"TIFF", 0, "MM\0+"sv},
     {"JPEG", 0, "\xff\xd8\xff"sv},
     {"PDF", 0, "%PDF"sv},
     {"HDF5", 0, "\x89HDF"sv},

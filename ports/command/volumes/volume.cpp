@@ -58,20 +58,31 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   if (glob(pattern.c_str(), 0, nullptr, &found) == 0)
     files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
+  files.erase(std::remove_if(files.begin(), files.end(), is_system_name), files.end());
   if (files.empty()) fail(pattern, "no file has such a name", "check it");
   return files;
+}
+
+// By its first bytes: pictures may have names without their kind.
+bool is_picture(const std::filesystem::path& file) {
+  ByteStream stream(file);
+  const auto found = format_of_magic(stream);
+  return found == "PNG" || found == "TIFF" || found == "JPEG";
 }
 
 std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
                                            const VolumeOptions& options) {
   const auto files = files_of_pattern(pattern);
+  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
   const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
   if (other == files.end()) return open_pictures(pattern, files, options);
-  if (std::any_of(files.begin(), files.end(), is_picture_name))
+  if (picture != files.end())
     fail(pattern,
-         "there are PNG or TIFF files of such a name, and others, such as " +
+         "there are pictures of such a name, and other files, such as " +
              shown(other->filename().string()),
-         "give a pattern of one kind, such as '*.png'");
+         "give a pattern of one kind, such as '" +
+             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
+  if (is_picture(files[0])) return open_pictures(pattern, files, options);
   return open_dicom(pattern, files, options);
 }
 
@@ -118,6 +129,7 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
   for (const Format& format : formats)
     if (found == format.name) return format.open(std::move(stream), options);
   const bool is_bare_file = !stream.is_decoded() && !stream.is_read_once();
+  if (is_bare_file && is_picture(file)) return open_pictures(file, {file}, options);
   if (found == "DICOM" && is_bare_file) return open_dicom(file, {file}, options);
   if (found == "zip" && is_bare_file) return open_zip(file, options);
   if (found == "HDF5" && is_bare_file) return open_hdf5(file, options);
@@ -158,8 +170,8 @@ class RespacedVolume final : public VolumeReader {
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
-  return {"PNG or TIFF files beside the DICOM left out: " + std::to_string(pictures.size()) +
-          ", such as " + shown(pictures[0].filename().string()) + "; to read them " + remedy};
+  return {"pictures beside the DICOM left out: " + std::to_string(pictures.size()) + ", such as " +
+          shown(pictures[0].filename().string()) + "; to read them " + remedy};
 }
 
 }  // namespace
@@ -172,7 +184,7 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
   if (!dicom.empty())
     return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
-  fail(folder, "the folder holds no DICOM, PNG or TIFF files",
+  fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
 }
 

@@ -3,7 +3,8 @@
 nothing to do with discmc. The files are committed; the test container_table reads all of them.
 
 Run it again only to add files:   /usr/bin/python3 tests/command/volumes/write_volumes.py
-On Debian it needs python3-h5py, python3-nibabel, python3-numpy, python3-vtk9 and teem-apps.
+On Debian it needs python3-h5py, python3-nibabel, python3-numpy, python3-tifffile,
+python3-vtk9 and teem-apps.
 
 A file is CONTAINER/TYPE-ORDER[-HOW].EXTENSION. The volume has 5 x 3 x 4 voxels of 0.5 x 0.75 x 2 mm
 at (10, -20, 30.5), and the samples of sample_at() in volume_files.hpp. In a file of two volumes
@@ -18,6 +19,7 @@ import tarfile
 import h5py
 import nibabel
 import numpy
+import tifffile
 from vtkmodules import vtkIOImage, vtkIOLegacy, vtkIOXML
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -201,6 +203,13 @@ def write_numpy():
     numpy.save(path('numpy', 'i16-little-frame1.npy'), two_frames(samples('i16')))
 
 
+def write_tiff():
+    for name in TYPES:
+        for order in orders(name):
+            tifffile.imwrite(path('tiff', f'{name}-{order}.tif'), samples(name),
+                             photometric='minisblack', byteorder='>' if order == 'big' else '<')
+
+
 # HDF5, by h5py. What it tells of a voxel is along z, y and x, in micrometres.
 def hdf5_file(name, folder='hdf5'):
     return h5py.File(path(folder, name), 'w')
@@ -265,5 +274,6 @@ if __name__ == '__main__':
     write_metaimage()
     write_vtk()
     write_numpy()
+    write_tiff()
     write_hdf5()
     write_invesalius()

@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
 #include <system_error>
 
 #include "numbered_name.hpp"
-#include "picture_names.hpp"
+#include "text/number_text.hpp"
 #include "volumes/volume_format.hpp"
 
 namespace discmc::command {
@@ -73,13 +75,29 @@ class Earlier {
   const Numbers& places_;
 };
 
-// Whether what counts the files grows with the names, or falls.
+bool has_even_steps(const Names& names, std::size_t place) {
+  std::vector<std::uint64_t> steps;
+  for (const NumberedName& name : names) {
+    const std::string& number = name.numbers[place];
+    steps.push_back(number.empty() ? 0 : whole_number<std::uint64_t>(number).value_or(0));
+  }
+  std::adjacent_difference(steps.begin(), steps.end(), steps.begin());
+  return std::all_of(steps.begin() + 1, steps.end(),
+                     [&steps](std::uint64_t step) { return step == steps[1]; });
+}
+
+// Whether what counts the files grows with the names, or falls; else one of them has to count
+// evenly, as dates and the like beside it do not.
 bool is_one_order(const Names& names, const Count& count) {
-  return std::all_of(count.counting.begin(), count.counting.end(), [&names](std::size_t place) {
+  const auto is_in_order = [&names](std::size_t place) {
     const Numbers one = {place};
     return std::is_sorted(names.begin(), names.end(), Earlier(one)) ||
            std::is_sorted(names.rbegin(), names.rend(), Earlier(one));
-  });
+  };
+  return std::all_of(count.counting.begin(), count.counting.end(), is_in_order) ||
+         std::any_of(count.counting.begin(), count.counting.end(), [&](std::size_t place) {
+           return is_in_order(place) && has_even_steps(names, place);
+         });
 }
 
 // The numbers that may be any in one of the stacks.
@@ -117,7 +135,7 @@ std::vector<std::string> patterns(const NumberedName& name, const Numbers& any) 
   const std::size_t first = whole.find('*'), last = whole.rfind('*');
   const std::string extension = escaped(std::filesystem::path(text_of(name)).extension().string());
   return {whole.substr(first), whole.substr(0, last + 1) + extension, whole,
-          pattern(name, any, "[0-9]*")};
+          pattern(name, any, "[0-9]*"), pattern(name, any, "*[0-9]")};
 }
 
 std::set<std::string> names_in(const std::filesystem::path& folder) {

@@ -70,15 +70,20 @@ class PictureStack final : public VolumeReader {
 
 // All of one kind.
 void require_one_kind(const std::filesystem::path& source, const Files& files) {
-  std::map<PictureKind, std::size_t> kinds;
-  for (const auto& file : files) ++kinds[kind_of_name(file)];
+  std::map<PictureKind, Files> kinds;
+  for (const auto& file : files) kinds[kind_of_name(file)].push_back(file);
   if (kinds.size() < 2) return;
   std::string list;
-  for (const auto& [kind, count] : kinds)
-    list += (list.empty() ? "" : " and ") + std::to_string(count) + ' ' + std::string(name(kind));
-  fail(source, list + " files are not one volume",
-       "give a pattern of one kind, such as '" +
-           (files[0].parent_path() / ("*" + files[0].extension().string())).string() + "'");
+  const Files* most = nullptr;
+  for (const auto& [kind, of_kind] : kinds) {
+    list += (list.empty() ? "" : " and ") + std::to_string(of_kind.size()) + ' ' +
+            std::string(name(kind));
+    if (most == nullptr || of_kind.size() > most->size()) most = &of_kind;
+  }
+  const std::filesystem::path any = "*" + most->front().extension().string();
+  fail(
+      source, list + " files are not one volume",
+      "give a pattern of one kind, such as '" + (most->front().parent_path() / any).string() + "'");
 }
 
 // SkyScan's overview lies beside its slices.
@@ -105,13 +110,16 @@ void require_possible(const std::filesystem::path& file, const PictureHeader& he
 }
 
 // Files that describe each other as a set are read by one of them.
-bool is_set(const std::filesystem::path& file, const Hyperstack& described, const Files& files) {
+bool is_set(const std::filesystem::path& source, const std::filesystem::path& file,
+            const Hyperstack& described, const Files& files) {
   const bool is_alone = std::all_of(described.files.begin(), described.files.end(),
                                     [&file](const auto& other) { return other == file; });
   if (is_alone) return false;
   if (std::set(files.begin(), files.end()) !=
       std::set(described.files.begin(), described.files.end()))
-    fail(file, "it is one of a set of " + std::to_string(described.files.size()) + " files",
+    fail(source,
+         shown(file.filename().string()) + " is one of a set of " +
+             std::to_string(described.files.size()) + " files",
          "give it alone: it names the others");
   return true;
 }
@@ -152,38 +160,41 @@ class Alike {
 
   void require(const PictureHeader& header, const Page& page) const {
     const PictureHeader& first = stack_.header;
-    const std::filesystem::path& file = stack_.files[page.file];
-    const std::string called = "page " + std::to_string(page.number) + " has ";
-    const std::string first_file = stack_.files[stack_.pages[0].file].filename().string();
     if (header.width != first.width || header.height != first.height || header.type != first.type)
-      fail(file, called + text_of(header) + ", and " + first_file + " has " + text_of(first),
-           "give slices of one size and type");
+      fail_page(page, text_of(header) + ", and " + first_file() + " has " + text_of(first),
+                "give slices of one size and type");
     const std::string what = difference(first, header);
     if (!what.empty())
-      fail(file, called + what + " as that of " + first_file, "store the slices in one way");
+      fail_page(page, what + " as that of " + first_file(), "store the slices in one way");
     if (have_other_pixels(first, header) && !options_.spacing_mm)
-      fail(file, called + "another resolution than " + first_file,
-           "if its voxels are as large, give --spacing X,Y,Z");
+      fail_page(page, "another resolution than " + first_file(),
+                "if its voxels are as large, give --spacing X,Y,Z");
   }
 
   void require(const Hyperstack& described, const std::filesystem::path& file) const {
     const Hyperstack& first = stack_.described;
-    const std::string first_file = stack_.files[stack_.pages[0].file].filename().string();
     if (described.channels.size != first.channels.size ||
         described.frames.size != first.frames.size)
-      fail(file, "it holds other channels or volumes than " + first_file,
+      fail(file, "it holds other channels or volumes than " + first_file(),
            "give slices of one kind");
     if (described.slope != first.slope || described.intercept != first.intercept)
-      fail(file, "its values are scaled otherwise than those of " + first_file,
+      fail(file, "its values are scaled otherwise than those of " + first_file(),
            "store the slices in one way");
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!options_.spacing_mm &&
           differ(described.spacing_mm[axis].value_or(1), first.spacing_mm[axis].value_or(1)))
-        fail(file, "its voxels are larger or smaller than those of " + first_file,
+        fail(file, "its voxels are larger or smaller than those of " + first_file(),
              "if they are as large, give --spacing X,Y,Z");
   }
 
  private:
+  std::string first_file() const { return stack_.files[stack_.pages[0].file].filename().string(); }
+
+  [[noreturn]] void fail_page(const Page& page, const std::string& what,
+                              const std::string& remedy) const {
+    fail(stack_.files[page.file], "page " + std::to_string(page.number) + " has " + what, remedy);
+  }
+
   const Stack& stack_;
   const VolumeOptions& options_;
 };
@@ -210,7 +221,7 @@ class StackBuilder {
            const std::vector<Hyperstack>& described, const Files& files) {
     const ChosenFrame chosen = chosen_frame(source_, described, options_.frame);
     const Hyperstack& stack = *chosen.stack;
-    const bool is_whole = files.size() > 1 && is_set(file, stack, files);
+    const bool is_whole = files.size() > 1 && is_set(source_, file, stack, files);
     const bool is_first = stack_.pages.empty();
     if (!is_first) Alike(stack_, options_).require(stack, file);
     add_pages(file, opened, stack, chosen.frame);

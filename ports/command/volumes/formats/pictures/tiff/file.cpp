@@ -60,7 +60,15 @@ class TiffFile final : public PictureFile {
         tiff_(opened(file)),
         directories_(TIFFNumberOfDirectories(tiff_.get())),
         depth_(page_of(tiff_.get()).depth),
-        samples_(file, file_bytes_) {}
+        samples_(file, file_bytes_) {
+    // Small files may claim many slices: what is decoded of a byte has a limit.
+    constexpr std::uint64_t max_of_a_byte = 16384;
+    const std::uint64_t bytes = page_of(tiff_.get()).plane_bytes();
+    if (depth_ > 1 && depth_ / max_of_a_byte > file_bytes_ / std::max<std::uint64_t>(1, bytes))
+      fail(file, "pages of " + std::to_string(depth_) + " slices cannot be in it", remedy);
+    constexpr std::uint64_t max_pages = std::uint64_t{1} << 31;
+    if (pages() > max_pages) fail(file, "it has too many slices", remedy);
+  }
 
   std::vector<Hyperstack> hyperstacks() override {
     go_to(0);
@@ -80,6 +88,7 @@ class TiffFile final : public PictureFile {
 
   PictureHeader header(std::uint32_t number) override {
     const TiffPage page = go_to(number);
+    if (header_ && directory_of_header_ == TIFFCurrentDirectory(tiff_.get())) return *header_;
     require_read(page);
     PictureHeader header;
     header.width = page.width;
@@ -96,7 +105,8 @@ class TiffFile final : public PictureFile {
         page.orientation == ORIENTATION_TOPRIGHT || page.orientation == ORIENTATION_BOTRIGHT,
         page.orientation == ORIENTATION_BOTLEFT || page.orientation == ORIENTATION_BOTRIGHT};
     header.resolution = resolution(page);
-    return header;
+    directory_of_header_ = TIFFCurrentDirectory(tiff_.get());
+    return *(header_ = std::move(header));
   }
 
   void read(std::uint32_t number, std::uint32_t channel, unsigned char* samples) override {
@@ -199,11 +209,13 @@ class TiffFile final : public PictureFile {
   // ---- volumes ----
 
   std::vector<Hyperstack> of_ome(const std::string& description) {
-    return ome_images(file_, description, page_of(tiff_.get()).samples,
-                      [this](const std::filesystem::path& file) -> std::uint64_t {
-                        return file == file_ ? directories_
-                                             : TIFFNumberOfDirectories(opened(file).get());
-                      });
+    auto stacks = ome_images(file_, description, page_of(tiff_.get()).samples,
+                             [this](const std::filesystem::path& file) -> std::uint64_t {
+                               return file == file_ ? directories_
+                                                    : TIFFNumberOfDirectories(opened(file).get());
+                             });
+    note_not_described(stacks);
+    return stacks;
   }
 
   // Pages that no image has are smaller copies and the like, but no planes.
@@ -219,7 +231,7 @@ class TiffFile final : public PictureFile {
     for (std::uint32_t i = 0; i < directories_; ++i) {
       if (is_described[i]) continue;
       const TiffPage page = go_to(i);
-      if (!page.is_of_another && page.width == first.width && page.height == first.height)
+      if (!page.is_mask && page.width == first.width && page.height == first.height)
         fail(file_, "its description leaves out page " + std::to_string(i), remedy);
       ++left_out;
     }
@@ -276,27 +288,36 @@ class TiffFile final : public PictureFile {
     return {page.height, page.width, page.samples};
   }
 
-  // Every page is a slice, but for smaller copies of others.
+  // Every page is a slice, but for masks and smaller copies of others.
   Hyperstack of_pages() {
+    std::optional<TiffPage> full;
+    for (std::uint32_t i = 0; i < directories_ && !full; ++i) {
+      const TiffPage page = go_to(i * depth_);
+      if (!page.is_mask && !page.is_smaller_copy) full = page;
+    }
     Hyperstack stack;
     stack.files = {file_};
     stack.slices.size = 0;
-    std::uint32_t left_out = 0;
-    for (std::uint32_t i = 0; i < directories_; ++i) {
-      const bool is_left_out = go_to(i * depth_).is_of_another && i > 0;
-      if (is_left_out) ++left_out;
-      if (is_left_out) continue;
-      const std::uint64_t page = std::uint64_t{i} * depth_;
-      std::vector<PageRun>& runs = stack.runs;
-      if (runs.empty() || runs.back().first_page + runs.back().count != page)
-        runs.push_back({0, page, stack.slices.size, 0});
-      runs.back().count += depth_;
-      stack.slices.size += depth_;
-    }
+    for (std::uint32_t i = 0; i < directories_; ++i)
+      if (!full || !is_left_out(*full, go_to(i * depth_))) add_slices(stack, i);
+    const std::uint64_t left_out = directories_ - stack.slices.size / depth_;
     if (left_out > 0)
       stack.notes.push_back("pages that are smaller copies or masks left out: " +
                             std::to_string(left_out));
     return stack;
+  }
+
+  static bool is_left_out(const TiffPage& full, const TiffPage& page) {
+    const bool is_as_large = page.width == full.width && page.height == full.height;
+    return page.is_mask || (page.is_smaller_copy && !is_as_large);
+  }
+
+  void add_slices(Hyperstack& stack, std::uint32_t directory) const {
+    const std::uint64_t page = std::uint64_t{directory} * depth_;
+    if (stack.runs.empty() || stack.runs.back().first_page + stack.runs.back().count != page)
+      stack.runs.push_back({0, page, stack.slices.size, 0});
+    stack.runs.back().count += depth_;
+    stack.slices.size += depth_;
   }
 
   void note_left_out(Hyperstack& stack) {
@@ -314,7 +335,9 @@ class TiffFile final : public PictureFile {
   std::uint32_t directories_;
   std::uint32_t depth_;  // of all pages
   TiffSamples samples_;
-  Palette greys_;
+  std::optional<PictureHeader> header_;  // the last one
+  std::uint32_t directory_of_header_ = 0;
+  Palette greys_;  // of that page
 };
 
 }  // namespace

@@ -178,8 +178,11 @@ class Images {
     stack.channels.size = channels(pixels, stack.channel_names);
     stack.frames.size = xml_.count(pixels, "SizeT", 0);
     set_order(stack, order_of(xml_, pixels));
-    if (planes(stack) == 0)
-      fail(xml_.file(), "its OME-XML describes an image without planes", "export the file again");
+    constexpr std::uint64_t most = std::uint64_t{1} << 32;
+    if (planes(stack) == 0 || planes(stack) > most)
+      fail(xml_.file(),
+           "its OME-XML describes an image of " + std::to_string(planes(stack)) + " planes",
+           "export the file again");
     stack.spacing_mm = spacing_mm(pixels, stack.notes);
     for (const auto& data : children(pixels, "TiffData")) add_run(stack, data);
     if (stack.runs.empty()) add_run(stack, pugi::xml_node());

@@ -11,13 +11,6 @@ Value field(TIFF* tiff, std::uint32_t tag, Value otherwise) {
   return TIFFGetFieldDefaulted(tiff, tag, &value) == 1 ? value : otherwise;
 }
 
-bool is_of_another(TIFF* tiff) {
-  const auto kind = field<std::uint32_t>(tiff, TIFFTAG_SUBFILETYPE, 0);
-  const auto old_kind = field<std::uint16_t>(tiff, TIFFTAG_OSUBFILETYPE, 0);
-  return (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0 ||
-         old_kind == OFILETYPE_REDUCEDIMAGE;
-}
-
 // Of samples of whole bytes.
 std::optional<SampleType> type_of_bytes(std::uint16_t bits, std::uint16_t format) {
   struct Kind {
@@ -56,7 +49,10 @@ TiffPage page_of(TIFF* tiff) {
     page.tile = {field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH, 0),
                  field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH, 0),
                  std::max<std::uint32_t>(1, field<std::uint32_t>(tiff, TIFFTAG_TILEDEPTH, 1))};
-  page.is_of_another = is_of_another(tiff);
+  const auto kind = field<std::uint32_t>(tiff, TIFFTAG_SUBFILETYPE, 0);
+  const auto old_kind = field<std::uint16_t>(tiff, TIFFTAG_OSUBFILETYPE, 0);
+  page.is_smaller_copy = (kind & FILETYPE_REDUCEDIMAGE) != 0 || old_kind == OFILETYPE_REDUCEDIMAGE;
+  page.is_mask = (kind & FILETYPE_MASK) != 0;
   page.resolution = {static_cast<double>(field<float>(tiff, TIFFTAG_XRESOLUTION, 0)),
                      static_cast<double>(field<float>(tiff, TIFFTAG_YRESOLUTION, 0))};
   page.resolution_unit = field<std::uint16_t>(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);

@@ -25,8 +25,8 @@ struct TiffPage {
   std::uint16_t compression = COMPRESSION_NONE;
   std::uint16_t orientation = ORIENTATION_TOPLEFT;
   std::array<std::uint32_t, 3> tile{};  ///< width, height and depth; nothing of strips
-  /// Whether it is a smaller copy or a mask of another page.
-  bool is_of_another = false;
+  bool is_smaller_copy = false;         ///< of another page, as it says
+  bool is_mask = false;                 ///< likewise
   /// Pixels of a unit, and what one is; 0 where it is not told.
   std::array<double, 2> resolution{};
   std::uint16_t resolution_unit = RESUNIT_INCH;
