@@ -66,7 +66,7 @@ TEST_CASE("names that differ in more than numbers are several stacks") {
                "names of 2 kinds, such as 's1.png' (3) and 'overview.png' (1)", "s*.png", 3);
   // What is before the number of one is before that of the other, too.
   check_advice({"s1.png", "s2.png", "s3.png", "s1_mask.png", "s2_mask.png"}, "names of 2 kinds",
-               "s[0-9].png", 3);
+               "s*[0-9].png", 3);
   check_advice({"s1.png", "s12.png", "s3.png", "s1m.png", "s12m.png"}, "names of 2 kinds",
                "s*[0-9].png", 3);
 }
