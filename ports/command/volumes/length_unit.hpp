@@ -1,4 +1,4 @@
-// Units of length, as files spell them.
+// Units of length, by the names that files give them.
 #ifndef DISCMC_COMMAND_VOLUMES_LENGTH_UNIT_HPP
 #define DISCMC_COMMAND_VOLUMES_LENGTH_UNIT_HPP
 
@@ -7,7 +7,8 @@
 
 namespace discmc::command {
 
-/// Returns how many millimetres a unit is; nothing where it is none of length.
+/// Returns how many millimetres a unit has; nothing if the name is that of no length. Symbols,
+/// and words in British or American spelling, one or several, in any case: "um", "Microns".
 std::optional<double> millimetres_in(std::string_view unit);
 
 }  // namespace discmc::command

@@ -7,7 +7,7 @@
 
 #include "picture_file.hpp"
 #include "sample_packing.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -12,6 +12,13 @@ constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b) {
   return a != 0 && b > most / a ? most : a * b;
+}
+
+PlaneAxis* axis_called(Hyperstack& stack, char letter) {
+  return letter == 'z'   ? &stack.slices
+         : letter == 'c' ? &stack.channels
+         : letter == 't' ? &stack.frames
+                         : nullptr;
 }
 
 std::string range(std::uint64_t first, std::uint64_t count) {
@@ -41,15 +48,19 @@ std::string description_of(const std::vector<Hyperstack>& stacks) {
 
 void set_order(Hyperstack& stack, std::string_view order) {
   std::uint64_t step = 1;
-  for (const char axis : order) {
-    PlaneAxis* const sorted = axis == 'z'   ? &stack.slices
-                              : axis == 'c' ? &stack.channels
-                              : axis == 't' ? &stack.frames
-                                            : nullptr;
-    if (sorted == nullptr) continue;
-    sorted->step = step;
-    step = product(step, sorted->size);
+  for (const char letter : order) {
+    PlaneAxis* const axis = axis_called(stack, letter);
+    if (axis == nullptr) continue;
+    axis->step = step;
+    step = product(step, axis->size);
   }
+}
+
+void set_axis(Hyperstack& stack, char letter) {
+  const std::uint64_t all = planes(stack);
+  stack.slices = stack.channels = stack.frames = {};
+  axis_called(stack, letter)->size = all;
+  stack.channel_names.clear();
 }
 
 std::uint64_t planes(const Hyperstack& stack) {
@@ -64,7 +75,8 @@ ChosenFrame chosen_frame(const std::filesystem::path& file, const std::vector<Hy
     fail(file,
          "the file holds " + std::to_string(frames) + " volumes" + description_of(stacks) +
              ", and one is read at a time",
-         "choose one with --frame N, the first is 0");
+         std::string("choose one with --frame N, the first is 0") +
+             (stacks.size() == 1 && stacks[0].slices.size == 1 ? if_slices : ""));
   std::uint64_t left = frame.value_or(0);
   for (const Hyperstack& stack : stacks) {
     if (left < stack.frames.size) return {&stack, left, frames};

@@ -51,8 +51,9 @@ class PictureFile {
   PictureFile& operator=(const PictureFile&) = delete;
   virtual ~PictureFile() = default;
 
-  /// The volumes in it, at least one.
-  virtual std::vector<Hyperstack> hyperstacks() = 0;
+  /// The volumes in it, at least one. axes: what its pages are, as in VolumeOptions; otherwise as
+  /// the file describes them.
+  virtual std::vector<Hyperstack> hyperstacks(const std::string& axes) = 0;
   virtual PictureHeader header(std::uint32_t page) = 0;
   /// Writes the samples of a channel, rows as they are stored, in native byte order. Size: of
   /// samples, as the header says.
@@ -63,7 +64,7 @@ class PictureFile {
 class SinglePicture : public PictureFile {
  public:
   explicit SinglePicture(std::filesystem::path file) : file_(std::move(file)) {}
-  std::vector<Hyperstack> hyperstacks() final {
+  std::vector<Hyperstack> hyperstacks(const std::string&) final {
     Hyperstack stack;
     stack.files = {file_};
     stack.runs = {{0, 0, 0, 1}};

@@ -10,7 +10,7 @@
 
 #include "numbered_name.hpp"
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {

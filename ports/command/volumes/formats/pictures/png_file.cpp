@@ -8,7 +8,7 @@
 
 #include "picture_file.hpp"
 #include "sample_packing.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {

@@ -14,7 +14,7 @@
 
 #include "numbered_name.hpp"
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

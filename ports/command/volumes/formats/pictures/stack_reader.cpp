@@ -14,7 +14,8 @@
 #include "picture_names.hpp"
 #include "skyscan.hpp"
 #include "stack_names.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 
@@ -87,12 +88,12 @@ void require_one_kind(const std::filesystem::path& source, const Files& files) {
 }
 
 // SkyScan's overview lies beside its slices.
-void leave_out_overviews(Files& files, std::vector<std::string>& notes) {
+void leave_out_overviews(Files& files, VolumeInfo& info) {
   const auto overviews = std::stable_partition(
       files.begin(), files.end(), [](const auto& file) { return !is_overview_name(file); });
   if (overviews == files.begin()) return;
   for (auto file = overviews; file != files.end(); ++file)
-    notes.push_back(shown(file->filename().string()) + " is an overview, left out");
+    note(info, shown(file->filename().string()) + " is an overview, left out");
   files.erase(overviews, files.end());
 }
 
@@ -209,7 +210,7 @@ class StackBuilder {
   Stack of(const Files& files) {
     for (const auto& file : files) {
       const auto opened = open_picture(file);
-      const auto described = opened->hyperstacks();
+      const auto described = opened->hyperstacks(options_.axes);
       if (add(file, *opened, described, files)) break;
     }
     return std::move(stack_);
@@ -229,9 +230,7 @@ class StackBuilder {
       stack_.described = stack;
       info_.frames = chosen.frames;
     }
-    for (const std::string& note : stack.notes)
-      if (std::find(info_.notes.begin(), info_.notes.end(), note) == info_.notes.end())
-        info_.notes.push_back(note);
+    for (const std::string& text : stack.notes) note(info_, text);
     return is_whole;
   }
 
@@ -284,10 +283,16 @@ class StackBuilder {
   }
 
   void choose_channel(const Hyperstack& stack, const PictureHeader& header) {
+    const std::uint64_t channels = stack.channels.size * header.channels;
+    if (stack.slices.size == 1 && stack.channels.size > 1 && !options_.channel)
+      fail(source_,
+           "the file holds " + std::to_string(channels) +
+               " channels of one slice each, and one is read at a time",
+           std::string("choose one with --channel N, the first is 0") + if_slices);
     const auto& names = header.channels == 1       ? stack.channel_names
                         : stack.channels.size == 1 ? header.channel_names
                                                    : std::vector<std::string>();
-    set_channels(info_, source_, stack.channels.size * header.channels, options_, names);
+    set_channels(info_, source_, channels, options_.channel, names);
     stack_.channel = options_.channel.value_or(0) % header.channels;
     stack_.header = header;
   }
@@ -300,72 +305,78 @@ class StackBuilder {
 
 // Where a file is a slice, names that are missing are slices that are missing.
 void close_gaps(const std::filesystem::path& source, bool allow_gaps, Stack& stack,
-                std::vector<std::string>& notes) {
+                VolumeInfo& info) {
   if (stack.files.size() != stack.pages.size() || stack.described.files.size() > 1) return;
   const std::vector<Gap> gaps = gaps_of_names(stack.files);
   if (gaps.empty()) return;
-  notes.push_back(
-      note_of_filling(source, gaps, stack.pages.size(), allow_gaps,
-                      "export or copy the pictures again, or number their names without gaps"));
+  note(info,
+       note_of_filling(source, gaps, stack.pages.size(), allow_gaps,
+                       "export or copy the pictures again, or number their names without gaps"));
   fill_gaps(stack.pages, gaps);
 }
 
-// ---- spacing ----
+// ---- place ----
 
-std::string note_of_resolution(const Resolution& resolution) {
-  std::ostringstream note;
-  note.imbue(std::locale::classic());
-  const double x = resolution.unit_mm / resolution.pixels[0];
-  const double y = resolution.unit_mm / resolution.pixels[1];
-  note << "its resolution, mostly that of a print, is not used; to use it, give --spacing " << x
-       << ',' << y << ",Z";
-  return note.str();
+using Spacing = std::array<std::optional<double>, 3>;
+
+bool is_told(const Spacing& spacing) {
+  return spacing[0] || spacing[1] || spacing[2];
 }
 
-// The spacing that SkyScan's log gives, where it is of these slices.
-std::optional<std::array<double, 3>> spacing_of_log(const Stack& stack,
-                                                    std::vector<std::string>& notes) {
+std::string note_of_resolution(const Resolution& resolution) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  const double x = resolution.unit_mm / resolution.pixels[0];
+  const double y = resolution.unit_mm / resolution.pixels[1];
+  text << "its resolution, mostly that of a print, is not used; to use it, give --spacing " << x
+       << ',' << y << ",Z";
+  return text.str();
+}
+
+// Of SkyScan's log, where it is of these slices.
+Spacing spacing_of_log(const Stack& stack, VolumeInfo& info) {
   const auto log = skyscan_log(stack.files[0]);
-  if (!log) return std::nullopt;
+  if (!log) return {};
   const std::string called = shown(log->file.filename().string());
   const std::array<std::uint32_t, 2> size = {stack.header.width, stack.header.height};
   const bool is_of_slices = log->size == std::array<std::uint32_t, 2>{} || log->size == size;
-  notes.push_back(is_of_slices ? "spacing from " + called
-                               : called + " is of slices of another size, and not used");
-  return is_of_slices ? std::optional(log->spacing_mm) : std::nullopt;
+  note(info, is_of_slices ? "spacing from " + called
+                          : called + " is of slices of another size, and not used");
+  if (!is_of_slices) return {};
+  return {log->spacing_mm[0], log->spacing_mm[1], log->spacing_mm[2]};
 }
 
-// What is not described along some axis is taken as along another.
-std::array<double, 3> completed(const std::array<std::optional<double>, 3>& described,
-                                std::size_t slices, std::vector<std::string>& notes) {
-  const double any = described[0].value_or(described[1].value_or(described[2].value_or(1)));
-  if (!described[2] && slices > 1)
-    notes.emplace_back("no distance of slices given, that of pixels taken");
-  return {described[0].value_or(any), described[1].value_or(any), described[2].value_or(any)};
+Spacing spacing_of(const Stack& stack, VolumeInfo& info) {
+  Spacing spacing = stack.described.spacing_mm;
+  if (!is_told(spacing)) spacing = spacing_of_log(stack, info);
+  const auto& resolution = stack.header.resolution;
+  if (!is_told(spacing) && resolution && resolution->unit_mm > 0)
+    note(info, note_of_resolution(*resolution));
+  // Pixels are mostly square, and voxels cubes.
+  if (!spacing[1]) spacing[1] = spacing[0];
+  if (spacing[0] && !spacing[2]) {
+    spacing[2] = spacing[0];
+    if (stack.pages.size() > 1) note(info, "no distance of slices given, that of pixels taken");
+  }
+  return spacing;
 }
 
-void set_told_spacing(VolumeInfo& info, const Stack& stack) {
-  const auto& described = stack.described.spacing_mm;
-  if (described[0] || described[1] || described[2])
-    return set_spacing(info, completed(described, stack.pages.size(), info.notes));
-  if (const auto spacing = spacing_of_log(stack, info.notes)) return set_spacing(info, *spacing);
-  info.notes.emplace_back(no_spacing_note);
-  if (stack.header.resolution && stack.header.resolution->unit_mm > 0)
-    info.notes.push_back(note_of_resolution(*stack.header.resolution));
-}
-
-// Signs of axes that run backwards, and the origin.
-void set_place(VolumeInfo& info, const Stack& stack) {
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    if (stack.header.runs_backwards[axis]) {
-      info.spacing_mm[axis] *= -1;
-      info.notes.emplace_back(axis == 0 ? "its first column is the right one (Orientation)"
-                                        : "its first row is the lowest (Orientation)");
+void set_place_of(VolumeInfo& info, const Stack& stack, const VolumeOptions& options) {
+  ToldPlace told;
+  told.set_unit("mm");
+  if (!options.spacing_mm) told.spacing = spacing_of(stack, info);
+  told.directions = coordinates;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double step = options.spacing_mm ? (*options.spacing_mm)[axis] : told.spacing[axis].value_or(1);
+    if (axis < 2 && stack.header.runs_backwards[axis]) {
+      (*told.directions)[axis][axis] = -1;
+      step = -step;
+      note(info, axis == 0 ? "its first column is the right one (Orientation)"
+                           : "its first row is the lowest (Orientation)");
     }
-  VolumePlacement placement = along_coordinates(info.spacing_mm);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    placement.origin_mm[axis] = -stack.described.origin_voxel[axis] * info.spacing_mm[axis];
-  set_placement(info, placement);
+    told.origin[axis] = -stack.described.origin_voxel[axis] * step;
+  }
+  set_place(info, told, options);
 }
 
 }  // namespace
@@ -373,25 +384,23 @@ void set_place(VolumeInfo& info, const Stack& stack) {
 std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source, Files files,
                                             const VolumeOptions& options) {
   VolumeInfo info;
-  leave_out_overviews(files, info.notes);
+  leave_out_overviews(files, info);
   require_one_kind(source, files);
   sort_naturally(files);
   require_one_stack(source, files);
   Stack stack = StackBuilder(source, options, info).of(files);
-  close_gaps(source, options.allow_gaps, stack, info.notes);
+  close_gaps(source, options.allow_gaps, stack, info);
   info.type = stack.header.type;
   const std::uint64_t frames = info.frames;
   set_dims(
       info, source,
       {stack.header.width, stack.header.height, static_cast<std::int64_t>(stack.pages.size())});
   info.frames = frames;
-  if (!options.spacing_mm) set_told_spacing(info, stack);
-  set_place(info, stack);
+  set_place_of(info, stack, options);
   set_scale(info, source, stack.described.slope, stack.described.intercept);
-  if (stack.header.is_inverted)
-    info.notes.emplace_back("the low values are the bright ones, taken as stored");
+  if (stack.header.is_inverted) note(info, "the low values are the bright ones, taken as stored");
   if (!stack.header.palette.empty())
-    info.notes.emplace_back("the samples are numbers of colours in a palette, taken as stored");
+    note(info, "the samples are numbers of colours in a palette, taken as stored");
   info.format = name(kind_of(stack.files[0]));
   return std::make_unique<PictureStack>(source, std::move(info), std::move(stack));
 }

@@ -12,7 +12,8 @@
 #include "samples.hpp"
 #include "shaped.hpp"
 #include "volumes/formats/pictures/picture_file.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_stream.hpp"
 
 namespace discmc::command {
 namespace {
@@ -70,7 +71,7 @@ class TiffFile final : public PictureFile {
     if (pages() > max_pages) fail(file, "it has too many slices", remedy);
   }
 
-  std::vector<Hyperstack> hyperstacks() override {
+  std::vector<Hyperstack> hyperstacks(const std::string& axes) override {
     go_to(0);
     require_known_layout(file_, tiff_.get(), directories_);
     const std::string description = description_of(tiff_.get());
@@ -83,6 +84,8 @@ class TiffFile final : public PictureFile {
       stacks = of_tifffile();
     if (stacks.empty()) stacks = {of_pages()};
     note_left_out(stacks[0]);
+    if (!axes.empty())
+      for (Hyperstack& stack : stacks) set_axis(stack, axis_of_pages(axes));
     return stacks;
   }
 
@@ -208,6 +211,13 @@ class TiffFile final : public PictureFile {
 
   // ---- volumes ----
 
+  char axis_of_pages(const std::string& axes) const {
+    if (axes.size() != 3 || axes.substr(1) != "yx")
+      fail(file_, "its pages are rows and columns along one axis, and not " + shown(axes),
+           "give --axes zyx, cyx or tyx, or leave it out");
+    return axes[0];
+  }
+
   std::vector<Hyperstack> of_ome(const std::string& description) {
     auto stacks = ome_images(file_, description, page_of(tiff_.get()).samples,
                              [this](const std::filesystem::path& file) -> std::uint64_t {
@@ -268,7 +278,7 @@ class TiffFile final : public PictureFile {
     bool are_planes = true;
     while (at < pages()) {
       const TiffPage page = go_to(static_cast<std::uint32_t>(at));
-      const auto array = shaped_array(description_of(tiff_.get()));
+      const auto array = shaped_array(file_, description_of(tiff_.get()));
       auto stack = array ? planes_of(*array, sizes(page)) : std::nullopt;
       if (!stack) return {};
       const std::uint64_t count = planes(*stack);

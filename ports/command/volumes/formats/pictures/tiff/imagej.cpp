@@ -5,8 +5,10 @@
 #include <string>
 
 #include "text/number_text.hpp"
+#include "text/words.hpp"
+#include "volumes/header_text.hpp"
 #include "volumes/length_unit.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -62,19 +64,8 @@ void set_axes(Hyperstack& stack, const Description& description, const TiffFacts
   set_order(stack, order.empty() || order == "default" ? "czt" : lower(order));
 }
 
-// ImageJ escapes what is not ASCII, and older versions have the sign of micro in Latin-1.
-std::string unescaped(std::string_view text) {
-  std::string result(text);
-  for (const std::string_view micro : {"\\u00B5", "\\u00b5", "\xb5"}) {
-    const std::size_t at = result.find(micro);
-    if (at != std::string::npos && (at == 0 || result[at - 1] != '\xc2'))
-      result.replace(at, micro.size(), "\u00b5");
-  }
-  return result;
-}
-
 void set_spacing(Hyperstack& stack, const Description& description, const TiffFacts& facts) {
-  const std::string unit = unescaped(description.text("unit"));
+  const std::string unit(description.text("unit"));
   const auto mm = millimetres_in(unit);
   if (!mm) {
     if (!unit.empty()) stack.notes.push_back("its unit is " + shown(unit) + ", which is no length");
@@ -82,13 +73,13 @@ void set_spacing(Hyperstack& stack, const Description& description, const TiffFa
   }
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (facts.resolution[axis] > 0) stack.spacing_mm[axis] = *mm / facts.resolution[axis];
-  const std::string unit_of_z = unescaped(description.text("zunit"));
+  const std::string_view unit_of_z = description.text("zunit");
   const auto mm_of_z = unit_of_z.empty() ? mm : millimetres_in(unit_of_z);
   const bool has_distance = !description.text("spacing").empty();
   if (mm_of_z && (has_distance || stack.slices.size > 1))
     stack.spacing_mm[2] = *mm_of_z * std::fabs(description.number("spacing", 1));
   if (!has_distance && stack.slices.size > 1)
-    stack.notes.push_back("no distance of slices given, 1 " + unit + " taken, as ImageJ does");
+    stack.notes.push_back("no distance of slices given, 1 unit taken, as ImageJ does");
 }
 
 // Values of grey, as of CT, which ImageJ stores from 0 on.

@@ -1,7 +1,8 @@
 #include "ome.hpp"
 
+#include "volumes/header_text.hpp"
 #include "volumes/length_unit.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <system_error>
 
 #include "text/number_text.hpp"
+#include "text/words.hpp"
 #endif
 
 namespace discmc::command {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "volumes/formats/pictures/sample_packing.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

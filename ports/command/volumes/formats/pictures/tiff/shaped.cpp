@@ -1,11 +1,15 @@
 #include "shaped.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/volume_error.hpp"
+
+#ifdef DISCMC_WITH_JSON
+#include <nlohmann/json.hpp>
+#endif
 
 namespace discmc::command {
 namespace {
@@ -65,7 +69,9 @@ class LeadingAxes {
 
 }  // namespace
 
-std::optional<ShapedArray> shaped_array(const std::string& description) {
+#ifdef DISCMC_WITH_JSON
+std::optional<ShapedArray> shaped_array(const std::filesystem::path&,
+                                        const std::string& description) {
   if (description.rfind('{', 0) != 0) return without_json(description);
   const auto json = nlohmann::json::parse(description, nullptr, false);
   if (!json.is_object() || !json.contains("shape") || !json["shape"].is_array())
@@ -83,6 +89,15 @@ std::optional<ShapedArray> shaped_array(const std::string& description) {
   array.name = text("name");
   return array;
 }
+#else
+std::optional<ShapedArray> shaped_array(const std::filesystem::path& file,
+                                        const std::string& description) {
+  if (description.rfind("{\"shape\"", 0) == 0)
+    fail(file, "tifffile has described it, and discmc was built without nlohmann-json",
+         "install nlohmann-json3-dev and build again");
+  return without_json(description);
+}
+#endif
 
 std::optional<Hyperstack> planes_of(const ShapedArray& array,
                                     const std::vector<std::uint64_t>& page) {

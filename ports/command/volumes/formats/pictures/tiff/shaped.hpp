@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_SHAPED_HPP
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,8 +20,10 @@ struct ShapedArray {
   std::string axes;                  ///< a letter for each, such as "TZYX", or none
 };
 
-/// Returns nothing where a description is not of tifffile.
-std::optional<ShapedArray> shaped_array(const std::string& description);
+/// Returns nothing where a description is not of tifffile. The file is for the VolumeError thrown
+/// where discmc was built without what reads it.
+std::optional<ShapedArray> shaped_array(const std::filesystem::path& file,
+                                        const std::string& description);
 
 /// Returns the planes of an array, without runs; nothing where its last axes are not those of the
 /// page. page: the sizes of the last axes, rows and columns among them.
