@@ -1,6 +1,7 @@
 // The volume readers, on small files written here. With DISCMC_DATA naming a folder of volumes,
 // each with a JSON file that describes it, those are read as well.
 #include "volumes/volume.hpp"
+#include "volumes/iso_value.hpp"
 
 #include <doctest/doctest.h>
 
@@ -140,7 +141,7 @@ TEST_CASE("NRRD gives a signed spacing in millimetres") {
         Spacing{-1, 1, 1});
 }
 
-TEST_CASE("volumes whose samples lie side by side are read one at a time") {
+TEST_CASE("volumes or channels whose samples lie side by side are read one at a time") {
   const Folder folder;
   for (const auto& [called, name] : {std::pair<SampleType, std::string>{SampleType::u8, "uchar"},
                                      {SampleType::i16, "short"},
@@ -159,7 +160,10 @@ TEST_CASE("volumes whose samples lie side by side are read one at a time") {
                    kind + " domain domain domain\n",
                "3 5 3 4");
       VolumeOptions options;
-      options.frame = 1;
+      auto& chosen = kind == "list" ? options.frame : options.channel;
+      check_refusal(refusal(folder.write("v.nrrd", header + "encoding: raw\n\n" + samples)),
+                    kind == "list" ? "holds 3 volumes" : "holds 3 channels");
+      chosen = 1;
       check_volume(folder.write("v.nrrd", header + "encoding: raw\n\n" + samples), type,
                    "NRRD, raw", options);
       check_volume(folder.write("v.nrrd", header + "encoding: gzip\n\n" + gzip(samples)), type,
@@ -169,12 +173,12 @@ TEST_CASE("volumes whose samples lie side by side are read one at a time") {
           folder.write("v.nhdr", header + "encoding: raw\nbyte skip: -1\ndata file: v.raw\n");
       check_volume(detached, type, "NRRD, raw, detached", options);
       CHECK(open_volume(detached, options)->info().spacing_mm == Spacing{20, 3, 4});
-      CHECK(noted(open_volume(detached, options)->info(), "unit 'a b' taken as mm"));
-      options.frame = 0;
+      CHECK(noted(open_volume(detached, options)->info(), "'a b'"));
+      chosen = 0;
       CHECK(read_all(*open_volume(detached, options)) == std::vector<double>(60, 0));
-      options.frame = 3;
-      check_refusal(refusal(detached, options), "there is no volume 3: the file holds 3");
-      options.frame = 0;
+      chosen = 3;
+      check_refusal(refusal(detached, options), "3: the file holds 3");
+      chosen = 0;
       check_refusal(refusal(folder.write("v.nrrd", header + "encoding: raw\n\n" +
                                                        samples.substr(0, samples.size() - 1)),
                             options),
@@ -203,7 +207,7 @@ TEST_CASE("NRRD refuses by name what it does not take") {
       {nrrd(nrrd_u8 + "kinds: list domain domain domain\n\n", "2 5 3 4") + u8 + u8,
        "holds 2 volumes"},
       {nrrd(nrrd_u8 + "kinds: list domain domain domain\n\n", "200000 30000 3 4"),
-       "the list has 200000 volumes, whose rows are too long"},
+       "the first axis has size 200000, and the rows are too long"},
       {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "no vector of up to"},
       {nrrd(nrrd_u8 + "space directions: (1,0,0) (0,1,0)\n\n"), "2 entries for 3 dimensions"},
       {nrrd(nrrd_u8 + "spacings: 1\n\n"), "1 entries for 3 dimensions"},
@@ -436,7 +440,7 @@ TEST_CASE("a file of no known format, a folder and a missing file are refused") 
   check_refusal(refusal(folder.path() / std::string(300, 'v')), "name is longer than the system");
   check_refusal(refusal(folder.path() / "absent.nii"), "no such file");
   fs::create_directory(folder.path() / "folder.nrrd");
-  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM, PNG or TIFF files");
+  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM files and no pictures");
 }
 
 TEST_CASE("the stored threshold is reached exactly where the value reaches iso") {

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "volumes/byte_source.hpp"
-#include "volumes/magic.hpp"
+#include "volumes/format_list.hpp"
 
 namespace discmc::command {
 namespace {

@@ -148,7 +148,7 @@ void note_others(const std::string& path, const StreamChoice& choice, const Stre
   if (surfaces.size() < 2 || !choice.is_any()) return;
   say(path, "this is scan " + std::to_string(reader.header().scan) + " channel " +
                 std::to_string(reader.channel()) + " of " + joined(surfaces) +
-                ": choose with --scan N and --channel N");
+                ": choose with --scan N and --stream-channel N");
 }
 
 void require_one_surface(const std::string& path, const StreamReader& reader) {

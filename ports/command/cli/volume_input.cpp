@@ -67,6 +67,9 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
   options.series = arguments.series;
   options.allow_gaps = arguments.allow_gaps;
   options.frame = arguments.frame;
+  options.channel = arguments.channel;
+  options.axes = arguments.axes;
+  options.level = arguments.level;
   options.crop = arguments.crop;
   options.shrink = arguments.shrink;
   return options;

@@ -1,4 +1,5 @@
 #include "selection.hpp"
+#include "volumes/iso_value.hpp"
 
 #include <array>
 #include <cmath>
@@ -111,8 +112,8 @@ std::uint64_t count_not_numbers(const Sample* samples, std::size_t count) {
 // What SliceSelector calls.
 template <class Sample, class Condition>
 auto selector_of(const VolumeInfo& info, Condition is_on) {
-  return [is_on, width = info.dims[0], height = info.dims[1]](
-             const void* slice, std::uint8_t* bits, std::size_t stride) {
+  return [is_on, width = info.dims[0], height = info.dims[1]](const void* slice, std::uint8_t* bits,
+                                                              std::size_t stride) {
     const auto* row = static_cast<const Sample*>(slice);
     for (std::uint32_t y = 0; y < height; ++y, row += width, bits += stride)
       select_row(row, width, is_on, bits);

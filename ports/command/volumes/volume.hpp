@@ -57,6 +57,14 @@ struct VolumeOptions {
   bool allow_gaps = false;
   /// Which of the volumes of a file, the first is 0. Without it, a file of several is refused.
   std::optional<std::uint32_t> frame = {};
+  /// Which of the channels, likewise.
+  std::optional<std::uint32_t> channel = {};
+  /// What the axes of an array are, the slowest first: letters of "tczyx", each once, x and y among
+  /// them. Otherwise as the file says, or as its format has it.
+  std::string axes = {};
+  /// Which of the resolutions of a file, the finest is 0. Otherwise the finest that VolumeInfo
+  /// takes.
+  std::optional<std::uint32_t> level = {};
   /// The part of the volume that is taken; otherwise all of it.
   std::optional<Crop> crop = {};
   /// Blocks of so many voxels along x, y and z become one voxel each, after the crop.

@@ -58,10 +58,17 @@ ByteStream::ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> s
 void ByteStream::decode(const Decoder& decoder) {
   std::filesystem::path file = file_;
   const bool is_read_once = is_read_once_;
+  const auto packing = packing_;
   auto rest = std::make_unique<Rest>(std::move(*this));
   *this = ByteStream(std::move(file), decoder(std::move(rest)));
-  is_decoded_ = true;
+  packing_ = packing;
   is_read_once_ = is_read_once;
+}
+
+void ByteStream::unpack(Packing packing) {
+  const std::filesystem::path file = file_;
+  decode([&](auto in) { return unpacked(std::move(in), packing, file); });
+  packing_ = packing;
 }
 
 std::string_view ByteStream::peek(std::size_t count) {
@@ -164,7 +171,7 @@ std::optional<std::uint64_t> ByteStream::left() const {
 
 ByteStream open_content(const std::filesystem::path& file) {
   ByteStream stream(file);
-  if (stream.peek(2) == "\x1f\x8b") stream.decode(inflated);
+  if (const auto packing = packing_of(stream.peek(packing_magic_bytes))) stream.unpack(*packing);
   return stream;
 }
 
@@ -188,6 +195,7 @@ SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
       big_endian_(big_endian),
       is_last_volume_(frame.value_or(0) + 1 == info_.frames),
       note_of_rest_(std::move(note_of_rest)) {
+  if (stream_.packing()) info_.format += ", " + std::string(name(*stream_.packing()));
   const auto left = stream_.left();
   if (!note_of_rest_ && left && *left > bytes_of_all(info_))
     note(info_, std::to_string(*left - bytes_of_all(info_)) + note_of_surplus);

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "byte_source.hpp"
+#include "packing.hpp"
 #include "volume_reader.hpp"
 
 namespace discmc::command {
@@ -34,7 +35,11 @@ class ByteStream {
 
   /// From here on what is read is what the decoder makes of it.
   void decode(const Decoder& decoder);
-  bool is_decoded() const { return is_decoded_; }
+
+  /// From here on what is read is the content of a file that is packed as a whole.
+  void unpack(Packing packing);
+  /// How the file was packed, if it was.
+  std::optional<Packing> packing() const { return packing_; }
 
   /// Whether the file can be opened once only.
   bool is_read_once() const { return is_read_once_; }
@@ -79,11 +84,11 @@ class ByteStream {
   std::string ahead_;  // seen from ahead_begin_ on, but not yet read
   std::size_t ahead_begin_ = 0;
   std::uint64_t position_ = 0;
-  bool is_decoded_ = false;
+  std::optional<Packing> packing_;
   bool is_read_once_ = false;
 };
 
-/// The bytes of a file, inflated where they are gzip.
+/// The bytes of a file, unpacked where it is packed as a whole.
 ByteStream open_content(const std::filesystem::path& file);
 
 /// Goes to so many bytes before the end of the file. Throws when the file is shorter, and where it

@@ -71,7 +71,6 @@ class TurnedMask final : public VolumeFilter {
       }
     }
     own_info().placement = to;
-    slices_.resize(of.slice_bytes() * (is_slice_by_slice_ ? 1 : of.dims[2]));
     add_note("axes put in the order and direction of those of the volume");
   }
 
@@ -94,8 +93,12 @@ class TurnedMask final : public VolumeFilter {
 
  private:
   void read_mask() {
-    const std::size_t bytes = volume().info().slice_bytes();
-    for (std::size_t at = 0; at < slices_.size(); at += bytes) volume().read_slice(&slices_[at]);
+    const VolumeInfo& of = volume().info();
+    const std::uint32_t count = is_slice_by_slice_ ? 1 : of.dims[2];
+    for (std::uint32_t z = 0; z < count; ++z) {
+      slices_.resize(of.slice_bytes() * (z + 1));  // no more than has come
+      volume().read_slice(&slices_[of.slice_bytes() * z]);
+    }
   }
 
   std::filesystem::path file_;
@@ -147,9 +150,13 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   of_all.allow_gaps = options.allow_gaps;
   // The options are those of the volume: none tells what is in a mask.
   of_all.frame = 0;
+  of_all.channel = 0;
   auto mask = open_volume(file, of_all);
   if (mask->info().frames > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",
+         "store the one to take in a file of its own");
+  if (mask->info().channels > 1)
+    fail(file, "the mask holds " + std::to_string(mask->info().channels) + " channels",
          "store the one to take in a file of its own");
   mask = std::make_unique<Mask>(std::move(mask));
   const AxesMatch match = matching_axes(volume, mask->info());

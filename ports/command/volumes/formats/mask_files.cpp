@@ -9,6 +9,7 @@
 
 #include "text/words.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
+#include "volumes/packing.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_filter.hpp"
 #include "volumes/volume_offset.hpp"
@@ -16,17 +17,13 @@
 namespace discmc::command {
 namespace {
 
-// Of formats that hold all in one file.
-constexpr std::string_view ends[] = {".nii.gz", ".nii", ".nrrd", ".mha"};
-
-// The name without the end of a mask; nothing where it has none, or the file is hidden.
+// The name without the ending of a mask, which is of a format that is one file; nothing where it
+// has none, or the file is hidden.
 std::optional<std::string> mask_name(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
-  if (name.front() == '.') return std::nullopt;
-  for (const std::string_view end : ends)
-    if (name.size() > end.size() && lower(name.substr(name.size() - end.size())) == end)
-      return name.substr(0, name.size() - end.size());
-  return std::nullopt;
+  const std::filesystem::path bare = without_packing(file).filename();
+  const std::string extension = lower(bare.extension().string());
+  const bool is_mask = extension == ".nii" || extension == ".nrrd" || extension == ".mha";
+  return is_mask && !is_system_name(file) ? std::optional(bare.stem().string()) : std::nullopt;
 }
 
 // Labels of which there must be one.

@@ -5,16 +5,21 @@
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/format_list.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/magic.hpp"
 #include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
 
 void require_no_header(ByteStream& stream) {
-  if (const auto format = format_of_head(stream.peek(magic_bytes)))
-    fail(stream.file(), "this begins like " + std::string(*format) + ", not like samples",
+  const std::string_view head = stream.peek(magic_bytes);
+  const VolumeFormat* const format = format_of_head(head);
+  const auto packing = packing_of(head);
+  if (format != nullptr || packing)
+    fail(stream.file(),
+         "this begins like " + std::string(format != nullptr ? format->name : name(*packing)) +
+             ", not like samples",
          "leave out --dims and --type, or skip its header with --skip-bytes");
 }
 
@@ -68,10 +73,7 @@ std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const VolumeOptions& o
   info.format = "raw";
   set_dims(info, stream.file(), {layout.dims[0], layout.dims[1], layout.dims[2]});
   set_place(info, {}, options);
-  if (lower(stream.file().extension().string()) == ".gz") {
-    info.format += ", gzip";
-    stream.decode(inflated);
-  }
+  if (const auto packing = packing_of_name(stream.file())) stream.unpack(*packing);
   if (layout.skipped_bytes == 0) require_no_header(stream);
   stream.skip(layout.skipped_bytes);
   require_length(stream, info, layout);

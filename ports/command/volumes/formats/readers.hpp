@@ -27,6 +27,8 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
 std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_mgh(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const VolumeOptions& options);
 /// source: what was named, of which these are the DICOM files. notes: of what else it holds, told
@@ -53,8 +55,13 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
 std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                                         const VolumeOptions& options);
 
-/// Whether a file is named as archives of zip are.
-bool has_zip_name(const std::filesystem::path& file);
+/// An .npz file, or an array in it: scan.npz:/volume. As HDF5.
+std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
+                                       const VolumeOptions& options);
+
+/// A folder of Zarr: an image of OME-Zarr, an array, or a group with one of them.
+std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& folder,
+                                        const VolumeOptions& options);
 
 /// The same of what is in an archive of zip, unpacked into the folder for temporary files for as
 /// long as the volume is open.

@@ -140,7 +140,7 @@ SampleType sample_type(const std::filesystem::path& file, const std::string& typ
 std::string note_of_rest(ByteStream& stream) {
   constexpr std::size_t max_shown = 256;
   std::string_view text = trimmed(stream.peek(max_shown));
-  const std::string damage = stream.is_decoded() ? stream.damage() : std::string();
+  const std::string damage = stream.damage();
   const std::string_view line = take_line(text).value_or("");
   if (line.empty() && damage.empty()) return {};
   return "what follows the first array left out: " + (damage.empty() ? shown(line) : damage);

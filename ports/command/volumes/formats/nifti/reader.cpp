@@ -21,6 +21,7 @@
 #include "text/words.hpp"
 #include "types.hpp"
 #include "volumes/formats/readers.hpp"
+#include "volumes/header_bytes.hpp"
 #include "volumes/header_text.hpp"
 #include "volumes/told_place.hpp"
 
@@ -29,17 +30,16 @@ namespace {
 
 static_assert(sizeof(nifti_1_header) == 348 && sizeof(nifti_2_header) == 540, "as in the file");
 
-std::filesystem::path without_gz(std::filesystem::path file) {
-  return lower(file.extension().string()) == ".gz" ? file.replace_extension() : file;
-}
-
-// Returns the other file of a pair: a.img or a.img.gz for a.hdr, and the other way round.
+// Returns the other file of a pair: a.img or a packed one, such as a.img.gz, for a.hdr, and the
+// other way round.
 std::filesystem::path partner(const std::filesystem::path& asked, const char* extension) {
-  std::filesystem::path file = without_gz(asked).replace_extension(extension);
-  std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) return file;
-  file += ".gz";
-  if (std::filesystem::exists(file, ignored)) return file;
+  const std::filesystem::path file = without_packing(asked).replace_extension(extension);
+  for (const std::string_view ending : packed_endings) {
+    std::filesystem::path packed = file;
+    packed += ending;
+    std::error_code ignored;
+    if (std::filesystem::exists(packed, ignored)) return packed;
+  }
   fail(asked, std::string("there is no ") + extension + " or " + extension + ".gz beside it",
        "put the other file of the pair there");
 }
@@ -71,19 +71,6 @@ void turn_fields(Fields& fields) {
            fields.scl_inter, fields.qform_code, fields.sform_code, fields.quatern_b,
            fields.quatern_c, fields.quatern_d, fields.qoffset_x, fields.qoffset_y, fields.qoffset_z,
            fields.srow_x, fields.srow_y, fields.srow_z);
-}
-
-// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
-double decimal(float value) {
-  for (int digits = 6; digits <= 9 && std::isfinite(value); ++digits) {
-    std::stringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(digits);
-    text << value;
-    double result = 0;
-    if (text >> result && static_cast<float>(result) == value) return result;
-  }
-  return static_cast<double>(value);
 }
 
 std::int64_t whole_offset(const std::filesystem::path& file, float vox_offset) {
@@ -274,7 +261,7 @@ std::uint64_t data_offset(const std::filesystem::path& file, const Header& heade
 
 std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
-  const bool is_data = lower(without_gz(file).extension().string()) == ".img";
+  const bool is_data = lower(without_packing(file).extension().string()) == ".img";
   if (is_data) stream = open_content(partner(file, ".hdr"));
   const Header header = read_header(stream);
   const nifti_2_header& fields = header.fields;
@@ -296,7 +283,6 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
     stream = open_content(is_data ? file : partner(file, ".img"));
     stream.skip(offset);
   }
-  if (stream.is_decoded()) info.format += ", gzip";
   return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian,
                                        options.frame);
 }

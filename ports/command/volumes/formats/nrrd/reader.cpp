@@ -151,14 +151,19 @@ bool is_of_space(std::string_view kind) {
   return one_of(lower(kind), {"domain", "space", "time", "none", "???"});
 }
 
-// Whether the first axis is that of several volumes, whose samples lie side by side: the layers of
-// a segmentation, as 3D Slicer has them, or the components of vectors.
-bool is_interleaved(const Fields& fields) {
+// What the first axis is where it is none of space: its samples lie side by side.
+enum class SideBySide { nothing, volumes, channels };
+
+// A list is of volumes: the layers of a segmentation, as 3D Slicer has them. Vectors and colours
+// have channels.
+SideBySide side_by_side(const Fields& fields) {
   const auto kinds = words(field(fields, "kinds"));
   const auto directions = words(field(fields, "space directions"));
-  return words(field(fields, "sizes")).size() == 4 &&
-         ((!kinds.empty() && !is_of_space(kinds[0])) ||
-          (!directions.empty() && lower(directions[0]) == "none"));
+  if (words(field(fields, "sizes")).size() != 4) return SideBySide::nothing;
+  if (!kinds.empty() && !is_of_space(kinds[0]))
+    return lower(kinds[0]) == "list" ? SideBySide::volumes : SideBySide::channels;
+  const bool has_no_direction = !directions.empty() && lower(directions[0]) == "none";
+  return has_no_direction ? SideBySide::volumes : SideBySide::nothing;
 }
 
 [[noreturn]] void fail_axis(const std::filesystem::path& file, std::size_t axis,
@@ -185,7 +190,7 @@ void move_first_axis_back(Fields& fields) {
 }
 
 void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
-               const VolumeOptions& options) {
+               const VolumeOptions& options, SideBySide first_axis) {
   const auto dimension = integer(file, "dimension", needed(file, fields, "dimension"));
   std::vector<std::int64_t> sizes;
   for (const auto word : words(needed(file, fields, "sizes")))
@@ -195,7 +200,12 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields
          "dimension is " + std::to_string(dimension) + " but there are " +
              std::to_string(sizes.size()) + " sizes",
          "correct the header");
+  const std::int64_t last = sizes.back();
+  if (first_axis == SideBySide::channels) sizes.pop_back();
   set_dims(info, file, sizes, options.frame);
+  if (first_axis == SideBySide::channels)
+    set_channels(info, file, static_cast<std::uint64_t>(std::max<std::int64_t>(1, last)),
+                 options.channel);
 
   const auto kinds = words(field(fields, "kinds"));
   for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
@@ -396,9 +406,10 @@ ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
          "give the bytes to skip as a number from 0");
   data.skip_lines(static_cast<std::uint64_t>(lines));
   if (encoding == "gzip") data.decode(inflated);
-  if (encoding == "bzip2" && !has_bzip2())
-    fail(file, "this discmc was built without bzip2", "store the volume with gzip, or raw");
-  if (encoding == "bzip2") data.decode(bunzipped);
+  if (encoding == "bzip2")
+    data.decode([name = std::filesystem::path(file)](auto in) {
+      return unpacked(std::move(in), Packing::bzip2, name);
+    });
   if (bytes >= 0)
     data.skip(static_cast<std::uint64_t>(bytes));
   else
@@ -422,19 +433,16 @@ ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fi
   return joined(header.file(), files, info, open);
 }
 
-std::unique_ptr<VolumeReader> open_component(VolumeInfo info, ByteStream data, bool is_big_endian,
-                                             std::uint32_t frame) {
+// As it is stored: one volume, in whose rows the samples of all are side by side.
+VolumeInfo stored(const std::filesystem::path& file, VolumeInfo info) {
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  if (info.frames > most / info.dims[0])
-    fail(data.file(),
-         "the list has " + std::to_string(info.frames) + " volumes, whose rows are too long",
+  const std::uint64_t count = info.frames * info.channels;
+  if (count > most / info.dims[0])
+    fail(file, "the first axis has size " + std::to_string(count) + ", and the rows are too long",
          "make it the last axis, e.g. with: unu permute -p 1 2 3 0 -i in.nrrd -o out.nrrd");
-  const auto count = static_cast<std::uint32_t>(info.frames);
-  VolumeInfo all = info;
-  all.dims[0] *= count;
-  all.frames = 1;
-  return component(std::make_unique<SliceStream>(std::move(all), std::move(data), is_big_endian),
-                   std::move(info), frame, count);
+  info.dims[0] *= static_cast<std::uint32_t>(count);
+  info.frames = info.channels = 1;
+  return info;
 }
 
 }  // namespace
@@ -442,11 +450,11 @@ std::unique_ptr<VolumeReader> open_component(VolumeInfo info, ByteStream data, b
 std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
   Header header = parse(file, stream);
-  const bool is_side_by_side = is_interleaved(header.fields);
-  if (is_side_by_side) move_first_axis_back(header.fields);
+  const SideBySide first_axis = side_by_side(header.fields);
+  if (first_axis != SideBySide::nothing) move_first_axis_back(header.fields);
   VolumeInfo info;
   info.type = sample_type(file, needed(file, header.fields, "type"));
-  set_sizes(info, file, header.fields, options);
+  set_sizes(info, file, header.fields, options, first_axis);
   set_geometry(info, file, header.fields, options);
   header.segments.describe(info);
   const bool is_big_endian = big_endian(file, header.fields, info.type);
@@ -454,13 +462,17 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
   const std::string_view name = field(header.fields, "data file");
   if (name.empty() && !header.closed)
     fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
-  ByteStream data = open_data(stream, name, header.fields, info);
   info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
-  if (is_side_by_side)
-    return open_component(std::move(info), std::move(data), is_big_endian,
-                          options.frame.value_or(0));
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian,
-                                       options.frame);
+  VolumeInfo all = first_axis == SideBySide::nothing ? info : stored(file, info);
+  ByteStream data = open_data(stream, name, header.fields, all);
+  info.notes = all.notes;
+  auto volume = std::make_unique<SliceStream>(
+      std::move(all), std::move(data), is_big_endian,
+      first_axis == SideBySide::nothing ? options.frame : std::nullopt);
+  if (first_axis == SideBySide::nothing) return volume;
+  const auto count = static_cast<std::uint32_t>(info.frames * info.channels);
+  const auto chosen = first_axis == SideBySide::volumes ? options.frame : options.channel;
+  return component(std::move(volume), std::move(info), chosen.value_or(0), count);
 }
 
 }  // namespace discmc::command
