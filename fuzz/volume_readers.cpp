@@ -89,6 +89,7 @@ constexpr Names names[] = {
     {"v.tif", nullptr, false, true}, {"v.vtk", nullptr, false},
     {"v.vti", nullptr, false},       {"v.npy", nullptr, false},
     {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
+    {"v.jpg", nullptr, false, true}, {"v.bmp", nullptr, false, true},
 };
 
 /// Whether the environment asks for other names alone.

@@ -385,7 +385,7 @@ TEST_CASE("a file of no known format, a folder and a missing file are refused") 
   check_refusal(refusal(folder.path() / std::string(300, 'v')), "name is longer than the system");
   check_refusal(refusal(folder.path() / "absent.nii"), "no such file");
   fs::create_directory(folder.path() / "folder.nrrd");
-  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM, PNG or TIFF files");
+  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM files and no pictures");
 }
 
 TEST_CASE("the stored threshold is reached exactly where the value reaches iso") {
