@@ -181,6 +181,7 @@ Reading read(const fs::path& file, const VolumeOptions& options, size_t file_byt
       if (slice.size() < 4096)
         reading.samples.insert(reading.samples.end(), slice.begin(), slice.end());
     }
+    reading.info.notes = reader->notes();
     if (slices < reading.info.dims[2]) return reading;
     bool is_refused = false;
     try {

@@ -14,7 +14,8 @@
 
 namespace discmc::command {
 
-/// Of volume arguments with labels: blocks of voxels become one of theirs.
+/// How a volume is opened. If a label is selected, blocks of voxels become the label that most of
+/// them have.
 VolumeOptions volume_options(const LayoutArguments& arguments);
 VolumeOptions volume_options(const VolumeArguments& arguments);
 

@@ -1,8 +1,8 @@
 // Volumes from files and pipes, slice by slice: the formats of README.md, and headerless samples.
 //
-// A reader holds one small buffer, never the volume; of a file whose size does not bound a slice,
-// the first slice. Any bytes given as a file end in a volume or
-// in a VolumeError. Every VolumeError names the file, the value at fault and the remedy.
+// A reader holds a small buffer, never the volume; if the size of the file does not bound that of a
+// slice, it holds the first slice. Any bytes given as a file end in a volume or in a VolumeError,
+// which names the file, the fault and the remedy.
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_HPP
 #define DISCMC_COMMAND_VOLUMES_VOLUME_HPP
 
