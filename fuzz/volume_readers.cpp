@@ -54,6 +54,7 @@ class Folder {
 class File {
  public:
   File(const fs::path& path, const Bytes& bytes) : path_(path) {
+    fs::create_directories(path.parent_path());
     std::ofstream stream(path_, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(bytes.data()),
                  static_cast<std::streamsize>(bytes.size()));
@@ -70,7 +71,7 @@ class File {
   fs::path path_;
 };
 
-/// The file to open, and the one beside it that it may need.
+/// The file to open, and the one beside it that it may need; of Zarr, files in the folder.
 struct Names {
   const char* opened;
   const char* other;
@@ -88,6 +89,9 @@ constexpr Names names[] = {
     {"v.tif", nullptr, false, true}, {"v.vtk", nullptr, false},
     {"v.vti", nullptr, false},       {"v.npy", nullptr, false},
     {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
+    {"v.mgh", nullptr, false},       {"v.mrc", nullptr, false},
+    {"v.npz", nullptr, false, true}, {"v.zarr/.zarray", "v.zarr/0.0.0", false},
+    {"v.zarr3/zarr.json", "v.zarr3/c/0/0/0", false},
 };
 
 /// Whether the environment asks for other names alone.
@@ -147,13 +151,14 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
-  // Text of a byte and a blank may stand for a sample of eight. bzip2 has no such bound, nor has a
-  // zip of pictures, and a list may name a file as often as it has lines: what is there is read
-  // before it is believed.
+  // Text of a byte and a blank may stand for a sample of eight. Other packings than gzip have no
+  // such bound, nor has a zip of pictures, and a list may name a file as often as it has lines: what
+  // is there is read before it is believed. Zarr has its own.
   constexpr size_t max_inflation = 16384;
-  const bool is_bounded = info.format.find("bzip2") == std::string::npos &&
-                          info.format.find("detached") == std::string::npos &&
-                          info.format.find(", zip") == std::string::npos;
+  const char* const unbounded[] = {"bzip2", "xz", "zstd", "lz4", "detached", "zip", "npz", "Zarr"};
+  const bool is_bounded = std::none_of(
+      std::begin(unbounded), std::end(unbounded),
+      [&info](const char* word) { return info.format.find(word) != std::string::npos; });
   require(!is_bounded || info.slice_bytes() <= max_inflation * file_bytes,
           "a slice that no file can hold");
 }
