@@ -20,6 +20,7 @@
 
 #include "input.hpp"
 #include "require.hpp"
+#include "volumes/iso_value.hpp"
 #include "volumes/volume.hpp"
 #include "volumes/volume_stream.hpp"
 
@@ -89,6 +90,8 @@ constexpr Names names[] = {
     {"v.tif", nullptr, false, true}, {"v.vtk", nullptr, false},
     {"v.vti", nullptr, false},       {"v.npy", nullptr, false},
     {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
+    {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
+    {"v.jpg", nullptr, false, true}, {"v.bmp", nullptr, false, true},
     {"v.mgh", nullptr, false},       {"v.mrc", nullptr, false},
     {"v.npz", nullptr, false, true}, {"v.zarr/.zarray", "v.zarr/0.0.0", false},
     {"v.zarr3/zarr.json", "v.zarr3/c/0/0/0", false},
@@ -102,12 +105,12 @@ bool is_left_out(const Names& name) {
          std::string::npos;
 }
 
-enum class Packing : uint8_t { none, gzip, zlib };
+enum class Wrapping : uint8_t { none, gzip, zlib };
 
-Bytes packed(const Bytes& bytes, Packing packing) {
-  if (packing == Packing::none) return bytes;
+Bytes packed(const Bytes& bytes, Wrapping wrapping) {
+  if (wrapping == Wrapping::none) return bytes;
   z_stream state{};
-  const int window = packing == Packing::gzip ? 31 : 15;
+  const int window = wrapping == Wrapping::gzip ? 31 : 15;
   require(deflateInit2(&state, 1, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY) == Z_OK, "no zlib");
   Bytes in = bytes;
   Bytes out(deflateBound(&state, in.size()));
@@ -155,7 +158,7 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   // such bound, nor has a zip of pictures, and a list may name a file as often as it has lines: what
   // is there is read before it is believed. Zarr has its own.
   constexpr size_t max_inflation = 16384;
-  const char* const unbounded[] = {"bzip2", "xz", "zstd", "lz4", "detached", "zip", "npz", "Zarr"};
+  const char* const unbounded[] = {"bzip2", "xz", "zstd", "lz4", "detached", ", zip", "npz", "Zarr"};
   const bool is_bounded = std::none_of(
       std::begin(unbounded), std::end(unbounded),
       [&info](const char* word) { return info.format.find(word) != std::string::npos; });
@@ -244,7 +247,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const Names& name = names[input.below(std::size(names))];
   if (is_left_out(name)) return 0;
   const uint32_t choice = input.byte();
-  const auto packing = static_cast<Packing>(choice % 3);
+  const auto wrapping = static_cast<Wrapping>(choice % 3);
   VolumeOptions options;
   if (name.is_raw) options = read_options(input);
   if (choice / 3 % 4 > 0) options.frame = choice / 3 % 4 - 1;
@@ -257,7 +260,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Bytes head(all.begin(), separator);
   Bytes tail(separator == all.end() ? separator : separator + 1, all.end());
   if (separator == all.end() && name.other == nullptr) std::swap(head, tail);
-  tail = packed(tail, packing);
+  tail = packed(tail, wrapping);
   if (name.other == nullptr) head = joined(head, tail);
   // Asked for the data of a pair, what comes first is still its header.
   const bool asks_for_data = name.other != nullptr && std::strcmp(name.other, "v.hdr") == 0;

@@ -179,7 +179,7 @@ TEST_CASE("LZF is unpacked as h5py packs it, and refused where it is damaged") {
   expected.resize(28, 3);
   expected.insert(expected.end(), {1, 2, 3, 4, 1});
   CHECK(read_all(*open_volume(file)) == expected);
-  for (const std::string damaged :
+  for (const std::string& damaged :
        {std::string("\x20\x03", 2), std::string("\5\1", 2), std::string("\xe0", 1)}) {
     write(damaged);
     check_refusal(refusal(file), "damaged or not there");

@@ -13,7 +13,7 @@ namespace {
 
 using namespace volume_files;
 using discmc::command::Axes;
-using discmc::command::Frame;
+using discmc::Frame;
 
 template <class Number>
 std::string big_endian(Number number) {

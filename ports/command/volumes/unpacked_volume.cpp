@@ -36,9 +36,10 @@ class UnpackedVolume final : public VolumeReader {
     try {
       call();
     } catch (const VolumeError& error) {
-      const std::filesystem::path inner = error.file().lexically_relative(folder_.path());
+      const std::filesystem::path inner =
+          std::filesystem::path(error.file()).lexically_relative(folder_.path());
       const bool is_inside = !inner.empty() && *inner.begin() != "..";
-      fail(is_inside ? named(inner) : error.file(), error.fault(), error.remedy());
+      fail(is_inside ? named(inner).string() : error.file(), error.fault(), error.remedy());
     }
   }
 

@@ -42,20 +42,32 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   if (glob(pattern.c_str(), 0, nullptr, &found) == 0)
     files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
+  files.erase(std::remove_if(files.begin(), files.end(), is_system_name), files.end());
   if (files.empty()) fail(pattern, "no file has such a name", "check it");
   return files;
+}
+
+// By its first bytes: pictures may have names without their kind.
+bool is_picture(const std::filesystem::path& file) {
+  ByteStream stream(file);
+  const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
+  return format != nullptr &&
+         (format->name == "PNG" || format->name == "TIFF" || format->name == "JPEG");
 }
 
 std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
                                            const VolumeOptions& options) {
   const auto files = files_of_pattern(pattern);
+  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
   const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
   if (other == files.end()) return open_pictures(pattern, files, options);
-  if (std::any_of(files.begin(), files.end(), is_picture_name))
+  if (picture != files.end())
     fail(pattern,
-         "there are PNG or TIFF files of such a name, and others, such as " +
+         "there are pictures of such a name, and other files, such as " +
              shown(other->filename().string()),
-         "give a pattern of one kind, such as '*.png'");
+         "give a pattern of one kind, such as '" +
+             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
+  if (is_picture(files[0])) return open_pictures(pattern, files, options);
   return open_dicom(pattern, files, options);
 }
 
@@ -154,7 +166,7 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
     });
   };
   const std::string what = ", but this is " + std::string(format);
-  if (!options.axes.empty() && !is_one_of({"NumPy", "HDF5", "Zarr", "OME-Zarr"}))
+  if (!options.axes.empty() && !is_one_of({"NumPy", "HDF5", "Zarr", "OME-Zarr", "TIFF"}))
     fail(file, "axes are named" + what + ", which names its own", "leave out --axes");
   if (options.level && !is_one_of({"OME-Zarr"}))
     fail(file, "a level is chosen" + what, "leave out --level");
@@ -165,7 +177,7 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
-  return {"PNG or TIFF files beside the DICOM left out: " + std::to_string(pictures.size()) +
+  return {"pictures beside the DICOM left out: " + std::to_string(pictures.size()) +
           ", such as " + shown(pictures[0].filename().string()) + "; to read them " + remedy};
 }
 
@@ -179,7 +191,7 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
   if (!dicom.empty())
     return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
-  fail(folder, "the folder holds no DICOM, PNG or TIFF files",
+  fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
 }
 

@@ -4,23 +4,23 @@
 
 namespace discmc::command {
 
-VolumeError::VolumeError(const std::filesystem::path& file, const std::string& fault,
+VolumeError::VolumeError(const std::string& file, const std::string& fault,
                          const std::string& remedy)
-    : std::runtime_error(file.string() + ": " + fault + "; " + remedy),
+    : std::runtime_error(file + ": " + fault + "; " + remedy),
       file_(file),
       fault_(fault),
       remedy_(remedy) {}
 
-void fail(const std::filesystem::path& file, const std::string& fault, const std::string& remedy) {
+void fail(const std::string& file, const std::string& fault, const std::string& remedy) {
   throw VolumeError(file, fault, remedy);
 }
 
-void fail_type(const std::filesystem::path& file, std::string_view type) {
+void fail_type(const std::string& file, std::string_view type) {
   fail(file, "samples of type " + shown(type) + " are not read",
        "give a volume of one number a voxel: whole, or floating point of 32 or 64 bits");
 }
 
-void require_slice_left(const std::filesystem::path& file, std::size_t read, std::size_t slices) {
+void require_slice_left(const std::string& file, std::size_t read, std::size_t slices) {
   if (read == slices)
     fail(file, "all " + std::to_string(read) + " slices have been read", "open the volume again");
 }

@@ -3,7 +3,6 @@
 #define DISCMC_COMMAND_VOLUMES_VOLUME_ERROR_HPP
 
 #include <cstddef>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,27 +12,26 @@ namespace discmc::command {
 /// Its text is "file: fault; remedy".
 class VolumeError : public std::runtime_error {
  public:
-  VolumeError(const std::filesystem::path& file, const std::string& fault,
-              const std::string& remedy);
+  VolumeError(const std::string& file, const std::string& fault, const std::string& remedy);
 
-  const std::filesystem::path& file() const { return file_; }
+  const std::string& file() const { return file_; }
   const std::string& fault() const { return fault_; }
   const std::string& remedy() const { return remedy_; }
 
  private:
-  std::filesystem::path file_;
+  std::string file_;
   std::string fault_, remedy_;
 };
 
 /// Throws a VolumeError.
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& fault,
+[[noreturn]] void fail(const std::string& file, const std::string& fault,
                        const std::string& remedy);
 
 /// Throws the refusal of a sample type, by the name the file gives it.
-[[noreturn]] void fail_type(const std::filesystem::path& file, std::string_view type);
+[[noreturn]] void fail_type(const std::string& file, std::string_view type);
 
 /// Throws when all slices have been read.
-void require_slice_left(const std::filesystem::path& file, std::size_t read, std::size_t slices);
+void require_slice_left(const std::string& file, std::size_t read, std::size_t slices);
 
 /// Returns text from a file in quotes, cut to a length fit for a message, without control bytes.
 std::string shown(std::string_view text);

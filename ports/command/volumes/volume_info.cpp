@@ -29,8 +29,8 @@ void note(VolumeInfo& info, const std::string& text) {
     info.notes.push_back(text);
 }
 
-void set_dims(VolumeInfo& info, const std::filesystem::path& file,
-              const std::vector<std::int64_t>& sizes, std::optional<std::uint32_t> frame) {
+void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::int64_t>& sizes,
+              std::optional<std::uint32_t> frame) {
   if (sizes.size() < 2)
     fail(file, "the data has " + std::to_string(sizes.size()) + " dimensions",
          "give a volume of three");
@@ -63,7 +63,7 @@ void set_dims(VolumeInfo& info, const std::filesystem::path& file,
          "choose one with --frame 0 to " + std::to_string(info.frames - 1));
 }
 
-void set_channels(VolumeInfo& info, const std::filesystem::path& file, std::uint64_t channels,
+void set_channels(VolumeInfo& info, const std::string& file, std::uint64_t channels,
                   std::optional<std::uint32_t> channel, const std::vector<std::string>& names) {
   info.channels = channels;
   const std::string count = std::to_string(channels);
@@ -78,8 +78,7 @@ void set_channels(VolumeInfo& info, const std::filesystem::path& file, std::uint
                       : "leave out --channel");
 }
 
-void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope,
-               double intercept) {
+void set_scale(VolumeInfo& info, const std::string& file, double slope, double intercept) {
   const std::string formula =
       "value = " + std::to_string(slope) + " * stored + " + std::to_string(intercept);
   if (!std::isfinite(slope) || !std::isfinite(intercept))
@@ -91,9 +90,8 @@ void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope
   info.intercept = slope == 0 ? 0 : intercept;
 }
 
-void set_part(VolumeInfo& info, const std::filesystem::path& file,
-              const std::array<std::uint32_t, 3>& dims, const std::array<double, 3>& first,
-              double step) {
+void set_part(VolumeInfo& info, const std::string& file, const std::array<std::uint32_t, 3>& dims,
+              const std::array<double, 3>& first, double step) {
   VolumePlacement placement = info.placement.value_or(along_coordinates(info.spacing_mm));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     info.spacing_mm[axis] *= step;

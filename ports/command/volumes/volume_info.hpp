@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,25 +64,24 @@ constexpr std::int64_t max_across = 32766;
 /// frame: the one of them that is asked for. Throws when a size is out of the range of
 /// VolumeInfo::dims, and when the file does not hold the frame, or holds several and none is asked
 /// for. Limit: after the type.
-void set_dims(VolumeInfo& info, const std::filesystem::path& file,
-              const std::vector<std::int64_t>& sizes, std::optional<std::uint32_t> frame = {});
+void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::int64_t>& sizes,
+              std::optional<std::uint32_t> frame = {});
 
 /// Takes how many channels a voxel has. channel: the one that is asked for. names: of the channels,
 /// for people, or none. Throws when the one asked for is not among them, and when there are several
 /// and none is asked for.
-void set_channels(VolumeInfo& info, const std::filesystem::path& file, std::uint64_t channels,
+void set_channels(VolumeInfo& info, const std::string& file, std::uint64_t channels,
                   std::optional<std::uint32_t> channel, const std::vector<std::string>& names = {});
 
 /// Takes value = slope * stored + intercept; a slope of 0 stands for no scaling at all. Throws when
 /// slope is negative or either not finite.
-void set_scale(VolumeInfo& info, const std::filesystem::path& file, double slope, double intercept);
+void set_scale(VolumeInfo& info, const std::string& file, double slope, double intercept);
 
 /// Takes a part of the volume, or makes its voxels larger: voxel (0, 0, 0) has its centre at
 /// `first`, and the next ones are `step` away. Every voxel then lies where it was. Units: voxels
 /// before. The file is for the VolumeError thrown where that is out of the range of a placement.
-void set_part(VolumeInfo& info, const std::filesystem::path& file,
-              const std::array<std::uint32_t, 3>& dims, const std::array<double, 3>& first,
-              double step);
+void set_part(VolumeInfo& info, const std::string& file, const std::array<std::uint32_t, 3>& dims,
+              const std::array<double, 3>& first, double step);
 
 /// Units: bytes of one volume, and of all in the file.
 std::uint64_t volume_bytes(const VolumeInfo& info);

@@ -3,8 +3,8 @@
 nothing to do with discmc. The files are committed; the test container_table reads all of them.
 
 Run it again only to add files:   /usr/bin/python3 tests/command/volumes/write_volumes.py
-On Debian it needs python3-h5py, python3-mrcfile, python3-nibabel, python3-numpy, python3-vtk9,
-python3-zarr and teem-apps.
+On Debian it needs python3-h5py, python3-mrcfile, python3-nibabel, python3-numpy, python3-tifffile,
+python3-vtk9, python3-zarr and teem-apps.
 
 A file is CONTAINER/TYPE-ORDER[-HOW].EXTENSION. The volume has 5 x 3 x 4 voxels of 0.5 x 0.75 x 2 mm
 at (10, -20, 30.5), and the samples of sample_at() in volume_files.hpp. In a file of two volumes
@@ -22,6 +22,7 @@ import mrcfile
 import nibabel
 import numcodecs
 import numpy
+import tifffile
 import zarr
 from vtkmodules import vtkIOImage, vtkIOLegacy, vtkIOXML
 from vtkmodules.util import numpy_support
@@ -263,6 +264,13 @@ def write_zarr():
     write_zarr_file('i16', 'big', '-fortran', compressor=None, chunks=(4, 2, 5), order='F')
 
 
+def write_tiff():
+    for name in TYPES:
+        for order in orders(name):
+            tifffile.imwrite(path('tiff', f'{name}-{order}.tif'), samples(name),
+                             photometric='minisblack', byteorder='>' if order == 'big' else '<')
+
+
 # HDF5, by h5py. What it tells of a voxel is along z, y and x, in micrometres.
 def hdf5_file(name, folder='hdf5'):
     return h5py.File(path(folder, name), 'w')
@@ -343,5 +351,6 @@ if __name__ == '__main__':
     write_mgh()
     write_mrc()
     write_zarr()
+    write_tiff()
     write_hdf5()
     write_invesalius()

@@ -133,6 +133,7 @@ std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOpt
   told.spacing = {real(file, "spacing", spacing[0]), -real(file, "spacing", spacing[1]),
                   real(file, "spacing", spacing[2])};
   set_place(info, told, options);
+  note(info, "y runs backwards: InVesalius stores images upside down");
   const std::string name = value_of(file, matrix, "filename").text().get();
   ByteStream samples = member(open_content(file), name);
   constexpr bool big_endian = false;

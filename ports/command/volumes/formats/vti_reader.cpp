@@ -40,12 +40,21 @@ class Head {
   pugi::xml_node root() const { return document_.child("VTKFile"); }
   pugi::xml_node image() const { return root().child("ImageData"); }
   pugi::xml_node piece() const { return image().child("Piece"); }
-  /// The array that is said to be the scalars, or else the first.
+  pugi::xml_node points() const { return piece().child("PointData"); }
+  /// Whether an array is said to be the scalars.
+  bool has_scalars() const { return !std::string_view(scalars()).empty(); }
+  /// That one, or else the first.
   pugi::xml_node array() const {
-    const pugi::xml_node points = piece().child("PointData");
-    const pugi::xml_attribute scalars = points.attribute("Scalars");
-    return scalars ? points.find_child_by_attribute("DataArray", "Name", scalars.value())
-                   : points.child("DataArray");
+    return has_scalars() ? points().find_child_by_attribute("DataArray", "Name", scalars())
+                         : points().child("DataArray");
+  }
+  /// Those of the other arrays that stand before the samples, "b, c".
+  std::string other_arrays() const {
+    std::string names;
+    for (const pugi::xml_node& other : points().children("DataArray"))
+      if (other != array())
+        names += (names.empty() ? "" : ", ") + shown(other.attribute("Name").value());
+    return names;
   }
   std::string_view format() const { return array().attribute("format").value(); }
   std::string_view appended_encoding() const {
@@ -69,6 +78,8 @@ class Head {
   }
 
  private:
+  const char* scalars() const { return points().attribute("Scalars").value(); }
+
   // Appends what comes, up to the end of a tag.
   void take_tag(ByteStream& stream, std::string& text) const {
     constexpr std::size_t max_header_bytes = 1U << 20;
@@ -127,6 +138,15 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Hea
       told.origin[row] += static_cast<double>(extent[2 * axis]) * directions[axis][row] *
                           told.spacing[axis].value_or(1);
   set_place(info, told, options);
+}
+
+// Which of several arrays was taken, or may have been.
+void note_arrays(VolumeInfo& info, const Head& head) {
+  const std::string taken = "array " + shown(head.array().attribute("Name").value()) + " taken, ";
+  if (const std::string others = head.other_arrays(); !others.empty())
+    note(info, taken + "others left out: " + others);
+  else if (!head.is_appended() && !head.has_scalars())
+    note(info, taken + "the first; what follows its samples is left out");
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view type) {
@@ -220,6 +240,7 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
   VolumeInfo info;
   info.type = sample_type(file, head.array().attribute("type").value());
   set_geometry(info, file, head, options);
+  note_arrays(info, head);
   const std::string_view order = head.root().attribute("byte_order").value();
   if (order != "LittleEndian" && order != "BigEndian")
     fail(file, "byte_order is " + shown(order), "write LittleEndian or BigEndian");

@@ -14,6 +14,7 @@ namespace {
 struct Header {
   bool is_text = false;
   std::vector<std::int64_t> sizes;
+  std::int64_t points = 0;
   ToldPlace place;
   std::string type;
   std::string components = "1";
@@ -77,6 +78,8 @@ class HeaderReader {
     } else if (key == "origin") {
       header_.place.origin = reals(found);
     } else if (key == "point_data") {
+      expect_words(found, 2);
+      header_.points = integer(stream_.file(), key, found[1]);
       in_points_ = true;
     } else if (key == "metadata") {
       while (!trimmed(line()).empty()) continue;
@@ -107,6 +110,7 @@ class HeaderReader {
       const auto parts = words(array);
       if (parts.size() < 4) refuse("the field's line " + shown(array) + " is short", "correct it");
       header_.components = parts[1];
+      header_.points = integer(stream_.file(), "the field's length", parts[2]);
       header_.type = lower(parts[3]);
     } else {
       refuse("the first array of points is of kind " + shown(key), "store scalars first");
@@ -154,6 +158,12 @@ std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& o
   info.format = header.is_text ? "VTK, text" : "VTK, raw";
   set_dims(info, file, header.sizes);
   set_place(info, header.place, options);
+  const std::uint64_t points = volume_bytes(info) / sample_bytes(info.type);
+  if (header.points < 0 || static_cast<std::uint64_t>(header.points) != points)
+    fail(file,
+         "there are " + std::to_string(header.points) + " samples for the " +
+             std::to_string(points) + " points of DIMENSIONS",
+         "correct the header");
   if (header.is_text)
     stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });
   const bool big_endian = header.is_text ? is_native_big_endian() : true;

@@ -218,18 +218,32 @@ bool take(const Rows& rows, ToldPlace& told) {
   return true;
 }
 
-void set_geometry(VolumeInfo& info, const nifti_2_header& header, const VolumeOptions& options) {
+void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& options) {
+  const nifti_2_header& header = whole.fields;
   ToldPlace told;
   told.set_unit(unit_of(header.xyzt_units));
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     told.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
+    if (header.pixdim[axis + 1] < 0)
+      note(info, "pixdim " + std::to_string(axis + 1) + " is negative, taken as positive");
+  }
   bool is_placed = header.sform_code > 0 && take(sform_of(header), told);
   if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, dropped");
   if (!is_placed && header.qform_code > 0) {
     is_placed = take(qform_of(header), told);
     if (!is_placed) note(info, "the qform spans no space, dropped");
   }
+  if (!is_placed)
+    note(info, whole.format + " tells no directions here: which side is left is not known");
   set_place(info, told, options);
+}
+
+// A slope that is no number is none, as for nibabel and FSL.
+void set_values(VolumeInfo& info, const std::filesystem::path& file, const nifti_2_header& header) {
+  const bool has_slope = std::isfinite(header.scl_slope) && header.scl_slope != 0;
+  if (!std::isfinite(header.scl_slope))
+    note(info, "scl_slope is " + std::to_string(header.scl_slope) + ", taken as none");
+  set_scale(info, file, has_slope ? header.scl_slope : 0, has_slope ? header.scl_inter : 0);
 }
 
 std::uint64_t data_offset(const std::filesystem::path& file, const Header& header) {
@@ -252,10 +266,9 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
   VolumeInfo info;
   info.type = sample_type(file, fields.datatype);
   set_sizes(info, file, fields.dim, options);
-  set_geometry(info, fields, options);
-  set_scale(info, file, fields.scl_slope, fields.scl_inter);
+  set_geometry(info, header, options);
+  set_values(info, file, fields);
   info.format = header.format;
-  if (header.format == "Analyze 7.5") note(info, "Analyze 7.5 does not tell which side is left");
 
   const std::uint64_t offset = data_offset(file, header);
   if (header.one_file) {

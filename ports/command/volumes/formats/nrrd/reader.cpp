@@ -30,21 +30,46 @@ bool one_of(std::string_view text, std::initializer_list<std::string_view> names
   return std::find(names.begin(), names.end(), text) != names.end();
 }
 
-// The specification's fields and its second spellings; anything else may be a misspelt one that
-// matters.
+// The specification's fields; anything else may be a misspelt one that matters.
 std::string field_name(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> second_spellings[] = {
+      {"datafile", "data file"},      {"lineskip", "line skip"}, {"byteskip", "byte skip"},
+      {"axismins", "axis mins"},      {"axismaxs", "axis maxs"}, {"centers", "centerings"},
+      {"blocksize", "block size"},    {"oldmin", "old min"},     {"oldmax", "old max"},
+      {"sampleunits", "sample units"}};
   std::string name = lower(trimmed(text));
-  if (name == "datafile") return "data file";
-  if (name == "lineskip") return "line skip";
-  if (name == "byteskip") return "byte skip";
-  if (!one_of(name, {"dimension", "type",       "sizes",     "spacings",    "space directions",
-                     "space",     "units",      "encoding",  "space units", "space dimension",
-                     "endian",    "data file",  "line skip", "byte skip",   "space origin",
-                     "kinds",     "axis mins",  "axis maxs", "axismins",    "axismaxs",
-                     "labels",    "content",    "number",    "thicknesses", "measurement frame",
-                     "centers",   "centerings", "min",       "max",         "sample units",
-                     "old min",   "oldmin",     "old max",   "oldmax",      "sampleunits",
-                     "blocksize", "block size"}))
+  for (const auto& [second, first] : second_spellings)
+    if (name == second) name = first;
+  if (!one_of(name, {"dimension",
+                     "type",
+                     "sizes",
+                     "spacings",
+                     "space directions",
+                     "space",
+                     "units",
+                     "encoding",
+                     "space units",
+                     "space dimension",
+                     "endian",
+                     "data file",
+                     "line skip",
+                     "byte skip",
+                     "space origin",
+                     "kinds",
+                     "axis mins",
+                     "axis maxs",
+                     "labels",
+                     "content",
+                     "number",
+                     "thicknesses",
+                     "measurement frame",
+                     "centerings",
+                     "min",
+                     "max",
+                     "sample units",
+                     "old min",
+                     "old max",
+                     "block size"}))
     fail(file, "the header field " + shown(name) + " is not known", "correct or delete the line");
   return name;
 }
@@ -132,13 +157,13 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields
            "extract one component, e.g. with: unu slice");
 }
 
-// The units of three axes: in double quotes, or as words where there are none.
+// The units of three axes, each in double quotes or a word.
 std::array<std::string, 3> units_of(std::string_view text) {
   std::array<std::string, 3> units;
-  const bool is_quoted = text.find('"') != std::string_view::npos;
   for (std::string& unit : units) {
     text = trimmed(text);
-    if (is_quoted) text.remove_prefix(std::min(text.find('"') + 1, text.size()));
+    const bool is_quoted = !text.empty() && text.front() == '"';
+    if (is_quoted) text.remove_prefix(1);
     const std::size_t end = std::min(text.find_first_of(is_quoted ? "\"" : " \t"), text.size());
     unit = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -195,14 +220,55 @@ Axes directions_of(const std::filesystem::path& file, const Fields& fields) {
   return directions;
 }
 
-std::array<std::optional<double>, 3> spacings_of(const std::filesystem::path& file,
-                                                 const Fields& fields) {
-  const auto spacings = words(field(fields, "spacings"));
-  if (!spacings.empty()) expect_per_axis(file, fields, "spacings", spacings.size());
-  std::array<std::optional<double>, 3> spacing;
-  for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
-    spacing[axis] = real(file, "spacings", spacings[axis]);
-  return spacing;
+using Numbers = std::array<std::optional<double>, 3>;
+
+// What a field has for each of the first three axes, where it is not "nan": not known.
+Numbers numbers_of(const std::filesystem::path& file, const Fields& fields, std::string_view name) {
+  const auto parts = words(field(fields, name));
+  if (!parts.empty()) expect_per_axis(file, fields, name, parts.size());
+  Numbers numbers;
+  for (std::size_t axis = 0; axis < 3 && axis < parts.size(); ++axis) {
+    const double number = real(file, name, parts[axis]);
+    if (!std::isnan(number)) numbers[axis] = number;
+  }
+  return numbers;
+}
+
+// The bounds of axes stand for a spacing, and for an origin where there is no other.
+void set_bounds(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
+                ToldPlace& told) {
+  const Numbers mins = numbers_of(file, fields, "axis mins");
+  const Numbers maxs = numbers_of(file, fields, "axis maxs");
+  const auto centerings = words(field(fields, "centerings"));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!mins[axis]) continue;
+    const std::string center = axis < centerings.size() ? lower(centerings[axis]) : std::string();
+    const bool is_node = center == "node";
+    if (!is_node && center != "cell")
+      note(info, "no centerings given: axis mins and maxs taken as bounds of whole voxels");
+    const double steps = info.dims[axis] - (is_node ? 1.0 : 0.0);
+    if (maxs[axis] && steps > 0) {
+      const double spacing = (*maxs[axis] - *mins[axis]) / steps;
+      if (!told.spacing[axis]) told.spacing[axis] = spacing;
+      if (std::fabs(*told.spacing[axis] - spacing) > 1e-3 * std::fabs(spacing))
+        note(info, "axis mins and maxs contradict the spacings, which are taken");
+    }
+    told.origin[axis] = *mins[axis] + (is_node ? 0 : told.spacing[axis].value_or(1) / 2);
+  }
+  if (fields.count("axis mins") > 0) told.space_units = told.axis_units;
+}
+
+// What is told without directions.
+void set_spacings(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
+                  ToldPlace& told) {
+  told.spacing = numbers_of(file, fields, "spacings");
+  if (fields.count("space origin") == 0) set_bounds(info, file, fields, told);
+  const Numbers thicknesses = numbers_of(file, fields, "thicknesses");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (told.spacing[axis] || !thicknesses[axis]) continue;
+    told.spacing[axis] = thicknesses[axis];
+    note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, its thickness taken");
+  }
 }
 
 // What the coordinates of the file are.
@@ -217,6 +283,9 @@ void set_space(VolumeInfo& info, std::string_view text, ToldPlace& told) {
   told.is_left_handed = one_of(name, {"left-anterior-superior", "las", "last", "3d-left-handed"});
   if (name == "3d-left-handed")
     note(info, "x of the left-handed space " + shown(text) + " negated");
+  const bool is_known = told.frame != Frame::none || told.is_left_handed || name.empty() ||
+                        one_of(name, {"scanner-xyz", "3d-right-handed"});
+  if (!is_known) note(info, "the space " + shown(text) + " is not known, taken as right-handed");
 }
 
 void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
@@ -228,7 +297,7 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fie
   if (fields.count("units") > 0) told.axis_units = units_of(field(fields, "units"));
   if (fields.count("space units") > 0) told.space_units = units_of(field(fields, "space units"));
   if (field(fields, "space directions").empty())
-    told.spacing = spacings_of(file, fields);
+    set_spacings(info, file, fields, told);
   else
     told.steps = directions_of(file, fields);
   const std::string_view origin = field(fields, "space origin");
@@ -236,8 +305,11 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fie
     const auto numbers = vector_of(file, "space origin", origin);
     std::copy(numbers.begin(), numbers.end(), told.origin.begin());
   }
+  if (fields.count("axis mins") + fields.count("axis maxs") > 0 &&
+      fields.count("space origin") + fields.count("space directions") > 0)
+    note(info, "axis mins and axis maxs dropped: the place is told by space directions or origin");
   set_place(info, told, options);
-  if (fields.count("old min") + fields.count("oldmin") > 0)
+  if (fields.count("old min") > 0)
     note(info, "old min and old max dropped: values are the stored ones");
 }
 

@@ -1,5 +1,5 @@
 // In place of the reader of TIFF, where it was built without its library.
-#include "picture_file.hpp"
+#include "volumes/formats/pictures/picture_file.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
