@@ -18,10 +18,11 @@
 
 namespace discmc::command {
 
-SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections) {
+SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
+                               std::optional<Kept> kept) {
   SurfaceReceivers receivers;
   for (std::size_t i = 0; i < selections.size(); ++i)
-    receivers.push_back(std::make_unique<SurfaceReceiver>());
+    receivers.push_back(std::make_unique<SurfaceReceiver>(kept));
   return receivers;
 }
 

@@ -30,7 +30,7 @@ using SurfaceReceivers = std::vector<std::unique_ptr<SurfaceReceiver>>;
 /// A stream that was written.
 struct ExtractedStream {
   std::vector<Extraction> extractions;  ///< one a surface, in the order of the selections
-  SurfaceReceivers receivers;           ///< with the surfaces, unless quiet
+  SurfaceReceivers receivers;           ///< with the counts, unless quiet
   std::uint64_t slice_bytes = 0;        ///< of a stream of slices
   std::size_t slice_memory = 0;         ///< that its encoder took; Units: bytes
 };
@@ -38,7 +38,9 @@ struct ExtractedStream {
 /// Writes the stream alone. Throws when a surface is empty that may not be.
 ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out);
 
-SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections);
+/// kept: of every surface, if anything is.
+SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
+                               std::optional<Kept> kept);
 std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selections,
                                         const SurfaceReceivers& receivers);
 

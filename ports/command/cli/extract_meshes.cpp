@@ -103,8 +103,7 @@ int extract_meshes(const ExtractArguments& arguments) {
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
   if (is_divisible(arguments)) options.jobs = jobs_of(arguments);
 
-  const SurfaceReceivers receivers = receivers_for(selections);
-  for (const auto& receiver : receivers) receiver->start_surface();
+  const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons);
   std::vector<SurfaceRequest> requests = requests_of(selections, receivers);
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates)

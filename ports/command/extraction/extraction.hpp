@@ -78,7 +78,7 @@ struct SurfaceRequest {
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
   /// Where parts are extracted, those of these two that there are get the regions that lie in one,
-  /// in place of the sink: as polygons, and encoded, in packets that a join passes on. Limit: the
+  /// in place of the sink: as polygons or counts, and encoded, in packets that a join passes on. Limit: the
   /// sink is what starts the encoder, whose output takes all. Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;

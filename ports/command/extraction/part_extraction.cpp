@@ -32,7 +32,7 @@ namespace {
 class PartSurface {
  public:
   explicit PartSurface(const SurfaceRequest& request) {
-    if (request.builder != nullptr) polygons_.emplace();
+    if (request.builder != nullptr) polygons_.emplace(request.builder->kept());
     if (request.encoder != nullptr) packets_ = std::make_unique<EncodedPart>();
   }
 
