@@ -16,7 +16,7 @@ struct Counts {
   std::uint64_t three = 0;    ///< regions with three corners in all
   std::uint64_t four = 0;     ///< with four
   std::uint64_t more = 0;     ///< with more
-  std::uint64_t normals = 0;  ///< runs that start with one
+  std::uint64_t normals = 0;  ///< corners that have one
 };
 
 inline Counts& operator+=(Counts& sum, const Counts& more) {
