@@ -20,6 +20,7 @@
 
 #include "input.hpp"
 #include "require.hpp"
+#include "volumes/iso_value.hpp"
 #include "volumes/volume.hpp"
 #include "volumes/volume_stream.hpp"
 
@@ -88,6 +89,7 @@ constexpr Names names[] = {
     {"v.tif", nullptr, false, true}, {"v.vtk", nullptr, false},
     {"v.vti", nullptr, false},       {"v.npy", nullptr, false},
     {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
+    {"v.jpg", nullptr, false, true}, {"v.bmp", nullptr, false, true},
 };
 
 /// Whether the environment asks for other names alone.

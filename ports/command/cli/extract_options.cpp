@@ -244,7 +244,8 @@ Command add_extract(CLI::App& app) {
       ->add_option(
           "VOLUME", arguments->volume,
           "file of NRRD, NIfTI, Analyze, MetaImage, VTK, NumPy, HDF5 or InVesalius, a folder or "
-          "file of DICOM, a folder, 'pattern' or file of PNG or TIFF slices, or headerless "
+          "file of DICOM, a folder, 'pattern' or file of PNG, TIFF, JPEG or BMP slices, or "
+          "headerless "
           "samples with --dims and --type; - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");

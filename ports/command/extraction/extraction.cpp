@@ -13,6 +13,7 @@
 #include "mask_bits.hpp"
 #include "part_extraction.hpp"
 #include "streams/spacing.hpp"
+#include "volumes/iso_value.hpp"
 
 namespace discmc::command {
 namespace {

@@ -19,6 +19,7 @@
 #include "extraction.hpp"
 #include "require.hpp"
 #include "streams/spacing.hpp"
+#include "volumes/iso_value.hpp"
 
 namespace discmc::command {
 

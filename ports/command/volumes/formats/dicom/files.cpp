@@ -5,7 +5,8 @@
 #include <string>
 #include <system_error>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

@@ -7,7 +7,7 @@
 #include "image.hpp"
 #include "pixels.hpp"
 #include "stack.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
 
 namespace discmc::command {
 namespace {
@@ -121,14 +121,14 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                    " DICOM files holds an image to read; the first is " + found.instead,
          "give the images of a CT, an MRI or the like, one grey value a voxel");
   DicomStack stack = chosen_stack(source, dicom_stacks(found.frames), options.series);
-  VolumeInfo info = order_stack(source, stack, have_same_pixels, options.allow_gaps);
-  info.notes.insert(info.notes.begin(), notes.begin(), notes.end());
+  VolumeInfo info = order_stack(source, stack, have_same_pixels, options);
+  for (const std::string& each : notes) note(info, each);
   for (const DicomFrame& frame : stack) require_possible(*frame.image);
   if (found.skipped > 0)
-    info.notes.push_back(std::to_string(found.skipped) +
-                         " files without a volume's image skipped, such as " + found.instead);
+    note(info, std::to_string(found.skipped) + " files without a volume's image skipped, such as " +
+                   found.instead);
   if (files.size() == 1 && stack.size() == 1)
-    info.notes.emplace_back("one slice; to take a whole series give its folder");
+    note(info, "one slice; to take a whole series give its folder");
   return std::make_unique<DicomVolume>(source, std::move(info), std::move(stack));
 }
 

@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "volumes/gaps.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/told_place.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -222,15 +223,14 @@ double distance_by_places(const std::filesystem::path& source, VolumeInfo& info,
   std::stable_sort(stack.begin(), stack.end(),
                    [&](const DicomFrame& a, const DicomFrame& b) { return along(a) < along(b); });
   if (const std::size_t dropped = drop_duplicates(source, stack, along, same_pixels); dropped > 0)
-    info.notes.push_back(std::to_string(dropped) + (dropped == 1
-                                                        ? " slice that is there twice dropped"
-                                                        : " slices that are there twice dropped"));
+    note(info, std::to_string(dropped) + (dropped == 1 ? " slice that is there twice dropped"
+                                                       : " slices that are there twice dropped"));
   if (stack.size() == 1) return stack[0].slice_spacing_mm;
   require_straight(source, stack, along);
   const Distances distances = even_distances(source, stack, along);
   if (!distances.gaps.empty()) {
-    info.notes.push_back(note_of_filling(source, distances.gaps, stack.size(), allow_gaps,
-                                         "export or copy the series again"));
+    note(info, note_of_filling(source, distances.gaps, stack.size(), allow_gaps,
+                               "export or copy the series again"));
     fill_gaps(stack, distances.gaps);
   }
   return distances.step;
@@ -244,8 +244,7 @@ double distance_without_places(const std::filesystem::path& source, VolumeInfo& 
            "the " + std::to_string(stack.size()) +
                " slices tell no position (ImagePositionPatient), and so no order",
            "export the series with positions, or as a stack of PNG or TIFF files");
-  if (stack.size() > 1)
-    info.notes.emplace_back("the frames tell no positions, taken in their order");
+  if (stack.size() > 1) note(info, "the frames tell no positions, taken in their order");
   return stack[0].slice_spacing_mm;
 }
 
@@ -274,17 +273,18 @@ void set_values(VolumeInfo& info, const std::filesystem::path& source, const Dic
   info.type = SampleType::f32;
   info.slope = 1;
   info.intercept = 0;
-  info.notes.emplace_back("slope and intercept differ from slice to slice, values taken as f32");
+  note(info, "slope and intercept differ from slice to slice, values taken as f32");
 }
 
-VolumePlacement placement(const DicomPlace& first, const std::array<double, 3>& spacing_mm) {
-  VolumePlacement placement;
-  placement.frame = Frame::lps;
-  placement.origin_mm = first.position;
-  placement.axes_mm = {first.along_row, first.along_column, normal_of(first)};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (double& along : placement.axes_mm[axis]) along *= spacing_mm[axis];
-  return placement;
+ToldPlace place_of(const DicomFrame& first, double distance_mm) {
+  ToldPlace told;
+  told.set_unit("mm");
+  told.spacing = {first.spacing_mm[0], first.spacing_mm[1], distance_mm};
+  if (!first.place) return told;
+  told.frame = Frame::lps;
+  told.origin = first.place->position;
+  told.directions = {first.place->along_row, first.place->along_column, normal_of(*first.place)};
+  return told;
 }
 
 }  // namespace
@@ -339,19 +339,18 @@ const DicomStack& chosen_stack(const std::filesystem::path& source,
 }
 
 VolumeInfo order_stack(const std::filesystem::path& source, DicomStack& stack,
-                       const SamePixels& same_pixels, bool allow_gaps) {
+                       const SamePixels& same_pixels, const VolumeOptions& options) {
   VolumeInfo info;
-  const double distance = stack[0].place
-                              ? distance_by_places(source, info, stack, same_pixels, allow_gaps)
-                              : distance_without_places(source, info, stack);
+  const double distance =
+      stack[0].place ? distance_by_places(source, info, stack, same_pixels, options.allow_gaps)
+                     : distance_without_places(source, info, stack);
   require_one_spacing(source, stack);
   const DicomImage& image = *stack[0].image;
   set_dims(info, source, {image.columns, image.rows, static_cast<std::int64_t>(stack.size())});
   set_values(info, source, stack);
-  set_spacing(info, {stack[0].spacing_mm[0], stack[0].spacing_mm[1], distance});
-  if (stack[0].place) set_placement(info, placement(*stack[0].place, info.spacing_mm));
+  set_place(info, place_of(stack[0], distance), options);
   if (image.is_inverted)
-    info.notes.emplace_back("MONOCHROME1: the low values are the bright ones, taken as stored");
+    note(info, "MONOCHROME1: the low values are the bright ones, taken as stored");
   info.format = "DICOM";
   if (!image.compression.empty()) info.format += ", " + image.compression;
   return info;

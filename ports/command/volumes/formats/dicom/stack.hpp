@@ -30,11 +30,11 @@ bool have_one_scale(const DicomStack& stack);
 using SamePixels = std::function<bool(const DicomFrame&, const DicomFrame&)>;
 
 /// Puts the frames in the order of their positions along the normal, each position once, and
-/// describes the volume that they are. allow_gaps: missing slices are filled with the nearest ones.
-/// Throws VolumeError where slices are missing otherwise, are not as far from each other
-/// everywhere, or are shifted against each other.
+/// describes the volume that they are. options: whether missing slices are filled with the
+/// nearest ones, and the spacing. Throws VolumeError where slices are missing otherwise, are not as
+/// far from each other everywhere, or are shifted against each other.
 VolumeInfo order_stack(const std::filesystem::path& source, DicomStack& stack,
-                       const SamePixels& same_pixels, bool allow_gaps);
+                       const SamePixels& same_pixels, const VolumeOptions& options);
 
 }  // namespace discmc::command
 
