@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -13,15 +12,15 @@
 #include "extraction/labels.hpp"
 #include "mesh_files/file_format.hpp"
 #include "text/control_character.hpp"
-#include "text/value_text.hpp"
 #include "thresholds.hpp"
 
 namespace discmc::command {
 
-SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections) {
+SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
+                               std::optional<Kept> kept) {
   SurfaceReceivers receivers;
   for (std::size_t i = 0; i < selections.size(); ++i)
-    receivers.push_back(std::make_unique<SurfaceReceiver>());
+    receivers.push_back(std::make_unique<SurfaceReceiver>(kept));
   return receivers;
 }
 
@@ -45,26 +44,6 @@ void describe(NamedSelection& selection, const LabelTable& table) {
   if (found == table.end()) return;
   selection.name = without_control(found->second.name);
   selection.colour = found->second.colour;
-}
-
-bool shares_file(const ExtractArguments& arguments) {
-  const bool has_several = arguments.takes_all_labels || arguments.reading.selections.size() > 1;
-  return has_several && !FilePattern(arguments.output).has_name();
-}
-
-std::vector<std::string> files_for(const FilePattern& pattern,
-                                   const std::vector<NamedSelection>& selections) {
-  if (!pattern.has_name())
-    return std::vector<std::string>(selections.size(), pattern.file_for(std::string()));
-  std::vector<std::string> files;
-  std::set<std::string> taken;
-  for (const NamedSelection& each : selections) {
-    std::string addition;
-    while (!taken.insert(pattern.file_for(each.name, addition)).second)
-      addition += "-" + value_text(each.selection.low);
-    files.push_back(pattern.file_for(each.name, addition));
-  }
-  return files;
 }
 
 unsigned jobs_of(const ExtractArguments& arguments) {

@@ -9,8 +9,8 @@
 
 #include "exit_codes.hpp"
 #include "extract.hpp"
+#include "extract_files.hpp"
 #include "extraction/labels.hpp"
-#include "files/file_pattern.hpp"
 #include "mesh_output.hpp"
 #include "progress.hpp"
 #include "require.hpp"
@@ -52,7 +52,6 @@ void write_line(const LabelledSurface& label, std::uint64_t faces, const std::st
 }  // namespace
 
 int extract_label_meshes(const ExtractArguments& arguments) {
-  const FilePattern pattern(arguments.output);
   const LabelTable given = label_table_of(arguments);
   std::unique_ptr<VolumeReader> volume = open_measured(arguments.volume, arguments.reading, true);
   if (auto mask = open_noted_mask(arguments.reading, volume->info()))
@@ -60,7 +59,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   const VolumeInfo& info = volume->info();
   const LabelTable& table = given.empty() ? info.labels : given;
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
-  pattern.require_folder();
+  MeshFiles files(arguments, placement);
   LabelledSurfaces labels = surfaces_of(*volume, arguments);
   note_not_numbers(arguments, labels.not_numbers);
   if (labels.all.empty() && !arguments.reading.allows_empty)
@@ -74,40 +73,32 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     selections.push_back({Selection(value, value), std::to_string(each.label)});
     describe(selections.back(), table);
   }
-  const bool is_shared = shares_file(arguments);
-  const std::vector<std::string> files = files_for(pattern, selections);
+  const std::vector<std::string> names = files.names_for(selections);
   if (!arguments.quiet)
-    std::cout << "   label        voxels       faces  " << (is_shared ? "name" : "file") << '\n';
-  std::vector<Mesh> parts;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const LabelledSurface& label = labels.all[i];
-    Surface& surface = labels.all[i].surface;
+    std::cout << "   label        voxels       faces  " << (files.are_one() ? "name" : "file")
+              << '\n';
+  bool has_mesh = false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    LabelledSurface& label = labels.all[i];
     keep_chosen(arguments.volume + ": " + title(label, selections[i]), arguments.components,
-                surface);
-    if (surface.polygons.empty() && !arguments.reading.allows_empty) {
+                label.surface);
+    if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
       std::cerr << "discmc: " << arguments.volume << ": " << title(label, selections[i])
                 << " has no surface left, so "
-                << (is_shared ? "it is not in " + files[i] : files[i] + " is not written") << '\n';
+                << (files.are_one() ? "it is not in " + names[i] : names[i] + " is not written")
+                << '\n';
       continue;
     }
-    const SurfaceOutput output{surface, selections[i], files[i]};
-    if (is_shared) {
-      parts.push_back(part_of(arguments, output, placement));
-      surface = {};  // its memory is the next part's
-      if (!arguments.quiet)
-        write_line(label, parts.back().face_count(), parts.back().name, std::cout);
-    } else {
-      const MeshSummary mesh = write_mesh_of(arguments, output, placement);
-      if (!arguments.quiet) write_line(label, mesh.face_count, files[i], std::cout);
-    }
+    const MeshSummary mesh = files.add({label.surface, selections[i], names[i]});
+    has_mesh = true;
+    if (!arguments.quiet)
+      write_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i],
+                 std::cout);
   }
-  if (is_shared) {
-    if (parts.empty() && !arguments.reading.allows_empty)
-      throw std::runtime_error(arguments.volume + ": no label has a surface left, so " +
-                               arguments.output + " is not written; --allow-empty takes that");
-    write_parts(arguments, parts);
-    if (!arguments.quiet) write_file(arguments.output, std::cout);
-  }
+  if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
+    throw std::runtime_error(arguments.volume + ": no label has a surface left, so " +
+                             arguments.output + " is not written; --allow-empty takes that");
+  files.finish();
   if (!arguments.quiet) require_written(std::cout);
   return exit_ok;
 }
