@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <locale>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -27,6 +29,14 @@ std::optional<Whole> whole_number(std::string_view text, int base = 10) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   const bool is_number = error == std::errc() && end == text.data() + text.size();
   return is_number ? std::optional<Whole>(value) : std::nullopt;
+}
+
+/// The number in six digits at most, for people.
+inline std::string short_number(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
 }
 
 }  // namespace discmc::command

@@ -155,6 +155,16 @@ class RespacedVolume final : public VolumeReader {
   VolumeInfo info_;
 };
 
+void require_no_dicom_options(const std::filesystem::path& file, const VolumeReader& volume,
+                              const VolumeOptions& options) {
+  const std::string given = !options.series.empty()                 ? "--series"
+                            : options.merges_series                 ? "--merge-series"
+                            : options.order != SliceOrder::position ? "--order"
+                                                                    : "";
+  if (!given.empty())
+    fail(file, given + " is for DICOM, but this is " + volume.info().format, "leave out " + given);
+}
+
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
@@ -189,8 +199,8 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
-  if (!options.series.empty() && volume->info().format.rfind("DICOM", 0) != 0)
-    fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
+  if (volume->info().format.rfind("DICOM", 0) != 0)
+    require_no_dicom_options(file, *volume, options);
   if (options.spacing_mm)
     volume = std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);

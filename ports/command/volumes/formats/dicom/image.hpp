@@ -10,9 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "segments.hpp"
+#include "traits.hpp"
 #include "volumes/sample_type.hpp"
 
 namespace discmc::command {
+
+/// How slices stand in the picture of a mosaic: in rows, the first at the top left.
+struct MosaicLayout {
+  std::uint32_t across = 1;  ///< slices side by side, and as many rows of them
+};
 
 /// An image object: the whole of a file, with one frame or more.
 struct DicomImage {
@@ -22,6 +29,9 @@ struct DicomImage {
   std::string description;
   std::string modality;
   std::int32_t series_number = 0;
+  /// Of one among the files of a series.
+  std::optional<std::int32_t> instance_number;
+  /// Of a slice.
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
   /// As wide as a sample is stored.
@@ -29,11 +39,22 @@ struct DicomImage {
   /// Of a whole number: its bits, and the place of the highest. Limit: those of the type.
   std::uint32_t bits = 8;
   std::uint32_t high_bit = 7;
+  /// Whether a sample is one bit, eight of them in a byte; the type is then u8.
+  bool is_of_bits = false;
+  /// Of a picture of several slices, each of which is then a frame.
+  std::optional<MosaicLayout> mosaic;
+  /// Of a segmentation.
+  std::optional<DicomSegments> segments;
   /// Whether low values are the bright ones: MONOCHROME1.
   bool is_inverted = false;
   /// How the pixel data is compressed; empty if it is not.
   std::string compression;
+  /// What the reader assumed, for the user.
+  std::vector<std::string> notes;
 };
+
+/// Units: bytes of a picture as it is stored, decompressed; of a mosaic that is all of it.
+std::uint64_t picture_bytes(const DicomImage& image);
 
 /// Where a frame lies in the patient. Units: millimetres; directions of length 1.
 struct DicomPlace {
@@ -41,6 +62,11 @@ struct DicomPlace {
   std::array<double, 3> along_row{};
   std::array<double, 3> along_column{};
 };
+
+/// Returns the place by a position and the directions of a row and a column; nothing where one is
+/// missing or no direction.
+std::optional<DicomPlace> place_of(const std::optional<std::array<double, 3>>& position,
+                                   const std::optional<std::array<double, 6>>& orientation);
 
 /// The direction across a frame, right-handed with those in it.
 std::array<double, 3> normal_of(const DicomPlace& place);
@@ -54,11 +80,15 @@ struct DicomFrame {
   /// Distances of neighbouring voxels along a row and along a column. Units: millimetres, 0 where
   /// the file does not tell them.
   std::array<double, 2> spacing_mm{};
-  /// What the file says of the distance of slices, which counts where there are no places.
-  /// Units: millimetres, 0 where the file does not tell it.
+  /// What the file says of the distance of slices, which counts where there are no places, and the
+  /// name of the element that says so. Units: millimetres, 0 where the file does not tell it.
   double slice_spacing_mm = 0;
+  const char* slice_spacing_name = nullptr;
   double slope = 1;
   double intercept = 0;
+  DicomTraits traits;
+  /// Of a segmentation that has a frame for each segment: its number, otherwise 0.
+  std::uint32_t segment = 0;
 };
 
 /// What a file holds.
@@ -66,6 +96,8 @@ struct DicomContent {
   std::vector<DicomFrame> frames;
   /// Where there are none: what is there instead, "a colour image".
   std::string instead;
+  /// Whether the file is a DICOMDIR, which lists the files of its folder.
+  bool is_directory = false;
 };
 
 /// Reads the header of a file, not its pixels. Any bytes have a content.
