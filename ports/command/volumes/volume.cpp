@@ -172,6 +172,12 @@ std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::pa
           ", such as " + shown(pictures[0].filename().string()) + "; to read them " + remedy};
 }
 
+std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
+  if (links.empty()) return {};
+  return "links that lead nowhere: " + std::to_string(links.size()) + ", such as " +
+         shown(links[0].filename().string());
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
@@ -179,9 +185,14 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures) {
   const auto pictures = picture_files(folder);
-  if (!dicom.empty())
-    return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
+  const std::string dead = text_of_dead(dead_links(folder));
+  if (!dicom.empty()) {
+    auto notes = notes_of_left_out(pictures, remedy_of_pictures);
+    if (!dead.empty()) notes.push_back(dead);
+    return open_dicom(folder, dicom, options, notes);
+  }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
+  if (!dead.empty()) fail(folder, dead, "copy what they lead to, as with: git annex get, or cp -L");
   fail(folder, "the folder holds no DICOM, PNG or TIFF files",
        "name a file, or the folder of a series");
 }

@@ -26,7 +26,7 @@ void set_dose_scale(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>
 
 // The offsets are ways along the normal from the position of the first frame, which has 0, or z in
 // the patient's space, which begin with that of the position (DICOM PS3.3 C.8.8.3.2).
-std::string place_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+NoSlices place_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   if (image.modality == "RTDOSE") set_dose_scale(dataset, image, frames);
   const auto first = real_of(dataset, DCM_GridFrameOffsetVector);
   if (!first || !frames.front().place) return {};
@@ -36,11 +36,14 @@ std::string place_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
   const bool are_ways = std::fabs(*first) <= rounding_mm;
   const bool are_axial = std::fabs(normal[2]) > 1 - 1e-6;
   if (!are_ways && !(are_axial && std::fabs(*first - place.position[2]) <= rounding_mm))
-    return "a grid whose GridFrameOffsetVector begins with " + short_number(*first) +
-           ", which is neither 0 nor the z of its position";
+    return {"a grid whose GridFrameOffsetVector begins with " + short_number(*first) +
+                ", which is neither 0 nor the z of its position",
+            "export the dose again"};
   for (DicomFrame& frame : frames) {
     const auto offset = real_of(dataset, DCM_GridFrameOffsetVector, frame.number);
-    if (!offset) return "a grid with more frames than offsets (GridFrameOffsetVector)";
+    if (!offset)
+      return {"a grid with more frames than offsets (GridFrameOffsetVector)",
+              "export the dose again"};
     const double way = are_ways ? *offset : (*offset - *first) * normal[2];
     frame.place->position = sum(place.position, way, normal);
   }

@@ -42,7 +42,7 @@ void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
                  : "as neither SpacingBetweenSlices nor SliceThickness is there"));
 }
 
-std::string place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   if (image.modality == "NM") return place_nuclear(dataset, image, frames);
   if (image.modality == "RTDOSE" || dataset.tagExists(DCM_GridFrameOffsetVector))
     return place_dose(dataset, image, frames);

@@ -14,7 +14,7 @@ namespace discmc::command {
 
 /// Moves the frames of a file to where each lies, where it tells one place for all of them. Adds to
 /// the notes of the image what was assumed. Returns why that cannot be, or nothing.
-std::string place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 /// Moves frames from the place of the first, which all of them have, by steps along the normal.
 /// slices: of each frame its number in the stack.
@@ -23,8 +23,8 @@ void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
 
 /// Parts of place_frames(), each of files that are of its kind: a dose, with its unit, and pictures
 /// of nuclear medicine.
-std::string place_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
-std::string place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+NoSlices place_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 }  // namespace discmc::command
 

@@ -25,7 +25,11 @@ std::optional<Vector> direction(const std::array<double, 6>& orientation, std::s
 
 void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& frame) {
   auto spacing = attributes.reals<2>(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
-  if (!spacing) spacing = reals_of<2>(dataset, DCM_ImagerPixelSpacing);
+  frame.spacing_name = "PixelSpacing";
+  if (!spacing) {
+    spacing = reals_of<2>(dataset, DCM_ImagerPixelSpacing);
+    frame.spacing_name = spacing ? "ImagerPixelSpacing" : nullptr;
+  }
   if (spacing) frame.spacing_mm = {(*spacing)[1], (*spacing)[0]};
   for (const auto& [key, name] : {std::pair(DCM_SpacingBetweenSlices, "SpacingBetweenSlices"),
                                   std::pair(DCM_SliceThickness, "SliceThickness")}) {
@@ -69,7 +73,7 @@ DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& imag
 
 // The numbers without which the slices would lie elsewhere: decimals, of which some write the point
 // as a comma. Returns which of them is no number, or nothing.
-std::string check_decimals(DcmItem& dataset, DicomImage& image) {
+NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
   const Attributes attributes(dataset, 0);
   const std::pair<DcmTagKey, DcmTagKey> decimals[] = {
       {DCM_PixelMeasuresSequence, DCM_PixelSpacing},
@@ -89,19 +93,21 @@ std::string check_decimals(DcmItem& dataset, DicomImage& image) {
     const auto count = 1 + std::count(text.begin(), text.end(), '\\');
     for (unsigned long i = 0; i < static_cast<unsigned long>(count); ++i)
       if (!real_of(holder, key, i))
-        return "an image whose " + std::string(DcmTag(key).getTagName()) + " is " + shown(text) +
-               ", which is no number";
+        return {"an image whose " + std::string(DcmTag(key).getTagName()) + " is " + shown(text) +
+                    ", which is no number",
+                "correct it, e.g. with: dcmodify -m " + std::string(DcmTag(key).getTagName()) +
+                    "=VALUE FILE"};
   }
   if (have_commas) image.notes.emplace_back("decimal commas, taken as points");
   return {};
 }
 
 // Returns what the samples are instead of grey values, or nothing.
-std::string set_samples(DcmItem& dataset, DicomImage& image) {
-  if (whole_of(dataset, DCM_SamplesPerPixel).value_or(1) != 1) return "a colour image";
+NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
+  if (whole_of(dataset, DCM_SamplesPerPixel).value_or(1) != 1) return {"a colour image"};
   const std::string photometric = text_of(dataset, DCM_PhotometricInterpretation);
   const bool are_numbers = image.segments && image.segments->kind == DicomSegments::Kind::numbers;
-  if (photometric.rfind("PALETTE", 0) == 0 && !are_numbers) return "a colour image";
+  if (photometric.rfind("PALETTE", 0) == 0 && !are_numbers) return {"a colour image"};
   image.is_inverted = photometric == "MONOCHROME1";
   const auto allocated = whole_of(dataset, DCM_BitsAllocated).value_or(0);
   const auto representation = whole_of(dataset, DCM_PixelRepresentation);
@@ -121,14 +127,14 @@ std::string set_samples(DcmItem& dataset, DicomImage& image) {
   else if (allocated == 32)
     image.type = is_signed ? SampleType::i32 : SampleType::u32;
   else
-    return "an image of " + std::to_string(allocated) + " bits a sample";
+    return {"an image of " + std::to_string(allocated) + " bits a sample"};
   image.bits = whole_of(dataset, DCM_BitsStored).value_or(allocated);
   image.high_bit = whole_of(dataset, DCM_HighBit).value_or(image.bits - 1);
   if (image.bits < 1 || image.high_bit >= allocated || image.high_bit + 1 < image.bits)
-    return "an image of " + std::to_string(image.bits) + " bits up to bit " +
-           std::to_string(image.high_bit) + " of " + std::to_string(allocated);
+    return {"an image of " + std::to_string(image.bits) + " bits up to bit " +
+            std::to_string(image.high_bit) + " of " + std::to_string(allocated)};
   if (first_item(dataset, DCM_ModalityLUTSequence) != nullptr)
-    return "an image with a table of values (Modality LUT)";
+    return {"an image with a table of values (Modality LUT)"};
   return {};
 }
 
@@ -148,12 +154,12 @@ bool is_directory(DcmFileFormat& file) {
 }
 
 // Reads all frames. Returns why they are no slices, or nothing.
-std::string set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
-                       std::vector<DicomFrame>& frames) {
+NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
+                    std::vector<DicomFrame>& frames) {
   Sint32 count = 0;
   if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) count = 1;
   if (count < 1 || static_cast<std::uint32_t>(count) > max_frames)
-    return "an image of " + std::to_string(count) + " frames";
+    return {"an image of " + std::to_string(count) + " frames"};
   for (Sint32 i = 0; i < count; ++i)
     frames.push_back(frame(dataset, image, static_cast<std::uint32_t>(i)));
   if (is_mosaic(dataset)) return unfold_mosaic(dataset, *image, frames);
@@ -161,14 +167,14 @@ std::string set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& i
 }
 
 // Returns what is in the file instead of slices, or nothing.
-std::string read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
-                       std::vector<DicomFrame>& frames) {
+NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
+                    std::vector<DicomFrame>& frames) {
   image->rows = whole_of(dataset, DCM_Rows).value_or(0);
   image->columns = whole_of(dataset, DCM_Columns).value_or(0);
-  if (image->rows == 0 || image->columns == 0) return "a DICOM file without image";
+  if (image->rows == 0 || image->columns == 0) return {"a DICOM file without image"};
   if (dataset.tagExists(DCM_SegmentationType)) image->segments = segments_of(dataset);
   for (const auto& step : {set_samples, check_decimals})
-    if (std::string instead = step(dataset, *image); !instead.empty()) return instead;
+    if (NoSlices instead = step(dataset, *image)) return instead;
   set_names(dataset, *image);
   const E_TransferSyntax syntax = dataset.getOriginalXfer();
   if (is_encapsulated(syntax)) image->compression = DcmXfer(syntax).getXferName();
@@ -202,7 +208,7 @@ DicomContent dicom_content(const std::filesystem::path& file) {
   DicomContent content;
   auto opened = open_dicom_file(file, Pixels::left_out);
   if (!opened) {
-    content.instead =
+    content.instead.what =
         "no DICOM file, a damaged one, or one that is deflated as a whole (dcmconv +te inflates "
         "it)";
     return content;
@@ -211,7 +217,7 @@ DicomContent dicom_content(const std::filesystem::path& file) {
   const auto image = std::make_shared<DicomImage>();
   image->file = file;
   content.instead = read_image(*opened->getDataset(), image, content.frames);
-  if (!content.instead.empty()) content.frames.clear();
+  if (content.instead) content.frames.clear();
   return content;
 }
 

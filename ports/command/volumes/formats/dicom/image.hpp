@@ -77,9 +77,10 @@ struct DicomFrame {
   /// In the file, from 0.
   std::uint32_t number = 0;
   std::optional<DicomPlace> place;
-  /// Distances of neighbouring voxels along a row and along a column. Units: millimetres, 0 where
-  /// the file does not tell them.
+  /// Distances of neighbouring voxels along a row and along a column, and the name of the element
+  /// that says so. Units: millimetres, 0 where the file does not tell them.
   std::array<double, 2> spacing_mm{};
+  const char* spacing_name = nullptr;
   /// What the file says of the distance of slices, which counts where there are no places, and the
   /// name of the element that says so. Units: millimetres, 0 where the file does not tell it.
   double slice_spacing_mm = 0;
@@ -91,11 +92,18 @@ struct DicomFrame {
   std::uint32_t segment = 0;
 };
 
+/// What is in a file instead of slices, "a colour image", and what to do; nothing where slices are.
+struct NoSlices {
+  std::string what;
+  std::string remedy = "give the images of a CT, an MRI or the like, one grey value a voxel";
+
+  explicit operator bool() const { return !what.empty(); }
+};
+
 /// What a file holds.
 struct DicomContent {
   std::vector<DicomFrame> frames;
-  /// Where there are none: what is there instead, "a colour image".
-  std::string instead;
+  NoSlices instead;
   /// Whether the file is a DICOMDIR, which lists the files of its folder.
   bool is_directory = false;
 };

@@ -68,8 +68,10 @@ bool is_mosaic(DcmItem& dataset) {
          (is_united_imaging_grid(dataset) || count_of_slices(dataset, csa_header(dataset)) > 1);
 }
 
-std::string unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
-  if (is_united_imaging_grid(dataset)) return "a grid of slices in one picture (United Imaging)";
+NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+  const std::string remedy = "convert it to NIfTI, e.g. with dcm2niix";
+  if (is_united_imaging_grid(dataset))
+    return {"a grid of slices in one picture (United Imaging)", remedy};
   const CsaHeader header = csa_header(dataset);
   const std::uint32_t slices = count_of_slices(dataset, header);
   const std::string called = "a Siemens mosaic of " +
@@ -79,17 +81,19 @@ std::string unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<Dicom
   for (std::size_t i = 0; i < 3; ++i) {
     const auto component = csa_number(header, "SliceNormalVector", i);
     if (!component || slices == 0)
-      return called + " without the CSA header (0029,xx10) that says how they lie";
+      return {called + " without the CSA header (0029,xx10) that says which way they follow",
+              remedy + ", which assumes one way"};
     towards[i] = *component;
   }
   const auto across = static_cast<std::uint32_t>(std::ceil(std::sqrt(slices)));
   if (frames.size() != 1 || image.columns % across != 0 || image.rows % across != 0)
-    return called + " that cannot be in " + std::to_string(image.columns) + " x " +
-           std::to_string(image.rows) + " voxels";
+    return {called + " that cannot be in " + std::to_string(image.columns) + " x " +
+                std::to_string(image.rows) + " voxels",
+            remedy};
   DicomFrame first = frames.front();
   if (!first.place || !(first.spacing_mm[0] > 0 && first.spacing_mm[1] > 0) ||
       !(first.slice_spacing_mm > 0))
-    return called + " that tells no position, or no distances of voxels";
+    return {called + " that tells no position, or no distances of voxels", remedy};
 
   image.mosaic = {across};
   image.columns /= across;
@@ -97,7 +101,7 @@ std::string unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<Dicom
   Vector step = normal_of(*first.place);
   const double along = dot(step, towards);
   constexpr double least = 0.5;  // of the cosine: it is a normal
-  if (!(std::fabs(along) > least)) return called + " whose SliceNormalVector is none";
+  if (!(std::fabs(along) > least)) return {called + " whose SliceNormalVector is none", remedy};
   for (double& component : step) component *= std::copysign(first.slice_spacing_mm, along);
   const double aside = (across - 1) / 2.0;  // in slices
   Vector& position = first.place->position;

@@ -21,7 +21,7 @@ bool is_mosaic(DcmItem& dataset);
 /// file tells is that of a picture as large as the mosaic with the same centre as the first slice;
 /// the way to the next slice is that of SliceNormalVector in the CSA header (nibabel's "Siemens
 /// mosaic format" and dcm2niix describe it alike).
-std::string unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 }  // namespace discmc::command
 

@@ -27,12 +27,13 @@ std::optional<DicomPlace> detector_place(DcmItem& dataset, std::uint32_t frame) 
 
 }  // namespace
 
-std::string place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   const std::string type = text_of(dataset, DCM_ImageType) + '\\';
   for (const char* const planar :
        {"STATIC", "DYNAMIC", "WHOLE BODY", "GATED", "TOMO", "GATED TOMO"})
     if (type.find('\\' + std::string(planar) + '\\') != std::string::npos)
-      return "pictures of a gamma camera, not slices (image type " + std::string(planar) + ")";
+      return {"pictures of a gamma camera, not slices (image type " + std::string(planar) + ")",
+              "give the slices that were reconstructed of them (RECON TOMO)"};
   // The sign of the distance is that of the way along the normal (PS3.3, NM Reconstruction).
   std::vector<std::uint32_t> slices;
   for (DicomFrame& frame : frames) {

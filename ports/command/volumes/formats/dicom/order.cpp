@@ -159,14 +159,17 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
                " mm against the line of the others",
            "resample the series to a straight one, e.g. with 3D Slicer");
   }
-  const Vector step = sum({}, slices.step, normal);
-  if (is_straight) return step;
+  const Vector straight = sum({}, slices.step, normal);
+  if (is_straight) return straight;
   constexpr double degrees = 180 / 3.14159265358979323846;
   info.notes.push_back("each slice is shifted by " + short_number(length(shift)) +
                        " mm against the one before it, as by a gantry tilted by " +
                        short_number(std::atan2(length(shift), slices.step) * degrees) +
                        " degrees; the volume is sheared as they lie");
-  return sum(step, 1, shift);
+  // That of the positions themselves, unless they are rounded.
+  const Vector way = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
+  constexpr double same_mm = 1e-6;
+  return std::fabs(dot(way, normal) - slices.step) < same_mm ? way : sum(straight, 1, shift);
 }
 
 SliceLine order_by_position(const Path& source, VolumeInfo& info, Frames& stack,
@@ -237,10 +240,8 @@ void order_by_name(Frames& stack) {
                    [&](const DicomFrame& a, const DicomFrame& b) { return key(a) < key(b); });
 }
 
-// Returns the distance of slices, 0 where it is not told.
-double order_without_positions(const Path& source, VolumeInfo& info, Frames& stack,
-                               const VolumeOptions& options) {
-  const double distance = std::fabs(stack[0].slice_spacing_mm);
+void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack,
+                             const VolumeOptions& options) {
   const std::string and_sides =
       "; which way they follow each other, and so which side is left, is not known";
   if (options.order == SliceOrder::instance) {
@@ -258,7 +259,6 @@ double order_without_positions(const Path& source, VolumeInfo& info, Frames& sta
   } else if (stack.size() > 1) {
     info.notes.push_back("the frames tell no positions, taken in their order" + and_sides);
   }
-  return distance;
 }
 
 // ---- the volume ----
@@ -299,9 +299,19 @@ void set_notes(VolumeInfo& info, const Frames& stack) {
 }  // namespace
 
 void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::optional<SliceLine>& line,
-                    double distance_mm) {
-  set_spacing(info,
-              {first.spacing_mm[0], first.spacing_mm[1], line ? length(line->step) : distance_mm});
+                    const VolumeOptions& options) {
+  const double distance = line ? length(line->step) : std::fabs(first.slice_spacing_mm);
+  const std::string name = first.spacing_name == nullptr ? "" : first.spacing_name;
+  if (!options.spacing_mm) {
+    if (name.empty())
+      info.notes.emplace_back("no PixelSpacing, 1 mm taken");
+    else if (name != "PixelSpacing")
+      info.notes.push_back("no PixelSpacing, " + name + " taken, which is that at the detector");
+    if (distance == 0)
+      info.notes.emplace_back("no SpacingBetweenSlices or SliceThickness, 1 mm taken");
+  }
+  const auto or_one = [](double told) { return told == 0 ? 1 : told; };
+  set_spacing(info, {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)});
   if (!line) return;
   VolumePlacement placement;
   placement.frame = Frame::lps;
@@ -323,17 +333,16 @@ VolumeInfo order_stack(const Path& source, Frames& stack, const SamePixels& same
                        const VolumeOptions& options) {
   VolumeInfo info;
   std::optional<SliceLine> line;
-  double distance = 0;
   if (stack[0].place && options.order == SliceOrder::position) {
     line = order_by_position(source, info, stack, same_pixels, options.allow_gaps);
   } else {
-    distance = order_without_positions(source, info, stack, options);
+    order_without_positions(source, info, stack, options);
   }
   require_one_spacing(source, stack);
   const DicomImage& image = *stack[0].image;
   set_dims(info, source, {image.columns, image.rows, static_cast<std::int64_t>(stack.size())});
   set_values(info, source, stack);
-  set_slice_line(info, stack[0], line, distance);
+  set_slice_line(info, stack[0], line, options);
   set_notes(info, stack);
   if (image.is_inverted)
     info.notes.emplace_back("MONOCHROME1: the low values are the bright ones, taken as stored");

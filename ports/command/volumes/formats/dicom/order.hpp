@@ -19,9 +19,10 @@ struct SliceLine {
   Vector step{};
 };
 
-/// Takes the placement of slices that are alike, without a line that of no space.
+/// Takes spacing and placement of slices that are alike, with notes of what is not told. Without a
+/// line they lie in no space.
 void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::optional<SliceLine>& line,
-                    double distance_mm);
+                    const VolumeOptions& options);
 
 /// Whether one slope and intercept is of all frames.
 bool have_one_scale(const std::vector<DicomFrame>& stack);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -84,7 +85,7 @@ void require_possible(const DicomImage& image) {
 struct Found {
   std::vector<DicomFrame> frames;
   std::size_t skipped = 0;
-  std::string instead;  ///< of one that was skipped
+  NoSlices instead;  ///< of one that was skipped
   bool is_directory = false;
 };
 
@@ -94,9 +95,9 @@ Found find_frames(const std::vector<std::filesystem::path>& files) {
     DicomContent content = dicom_content(file);
     found.is_directory = found.is_directory || content.is_directory;
     std::move(content.frames.begin(), content.frames.end(), std::back_inserter(found.frames));
-    if (content.instead.empty() || content.is_directory) continue;
+    if (!content.instead || content.is_directory) continue;
     ++found.skipped;
-    if (found.instead.empty()) found.instead = std::move(content.instead);
+    if (!found.instead) found.instead = std::move(content.instead);
   }
   return found;
 }
@@ -115,13 +116,13 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
 
 [[noreturn]] void fail_empty(const std::filesystem::path& source, const Found& found,
                              std::size_t files) {
-  if (found.instead.empty())
+  if (!found.instead)
     fail(source, "the DICOMDIR has no image beside it", "copy the folder with all that is in it");
   fail(source,
-       files == 1 ? "this is " + found.instead
+       files == 1 ? "this is " + found.instead.what
                   : "none of " + std::to_string(files) +
-                        " DICOM files holds an image to read; the first is " + found.instead,
-       "give the images of a CT, an MRI or the like, one grey value a voxel");
+                        " DICOM files holds an image to read; the first is " + found.instead.what,
+       found.instead.remedy);
 }
 
 std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
@@ -141,12 +142,21 @@ std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
   return std::make_unique<DicomVolume>(source, std::move(info), std::move(frames));
 }
 
+void require_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return;
+  const auto target = std::filesystem::read_symlink(file, error);
+  if (error) fail(file, "there is no such file", "check the name");
+  fail(file, "the link leads nowhere, to " + shown(target.string()), "copy what it should lead to");
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
                                          const VolumeOptions& options,
                                          const std::vector<std::string>& notes) {
+  for (const auto& file : files) require_file(file);
   const Found found = find_frames(files);
   if (found.is_directory && files.size() == 1) {
     const auto folder = std::filesystem::absolute(files[0]).parent_path();
@@ -159,7 +169,7 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
   std::vector<std::string> all_notes = notes;
   if (found.skipped > 0)
     all_notes.push_back(std::to_string(found.skipped) + (found.skipped == 1 ? " file" : " files") +
-                        " without a volume's image skipped, such as " + found.instead);
+                        " without a volume's image skipped, such as " + found.instead.what);
   return open_stack(source, chosen_stack(source, stacks, options), options, std::move(all_notes));
 }
 

@@ -258,7 +258,7 @@ std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames
                                         layers.at(frame->segment) != layer;
                                }),
                 slice.end());
-  set_slice_line(info, frames[0], grid.line, 0);
+  set_slice_line(info, frames[0], grid.line, options);
   info.labels = table_of(segments, layers, layer);
   if (segments.kind == DicomSegments::Kind::fractions)
     info.notes.emplace_back("fractions: a voxel of at least a half is of a segment");
