@@ -8,12 +8,31 @@
 
 namespace discmc::command {
 
-std::string text_of(DcmItem& item, const DcmTagKey& key) {
+DcmElement* element_of(DcmItem& item, const DcmTagKey& key) {
+  DcmElement* element = nullptr;
+  return item.findAndGetElement(key, element).good() ? element : nullptr;
+}
+
+DcmItem* first_item(DcmItem& item, const DcmTagKey& sequence) {
+  DcmItem* found = nullptr;
+  return item.findAndGetSequenceItem(sequence, found).good() ? found : nullptr;
+}
+
+std::string text_of(DcmElement* element) {
   OFString value;
-  item.findAndGetOFStringArray(key, value);
+  if (element == nullptr || element->getOFStringArray(value).bad()) return {};
   std::string found(value.c_str(), value.size());
   std::replace(found.begin(), found.end(), '\0', ' ');
   return std::string(trimmed(found));
+}
+
+std::optional<double> real_of(DcmElement* element, unsigned long index) {
+  constexpr double max_magnitude = 1e9;  // of millimetres and values
+  OFString text;                         // of binary numbers, too, with all their digits
+  if (element == nullptr || element->getOFString(text, index).bad()) return std::nullopt;
+  const auto value = decimal(std::string(text.c_str()));
+  if (!value || !(std::fabs(*value) <= max_magnitude)) return std::nullopt;
+  return value;
 }
 
 std::optional<std::uint32_t> whole_of(DcmItem& item, const DcmTagKey& key) {
@@ -27,22 +46,6 @@ std::optional<double> decimal(std::string text) {
   return finite_number(std::string(trimmed(text)));
 }
 
-std::optional<double> real_of(DcmItem& item, const DcmTagKey& key, unsigned long index) {
-  constexpr double max_magnitude = 1e9;  // of millimetres and values
-  DcmElement* element = nullptr;
-  if (item.findAndGetElement(key, element).bad() || element == nullptr) return std::nullopt;
-  OFString text;  // of binary numbers, too, with all their digits
-  if (element->getOFString(text, index).bad()) return std::nullopt;
-  const auto value = decimal(std::string(text.c_str()));
-  if (!value || !(std::fabs(*value) <= max_magnitude)) return std::nullopt;
-  return value;
-}
-
-DcmItem* first_item(DcmItem& item, const DcmTagKey& sequence) {
-  DcmItem* found = nullptr;
-  return item.findAndGetSequenceItem(sequence, found).good() ? found : nullptr;
-}
-
 Attributes::Attributes(DcmItem& dataset, std::uint32_t frame) : dataset_(dataset) {
   DcmItem* item = nullptr;
   if (dataset
@@ -54,22 +57,16 @@ Attributes::Attributes(DcmItem& dataset, std::uint32_t frame) : dataset_(dataset
     groups_.push_back(item);
 }
 
-DcmItem* Attributes::holder(const DcmTagKey& group, const DcmTagKey& key) const {
-  for (DcmItem* functional : groups_) {
-    DcmItem* const item = first_item(*functional, group);
-    if (item != nullptr && item->tagExists(key)) return item;
-  }
-  return dataset_.tagExists(key) ? &dataset_ : nullptr;
+DcmElement* Attributes::grouped_element(const DcmTagKey& group, const DcmTagKey& key) const {
+  for (DcmItem* functional : groups_)
+    if (DcmItem* const item = first_item(*functional, group))
+      if (DcmElement* const element = element_of(*item, key)) return element;
+  return nullptr;
 }
 
-std::string Attributes::text(const DcmTagKey& group, const DcmTagKey& key) const {
-  DcmItem* const item = holder(group, key);
-  return item == nullptr ? std::string() : text_of(*item, key);
-}
-
-std::optional<double> Attributes::real(const DcmTagKey& group, const DcmTagKey& key) const {
-  DcmItem* const item = holder(group, key);
-  return item == nullptr ? std::nullopt : real_of(*item, key);
+DcmElement* Attributes::element(const DcmTagKey& group, const DcmTagKey& key) const {
+  DcmElement* const grouped = grouped_element(group, key);
+  return grouped != nullptr ? grouped : element_of(dataset_, key);
 }
 
 }  // namespace discmc::command

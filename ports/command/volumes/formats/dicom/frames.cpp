@@ -11,8 +11,8 @@ namespace {
 
 // Whether a functional group tells positions, and not the file as a whole.
 bool have_own_positions(DcmItem& dataset) {
-  return Attributes(dataset, 0).holder(DCM_PlanePositionSequence, DCM_ImagePositionPatient) !=
-         &dataset;
+  return Attributes(dataset, 0)
+             .grouped_element(DCM_PlanePositionSequence, DCM_ImagePositionPatient) != nullptr;
 }
 
 void note_times(DcmItem& dataset, DicomImage& image) {

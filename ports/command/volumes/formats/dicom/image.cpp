@@ -24,16 +24,16 @@ std::optional<Vector> direction(const std::array<double, 6>& orientation, std::s
 }
 
 void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& frame) {
-  auto spacing = attributes.reals<2>(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
+  auto spacing = reals_of<2>(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing));
   frame.spacing_name = "PixelSpacing";
   if (!spacing) {
-    spacing = reals_of<2>(dataset, DCM_ImagerPixelSpacing);
+    spacing = reals_of<2>(element_of(dataset, DCM_ImagerPixelSpacing));
     frame.spacing_name = spacing ? "ImagerPixelSpacing" : nullptr;
   }
   if (spacing) frame.spacing_mm = {(*spacing)[1], (*spacing)[0]};
   for (const auto& [key, name] : {std::pair(DCM_SpacingBetweenSlices, "SpacingBetweenSlices"),
                                   std::pair(DCM_SliceThickness, "SliceThickness")}) {
-    const auto distance = attributes.real(DCM_PixelMeasuresSequence, key);
+    const auto distance = real_of(attributes.element(DCM_PixelMeasuresSequence, key));
     if (distance.value_or(0) == 0) continue;
     frame.slice_spacing_mm = *distance;
     frame.slice_spacing_name = name;
@@ -43,16 +43,18 @@ void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& fra
 
 void set_scale(const Attributes& attributes, DicomFrame& frame) {
   const auto real = [&](const DcmTagKey& key) {
-    return attributes.real(DCM_PixelValueTransformationSequence, key);
+    return real_of(attributes.element(DCM_PixelValueTransformationSequence, key));
   };
   frame.slope = real(DCM_RescaleSlope).value_or(1);
   frame.intercept = real(DCM_RescaleIntercept).value_or(0);
 }
 
 std::uint32_t segment(const Attributes& attributes) {
-  DcmItem* const item =
-      attributes.holder(DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
-  return item == nullptr ? 0 : whole_of(*item, DCM_ReferencedSegmentNumber).value_or(0);
+  DcmElement* const element =
+      attributes.element(DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
+  Uint16 number = 0;
+  if (element != nullptr) element->getUint16(number);
+  return number;
 }
 
 DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& image,
@@ -61,9 +63,9 @@ DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& imag
   DicomFrame frame;
   frame.image = image;
   frame.number = number;
-  frame.place =
-      place_of(attributes.reals<3>(DCM_PlanePositionSequence, DCM_ImagePositionPatient),
-               attributes.reals<6>(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient));
+  frame.place = place_of(
+      reals_of<3>(attributes.element(DCM_PlanePositionSequence, DCM_ImagePositionPatient)),
+      reals_of<6>(attributes.element(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient)));
   set_spacing(dataset, attributes, frame);
   set_scale(attributes, frame);
   frame.traits = traits_of(dataset, attributes, number);
@@ -86,13 +88,13 @@ NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
       {DCM_UndefinedTagKey, DCM_DoseGridScaling}};
   bool have_commas = false;
   for (const auto& [group, key] : decimals) {
-    const std::string text = attributes.text(group, key);
+    DcmElement* const element = attributes.element(group, key);
+    const std::string text = text_of(element);
     if (text.empty()) continue;
     have_commas = have_commas || text.find(',') != std::string::npos;
-    DcmItem& holder = *attributes.holder(group, key);
     const auto count = 1 + std::count(text.begin(), text.end(), '\\');
     for (unsigned long i = 0; i < static_cast<unsigned long>(count); ++i)
-      if (!real_of(holder, key, i))
+      if (!real_of(element, i))
         return {"an image whose " + std::string(DcmTag(key).getTagName()) + " is " + shown(text) +
                     ", which is no number",
                 "correct it, e.g. with: dcmodify -m " + std::string(DcmTag(key).getTagName()) +

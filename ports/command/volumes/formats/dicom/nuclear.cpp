@@ -21,8 +21,8 @@ std::optional<DicomPlace> detector_place(DcmItem& dataset, std::uint32_t frame) 
   DcmItem* item = nullptr;
   if (dataset.findAndGetSequenceItem(DCM_DetectorInformationSequence, item, detector - 1).bad())
     return std::nullopt;
-  return place_of(reals_of<3>(*item, DCM_ImagePositionPatient),
-                  reals_of<6>(*item, DCM_ImageOrientationPatient));
+  return place_of(reals_of<3>(element_of(*item, DCM_ImagePositionPatient)),
+                  reals_of<6>(element_of(*item, DCM_ImageOrientationPatient)));
 }
 
 }  // namespace

@@ -1,11 +1,7 @@
 #include "traits.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <iterator>
-#include <locale>
-#include <sstream>
 
 #include "attributes.hpp"
 #include "text/number_text.hpp"
@@ -81,14 +77,6 @@ const Kind kinds[] = {
     {"instance", "", Form::uid, programs, none, DCM_SOPInstanceUID},
 };
 
-// Without what binary and decimal numbers of one value differ in.
-std::string rounded(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
-}
-
 std::string from_third_value(const std::string& text) {
   std::size_t at = 0;
   for (int i = 0; i < 2; ++i) {
@@ -100,22 +88,24 @@ std::string from_third_value(const std::string& text) {
 }
 
 std::string gradient(const Attributes& attributes, const Kind& kind) {
-  if (DcmItem* const group = attributes.holder(kind.group, DCM_DiffusionGradientDirectionSequence))
-    if (DcmItem* const item = first_item(*group, DCM_DiffusionGradientDirectionSequence))
-      return text_of(*item, kind.key);
-  return attributes.text(kind.group, kind.key);
+  auto* const sequence = dynamic_cast<DcmSequenceOfItems*>(
+      attributes.element(kind.group, DCM_DiffusionGradientDirectionSequence));
+  if (sequence != nullptr && sequence->card() > 0) return text_of(*sequence->getItem(0), kind.key);
+  return text_of(attributes.element(kind.group, kind.key));
 }
 
 std::string value_of(DcmItem& dataset, const Attributes& attributes, std::uint32_t frame,
                      const Kind& kind) {
   if (kind.form == Form::gradient) return gradient(attributes, kind);
   if (kind.form == Form::vector) {
-    Uint16 value = 0;
-    return dataset.findAndGetUint16(kind.key, value, frame).good() ? std::to_string(value) : "";
+    const auto value = real_of(dataset, kind.key, frame);
+    return value ? short_number(*value) : "";
   }
+  DcmElement* const element = attributes.element(kind.group, kind.key);
+  if (element == nullptr) return {};
   if (kind.form == Form::number)
-    if (const auto value = attributes.real(kind.group, kind.key)) return rounded(*value);
-  const std::string text = attributes.text(kind.group, kind.key);
+    if (const auto value = real_of(element)) return short_number(*value);
+  const std::string text = text_of(element);
   return kind.form == Form::image_type ? from_third_value(text) : text;
 }
 
