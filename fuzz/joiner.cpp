@@ -88,7 +88,7 @@ void check_regions(const Joined& joined, const Scenario& scenario,
   require(joined.report.passed == delivered.fragments.size(), "fragments not counted");
   JoinPlan other = scenario.plan;
   other.capacities = enough_for(joined.events);
-  const Joined second = join(joined.events, other);
+  const Joined second = join_all(joined.events, other);
   require(second.status == Status::ok, to_string(second.status));
   const std::string difference =
       describe_difference(canonical(Delivered(second.events).regions), regions);
@@ -117,14 +117,14 @@ void check_surface(Input& input, Scenario& scenario) {
   const Events events =
       events_of(scenario.has_losses ? without_losses(pieces, scenario, lost) : pieces);
   if (!scenario.has_little_memory) scenario.plan.capacities = enough_for(events);
-  const Joined joined = join(events, scenario.plan);
+  const Joined joined = join_all(events, scenario.plan);
   if (scenario.has_losses)
     check_rest(joined, scenario, regions, lost);
   else
     check_regions(joined, scenario, regions);
   JoinPlan slow = scenario.plan;
   slow.refuses = [&](uint64_t) { return scenario.chance.below(256) < scenario.refusals; };
-  require(join(events, slow).events == joined.events, "refusals show");
+  require(join_all(events, slow).events == joined.events, "refusals show");
 }
 
 // Events against all grammar, with members that are none.
@@ -150,7 +150,7 @@ void check_any_events(Input& input, Scenario& scenario) {
   }
   scenario.plan.refuses = [&](uint64_t) { return scenario.chance.below(256) < scenario.refusals; };
   if (!scenario.has_little_memory) scenario.plan.capacities = enough_for(events);
-  (void)join(events, scenario.plan);
+  (void)join_all(events, scenario.plan);
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ class Joiner {
 
   /// The bytes that a joiner takes from the caller's memory, and the least.
   static constexpr uint64_t bytes_for(const JoinCapacities& capacities) {
-    return WaitingChains::bytes_for(capacities.fragments, capacities.runs) + Arena::alignment - 1;
+    return join::WaitingChains::bytes_for(capacities.fragments, capacities.runs) +
+           Arena::alignment - 1;
   }
   static constexpr uint64_t minimum_bytes() { return bytes_for({1, 1}); }
 
@@ -142,12 +143,12 @@ class Joiner {
   void place_fragment();
   void forget_fragment();
 
-  enum class Delivery : uint8_t { none, region, holes, loose, beginning };
+  enum class Outlet : uint8_t { none, region, holes, loose, beginning };
   bool settle();
   Event next_event() const;
   void go_on();
   void end_chain();
-  void begin_delivery(Delivery delivery, Event::Kind kind, uint32_t chain);
+  void begin_delivery(Outlet outlet, Event::Kind kind, uint32_t chain);
   void begin_next_hole();
   void begin_loose(uint32_t chain);
   void run_short();
@@ -159,11 +160,12 @@ class Joiner {
   bool send_finish();
 
   bool passes_loose() const { return unjoined_ == Unjoined::passed_on; }
-  HeldChains& chains() { return waiting_.chains(); }
-  const HeldChains& chains() const { return waiting_.chains(); }
+  join::HeldChains& chains() { return waiting_.chains(); }
+  const join::HeldChains& chains() const { return waiting_.chains(); }
 
-  WaitingChains waiting_;
-  RegionHoles region_;  // of the region that passes or is delivered, as far as the sink has it
+  join::WaitingChains waiting_;
+  join::RegionHoles
+      region_;  // of the region that passes or is delivered, as far as the sink has it
   Sink sink_;
   JoinCapacities capacities_{0, 0};
   JoinReport report_{};
@@ -173,18 +175,18 @@ class Joiner {
   bool is_short_ = false;                     // of memory: everything is passed on
 
   // What becomes of the fragment that arrives, and the chain that holds it.
-  enum class Arrival : uint8_t { none, held, passed, ignored };
-  Arrival arrival_ = Arrival::none;
-  uint32_t arriving_ = no_slot;
+  enum class Fate : uint8_t { none, held, passed, ignored };
+  Fate fate_ = Fate::none;
+  uint32_t arriving_ = join::no_chain;
 
   // What is delivered: the next event, and of which chain. `holes` complete a region that passes; a
   // `beginning` is of the fragment that arrives.
-  Delivery delivery_ = Delivery::none;
+  Outlet outlet_ = Outlet::none;
   Event::Kind next_kind_{};
   bool is_letting_go_ = false;  // of all chains, one after another
-  uint32_t delivered_ = no_slot;
-  uint32_t claimed_ = no_slot;  // the holes that follow
-  uint32_t looked_at_ = 0;      // the last chain, on a walk over all
+  uint32_t delivered_ = join::no_chain;
+  uint32_t claimed_ = join::no_chain;  // the holes that follow
+  uint32_t looked_at_ = 0;             // the last chain, on a walk over all
 
   // The sum of the `finish` events.
   bool has_start_ = false;

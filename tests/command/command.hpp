@@ -83,7 +83,7 @@ class Workshop {
 
   /// Writes the volume as an NRRD file with more header lines; on is 200, off is 10.
   void write(const std::string& name, const BitVolume& volume,
-             const std::string& lines = "spacings: 1 1 1\n") const {
+             const std::string& lines = "spacings: 1 1 1\n" + volume_files::units_in_mm) const {
     std::string samples;
     for (const std::uint8_t on : volume.on) samples += static_cast<char>(on != 0 ? 200 : 10);
     const std::string sizes = std::to_string(volume.width) + " " + std::to_string(volume.height) +

@@ -316,6 +316,24 @@ TEST_CASE("a DICOMDIR is its folder") {
   check_refusal(refusal(alone.write("DICOMDIR", bytes)), "the DICOMDIR has no image beside it");
 }
 
+TEST_CASE("slices that are packed one by one are read") {
+  const Folder folder;
+  fs::create_directory(folder.path() / "deeper");
+  for (int z = 0; z < depth; ++z) {
+    const std::string bytes = slice(z).file();
+    if (z == 0) folder.write("IM0", bytes);
+    if (z == 1) folder.write("deeper/IM1.gz", gzip(bytes));
+    if (z > 1) folder.write("IM" + std::to_string(z) + ".dcm.gz", gzip(bytes));
+  }
+  const auto reader = open_volume(folder.path());
+  CHECK(reader->info().format == "DICOM, gzip");
+  CHECK(read_all(*reader) == as_read(volume_values()));
+  const auto one = open_volume(folder.path() / "IM3.dcm.gz");
+  CHECK(read_all(*one) == as_read(slice_values(3)));
+  folder.write("IM2.dcm.gz", gzip(slice(2).file()).substr(0, 300));
+  CHECK(contains(refusal(folder.path()), "IM2.dcm"));
+}
+
 TEST_CASE("links that lead nowhere are told") {
   const Slices slices([](Dataset&, int) {});
   fs::create_symlink("/nowhere/IM9", slices.path() / "IM9");

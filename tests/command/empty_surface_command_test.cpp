@@ -15,7 +15,9 @@ using volume_files::nrrd;
 const std::string ramp = [] {
   std::string samples;
   for (int i = 0; i < 60; ++i) samples += std::to_string(100 * i - 1000) + " ";
-  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") + "\n" + samples;
+  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
+              "5 3 4") +
+         "\n" + samples;
 }();
 
 const std::string values = ": the values are -1000 to 4900; discmc info shows more";
@@ -126,15 +128,19 @@ TEST_CASE("what fills the volume after the median, or by infinite values, is tol
     std::string samples;
     for (int i = 0; i < 60; ++i) samples += (i == hole ? "0" : sample) + " ";
     workshop.write(
-        name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") + "\n" + samples);
+        name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
+                   "5 3 4") +
+                  "\n" + samples);
   };
   write("hole.nrrd", "7", 22);
   write("inf.nrrd", "inf", -1);
   write("mixed.nrrd", "inf", 22);
   std::string mostly_off = "inf ";
   for (int i = 0; i < 59; ++i) mostly_off += "0 ";
-  workshop.write("one.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") +
-                                 "\n" + mostly_off);
+  workshop.write(
+      "one.nrrd",
+      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "5 3 4") +
+          "\n" + mostly_off);
   const std::string open = ", and an open border has no surface: ";
   const std::pair<std::string, std::string> examples[] = {
       {"hole.nrrd --median 3 --border open", "after --median every voxel reaches 5" + open},
@@ -156,8 +162,10 @@ TEST_CASE("what fills the volume after the median, or by infinite values, is tol
 
 TEST_CASE("an empty surface of a volume without numbers says so") {
   const Workshop workshop;
-  workshop.write("v.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "2 1 2") +
-                               "\nnan nan nan nan");
+  workshop.write(
+      "v.nrrd",
+      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
+          "\nnan nan nan nan");
   check_failure(workshop.run("extract v.nrrd --iso 3 -o v.stl"), 1,
                 {"no voxel reaches 3: no value is a finite number; "});
 }
@@ -176,8 +184,10 @@ TEST_CASE("pictures and distances of empty surfaces are refused with the values"
 
 TEST_CASE("values of a volume that is narrowed for its normals are those of the file") {
   const Workshop workshop;
-  workshop.write("v.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "2 1 2") +
-                               "\n0.25 0.5 nan -8");
+  workshop.write(
+      "v.nrrd",
+      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
+          "\n0.25 0.5 nan -8");
   for (const std::string file : {"v.ply", "v.dmc"})
     check_failure(workshop.run("extract v.nrrd --iso 3 --normals gradient -o " + file), 1,
                   {"no voxel reaches 3: the values are -8 to 0.5;"});

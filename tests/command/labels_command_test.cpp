@@ -12,7 +12,7 @@ using command_tests::contains;
 using command_tests::mesh_of_ply;
 using command_tests::Workshop;
 
-const std::string extract = "extract v.raw --dims 4,2,3 --type u8 ";
+const std::string extract = "extract v.raw --dims 4,2,3 --type u8 --spacing 1,1,1 ";
 
 // A body of 1, one of 2 in two places, and a voxel of 9.
 const std::string volume("\1\1\0\2\1\1\0\0\1\1\0\0\0\0\0\0\0\0\x9\2\0\0\0\2", 24);

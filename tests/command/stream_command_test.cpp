@@ -71,7 +71,7 @@ TEST_CASE("a stream of another version is refused by its version, wherever its h
       workshop.write("other.dmc", text_of(refused));
       for (const std::string arguments :
            {"decode other.dmc -o o.stl", "info other.dmc", "render other.dmc -o o.png",
-            "info other.dmc --channel 0 --scan 0"}) {
+            "info other.dmc --stream-channel 0 --scan 0"}) {
         const Result result = workshop.run(arguments);
         CHECK(result.code == 1);
         CHECK(contains(result.error,

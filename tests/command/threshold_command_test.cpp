@@ -15,7 +15,9 @@ using volume_files::nrrd;
 std::string head(const std::string& values) {
   std::string samples;
   for (int row = 0; row < 9; ++row) samples += values;
-  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n", "5 3 3") + "\n" + samples;
+  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
+              "5 3 3") +
+         "\n" + samples;
 }
 
 const std::string ct = head("-1000 -1000 40 50 900 ");

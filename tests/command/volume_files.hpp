@@ -129,6 +129,8 @@ inline std::string metaimage(const std::string& lines, const std::string& sizes 
 }
 
 inline const std::string nrrd_u8 = "type: uchar\nencoding: raw\n";
+inline const std::string units_in_mm =
+    "units: \"mm\" \"mm\" \"mm\"\nspace units: \"mm\" \"mm\" \"mm\"\n";
 inline const std::string metaimage_u8 = "ElementType = MET_UCHAR\n";
 
 // A NIfTI-1 header, field by field at the offsets of the standard.
@@ -140,6 +142,7 @@ class Nifti {
     type(2);
     for (std::size_t i = 0; i < 4; ++i) real(76 + 4 * i, 1);
     real(108, 352);
+    integer(123, 1, 2);  // mm
     bytes_.replace(344, 3, "n+1");
   }
   Nifti& dims(const std::vector<int>& values) {

@@ -130,7 +130,8 @@ TEST_CASE("NRRD gives a signed spacing in millimetres") {
   const std::string directions = "space dimension: 3\nspace directions: ";
   CHECK(info("spacings: 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
   CHECK(info("spacings: 1 2 3\nunits: \"cm\" \"\" \"um\"\n").spacing_mm == Spacing{10, 2, 0.003});
-  CHECK(noted(info("spacings: 1 nan 0\n"), "spacing nan of axis 2 unusable"));
+  CHECK(noted(info("spacings: 1 nan 0\n"), "no spacing of axis 2 given, 1 mm taken"));
+  CHECK(noted(info("spacings: 1 nan 0\n"), "spacing 0 of axis 3 unusable, 1 mm taken"));
   CHECK(noted(info(""), "no spacing"));
   CHECK(info(directions + "(-0.5,0,0) (0, 2, 0) (0,0,3)\n").spacing_mm == Spacing{-0.5, 2, 3});
   CHECK(info(directions + "(0,2,0) (-3,0,0) (0,0,4)\n").spacing_mm == Spacing{2, 3, 4});
@@ -226,6 +227,12 @@ TEST_CASE("NIfTI gives scale and signed spacing") {
   CHECK(info(Nifti().scale(0.01F, -3)).intercept == -3);
   CHECK(info(Nifti().scale(0, -3)).slope == 1);
   CHECK(info(Nifti().scale(0, -3)).intercept == 0);
+  for (const float none : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
+    const VolumeInfo unscaled = info(Nifti().scale(none, none));
+    CHECK(unscaled.slope == 1);
+    CHECK(unscaled.intercept == 0);
+    CHECK(noted(unscaled, "scl_slope is "));
+  }
   Nifti nifti;
   nifti.real(80, 0.5F).real(84, 2).real(88, 3);
   CHECK(info(nifti).spacing_mm == Spacing{0.5, 2, 3});
@@ -250,7 +257,7 @@ TEST_CASE("NIfTI refuses by name what it does not take") {
   check(Nifti().type(32).file(u8), "COMPLEX64");
   check(Nifti().type(128).file(u8), "RGB24");
   check(Nifti().scale(-2, 0).file(u8), "negative slope");
-  check(Nifti().scale(std::numeric_limits<float>::infinity(), 0).file(u8), "not finite");
+  check(Nifti().scale(2, std::numeric_limits<float>::infinity()).file(u8), "not finite");
   check(Nifti().dims({4, 5, 3, 4, 2}).file(u8), "holds 2 volumes");
   check(Nifti().dims({3, 5, 0, 4}).file(u8), "dimension 2 has size 0");
   check(Nifti().dims({3, -5, 3, 4}).file(u8), "dimension 1 has size -5");

@@ -62,7 +62,7 @@ class TemporaryFiles {
   std::size_t folders_of_zips() const {
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(folder_.path()))
-      count += contains(entry.path().filename().string(), "discmc-zip-") ? 1U : 0U;
+      count += contains(entry.path().filename().string(), "discmc-unpacked-") ? 1U : 0U;
     return count;
   }
 
@@ -160,5 +160,5 @@ TEST_CASE("errors name the archive, and the member where it is one's") {
   std::string damaged = whole;
   for (std::size_t i = 200; i < 600; ++i) damaged[i] = '\x55';
   CHECK(contains(refusal_of(damaged), "study.zip"));
-  CHECK_FALSE(contains(refusal_of(damaged), "discmc-zip-"));
+  CHECK_FALSE(contains(refusal_of(damaged), "discmc-unpacked-"));
 }

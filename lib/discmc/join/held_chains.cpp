@@ -1,6 +1,6 @@
 #include <discmc/join/held_chains.hpp>
 
-namespace discmc {
+namespace discmc::join {
 
 namespace {
 
@@ -21,11 +21,11 @@ void widen(HeldChain& chain, int32_t low, int32_t high) {
 
 uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction incoming) {
   const uint32_t chain = chains_.take();
-  if (chain == no_slot) return no_slot;
+  if (chain == no_chain) return no_chain;
   const int32_t height = height_of(incidence, start);
-  chains_[chain] = {no_slot,
-                    no_slot,
-                    no_slot,
+  chains_[chain] = {no_chain,
+                    no_run,
+                    no_run,
                     start,
                     start,
                     height,
@@ -38,20 +38,20 @@ uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction in
 }
 
 void HeldChains::give(uint32_t chain) {
-  while (chains_[chain].first_run != no_slot) drop_first_run(chain);
+  while (chains_[chain].first_run != no_run) drop_first_run(chain);
   chains_[chain].state = HeldChain::State::unused;
   chains_.give(chain);
 }
 
 bool HeldChains::append(uint32_t index, Run run, OctahedralNormal normal) {
   HeldChain& chain = chains_[index];
-  const bool is_first = chain.first_run == no_slot;
+  const bool is_first = chain.first_run == no_run;
   if (is_first || !runs_[chain.last_run].run.absorb(run)) {
     const uint32_t added = runs_.take();
-    if (added == no_slot) return false;
+    if (added == no_run) return false;
     const Direction before = is_first ? chain.incoming : runs_[chain.last_run].run.direction();
     chain.turn = turned(chain, before, run.direction());
-    runs_[added] = {no_slot, run, normal};
+    runs_[added] = {no_run, run, normal};
     (is_first ? chain.first_run : runs_[chain.last_run].next) = added;
     chain.last_run = added;
   }
@@ -70,10 +70,10 @@ void HeldChains::join(uint32_t index, uint32_t other_index) {
   // The two need not have been parted at a corner.
   const bool is_straight = runs_[chain.last_run].run.absorb(runs_[other.first_run].run);
   if (is_straight) drop_first_run(other_index);
-  if (other.first_run != no_slot) {
+  if (other.first_run != no_run) {
     runs_[chain.last_run].next = other.first_run;
     chain.last_run = other.last_run;
-    other.first_run = no_slot;
+    other.first_run = no_run;
   }
   give(other_index);
 }
@@ -117,7 +117,7 @@ bool HeldChains::contains(uint32_t index, const PlanePoint& point) const {
   if (point.v < 8 * int64_t{ring.low} || point.v > 8 * int64_t{ring.high}) return false;
   bool is_inside = false;
   Vertex at = ring.start;
-  for (uint32_t i = ring.first_run; i != no_slot; i = runs_[i].next) {
+  for (uint32_t i = ring.first_run; i != no_run; i = runs_[i].next) {
     const PlaneSide side(ring.incidence, at, runs_[i].run);
     if (side.meets_ray(point)) is_inside = !is_inside;
     at = after_run(ring.incidence, at, runs_[i].run);
@@ -125,4 +125,4 @@ bool HeldChains::contains(uint32_t index, const PlanePoint& point) const {
   return is_inside;
 }
 
-}  // namespace discmc
+}  // namespace discmc::join

@@ -7,11 +7,13 @@
 #include <discmc/normal.hpp>
 #include <discmc/pool.hpp>
 
-namespace discmc {
+namespace discmc::join {
+
+constexpr uint32_t no_chain = no_slot, no_run = no_slot;
 
 /// A run of a chain, and the normal where it starts.
 struct HeldRun {
-  uint32_t next;  ///< no_slot behind the last
+  uint32_t next;  ///< no_run behind the last
   Run run;
   OctahedralNormal normal;
 };
@@ -56,7 +58,7 @@ class HeldChains {
     runs_.clear();
   }
 
-  /// An open chain without runs, or no_slot when there is no room.
+  /// An open chain without runs, or no_chain when there is no room.
   uint32_t take(Incidence incidence, const Vertex& start, Direction incoming);
 
   /// Gives a chain back, and its runs. Cost: its runs.
@@ -97,6 +99,6 @@ class HeldChains {
   Pool<HeldRun, uint32_t> runs_;
 };
 
-}  // namespace discmc
+}  // namespace discmc::join
 
 #endif

@@ -67,66 +67,66 @@ bool Joiner::begin_fragment(const Event& event) {
   if (!is_short_) {
     if (!is_incidence(event.incidence) ||
         !is_direction_of(event.incidence, event.incoming_direction)) {
-      arrival_ = Arrival::ignored;
+      fate_ = Fate::ignored;
       return true;
     }
     arriving_ = chains().take(event.incidence, event.start, event.incoming_direction);
-    if (arriving_ != no_slot) {
-      arrival_ = Arrival::held;
+    if (arriving_ != join::no_chain) {
+      fate_ = Fate::held;
       return true;
     }
     run_short();
     if (!settle()) return false;
   }
   if (!pass_loose(event)) return false;
-  arrival_ = Arrival::passed;
+  fate_ = Fate::passed;
   return true;
 }
 
 bool Joiner::add_run(const Event& event) {
-  if (arrival_ == Arrival::held) {
+  if (fate_ == Fate::held) {
     if (!is_run_of(chains()[arriving_].incidence, event.run))
-      arrival_ = Arrival::ignored;
+      fate_ = Fate::ignored;
     else if (chains().append(arriving_, event.run, event.normal))
       return true;
     else
       run_short();
     if (!settle()) return false;
   }
-  if (arrival_ == Arrival::ignored) return true;
-  return arrival_ == Arrival::passed ? pass_loose(event) : pass(event);
+  if (fate_ == Fate::ignored) return true;
+  return fate_ == Fate::passed ? pass_loose(event) : pass(event);
 }
 
 bool Joiner::end_fragment(const Event& event) {
-  if (arrival_ == Arrival::held) place_fragment();
+  if (fate_ == Fate::held) place_fragment();
   if (!settle()) return false;
-  switch (arrival_) {
-    case Arrival::passed:
+  switch (fate_) {
+    case Fate::passed:
       if (!pass_loose(event)) return false;
       ++report_.passed;
       break;
-    case Arrival::ignored:
+    case Fate::ignored:
       ++report_.invalid;
       break;
     default:  // it has its place, and was counted
       return true;
   }
   ++report_.fragments;
-  arrival_ = Arrival::none;
+  fate_ = Fate::none;
   return true;
 }
 
 bool Joiner::lose(const Event& event) {
   // Of a fragment that is held the sink knows nothing.
-  if (arrival_ == Arrival::none) return pass(event);
-  if (arrival_ == Arrival::passed && !pass_loose(event)) return false;
+  if (fate_ == Fate::none) return pass(event);
+  if (fate_ == Fate::passed && !pass_loose(event)) return false;
   forget_fragment();
   return true;
 }
 
 // Before a region ends it gets the holes that came loose.
 bool Joiner::end_region(const Event& event) {
-  delivery_ = Delivery::holes;
+  outlet_ = Outlet::holes;
   claimed_ = region_.claim(waiting_);
   begin_next_hole();
   return settle() && pass(event);
@@ -168,35 +168,35 @@ bool Joiner::pass_loose(const Event& event) {
 // Joins the fragment that has arrived with what it belongs to.
 void Joiner::place_fragment() {
   const uint32_t arrived = arriving_;
-  if (chains()[arrived].first_run == no_slot) {
-    arrival_ = Arrival::ignored;
+  if (chains()[arrived].first_run == join::no_chain) {
+    fate_ = Fate::ignored;
     return;
   }
-  const WaitingChains::Result result = waiting_.join(arrived);
-  if (result.joined == WaitingChains::Joined::no_room) return run_short();
+  const join::WaitingChains::Result result = waiting_.join(arrived);
+  if (result.joined == join::WaitingChains::Joined::no_room) return run_short();
   ++report_.fragments;
-  arrival_ = Arrival::none;
-  arriving_ = no_slot;
-  if (result.joined == WaitingChains::Joined::refused) return begin_loose(arrived);
-  if (result.joined == WaitingChains::Joined::open) return;
+  fate_ = Fate::none;
+  arriving_ = join::no_chain;
+  if (result.joined == join::WaitingChains::Joined::refused) return begin_loose(arrived);
+  if (result.joined == join::WaitingChains::Joined::open) return;
   chains().close(result.chain);
   const bool is_outer = !chains()[result.chain].is_hole();
   if (is_outer && order_ == InputOrder::sweep)
-    begin_delivery(Delivery::region, Event::Kind::region, result.chain);
+    begin_delivery(Outlet::region, Event::Kind::region, result.chain);
   else if (!waiting_.keep(result.chain))
     run_short();
 }
 
 void Joiner::forget_fragment() {
-  if (arriving_ != no_slot) chains().give(arriving_);
-  arriving_ = no_slot;
-  arrival_ = Arrival::none;
+  if (arriving_ != join::no_chain) chains().give(arriving_);
+  arriving_ = join::no_chain;
+  fate_ = Fate::none;
 }
 
 // From now on everything is passed on, what is held first.
 void Joiner::run_short() {
   is_short_ = true;
-  if (arriving_ != no_slot) arrival_ = Arrival::passed;
+  if (arriving_ != join::no_chain) fate_ = Fate::passed;
   let_all_go();
 }
 
@@ -205,7 +205,7 @@ void Joiner::run_short() {
 // Delivers what is under way, and all chains when these are let go. False when the sink said "not
 // now".
 bool Joiner::settle() {
-  while (delivery_ != Delivery::none || begin_next_loose()) {
+  while (outlet_ != Outlet::none || begin_next_loose()) {
     if (!pass(next_event())) return false;
     go_on();
   }
@@ -217,9 +217,9 @@ Event Joiner::next_event() const {
   event.kind = next_kind_;
   if (next_kind_ == Event::Kind::region_end || next_kind_ == Event::Kind::fragment_end)
     return event;
-  const HeldChain& chain = chains()[delivered_];
+  const join::HeldChain& chain = chains()[delivered_];
   if (next_kind_ == Event::Kind::run) {
-    const HeldRun& first = chains().run(chain.first_run);
+    const join::HeldRun& first = chains().run(chain.first_run);
     event.run = first.run;
     event.normal = first.normal;
     return event;
@@ -239,10 +239,10 @@ void Joiner::go_on() {
       return;
     case Event::Kind::region_end:
       ++report_.regions;
-      delivery_ = Delivery::none;
+      outlet_ = Outlet::none;
       return;
     case Event::Kind::fragment_end:
-      delivery_ = Delivery::none;
+      outlet_ = Outlet::none;
       return;
     case Event::Kind::run:
       chains().drop_first_run(delivered_);
@@ -250,20 +250,20 @@ void Joiner::go_on() {
     default:  // ring and fragment
       next_kind_ = Event::Kind::run;
   }
-  if (chains()[delivered_].first_run == no_slot) end_chain();
+  if (chains()[delivered_].first_run == join::no_chain) end_chain();
 }
 
 // All runs of the chain are gone.
 void Joiner::end_chain() {
   const bool is_outer = !chains()[delivered_].is_hole();
   chains().give(delivered_);
-  switch (delivery_) {
-    case Delivery::loose:
+  switch (outlet_) {
+    case Outlet::loose:
       next_kind_ = Event::Kind::fragment_end;
       return;
-    case Delivery::beginning:
-      arriving_ = no_slot;
-      delivery_ = Delivery::none;
+    case Outlet::beginning:
+      arriving_ = join::no_chain;
+      outlet_ = Outlet::none;
       return;
     default:
       ++report_.rings;
@@ -272,28 +272,28 @@ void Joiner::end_chain() {
   }
 }
 
-void Joiner::begin_delivery(Delivery delivery, Event::Kind kind, uint32_t chain) {
-  delivery_ = delivery;
+void Joiner::begin_delivery(Outlet outlet, Event::Kind kind, uint32_t chain) {
+  outlet_ = outlet;
   next_kind_ = kind;
   delivered_ = chain;
 }
 
 void Joiner::begin_next_hole() {
   const uint32_t hole = claimed_;
-  if (hole != no_slot) {
+  if (hole != join::no_chain) {
     claimed_ = chains()[hole].next;
-    begin_delivery(delivery_, Event::Kind::ring, hole);
-  } else if (delivery_ == Delivery::region) {
+    begin_delivery(outlet_, Event::Kind::ring, hole);
+  } else if (outlet_ == Outlet::region) {
     next_kind_ = Event::Kind::region_end;
   } else {
-    delivery_ = Delivery::none;
+    outlet_ = Outlet::none;
   }
 }
 
 void Joiner::begin_loose(uint32_t chain) {
   ++(is_short_ ? report_.passed : report_.unmatched);
   if (passes_loose())
-    begin_delivery(Delivery::loose, Event::Kind::fragment, chain);
+    begin_delivery(Outlet::loose, Event::Kind::fragment, chain);
   else
     chains().give(chain);
 }
@@ -308,15 +308,15 @@ bool Joiner::begin_next_loose() {
   if (!is_letting_go_) return false;
   while (looked_at_ < chains().last_used()) {
     const uint32_t chain = ++looked_at_;
-    if (chain == arriving_ || chains()[chain].state == HeldChain::State::unused) continue;
+    if (chain == arriving_ || chains()[chain].state == join::HeldChain::State::unused) continue;
     begin_loose(chain);
-    if (delivery_ != Delivery::none) return true;
+    if (outlet_ != Outlet::none) return true;
   }
   is_letting_go_ = false;
   looked_at_ = 0;
   waiting_.forget();
-  if (arriving_ == no_slot) return false;
-  begin_delivery(Delivery::beginning, Event::Kind::fragment, arriving_);
+  if (arriving_ == join::no_chain) return false;
+  begin_delivery(Outlet::beginning, Event::Kind::fragment, arriving_);
   if (passes_loose()) return true;
   end_chain();
   return false;
@@ -335,8 +335,8 @@ bool Joiner::end() {
 bool Joiner::begin_next_outer() {
   for (; looked_at_ < chains().last_used(); ++looked_at_) {
     const uint32_t chain = looked_at_ + 1;
-    if (chains()[chain].state != HeldChain::State::outer) continue;
-    begin_delivery(Delivery::region, Event::Kind::region, waiting_.take_outer(chain));
+    if (chains()[chain].state != join::HeldChain::State::outer) continue;
+    begin_delivery(Outlet::region, Event::Kind::region, waiting_.take_outer(chain));
     return true;
   }
   looked_at_ = 0;

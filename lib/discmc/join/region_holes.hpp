@@ -5,7 +5,7 @@
 #include <discmc/join/waiting_chains.hpp>
 #include <discmc/sink.hpp>
 
-namespace discmc {
+namespace discmc::join {
 
 /// A hole belongs to a region when it lies in it, and in no other waiting ring inside: that would
 /// be of a region that lies in one of its holes.
@@ -16,10 +16,10 @@ class RegionHoles {
   void follow(const Event& event, WaitingChains& waiting);
 
   /// Forgets the region.
-  void forget() { first_ = no_slot; }
+  void forget() { first_ = no_chain; }
 
   /// Takes the holes that are the region's out of those that wait, when all its runs have passed;
-  /// no_slot when there is none, and from then on. The others follow by HeldChain::next.
+  /// no_chain when there is none, and from then on. The others follow by HeldChain::next.
   /// Cost: for every hole inside, the rings of its plane, and the runs of those near by.
   uint32_t claim(WaitingChains& waiting);
 
@@ -29,11 +29,11 @@ class RegionHoles {
   bool is_within_another(uint32_t hole, const WaitingChains& waiting) const;
 
   Incidence incidence_ = 0;
-  uint32_t first_ = no_slot;  // of the holes on the plane
-  Vertex at_{};               // where the ring under way has got to
-  PlanePoint point_{};        // of the region, beside the run that passed last
+  uint32_t first_ = no_chain;  // of the holes on the plane
+  Vertex at_{};                // where the ring under way has got to
+  PlanePoint point_{};         // of the region, beside the run that passed last
 };
 
-}  // namespace discmc
+}  // namespace discmc::join
 
 #endif

@@ -1,6 +1,6 @@
 #include <discmc/join/waiting_chains.hpp>
 
-namespace discmc {
+namespace discmc::join {
 
 namespace {
 
@@ -12,9 +12,9 @@ void WaitingChains::start(Arena& arena, uint32_t chains, uint32_t runs) {
   HeldChain* const chain_slots = arena.take<HeldChain>(chains);
   chains_.start(chain_slots, chains, arena.take<HeldRun>(runs), runs);
   chains_.clear();
-  const uint32_t slots = slots_for(chains);
-  uint32_t* const hashes = arena.take<uint32_t>(slots);
-  table_.start(hashes, arena.take<uint32_t>(slots), slots);
+  const uint32_t buckets = buckets_for(chains);
+  uint32_t* const hashes = arena.take<uint32_t>(buckets);
+  table_.start(hashes, arena.take<uint32_t>(buckets), buckets);
   forget();
 }
 
@@ -86,12 +86,12 @@ uint32_t WaitingChains::first_outer(Incidence incidence, const Vertex& vertex) c
 // Puts another ring, or none, in the place of the first on a plane.
 void WaitingChains::set_first(uint32_t ring, uint32_t first, Role role) {
   table_.replace(plane_key(ring, role), entry(ring, role),
-                 first != no_slot ? entry(first, role) : none);
+                 first != no_chain ? entry(first, role) : none);
 }
 
 uint32_t WaitingChains::take_claimed(uint32_t first_hole) {
-  uint32_t claimed = no_slot, left = no_slot;
-  for (uint32_t hole = first_hole; hole != no_slot;) {
+  uint32_t claimed = no_chain, left = no_chain;
+  for (uint32_t hole = first_hole; hole != no_chain;) {
     HeldChain& slot = chains_[hole];
     const bool is_claimed = slot.state == HeldChain::State::hole_claimed;
     uint32_t& list = is_claimed ? claimed : left;
@@ -116,4 +116,4 @@ void WaitingChains::forget() {
   hole_count_ = 0;
 }
 
-}  // namespace discmc
+}  // namespace discmc::join

@@ -7,7 +7,7 @@
 #include <discmc/join/held_chains.hpp>
 #include <discmc/join/waiting_table.hpp>
 
-namespace discmc {
+namespace discmc::join {
 
 class WaitingChains {
  public:
@@ -25,7 +25,7 @@ class WaitingChains {
 
   static constexpr uint64_t bytes_for(uint32_t chains, uint32_t runs) {
     return Arena::bytes_of(chains, sizeof(HeldChain)) + Arena::bytes_of(runs, sizeof(HeldRun)) +
-           2 * Arena::bytes_of(slots_for(chains), sizeof(uint32_t));
+           2 * Arena::bytes_of(buckets_for(chains), sizeof(uint32_t));
   }
 
   /// Takes its arrays from the arena. Limit: these have room in it.
@@ -61,8 +61,8 @@ class WaitingChains {
   enum class Role : uint8_t { start, end, hole, outer };
 
   // Both ends of a chain wait, or a ring.
-  static constexpr uint32_t slots_for(uint32_t chains) {
-    return WaitingTable::slots_for(2 * chains);
+  static constexpr uint32_t buckets_for(uint32_t chains) {
+    return WaitingTable::buckets_for(2 * chains);
   }
   static constexpr uint32_t entry(uint32_t chain, Role role) {
     return chain << 2 | static_cast<uint32_t>(role);
@@ -85,6 +85,6 @@ class WaitingChains {
   uint32_t hole_count_ = 0;
 };
 
-}  // namespace discmc
+}  // namespace discmc::join
 
 #endif

@@ -1,14 +1,14 @@
 // A fixed-capacity hash table with open addressing: what waits for a partner, by where.
 //
-// An entry lies within `window` slots of its key's own slot, or is not there. So a removed entry
-// needs no tombstone, a full window is a result ("no room"), and the cost of every call is bounded
-// whatever the keys.
+// An entry lies within `window` buckets of its key's own bucket, or is not there. So a removed
+// entry needs no tombstone, a full window is a result ("no room"), and the cost of every call is
+// bounded whatever the keys.
 #ifndef DISCMC_JOIN_WAITING_TABLE_HPP
 #define DISCMC_JOIN_WAITING_TABLE_HPP
 
 #include <discmc/lattice.hpp>
 
-namespace discmc {
+namespace discmc::join {
 
 /// Where something waits.
 struct WaitingKey {
@@ -21,15 +21,15 @@ constexpr bool operator==(const WaitingKey& a, const WaitingKey& b) {
   return a.vertex == b.vertex && a.incidence == b.incidence && a.kind == b.kind;
 }
 
-/// The keys themselves stay with what waits: a slot holds the hash of a key and a value that leads
-/// to it, which is not 0. Owner: the slots lie in the arena.
+/// The keys themselves stay with what waits: a bucket holds the hash of a key and a value that
+/// leads to it, which is not 0. Owner: the buckets lie in the arena.
 class WaitingTable {
  public:
   static constexpr uint32_t window = 64;  ///< the bound on probes of every call
   static constexpr uint32_t none = 0;
 
-  /// The slots for a number of entries: so many that of 10^12 windows less than one is full.
-  static constexpr uint32_t slots_for(uint32_t entries) { return 3 * entries; }
+  /// The buckets for a number of entries: so many that of 10^12 windows less than one is full.
+  static constexpr uint32_t buckets_for(uint32_t entries) { return 3 * entries; }
 
   static constexpr uint32_t hash_of(const WaitingKey& key) {
     const uint32_t words[] = {
@@ -44,67 +44,67 @@ class WaitingTable {
     return hash * 0x9E3779B1U;
   }
 
-  /// Call clear() before using it. Limit: slots >= 1.
-  void start(uint32_t* hashes, uint32_t* values, uint32_t slots) {
+  /// Call clear() before using it. Limit: buckets >= 1.
+  void start(uint32_t* hashes, uint32_t* values, uint32_t buckets) {
     hashes_ = hashes;
     values_ = values;
-    slots_ = slots;
+    buckets_ = buckets;
   }
 
   /// Empties the table. Cost: writes all values once.
   void clear() {
-    for (uint32_t i = 0; i < slots_; ++i) values_[i] = none;
+    for (uint32_t i = 0; i < buckets_; ++i) values_[i] = none;
   }
 
   /// The value under a key, or `none`. has_key(value, key): whether the value leads to the key.
   template <class HasKey>
   uint32_t find(const WaitingKey& key, HasKey has_key) const {
     const uint32_t hash = hash_of(key);
-    const uint32_t slot = first_slot(hash, [&](uint32_t i) {
+    const uint32_t bucket = first_bucket(hash, [&](uint32_t i) {
       return hashes_[i] == hash && values_[i] != none && has_key(values_[i], key);
     });
-    return slot == slots_ ? none : values_[slot];
+    return bucket == buckets_ ? none : values_[bucket];
   }
 
   /// Remembers a value under a key that is not in the table. False when the key's window is full;
   /// then nothing has changed.
   bool insert(const WaitingKey& key, uint32_t value) {
     const uint32_t hash = hash_of(key);
-    const uint32_t slot = first_slot(hash, [this](uint32_t i) { return values_[i] == none; });
-    if (slot == slots_) return false;
-    hashes_[slot] = hash;
-    values_[slot] = value;
+    const uint32_t bucket = first_bucket(hash, [this](uint32_t i) { return values_[i] == none; });
+    if (bucket == buckets_) return false;
+    hashes_[bucket] = hash;
+    values_[bucket] = value;
     return true;
   }
 
   /// Puts another value in the place of one that is in the table under the key.
   void replace(const WaitingKey& key, uint32_t value, uint32_t other) {
     const uint32_t hash = hash_of(key);
-    const uint32_t slot =
-        first_slot(hash, [&](uint32_t i) { return hashes_[i] == hash && values_[i] == value; });
-    if (slot != slots_) values_[slot] = other;
+    const uint32_t bucket =
+        first_bucket(hash, [&](uint32_t i) { return hashes_[i] == hash && values_[i] == value; });
+    if (bucket != buckets_) values_[bucket] = other;
   }
 
   /// Removes a value that is in the table under the key.
   void remove(const WaitingKey& key, uint32_t value) { replace(key, value, none); }
 
  private:
-  // The first slot of the hash's window that is right, or slots_ when none is.
+  // The first bucket of the hash's window that is right, or buckets_ when none is.
   template <class IsRight>
-  uint32_t first_slot(uint32_t hash, IsRight is_right) const {
-    uint32_t slot = static_cast<uint32_t>(uint64_t{hash} * slots_ >> 32);
-    for (uint32_t probes = slots_ < window ? slots_ : window; probes > 0; --probes) {
-      if (is_right(slot)) return slot;
-      if (++slot == slots_) slot = 0;
+  uint32_t first_bucket(uint32_t hash, IsRight is_right) const {
+    uint32_t bucket = static_cast<uint32_t>(uint64_t{hash} * buckets_ >> 32);
+    for (uint32_t probes = buckets_ < window ? buckets_ : window; probes > 0; --probes) {
+      if (is_right(bucket)) return bucket;
+      if (++bucket == buckets_) bucket = 0;
     }
-    return slots_;
+    return buckets_;
   }
 
   uint32_t* hashes_ = nullptr;
   uint32_t* values_ = nullptr;
-  uint32_t slots_ = 0;
+  uint32_t buckets_ = 0;
 };
 
-}  // namespace discmc
+}  // namespace discmc::join
 
 #endif

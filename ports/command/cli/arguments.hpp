@@ -34,6 +34,9 @@ struct LayoutArguments {
   bool merges_series = false;
   bool allow_gaps = false;
   std::optional<std::uint32_t> frame;
+  std::optional<std::uint32_t> channel;
+  std::string axes;
+  std::optional<std::uint32_t> level;
   std::optional<Crop> crop;
   std::uint32_t shrink = 1;
 };

@@ -49,11 +49,11 @@ Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePl
 
 Compared surface_of_volume(const std::string& name, VolumeArguments reading) {
   reading.selections = with_thresholds(name, reading);
-  const auto volume = open_noted_volume(name, reading);
+  const auto volume = open_measured(name, reading);
   Progress progress("extracting", volume->info().dims[2]);
   Mesh mesh = classic_mesh(*volume, extraction_options(reading, progress));
   if (mesh.face_count() == 0)
-    throw VolumeError(why_empty(name, reading, reading.selections[0].selection, *volume));
+    throw std::runtime_error(why_empty(name, reading, reading.selections[0].selection, *volume));
   return placed(std::move(mesh), name, volume->info().placement, exit_ok);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 
 #include "text/value_text.hpp"
 
@@ -60,8 +61,8 @@ std::string why_empty(const std::string& path, const VolumeArguments& arguments,
 
 void fail_empty(const std::string& path, const VolumeArguments& arguments,
                 const Selection& selection, const MeasuredVolume& volume, bool is_full) {
-  throw VolumeError(why_empty(path, arguments, selection, volume, is_full) +
-                    ", --allow-empty takes an empty surface");
+  throw std::runtime_error(why_empty(path, arguments, selection, volume, is_full) +
+                           ", --allow-empty takes an empty surface");
 }
 
 void check_surface(const std::string& path, const VolumeArguments& arguments,

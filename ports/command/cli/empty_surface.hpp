@@ -16,7 +16,7 @@ std::string why_empty(const std::string& path, const VolumeArguments& arguments,
                       const Selection& selection, const MeasuredVolume& volume,
                       bool is_full = false);
 
-/// Throws a VolumeError that says so, where there is --allow-empty.
+/// Throws what says so, where there is --allow-empty.
 [[noreturn]] void fail_empty(const std::string& path, const VolumeArguments& arguments,
                              const Selection& selection, const MeasuredVolume& volume,
                              bool is_full = false);

@@ -54,8 +54,7 @@ void write_line(const LabelledSurface& label, std::uint64_t faces, const std::st
 int extract_label_meshes(const ExtractArguments& arguments) {
   const FilePattern pattern(arguments.output);
   const LabelTable given = label_table_of(arguments);
-  std::unique_ptr<VolumeReader> volume =
-      open_noted_volume(arguments.volume, arguments.reading, true);
+  std::unique_ptr<VolumeReader> volume = open_measured(arguments.volume, arguments.reading, true);
   if (auto mask = open_noted_mask(arguments.reading, volume->info()))
     volume = masked(arguments.volume, std::move(volume), std::move(mask));
   const VolumeInfo& info = volume->info();
@@ -65,8 +64,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   LabelledSurfaces labels = surfaces_of(*volume, arguments);
   note_not_numbers(arguments, labels.not_numbers);
   if (labels.all.empty() && !arguments.reading.allows_empty)
-    throw VolumeError(arguments.volume + ": it holds no label" +
-                      why_none(arguments, labels.not_numbers) + "; --allow-empty takes that");
+    throw std::runtime_error(arguments.volume + ": it holds no label" +
+                             why_none(arguments, labels.not_numbers) +
+                             "; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
   for (const LabelledSurface& each : labels.all) {
@@ -103,8 +103,8 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   }
   if (is_shared) {
     if (parts.empty() && !arguments.reading.allows_empty)
-      throw VolumeError(arguments.volume + ": no label has a surface left, so " + arguments.output +
-                        " is not written; --allow-empty takes that");
+      throw std::runtime_error(arguments.volume + ": no label has a surface left, so " +
+                               arguments.output + " is not written; --allow-empty takes that");
     write_parts(arguments, parts);
     if (!arguments.quiet) write_file(arguments.output, std::cout);
   }

@@ -1,5 +1,6 @@
 // discmc extract -o FILE.stl: a volume to meshes, one a surface.
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -92,7 +93,7 @@ int extract_meshes(const ExtractArguments& arguments) {
   if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume, gradient_pass);
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const FilePattern pattern(arguments.output);
-  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const auto volume = open_measured(arguments.volume, arguments.reading);
   const VolumeInfo& info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
   const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
@@ -121,9 +122,9 @@ int extract_meshes(const ExtractArguments& arguments) {
     keep_chosen(arguments.volume + (files.size() > 1 ? ": " + selections[i].name : ""),
                 arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
-      throw VolumeError(arguments.volume +
-                        ": no body is as large as --min-volume says; give less, "
-                        "--allow-empty takes an empty surface");
+      throw std::runtime_error(arguments.volume +
+                               ": no body is as large as --min-volume says; give less, "
+                               "--allow-empty takes an empty surface");
     const SurfaceOutput output{surface, selections[i], files[i],
                                arguments.interpolates ? &finders[i].crossings() : nullptr};
     if (is_shared) {

@@ -77,7 +77,7 @@ void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& inf
 }  // namespace
 
 ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out) {
-  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+  const auto volume = open_measured(arguments.volume, arguments.reading);
   const VolumeInfo info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
   StreamOutput output(&out);

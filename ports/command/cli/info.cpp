@@ -23,11 +23,14 @@ int info_of_volume(const InfoArguments& arguments) {
   const auto volume = open_volume(arguments.input, volume_options(arguments.layout));
   const VolumeInfo& info = volume->info();
   write_volume_info(info, std::cout);
+  const std::size_t notes = volume->notes().size();
   require_written(std::cout);
   Progress progress("measuring", info.dims[2]);
   const VolumeStatistics statistics =
       volume_statistics(*volume, [&progress](std::uint32_t slices) { progress.show(slices); });
   write_volume_statistics(info, statistics, std::cout);
+  for (std::size_t i = notes; i < volume->notes().size(); ++i)
+    std::cout << "note " << volume->notes()[i] << '\n';
   require_written(std::cout);
   return exit_ok;
 }

@@ -60,7 +60,7 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
 Mesh volume_to_draw(const RenderArguments& arguments) {
   if (arguments.smooth && has_gradient(arguments.reading))
     require_second_pass(arguments.input, gradient_pass);
-  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  const auto volume = open_measured(arguments.input, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
   const auto mask = open_noted_mask(arguments.reading, volume->info());
   const auto options = extraction_options(arguments.reading, progress, mask.get());

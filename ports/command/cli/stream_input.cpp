@@ -147,7 +147,7 @@ void note_others(const std::string& path, const StreamChoice& choice, const Stre
   if (surfaces.size() < 2 || !choice.is_any()) return;
   std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
             << int{reader.channel()} << " of " << joined(surfaces)
-            << ": choose with --scan N and --channel N\n";
+            << ": choose with --scan N and --stream-channel N\n";
 }
 
 void require_one_surface(const std::string& path, const StreamReader& reader) {

@@ -25,7 +25,7 @@ RuledThreshold found(const std::string& path, const NamedSelection& surface, boo
   try {
     return threshold_by(*surface.rule, is_in_hounsfield, statistics);
   } catch (const std::invalid_argument& error) {
-    throw VolumeError(path + ": " + error.what());
+    throw std::runtime_error(path + ": " + error.what());
   }
 }
 
@@ -38,7 +38,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
   if (first == surfaces.end()) return surfaces;
   require_second_pass(path, "--iso " + first->name + " takes a pass of its own");
 
-  const auto volume = open_volume(path, volume_options(arguments));
+  const auto volume = open_noted(path, volume_options(arguments));
   const VolumeInfo& info = volume->info();
   VolumeStatistics statistics;
   if (!info.is_in_hounsfield || std::any_of(surfaces.begin(), surfaces.end(), needs_values)) {

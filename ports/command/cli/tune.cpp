@@ -252,7 +252,7 @@ void write_report(const VolumeBits& volume, const TuneArguments& arguments, cons
 int run_tune(const TuneArguments& arguments) {
   TuneArguments found = arguments;
   found.reading.selections = with_thresholds(arguments.volume, arguments.reading);
-  const auto volume = open_noted_volume(found.volume, found.reading);
+  const auto volume = open_measured(found.volume, found.reading);
   const VolumeInfo& info = volume->info();
   const auto given = given_arena(found.reading, {info.dims[0], info.dims[1], found.reading.border});
   const auto mask = open_noted_mask(found.reading, info);
@@ -263,8 +263,9 @@ int run_tune(const TuneArguments& arguments) {
   }
   const Trials trials = try_all(*bits, found, given);
   if (trials.plenty.work.cells == 0)
-    throw VolumeError(why_empty(found.volume, found.reading, found.reading.selections[0].selection,
-                                *volume, bits->is_full()));
+    throw std::runtime_error(why_empty(found.volume, found.reading,
+                                       found.reading.selections[0].selection, *volume,
+                                       bits->is_full()));
   write_report(*bits, found, trials, std::cout);
   require_written(std::cout);
   return exit_ok;

@@ -1,19 +1,52 @@
 #include "volume_input.hpp"
 
+#include <cstdint>
 #include <iostream>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
+#include "volumes/byte_source.hpp"
 #include "volumes/filters/mask_volume.hpp"
+#include "volumes/volume_filter.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {
 namespace {
 
-void write_notes(const std::string& path, const VolumeInfo& info) {
-  for (const std::string& note : info.notes)
-    std::cerr << "discmc: " << path << ": " << note << '\n';
+// A volume may be opened for a pass after another: it says once what is to be said.
+void print_once(const std::string& line) {
+  static std::set<std::string> printed;
+  if (printed.insert(line).second) std::cerr << line << '\n';
 }
+
+// Prints the notes when it is opened, and what the last slice adds to them.
+class NotedVolume final : public VolumeFilter {
+ public:
+  NotedVolume(std::string path, std::unique_ptr<VolumeReader> volume)
+      : VolumeFilter(std::move(volume)), path_(std::move(path)) {
+    print_notes();
+  }
+
+  void read_slice(void* samples) override {
+    VolumeFilter::read_slice(samples);
+    if (++read_ == info().dims[2]) print_notes();
+  }
+
+  void skip_slice() override {
+    VolumeFilter::skip_slice();
+    if (++read_ == info().dims[2]) print_notes();
+  }
+
+ private:
+  void print_notes() const {
+    for (const std::string& note : notes()) print_once("discmc: " + path_ + ": " + note);
+  }
+
+  std::string path_;
+  std::uint32_t read_ = 0;  // slices
+};
 
 }  // namespace
 
@@ -33,6 +66,9 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
   options.merges_series = arguments.merges_series;
   options.allow_gaps = arguments.allow_gaps;
   options.frame = arguments.frame;
+  options.channel = arguments.channel;
+  options.axes = arguments.axes;
+  options.level = arguments.level;
   options.crop = arguments.crop;
   options.shrink = arguments.shrink;
   return options;
@@ -47,25 +83,26 @@ VolumeOptions volume_options(const VolumeArguments& arguments) {
 
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
-    throw VolumeError((path == "-" ? "standard input" : path) + ": " + purpose +
-                      ", and this can be read once; store the volume in a file first");
+    throw std::runtime_error((path == "-" ? "standard input" : path) + ": " + purpose +
+                             ", and this can be read once; store the volume in a file first");
 }
 
-std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
-                                                  const VolumeArguments& arguments,
-                                                  bool holds_labels) {
+std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options) {
+  return std::make_unique<NotedVolume>(path, open_volume(path, options));
+}
+
+std::unique_ptr<MeasuredVolume> open_measured(const std::string& path,
+                                              const VolumeArguments& arguments, bool holds_labels) {
   VolumeOptions options = volume_options(arguments);
   if (holds_labels) options.block_value = BlockValue::most_frequent;
-  auto volume = std::make_unique<MeasuredVolume>(open_volume(path, options));
-  write_notes(path, volume->info());
-  return volume;
+  return std::make_unique<MeasuredVolume>(open_noted(path, options));
 }
 
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
                                               const VolumeInfo& volume) {
   if (arguments.mask.empty()) return nullptr;
-  auto mask = open_mask(arguments.mask, volume_options(arguments.layout), volume);
-  write_notes(arguments.mask, mask->info());
+  auto mask = std::make_unique<NotedVolume>(
+      arguments.mask, open_mask(arguments.mask, volume_options(arguments.layout), volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
     std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart
@@ -77,13 +114,13 @@ std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const Volu
                                              double iso, VolumeReader& volume) {
   require_second_pass(path, gradient_pass);
   const SampleBounds bounds = sample_bounds(volume);
-  return narrowed(open_volume(path, options), bounds, iso);
+  return narrowed(open_noted(path, options), bounds, iso);
 }
 
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
                                  double iso) {
   require_second_pass(path, gradient_pass);
-  auto volume = open_volume(path, options);
+  auto volume = open_noted(path, options);
   if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
   return {narrowed_again(path, options, iso, *volume), 0};
 }

@@ -23,10 +23,14 @@ void require_second_pass(const std::string& path, const std::string& purpose);
 
 constexpr const char* gradient_pass = "normals of the gradient take a second pass";
 
-/// Opens the volume, and says what of its file is dropped. holds_labels: whatever is selected.
-std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
-                                                  const VolumeArguments& arguments,
-                                                  bool holds_labels = false);
+/// Opens a volume, and prints its notes: each once, however often it is opened. All commands open
+/// volumes by this, but info, which has them in its table.
+std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options);
+
+/// The same, measured as it is read. holds_labels: whatever is selected.
+std::unique_ptr<MeasuredVolume> open_measured(const std::string& path,
+                                              const VolumeArguments& arguments,
+                                              bool holds_labels = false);
 
 /// Opens the mask of the volume, if there is one, and says where it is not what it should be.
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,

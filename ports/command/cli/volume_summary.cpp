@@ -136,6 +136,7 @@ void write_volume_info(const VolumeInfo& info, std::ostream& out) {
       << "slope " << value_text(info.slope) << '\n'
       << "intercept " << value_text(info.intercept) << '\n'
       << "frames " << info.frames << '\n'
+      << "channels " << info.channels << '\n'
       << "dimensions " << info.dims[0] << ' ' << info.dims[1] << ' ' << info.dims[2] << '\n'
       << "extent";
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "text/number_text.hpp"
-#include "volume_format.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {

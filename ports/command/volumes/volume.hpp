@@ -64,6 +64,14 @@ struct VolumeOptions {
   bool allow_gaps = false;
   /// Which of the volumes of a file, the first is 0. Without it, a file of several is refused.
   std::optional<std::uint32_t> frame = {};
+  /// Which of the channels, likewise.
+  std::optional<std::uint32_t> channel = {};
+  /// What the axes of an array are, the slowest first: letters of "tczyx", each once, x and y among
+  /// them. Otherwise as the file says, or as its format has it.
+  std::string axes = {};
+  /// Which of the resolutions of a file, the finest is 0. Otherwise the finest that VolumeInfo
+  /// takes.
+  std::optional<std::uint32_t> level = {};
   /// The part of the volume that is taken; otherwise all of it.
   std::optional<Crop> crop = {};
   /// Blocks of so many voxels along x, y and z become one voxel each, after the crop.
@@ -74,15 +82,6 @@ struct VolumeOptions {
 
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
-
-/// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
-bool is_read_once(const std::filesystem::path& file);
-
-/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
-/// that is, and streams never do. head: the first magic_bytes of them, fewer where there are no
-/// more.
-bool is_volume_head(std::string_view head);
-constexpr std::size_t magic_bytes = 348;
 
 /// Opens a volume: a file, a folder of DICOM or of pictures, files by a pattern with *, ? or [...],
 /// a pipe, or standard input by the name "-". With a layout the file is taken as headerless

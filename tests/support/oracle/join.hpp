@@ -36,7 +36,7 @@ inline JoinCapacities enough_for(const Events& events) {
 
 /// Offers every event until it is taken, then finishes. Errors: throws when the joiner is stuck, or
 /// takes something later than its sink, breaks a promise, or writes outside its memory.
-inline Joined join(const Events& events, const JoinPlan& plan) {
+inline Joined join_all(const Events& events, const JoinPlan& plan) {
   const int max_tries = plan.refuses ? 1 << 20 : 1;
   Block block(Joiner::bytes_for(plan.capacities), Block::Kind::guarded);
   EventLog log(plan.refuses);

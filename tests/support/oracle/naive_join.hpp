@@ -14,7 +14,7 @@ namespace discmc::reference {
 
 /// The rings that loose fragments make up, each as a region of its own; a hole's has a negative
 /// area. Errors: throws GrammarError when a fragment has no follower, or two fragments one.
-inline std::vector<Region> join(const std::vector<Fragment>& loose) {
+inline std::vector<Region> join_all(const std::vector<Fragment>& loose) {
   using End = std::tuple<int32_t, int32_t, int32_t, Incidence, Direction>;
   const auto end_at = [](const Vertex& vertex, Incidence incidence, Direction came) {
     return End{vertex.x, vertex.y, vertex.z, incidence, came};
@@ -63,7 +63,7 @@ inline std::vector<Region> joined_rings(const std::vector<Collector>& scans) {
     rings.insert(rings.end(), scan.regions().begin(), scan.regions().end());
     loose.insert(loose.end(), scan.loose().begin(), scan.loose().end());
   }
-  for (const Region& ring : join(loose)) rings.push_back(ring);
+  for (const Region& ring : join_all(loose)) rings.push_back(ring);
   return single_rings(rings);
 }
 

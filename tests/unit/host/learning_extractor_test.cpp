@@ -344,7 +344,7 @@ TEST_CASE("slabs join to the whole wherever their fragments are handed over, by 
           JoinPlan join_plan;
           join_plan.order = InputOrder::any;
           join_plan.capacities = enough_for(events);
-          const Joined joined = join(events, join_plan);
+          const Joined joined = join_all(events, join_plan);
           CHECK(joined.report.unmatched == 0);
           CHECK(regions_among(joined.events) == expected);
         }

@@ -166,7 +166,7 @@ TEST_CASE("the loose fragments of a sweep are joined to its regions") {
       CAPTURE(surface.name);
       CAPTURE(round);
       const Pieces pieces = cut(surface.regions, cuts_of(chance));
-      const Joined joined = join(events_of(pieces), {});
+      const Joined joined = join_all(events_of(pieces), {});
       REQUIRE(unlike(joined.events, surface.regions) == "");
       CHECK(joined.status == Status::ok);
       CHECK(joined.report.fragments == fragments_in(pieces));
@@ -189,7 +189,7 @@ TEST_CASE("so are fragments in any order") {
                             [](const Piece& piece) { return piece.is_fragment(); });
       JoinPlan plan;
       plan.order = InputOrder::any;
-      const Joined joined = join(events_of(pieces), plan);
+      const Joined joined = join_all(events_of(pieces), plan);
       REQUIRE(unlike(joined.events, surface.regions) == "");
       CHECK(joined.report.unmatched == 0);
     }
@@ -209,7 +209,7 @@ TEST_CASE("so are the streams of several slabs") {
         JoinPlan plan;
         plan.order = InputOrder::any;
         const Pieces pieces = interleaved(cut(surface.regions, cuts), cuts.below);
-        const Joined joined = join(events_of(pieces), plan);
+        const Joined joined = join_all(events_of(pieces), plan);
         REQUIRE(unlike(joined.events, surface.regions) == "");
         CHECK(joined.report.unmatched == 0);
       }
@@ -287,7 +287,7 @@ TEST_CASE("of rings within rings every region gets its own hole, whatever comes 
           JoinPlan plan;
           plan.order = InputOrder::any;
           plan.capacities = {10, 50};
-          const Joined joined = join(events, plan);
+          const Joined joined = join_all(events, plan);
           for (int32_t ring = 0; ring < Nest::depth; ring += 2) {
             if (lost.count(ring) > 0) continue;
             const Events region = nest.region(ring, lost.count(ring + 1) == 0);
@@ -332,9 +332,9 @@ TEST_CASE("what a joiner with too little memory passes on, another joins") {
         plan.order = order;
         plan.capacities = {1 + size / 4, size};
         if (size % 3 == 0) plan.capacities = {size, 1 + size / 2};
-        const Joined first = join(events_of(cut(surface.regions, cuts_of(chance))), plan);
+        const Joined first = join_all(events_of(cut(surface.regions, cuts_of(chance))), plan);
         plan.capacities = {2000, 20000};
-        const Joined second = join(first.events, plan);
+        const Joined second = join_all(first.events, plan);
         REQUIRE(unlike(second.events, surface.regions) == "");
         REQUIRE(second.status == Status::ok);
         REQUIRE(first.status == (first.report.passed > 0 ? Status::too_little_memory : Status::ok));
@@ -355,8 +355,8 @@ TEST_CASE("with any number of bytes from the least on") {
     JoinPlan plan;
     plan.capacities = Joiner::default_capacities(bytes);
     REQUIRE(Joiner::bytes_for(plan.capacities) <= bytes);
-    const Joined joined = join(events, plan);
-    REQUIRE(unlike(join(joined.events, {}).events, surface.regions) == "");
+    const Joined joined = join_all(events, plan);
+    REQUIRE(unlike(join_all(joined.events, {}).events, surface.regions) == "");
     REQUIRE(joined.report.passed <= passed_before);
     passed_before = joined.report.passed;
   }
@@ -368,36 +368,36 @@ TEST_CASE("the marks tell what would have been enough") {
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
     CAPTURE(surface.name);
-    const JoinCapacities most = join(events, {}).high_water;
+    const JoinCapacities most = join_all(events, {}).high_water;
     CAPTURE(most.fragments);
     CAPTURE(most.runs);
     JoinPlan plan;
     plan.capacities = most;
-    CHECK(join(events, plan).status == Status::ok);
+    CHECK(join_all(events, plan).status == Status::ok);
     plan.capacities = {most.fragments - 1, most.runs};
-    CHECK(join(events, plan).status == Status::too_little_memory);
+    CHECK(join_all(events, plan).status == Status::too_little_memory);
     plan.capacities = {most.fragments, most.runs - 1};
-    CHECK(join(events, plan).status == Status::too_little_memory);
+    CHECK(join_all(events, plan).status == Status::too_little_memory);
   }
 }
 
 namespace {
 
 // Whether a joiner's table has the key near its beginning, however large it is.
-bool is_crowded(const WaitingKey& key) {
-  return WaitingTable::hash_of(key) >> 27 == 0;
+bool is_crowded(const join::WaitingKey& key) {
+  return join::WaitingTable::hash_of(key) >> 27 == 0;
 }
 
 // Joins what crowds the table of the first joiner: it runs short, though it has room for more.
 void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
-  const Joined first = join(events, plan);
+  const Joined first = join_all(events, plan);
   CHECK(first.status == Status::too_little_memory);
   CHECK(first.events == events);
   CHECK(first.report.passed == count(events, Kind::fragment));
   JoinPlan slow = plan;
   slow.refuses = refuses_first;
-  CHECK(join(events, slow).events == events);
-  CHECK(join(first.events, {}).report.regions == regions);
+  CHECK(join_all(events, slow).events == events);
+  CHECK(join_all(first.events, {}).report.regions == regions);
 }
 
 }  // namespace
@@ -439,7 +439,7 @@ namespace {
 Joined joined_in_room_for_one(const Events& events) {
   JoinPlan plan;
   plan.capacities = {1, 4};
-  return join(events, plan);
+  return join_all(events, plan);
 }
 
 }  // namespace
@@ -474,9 +474,9 @@ TEST_CASE("what cannot be joined may be left out") {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
     JoinPlan plan;
     plan.unjoined = Unjoined::left_out;
-    CHECK(unlike(join(events, plan).events, surface.regions) == "");
+    CHECK(unlike(join_all(events, plan).events, surface.regions) == "");
     plan.capacities = {5, 30};
-    const Joined joined = join(events, plan);
+    const Joined joined = join_all(events, plan);
     CHECK(joined.status == Status::too_little_memory);
     CHECK(joined.report.passed > 0);
     CHECK(Delivered(joined.events).fragments.empty());
@@ -553,13 +553,13 @@ TEST_CASE("a sink may refuse any event, and it does not show") {
         pieces.erase(pieces.begin() + 7, pieces.begin() + 9);
         Events events = events_of(pieces);
         events.push_back(finish_of({1, 2, 3, 4, 5, 6, 7, 8}, 10, false));
-        const Joined plain = join(events, plan);
+        const Joined plain = join_all(events, plan);
         for (size_t refused = 0; refused < plain.events.size(); refused += step(17)) {
           plan.refuses = [&](uint64_t offer) { return offer == refused; };
-          REQUIRE(join(events, plan).events == plain.events);
+          REQUIRE(join_all(events, plan).events == plain.events);
         }
         plan.refuses = refuses_first;
-        const Joined slow = join(events, plan);
+        const Joined slow = join_all(events, plan);
         CHECK(slow.events == plain.events);
         CHECK(slow.report.fragments == plain.report.fragments);
         CHECK(slow.report.unmatched == plain.report.unmatched);
@@ -630,7 +630,7 @@ TEST_CASE("a region is right when all its fragments came, and what is left over 
         }
         JoinPlan plan;
         plan.order = order;
-        const Joined joined = join(events_of(left), plan);
+        const Joined joined = join_all(events_of(left), plan);
         const Delivered delivered(joined.events);
         const std::vector<Region> regions = canonical(delivered.regions);
         for (size_t region = 0; region < surface.regions.size(); ++region)
@@ -651,13 +651,13 @@ TEST_CASE("what is lost in the middle is forgotten, and the sink is told where i
   Events events = fragment_of(test::up, {1, 0, 0}, 2, {Run::straight(2, 3)});
   events.back() = test::Script().lost().events[0];
   events.insert(events.end(), whole.events.begin(), whole.events.end());
-  Joined joined = join(events, {});
+  Joined joined = join_all(events, {});
   CHECK(joined.events == whole.events);
   CHECK(joined.report.unmatched == 0);
 
   events = whole.events;
   events.back() = test::Script().lost().events[0];
-  joined = join(events, {});
+  joined = join_all(events, {});
   CHECK(joined.events == events);
 }
 
@@ -669,11 +669,11 @@ TEST_CASE("what is lost of a fragment that is passed on, the sink is told") {
   events.back() = test::Script().lost().events[0];
   JoinPlan plan;
   plan.capacities = {1, 1};
-  CHECK(join(events, plan).events == events);
+  CHECK(join_all(events, plan).events == events);
   plan.refuses = [](uint64_t offer) { return offer % 2 == 0; };
-  CHECK(join(events, plan).events == events);
+  CHECK(join_all(events, plan).events == events);
   plan.unjoined = Unjoined::left_out;
-  CHECK(join(events, plan).events.empty());
+  CHECK(join_all(events, plan).events.empty());
 }
 
 TEST_CASE("a region of which something was lost takes no holes") {
@@ -683,7 +683,7 @@ TEST_CASE("a region of which something was lost takes no holes") {
   Events events = nest.fragment(1);
   append(events, begun);
   append(begun, nest.fragment(1));
-  CHECK(join(events, {}).events == begun);
+  CHECK(join_all(events, {}).events == begun);
 }
 
 TEST_CASE("a region that is none leaves the holes of its plane where they are") {
@@ -698,7 +698,7 @@ TEST_CASE("a region that is none leaves the holes of its plane where they are") 
     Events events = hole;
     const Events whole = region.region_end().events;
     events.insert(events.end(), whole.begin(), whole.end());
-    return join(events, {});
+    return join_all(events, {});
   };
   const Run first = Run::straight(0, 8), last = Run::straight(6, 8);
   CHECK(in_region(test::up, first, last).report.unmatched == 0);
@@ -729,7 +729,7 @@ TEST_CASE("the finish event counts what was delivered") {
     sent.rings = count(events, Kind::ring);
     sent.fragments = count(events, Kind::fragment);
     events.push_back(finish_of(sent, 7, true));
-    const Joined joined = join(events, plan);
+    const Joined joined = join_all(events, plan);
     Statistics delivered = sent;
     delivered.regions = count(joined.events, Kind::region);
     delivered.rings = count(joined.events, Kind::ring);
@@ -748,7 +748,7 @@ TEST_CASE("of several streams there is one finish event, and it comes last") {
   Events events = {finish_of(one, 3, true), finish_of(two, 4, false)};
   const Events ring = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
   events.insert(events.end(), ring.begin(), ring.end());
-  const Joined joined = join(events, plan);
+  const Joined joined = join_all(events, plan);
   REQUIRE(joined.report.regions == 1);
   Statistics expected = sum;
   ++expected.regions;
@@ -763,7 +763,7 @@ TEST_CASE("loose fragments of a stream that broke off count as those of another"
   plan.order = InputOrder::any;
   Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   events.push_back(finish_of({}, 3, false));
-  const Joined joined = join(events, plan);
+  const Joined joined = join_all(events, plan);
   Statistics expected{};
   expected.fragments = 1;
   CHECK(joined.events.back() == finish_of(expected, 3, false));
@@ -818,7 +818,7 @@ TEST_CASE("what follows a finish event begins with nothing, and with all that th
     append(events, second);
     JoinPlan plan;
     plan.capacities = capacities;
-    Events joined = join(events, plan).events;
+    Events joined = join_all(events, plan).events;
     Events expected = half;
     expected.push_back(events[half.size()]);
     expected.back() = joined.at(half.size());  // its counts are another test's
@@ -840,10 +840,10 @@ TEST_CASE("what follows a finish event begins with nothing, and with all that th
 
 TEST_CASE("a stream that breaks off is finished without a finish event") {
   const Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
-  CHECK(join(events, {}).events == events);
+  CHECK(join_all(events, {}).events == events);
   Events begun = events;
   begun.pop_back();
-  CHECK(join(begun, {}).events.empty());
+  CHECK(join_all(begun, {}).events.empty());
 }
 
 // ---- any events ----
@@ -856,7 +856,7 @@ TEST_CASE("the second of two fragments that want one place is left over") {
   for (const Events& second : {same_start, same_end}) {
     Events events = first;
     events.insert(events.end(), second.begin(), second.end());
-    const Joined joined = join(events, {});
+    const Joined joined = join_all(events, {});
     CHECK(joined.report.unmatched == 2);
     Events swapped = second;
     swapped.insert(swapped.end(), first.begin(), first.end());
@@ -877,7 +877,7 @@ TEST_CASE("what is no fragment is left out and counted") {
       fragment_of(test::up, {1, 0, 0}, 0, {}),
   };
   for (const Events& events : none) {
-    const Joined joined = join(events, {});
+    const Joined joined = join_all(events, {});
     CHECK(joined.events.empty());
     CHECK(joined.report.unmatched == 0);
     CHECK(joined.report.invalid == 1);
@@ -896,7 +896,7 @@ TEST_CASE("a fragment without an end is forgotten, whatever comes in its place")
     append(events, square);
     Events expected = next.size() > 1 ? square : next;
     append(expected, square);
-    CHECK(join(events, {}).events == expected);
+    CHECK(join_all(events, {}).events == expected);
   }
 }
 
@@ -904,13 +904,13 @@ TEST_CASE("an end without a beginning ends nothing") {
   const RecordedEvent lost = test::Script().lost().events[0];
   Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   events.insert(events.end() - 1, lost);
-  Joined joined = join(events, {});
+  Joined joined = join_all(events, {});
   CHECK(joined.events.empty());
   CHECK(joined.report.fragments == 0);
 
   events = fragment_of(no_incidence, {1, 0, 0}, 0, {Run::straight(0, 1)});
   events.push_back(events.back());
-  joined = join(events, {});
+  joined = join_all(events, {});
   CHECK(joined.events.empty());
   CHECK(joined.report.fragments == 1);
 }
@@ -922,7 +922,7 @@ TEST_CASE("a region in the middle of which a fragment comes leaves the holes for
   append(events, square_fragment(inwards({1, 0, 0}, 6), 2, true));
   events.push_back(test::Script().region_end().events[0]);
   append(events, nest.region(0, false));
-  const Joined joined = join(events, {});
+  const Joined joined = join_all(events, {});
   CHECK(joined.report.unmatched == 0);
   CHECK(joined.report.rings == 2);
   const Events first = nest.region(0, false);
@@ -940,7 +940,7 @@ TEST_CASE("a region in the middle of which all ends takes no hole any more") {
   events.insert(events.end(), whole.begin(), end);
   events.push_back(finish);
   events.insert(events.end(), end, whole.end());
-  Events joined = join(events, {}).events;
+  Events joined = join_all(events, {}).events;
   joined.erase(std::remove_if(joined.begin(), joined.end(),
                               [](const RecordedEvent& event) { return event.is(Kind::finish); }),
                joined.end());
@@ -958,7 +958,7 @@ TEST_CASE("a ring that turns neither way is no region") {
   for (const InputOrder order : {InputOrder::sweep, InputOrder::any}) {
     JoinPlan plan;
     plan.order = order;
-    const Joined joined = join(fragment_of(test::up, {1, 0, 0}, 6, runs), plan);
+    const Joined joined = join_all(fragment_of(test::up, {1, 0, 0}, 6, runs), plan);
     CHECK(joined.report.regions == 0);
     CHECK(joined.report.unmatched == 1);
   }
@@ -977,7 +977,7 @@ TEST_CASE("a long side is one run until it is longer than a run can be") {
                     {Run::straight(2, 5), Run::straight(4, before), Run::straight(4, behind),
                      Run::straight(6, 5), Run::straight(0, before)});
     events.insert(events.end(), rest.begin(), rest.end());
-    return join(events, {});
+    return join_all(events, {});
   };
   CHECK(count(rings(most - 7, 7).events, Kind::run) == 4);
   CHECK(count(rings(most - 7, 8).events, Kind::run) == 6);
@@ -1010,7 +1010,7 @@ TEST_CASE("coordinates wrap, wherever fragments start and however long they are"
     JoinPlan plan;
     plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
     if (round % 3 == 0) plan.capacities = {1 + chance.below(20), 1 + chance.below(100)};
-    const Joined joined = join(events, plan);
+    const Joined joined = join_all(events, plan);
     CHECK(joined.report.fragments == 20);
   }
 }
@@ -1031,7 +1031,7 @@ TEST_CASE("events in no order that the grammar has do no harm") {
     plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
     if (round % 3 == 0) plan.capacities = {1 + chance.below(50), 1 + chance.below(200)};
     plan.unjoined = round % 5 != 0 ? Unjoined::passed_on : Unjoined::left_out;
-    (void)join(events, plan);
+    (void)join_all(events, plan);
   }
 }
 

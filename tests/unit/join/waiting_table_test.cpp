@@ -9,6 +9,7 @@
 #include "oracle/stream.hpp"
 
 using namespace discmc;
+using namespace discmc::join;
 using test::Chance;
 
 namespace {
@@ -17,8 +18,8 @@ namespace {
 // values lead to.
 class Table {
  public:
-  explicit Table(uint32_t slots) : hashes_(slots, 0xA5A5A5A5), values_(slots, 0x5A5A5A5A) {
-    table_.start(hashes_.data(), values_.data(), slots);
+  explicit Table(uint32_t buckets) : hashes_(buckets, 0xA5A5A5A5), values_(buckets, 0x5A5A5A5A) {
+    table_.start(hashes_.data(), values_.data(), buckets);
     table_.clear();
   }
 
@@ -109,47 +110,47 @@ TEST_CASE("a value is replaced under its own key alone, though another has the s
 }
 
 TEST_CASE("a full table is a result, and changes nothing") {
-  for (const uint32_t slots : {1U, 2U, 63U, 64U}) {
-    Table table(slots);
-    for (uint32_t i = 0; i < slots; ++i) CHECK(table.insert(key_at(i)));
-    CHECK_FALSE(table.insert(key_at(slots)));
-    for (uint32_t i = 0; i < slots; ++i) CHECK(table.find(key_at(i)) == i + 1);
+  for (const uint32_t buckets : {1U, 2U, 63U, 64U}) {
+    Table table(buckets);
+    for (uint32_t i = 0; i < buckets; ++i) CHECK(table.insert(key_at(i)));
+    CHECK_FALSE(table.insert(key_at(buckets)));
+    for (uint32_t i = 0; i < buckets; ++i) CHECK(table.find(key_at(i)) == i + 1);
     table.remove(key_at(0));
-    CHECK(table.insert(key_at(slots)));
-    CHECK(table.find(key_at(slots)) != 0);
+    CHECK(table.insert(key_at(buckets)));
+    CHECK(table.find(key_at(buckets)) != 0);
   }
 }
 
 TEST_CASE("a full window is a result although the table has room, and no entry is lost") {
-  constexpr uint32_t slots = 1000;
-  Table table(slots);
+  constexpr uint32_t buckets = 1000;
+  Table table(buckets);
   uint32_t refused = 0;
   std::vector<WaitingKey> kept;
-  for (uint32_t i = 0; i < slots; ++i) {
+  for (uint32_t i = 0; i < buckets; ++i) {
     if (table.insert(key_at(i)))
       kept.push_back(key_at(i));
     else
       ++refused;
   }
   CHECK(refused > 0);
-  CHECK(refused < slots / 10);
+  CHECK(refused < buckets / 10);
   for (const WaitingKey& key : kept) CHECK(table.find(key) != 0);
 }
 
-TEST_CASE("with the slots for a number of entries so many find room") {
+TEST_CASE("with the buckets for a number of entries so many find room") {
   for (const uint32_t entries : {2U, 10U, 30U, 1000U, 100000U}) {
-    Table table(WaitingTable::slots_for(entries));
+    Table table(WaitingTable::buckets_for(entries));
     for (uint32_t i = 0; i < entries; ++i) REQUIRE(table.insert(key_at(i)));
   }
 }
 
 TEST_CASE("whatever is inserted and removed, what waits is what a list says") {
   Chance chance(1);
-  for (const uint32_t slots : {1U, 7U, 64U, 65U, 300U}) {
-    Table table(slots);
+  for (const uint32_t buckets : {1U, 7U, 64U, 65U, 300U}) {
+    Table table(buckets);
     std::vector<WaitingKey> model;
     for (int i = 0; i < 20000; ++i) {
-      const WaitingKey key = key_at(chance.below(2 * slots));
+      const WaitingKey key = key_at(chance.below(2 * buckets));
       const auto known = std::find(model.begin(), model.end(), key);
       REQUIRE((table.find(key) != 0) == (known != model.end()));
       if (known != model.end()) {

@@ -44,6 +44,23 @@ std::optional<Crop> crop_of(std::string_view text) {
   return crop;
 }
 
+CLI::Validator usable_axes() {
+  return CLI::Validator(
+      [](std::string& text) {
+        std::string sorted = text;
+        std::sort(sorted.begin(), sorted.end());
+        const bool is_usable = text.find_first_not_of("tczyx") == std::string::npos &&
+                               std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end() &&
+                               text.find('x') != std::string::npos &&
+                               text.find('y') != std::string::npos;
+        return is_usable ? std::string()
+                         : "'" + text +
+                               "' names no axes: give letters of tczyx, each once, x and y among "
+                               "them, as in zyx";
+      },
+      "");
+}
+
 void add_part_options(CLI::App& app, LayoutArguments& arguments) {
   app.add_option_function<std::string>(
          "--crop", [&arguments](const std::string& text) { arguments.crop = crop_of(text); },
@@ -90,6 +107,19 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
   app.add_option("--frame", arguments.frame,
                  "the volume to read of a file or a series of DICOM that holds several (4D), the "
                  "first is 0")
+      ->option_text("N");
+  app.add_option("--channel", arguments.channel,
+                 "the channel to read of a file that holds several, the first is 0")
+      ->option_text("N");
+  app.add_option("--axes", arguments.axes,
+                 "what the axes of an array are (NumPy, HDF5, Zarr), the slowest first: letters of "
+                 "tczyx, where t is chosen by --frame and c by --channel (default: as the file "
+                 "says, or zyx)")
+      ->check(usable_axes())
+      ->option_text("LETTERS");
+  app.add_option("--level", arguments.level,
+                 "the resolution to read of OME-Zarr, the finest is 0 (default: the finest whose "
+                 "slices are not too large)")
       ->option_text("N");
   app.add_option("--spacing", arguments.spacing,
                  "distances of voxels in millimetres, in place of those of the file (default: "

@@ -11,7 +11,7 @@ namespace discmc::command {
 constexpr const char* volume_group = "Volume";
 
 /// --dims, --type, --big-endian and --skip-bytes, the layout of a headerless file; --spacing,
-/// --frame, --series and --allow-gaps; --crop and --shrink.
+/// --frame, --channel, --series and --allow-gaps; --crop and --shrink.
 void add_volume_options(CLI::App& app, LayoutArguments& arguments);
 
 }  // namespace discmc::command

@@ -11,26 +11,25 @@
 
 #include "cropped_volume.hpp"
 #include "shrunk_volume.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
 namespace {
 
 // 1 where the value is another number than 0.
-class Mask final : public VolumeReader {
+class Mask final : public VolumeFilter {
  public:
   explicit Mask(std::unique_ptr<VolumeReader> volume)
-      : volume_(std::move(volume)), info_(volume_->info()), slice_(info_.slice_bytes()) {
-    info_.type = SampleType::u8;
-    info_.slope = 1;
-    info_.intercept = 0;
+      : VolumeFilter(std::move(volume)), slice_(info().slice_bytes()) {
+    own_info().type = SampleType::u8;
+    own_info().slope = 1;
+    own_info().intercept = 0;
   }
 
-  const VolumeInfo& info() const override { return info_; }
-
   void read_slice(void* samples) override {
-    const VolumeInfo& of = volume_->info();
-    volume_->read_slice(slice_.data());
+    const VolumeInfo& of = volume().info();
+    volume().read_slice(slice_.data());
     with_sample_type(of.type, [&](auto typed) {
       using Sample = decltype(typed);
       const auto* const first = reinterpret_cast<const Sample*>(slice_.data());
@@ -43,8 +42,6 @@ class Mask final : public VolumeReader {
   }
 
  private:
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
   std::vector<std::uint8_t> slice_;
 };
 
@@ -63,15 +60,13 @@ std::optional<Sample> zero_of(const VolumeInfo& info) {
   return std::nullopt;
 }
 
-class MaskedVolume final : public VolumeReader {
+class MaskedVolume final : public VolumeFilter {
  public:
   MaskedVolume(std::unique_ptr<VolumeReader> volume, std::unique_ptr<VolumeReader> mask)
-      : volume_(std::move(volume)), mask_(std::move(mask)), on_(mask_->info().slice_bytes()) {}
-
-  const VolumeInfo& info() const override { return volume_->info(); }
+      : VolumeFilter(std::move(volume)), mask_(std::move(mask)), on_(mask_->info().slice_bytes()) {}
 
   void read_slice(void* samples) override {
-    volume_->read_slice(samples);
+    volume().read_slice(samples);
     mask_->read_slice(on_.data());
     with_sample_type(info().type, [&](auto typed) {
       using Sample = decltype(typed);
@@ -84,8 +79,12 @@ class MaskedVolume final : public VolumeReader {
     });
   }
 
+  void skip_slice() override {
+    volume().skip_slice();
+    mask_->skip_slice();
+  }
+
  private:
-  std::unique_ptr<VolumeReader> volume_;
   std::unique_ptr<VolumeReader> mask_;
   std::vector<std::uint8_t> on_;
 };
@@ -111,9 +110,13 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   of_all.allow_gaps = options.allow_gaps;
   // The options are those of the volume: none tells what is in a mask.
   of_all.frame = 0;
+  of_all.channel = 0;
   auto mask = open_volume(file, of_all);
   if (mask->info().frames > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",
+         "store the one to take in a file of its own");
+  if (mask->info().channels > 1)
+    fail(file, "the mask holds " + std::to_string(mask->info().channels) + " channels",
          "store the one to take in a file of its own");
   const auto whole = volume.whole_dims.value_or(volume.dims);
   if (mask->info().dims != whole)

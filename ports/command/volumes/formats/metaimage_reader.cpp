@@ -5,8 +5,11 @@
 #include <map>
 #include <utility>
 
+#include "text/words.hpp"
 #include "volumes/data_files.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -127,7 +130,7 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Descri
          "NDims is " + std::to_string(dimensions) + " but DimSize holds " +
              std::to_string(sizes.size()),
          "correct the header");
-  set_dims(info, file, sizes, options);
+  set_dims(info, file, sizes, options.frame);
 }
 
 // Where the axes come from by their letters: RAI are axes along LPS. ITK writes them beside the
@@ -148,40 +151,55 @@ void note_orientation(VolumeInfo& info, std::string_view told) {
   if (told.empty() || told.find('?') != std::string_view::npos || !info.placement) return;
   const std::string taken = orientation_of(info.placement->axes_mm);
   if (told != taken)
-    info.notes.push_back("AnatomicalOrientation " + shown(told) +
-                         " dropped: by the TransformMatrix it is '" + taken + "'");
+    note(info, "AnatomicalOrientation " + shown(told) + " dropped: by the TransformMatrix it is '" +
+                   taken + "'");
 }
 
-void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Description& header) {
-  auto lengths = header.reals({"ElementSpacing", "ElementSize"});
-  const std::size_t axes = words(header.needed("DimSize")).size();
-  if (lengths.empty())
-    info.notes.emplace_back(no_spacing_note);
-  else if (lengths.size() < axes)
+// A row an axis, of length 1; nothing where the numbers are no matrix of the axes.
+std::optional<Axes> directions_of(VolumeInfo& info, const std::vector<double>& matrix,
+                                  std::size_t axes) {
+  if (matrix.size() != axes * axes) {
+    if (!matrix.empty())
+      note(info, "TransformMatrix of " + std::to_string(matrix.size()) + " numbers dropped: " +
+                     std::to_string(axes) + " dimensions take " + std::to_string(axes * axes));
+    return std::nullopt;
+  }
+  Axes directions = coordinates;
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
+    for (std::size_t i = 0; i < std::min<std::size_t>(axes, 3); ++i)
+      directions[axis][i] = matrix[axis * axes + i];
+  return directions;
+}
+
+void set_spacing(VolumeInfo& info, const std::filesystem::path& file, const Description& header,
+                 std::size_t axes, ToldPlace& told) {
+  auto lengths = header.reals({"ElementSpacing"});
+  if (lengths.empty()) {
+    lengths = header.reals({"ElementSize"});
+    if (!lengths.empty()) note(info, "no ElementSpacing given, ElementSize taken");
+  }
+  if (!lengths.empty() && lengths.size() < axes)
     fail(file,
          "ElementSpacing holds " + std::to_string(lengths.size()) + " numbers for " +
              std::to_string(axes) + " dimensions",
          "correct the header");
-  lengths.resize(3, 1.0);
-  set_spacing(info, {lengths[0], lengths[1], lengths[2]});
+  std::copy_n(lengths.begin(), std::min<std::size_t>(lengths.size(), 3), told.spacing.begin());
+}
+
+void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Description& header,
+                  const VolumeOptions& options) {
+  const std::size_t axes = words(header.needed("DimSize")).size();
+  ToldPlace told;
+  // ITK, which the format is from, has millimetres and the space of DICOM.
+  const std::string_view unit = header.text({"DistanceUnits"});
+  told.set_unit(unit.empty() ? "mm" : unit == "?" ? "" : std::string(unit));
+  set_spacing(info, file, header, axes, told);
   const auto matrix = header.reals({"TransformMatrix", "Rotation", "Orientation"});
   const auto origin = header.reals({"Offset", "Position", "Origin"});
-  if (matrix.empty() && origin.empty()) return;
-
-  // A row an axis, of length 1. ITK, which the format is from, has the space of DICOM.
-  VolumePlacement placement = along_coordinates(info.spacing_mm);
-  placement.frame = Frame::lps;
-  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), placement.origin_mm.begin());
-  if (matrix.size() == axes * axes) {
-    for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
-      for (std::size_t i = 0; i < std::min<std::size_t>(axes, 3); ++i)
-        placement.axes_mm[axis][i] = matrix[axis * axes + i] * info.spacing_mm[axis];
-  } else if (!matrix.empty()) {
-    info.notes.push_back("TransformMatrix of " + std::to_string(matrix.size()) +
-                         " numbers dropped: " + std::to_string(axes) + " dimensions take " +
-                         std::to_string(axes * axes));
-  }
-  set_placement(info, placement);
+  if (!matrix.empty() || !origin.empty()) told.frame = Frame::lps;
+  told.directions = directions_of(info, matrix, axes);
+  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), told.origin.begin());
+  set_place(info, told, options);
   note_orientation(info, header.text({"AnatomicalOrientation"}));
 }
 
@@ -212,7 +230,7 @@ ByteStream at_data(ByteStream data, std::int64_t header_bytes, const Storage& st
 
 // Takes the samples from behind the header, or from the files that it names.
 ByteStream open_data(ByteStream& stream, const Description& header, const Storage& storage,
-                     const VolumeInfo& info) {
+                     VolumeInfo& info) {
   const std::string_view name = header.needed("ElementDataFile");
   const std::int64_t header_bytes = header.whole("HeaderSize", 0);
   const std::uint64_t bytes = bytes_of_all(info);
@@ -223,7 +241,7 @@ ByteStream open_data(ByteStream& stream, const Description& header, const Storag
   const auto open = [storage, header_bytes, each = bytes / files.count](const auto& path) {
     return at_data(ByteStream(path), header_bytes, storage, each);
   };
-  return joined(stream.file(), files, bytes, open);
+  return joined(stream.file(), files, info, open);
 }
 
 }  // namespace
@@ -240,7 +258,7 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
   VolumeInfo info;
   info.type = sample_type(file, header.needed("ElementType"));
   set_sizes(info, file, header, options);
-  set_geometry(info, file, header);
+  set_geometry(info, file, header, options);
   set_values(info, file, header);
   const Storage storage{info.type, header.flag({"CompressedData"}, false),
                         !header.flag({"BinaryData"}, true)};
@@ -248,13 +266,12 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
                                                          "ElementByteOrderMSB"};
   const bool big_endian = storage.is_text ? is_native_big_endian() : header.flag(order, false);
   if (!storage.is_text && sample_bytes(info.type) > 1 && header.text(order).empty())
-    info.notes.emplace_back("byte order not given, little-endian taken");
+    note(info, "byte order not given, little-endian taken");
 
   ByteStream data = open_data(stream, header, storage, info);
-  skip_to_frame(data, info, options);
   info.format = "MetaImage, " + storage.name() +
                 (is_local(header.needed("ElementDataFile")) ? "" : ", detached");
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), big_endian);
+  return std::make_unique<SliceStream>(std::move(info), std::move(data), big_endian, options.frame);
 }
 
 }  // namespace discmc::command

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

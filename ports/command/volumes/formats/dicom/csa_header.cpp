@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {

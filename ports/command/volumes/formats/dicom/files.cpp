@@ -5,7 +5,10 @@
 #include <string>
 #include <system_error>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/packing.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_stream.hpp"
 
 namespace discmc::command {
 namespace {
@@ -38,6 +41,9 @@ bool is_dicom(const std::filesystem::path& file) {
   std::string head(dicom_magic_bytes, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(in.gcount()));
+  if (packing_of_name(file) && packing_of(head))
+    return has_dicom_name(without_packing(file)) ||
+           has_dicom_magic(open_content(file).peek(dicom_magic_bytes));
   return has_dicom_magic(head) || has_dicom_name(file);
 }
 

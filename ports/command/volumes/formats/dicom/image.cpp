@@ -7,7 +7,7 @@
 #include "frames.hpp"
 #include "mosaic.hpp"
 #include "vectors.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

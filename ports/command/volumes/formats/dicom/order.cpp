@@ -12,7 +12,8 @@
 #include "vectors.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/gaps.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/told_place.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -31,7 +32,7 @@ void fill(const Path& source, VolumeInfo& info, Frames& stack,
       gaps.push_back({i - 1, std::min(missing, max_missing),
                       "between " + places[i - 1] + " and " + places[i]});
   if (gaps.empty()) return;
-  info.notes.push_back(note_of_filling(source, gaps, stack.size(), allow_gaps, export_again));
+  note(info, note_of_filling(source, gaps, stack.size(), allow_gaps, export_again));
   fill_gaps(stack, gaps);
 }
 
@@ -108,8 +109,8 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
   if (!slices) {
     slices = rounded_slices(along, std::fabs(stack[0].slice_spacing_mm), rounding);
     if (slices)
-      info.notes.push_back("the positions are rounded, slices taken " + short_number(slices->step) +
-                           " mm apart");
+      note(info,
+           "the positions are rounded, slices taken " + short_number(slices->step) + " mm apart");
   }
   if (!slices) {
     const DicomFrame& before = stack[odd.slice];
@@ -124,8 +125,7 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
   const double off = farthest_off(along, *slices);
   constexpr double max_share = 0.25, share_to_tell = 0.02;
   if (off > std::max(rounding, share_to_tell * slices->step))
-    info.notes.push_back("slices lie up to " + short_number(off) +
-                         " mm from where even distances have them");
+    note(info, "slices lie up to " + short_number(off) + " mm from where even distances have them");
   if (off > max_share * slices->step)
     fail(source,
          "the distances of slices change: with " + short_number(slices->step) +
@@ -162,10 +162,10 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
   const Vector straight = sum({}, slices.step, normal);
   if (is_straight) return straight;
   constexpr double degrees = 180 / 3.14159265358979323846;
-  info.notes.push_back("each slice is shifted by " + short_number(length(shift)) +
-                       " mm against the one before it, as by a gantry tilted by " +
-                       short_number(std::atan2(length(shift), slices.step) * degrees) +
-                       " degrees; the volume is sheared as they lie");
+  note(info, "each slice is shifted by " + short_number(length(shift)) +
+                 " mm against the one before it, as by a gantry tilted by " +
+                 short_number(std::atan2(length(shift), slices.step) * degrees) +
+                 " degrees; the volume is sheared as they lie");
   // That of the positions themselves, unless they are rounded.
   const Vector way = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
   constexpr double same_mm = 1e-6;
@@ -180,9 +180,8 @@ SliceLine order_by_position(const Path& source, VolumeInfo& info, Frames& stack,
   });
   if (const std::size_t dropped = drop_duplicates(source, stack, along_normal, same_pixels);
       dropped > 0)
-    info.notes.push_back(std::to_string(dropped) + (dropped == 1
-                                                        ? " slice that is there twice dropped"
-                                                        : " slices that are there twice dropped"));
+    note(info, std::to_string(dropped) + (dropped == 1 ? " slice that is there twice dropped"
+                                                       : " slices that are there twice dropped"));
   const Vector normal = normal_of(*stack[0].place);
   if (stack.size() == 1)
     return {stack[0].place->position, sum({}, std::fabs(stack[0].slice_spacing_mm), normal)};
@@ -246,10 +245,10 @@ void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack
       "; which way they follow each other, and so which side is left, is not known";
   if (options.order == SliceOrder::instance) {
     order_by_instance(source, info, stack, options.allow_gaps);
-    info.notes.push_back("slices in the order of their InstanceNumber" + and_sides);
+    note(info, "slices in the order of their InstanceNumber" + and_sides);
   } else if (options.order == SliceOrder::name) {
     order_by_name(stack);
-    info.notes.push_back("slices in the order of their names" + and_sides);
+    note(info, "slices in the order of their names" + and_sides);
   } else if (std::any_of(stack.begin(), stack.end(),
                          [&](const DicomFrame& frame) { return frame.image != stack[0].image; })) {
     fail(source,
@@ -257,7 +256,7 @@ void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack
              " slices tell no position (ImagePositionPatient), and so no order",
          "put them in order by --order instance (InstanceNumber) or --order name");
   } else if (stack.size() > 1) {
-    info.notes.push_back("the frames tell no positions, taken in their order" + and_sides);
+    note(info, "the frames tell no positions, taken in their order" + and_sides);
   }
 }
 
@@ -286,14 +285,7 @@ void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
   info.type = SampleType::f32;
   info.slope = 1;
   info.intercept = 0;
-  info.notes.emplace_back("slope and intercept differ from slice to slice, values taken as f32");
-}
-
-void set_notes(VolumeInfo& info, const Frames& stack) {
-  for (const DicomFrame& frame : stack)
-    for (const std::string& note : frame.image->notes)
-      if (std::find(info.notes.begin(), info.notes.end(), note) == info.notes.end())
-        info.notes.push_back(note);
+  note(info, "slope and intercept differ from slice to slice, values taken as f32");
 }
 
 }  // namespace
@@ -304,23 +296,23 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
   const std::string name = first.spacing_name == nullptr ? "" : first.spacing_name;
   if (!options.spacing_mm) {
     if (name.empty())
-      info.notes.emplace_back("no PixelSpacing, 1 mm taken");
+      note(info, "no PixelSpacing, 1 mm taken");
     else if (name != "PixelSpacing")
-      info.notes.push_back("no PixelSpacing, " + name + " taken, which is that at the detector");
-    if (distance == 0)
-      info.notes.emplace_back("no SpacingBetweenSlices or SliceThickness, 1 mm taken");
+      note(info, "no PixelSpacing, " + name + " taken, which is that at the detector");
+    if (distance == 0) note(info, "no SpacingBetweenSlices or SliceThickness, 1 mm taken");
   }
   const auto or_one = [](double told) { return told == 0 ? 1 : told; };
-  set_spacing(info, {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)});
-  if (!line) return;
-  VolumePlacement placement;
-  placement.frame = Frame::lps;
-  placement.origin_mm = line->origin;
-  placement.axes_mm = {
-      sum({}, info.spacing_mm[0], first.place->along_row),
-      sum({}, info.spacing_mm[1], first.place->along_column),
-      length(line->step) > 0 ? line->step : sum({}, info.spacing_mm[2], normal_of(*first.place))};
-  set_placement(info, placement);
+  ToldPlace told;
+  told.set_unit("mm");
+  told.spacing = {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)};
+  if (line) {
+    told.frame = Frame::lps;
+    told.origin = line->origin;
+    const Vector across =
+        distance == 0 ? normal_of(*first.place) : sum({}, 1 / distance, line->step);
+    told.directions = {first.place->along_row, first.place->along_column, across};
+  }
+  set_place(info, told, options);
 }
 
 bool have_one_scale(const Frames& stack) {
@@ -329,9 +321,8 @@ bool have_one_scale(const Frames& stack) {
   });
 }
 
-VolumeInfo order_stack(const Path& source, Frames& stack, const SamePixels& same_pixels,
-                       const VolumeOptions& options) {
-  VolumeInfo info;
+void order_stack(const Path& source, Frames& stack, const SamePixels& same_pixels,
+                 const VolumeOptions& options, VolumeInfo& info) {
   std::optional<SliceLine> line;
   if (stack[0].place && options.order == SliceOrder::position) {
     line = order_by_position(source, info, stack, same_pixels, options.allow_gaps);
@@ -343,12 +334,12 @@ VolumeInfo order_stack(const Path& source, Frames& stack, const SamePixels& same
   set_dims(info, source, {image.columns, image.rows, static_cast<std::int64_t>(stack.size())});
   set_values(info, source, stack);
   set_slice_line(info, stack[0], line, options);
-  set_notes(info, stack);
+  for (const DicomFrame& frame : stack)
+    for (const std::string& each : frame.image->notes) note(info, each);
   if (image.is_inverted)
-    info.notes.emplace_back("MONOCHROME1: the low values are the bright ones, taken as stored");
+    note(info, "MONOCHROME1: the low values are the bright ones, taken as stored");
   info.format = "DICOM";
   if (!image.compression.empty()) info.format += ", " + image.compression;
-  return info;
 }
 
 }  // namespace discmc::command

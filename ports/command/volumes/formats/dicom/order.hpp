@@ -31,10 +31,10 @@ bool have_one_scale(const std::vector<DicomFrame>& stack);
 using SamePixels = std::function<bool(const DicomFrame&, const DicomFrame&)>;
 
 /// Puts the frames in the order of their positions, each position once, or in the order that the
-/// options ask for, and describes the volume that they are. Throws VolumeError where slices are
+/// options ask for, and adds to the info what volume they are. Throws VolumeError where slices are
 /// missing and gaps are not allowed, are not as far from each other everywhere, or not on one line.
-VolumeInfo order_stack(const std::filesystem::path& source, std::vector<DicomFrame>& stack,
-                       const SamePixels& same_pixels, const VolumeOptions& options);
+void order_stack(const std::filesystem::path& source, std::vector<DicomFrame>& stack,
+                 const SamePixels& same_pixels, const VolumeOptions& options, VolumeInfo& info);
 
 }  // namespace discmc::command
 

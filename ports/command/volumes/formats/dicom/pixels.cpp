@@ -12,7 +12,7 @@
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 

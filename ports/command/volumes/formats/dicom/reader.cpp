@@ -13,7 +13,9 @@
 #include "pixels.hpp"
 #include "segmentation.hpp"
 #include "stack.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/packing.hpp"
+#include "volumes/unpacked_volume.hpp"
 
 namespace discmc::command {
 namespace {
@@ -130,15 +132,16 @@ std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
                                          std::vector<std::string> notes) {
   const DicomStack& stack = *chosen.stack;
   for (const DicomFrame& frame : stack.frames) require_possible(*frame.image);
-  if (stack.image().segments) return open_segmentation(source, stack.frames, options);
-  std::vector<DicomFrame> frames = stack.frames;
-  VolumeInfo info = order_stack(source, frames, have_same_pixels, options);
-  info.frames = chosen.among;
   if (!stack.order.empty())
     notes.push_back("slices in one place are told apart by their order alone: " + stack.order);
-  info.notes.insert(info.notes.begin(), notes.begin(), notes.end());
-  if (frames.size() == 1)
-    info.notes.emplace_back("one slice; to take a whole series give its folder");
+  VolumeInfo info;
+  for (const std::string& each : notes) note(info, each);
+  if (stack.image().segments)
+    return open_segmentation(source, stack.frames, std::move(info), options);
+  std::vector<DicomFrame> frames = stack.frames;
+  order_stack(source, frames, have_same_pixels, options, info);
+  info.frames = chosen.among;
+  if (frames.size() == 1) note(info, "one slice; to take a whole series give its folder");
   return std::make_unique<DicomVolume>(source, std::move(info), std::move(frames));
 }
 
@@ -150,6 +153,26 @@ void require_file(const std::filesystem::path& file) {
   fail(file, "the link leads nowhere, to " + shown(target.string()), "copy what it should lead to");
 }
 
+bool is_packed(const std::filesystem::path& file) {
+  return packing_of_name(file).has_value();
+}
+
+// Unpacks those of the files that are packed into a folder, and returns where all of them are.
+std::vector<std::filesystem::path> unpacked_files(const std::filesystem::path& source,
+                                                  std::vector<std::filesystem::path> files,
+                                                  const std::filesystem::path& folder) {
+  std::error_code ignored;
+  const auto base = std::filesystem::is_directory(source, ignored) ? source : source.parent_path();
+  for (auto& file : files) {
+    if (!is_packed(file)) continue;
+    const auto unpacked = folder / without_packing(file).lexically_relative(base);
+    ByteStream stream = open_content(file);
+    unpack(stream, unpacked);
+    file = unpacked;
+  }
+  return files;
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
@@ -157,6 +180,11 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const VolumeOptions& options,
                                          const std::vector<std::string>& notes) {
   for (const auto& file : files) require_file(file);
+  const auto packed = std::find_if(files.begin(), files.end(), is_packed);
+  if (packed != files.end())
+    return unpacked_volume(source, name(*packing_of_name(*packed)), [&](const auto& folder) {
+      return open_dicom(source, unpacked_files(source, files, folder), options, notes);
+    });
   const Found found = find_frames(files);
   if (found.is_directory && files.size() == 1) {
     const auto folder = std::filesystem::absolute(files[0]).parent_path();

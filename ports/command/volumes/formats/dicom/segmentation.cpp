@@ -18,7 +18,7 @@
 #include "stack.hpp"
 #include "text/number_text.hpp"
 #include "vectors.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -233,14 +233,13 @@ void require_one_frame_a_segment(const Path& source, const Slices& slices) {
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames& given,
-                                                const VolumeOptions& options) {
+                                                VolumeInfo info, const VolumeOptions& options) {
   Frames frames = given;
   const DicomSegments& segments = segments_in(frames);
   Grid grid = grid_of(source, frames);
   require_one_frame_a_segment(source, grid.slices);
   const Layers layers = layers_of(source, frames, grid.slices);
 
-  VolumeInfo info;
   const DicomImage& image = *frames[0].image;
   const std::uint32_t highest = layers.empty() ? 0 : layers.rbegin()->first;
   info.type = is_of_numbers(frames) ? image.type
@@ -249,7 +248,7 @@ std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames
   std::vector<std::int64_t> sizes = {image.columns, image.rows,
                                      static_cast<std::int64_t>(grid.slices.size())};
   if (const std::uint32_t count = count_of(layers); count > 1) sizes.push_back(count);
-  set_dims(info, source, sizes, options);
+  set_dims(info, source, sizes, options.frame);
   const std::uint32_t layer = options.frame.value_or(0);
   for (auto& slice : grid.slices)
     slice.erase(std::remove_if(slice.begin(), slice.end(),
@@ -261,8 +260,8 @@ std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames
   set_slice_line(info, frames[0], grid.line, options);
   info.labels = table_of(segments, layers, layer);
   if (segments.kind == DicomSegments::Kind::fractions)
-    info.notes.emplace_back("fractions: a voxel of at least a half is of a segment");
-  for (const std::string& note : image.notes) info.notes.push_back(note);
+    note(info, "fractions: a voxel of at least a half is of a segment");
+  for (const std::string& each : image.notes) note(info, each);
   info.format = "DICOM segmentation";
   if (!image.compression.empty()) info.format += ", " + image.compression;
   return std::make_unique<SegmentationVolume>(source, std::move(info), std::move(frames),

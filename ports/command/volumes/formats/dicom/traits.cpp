@@ -5,7 +5,7 @@
 
 #include "attributes.hpp"
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

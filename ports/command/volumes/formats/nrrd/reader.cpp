@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "segment_labels.hpp"
+#include "text/words.hpp"
 #include "volumes/data_files.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -27,21 +30,46 @@ bool one_of(std::string_view text, std::initializer_list<std::string_view> names
   return std::find(names.begin(), names.end(), text) != names.end();
 }
 
-// The specification's fields and its second spellings; anything else may be a misspelt one that
-// matters.
+// The specification's fields; anything else may be a misspelt one that matters.
 std::string field_name(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> second_spellings[] = {
+      {"datafile", "data file"},      {"lineskip", "line skip"}, {"byteskip", "byte skip"},
+      {"axismins", "axis mins"},      {"axismaxs", "axis maxs"}, {"centers", "centerings"},
+      {"blocksize", "block size"},    {"oldmin", "old min"},     {"oldmax", "old max"},
+      {"sampleunits", "sample units"}};
   std::string name = lower(trimmed(text));
-  if (name == "datafile") return "data file";
-  if (name == "lineskip") return "line skip";
-  if (name == "byteskip") return "byte skip";
-  if (!one_of(name, {"dimension", "type",       "sizes",     "spacings",    "space directions",
-                     "space",     "units",      "encoding",  "space units", "space dimension",
-                     "endian",    "data file",  "line skip", "byte skip",   "space origin",
-                     "kinds",     "axis mins",  "axis maxs", "axismins",    "axismaxs",
-                     "labels",    "content",    "number",    "thicknesses", "measurement frame",
-                     "centers",   "centerings", "min",       "max",         "sample units",
-                     "old min",   "oldmin",     "old max",   "oldmax",      "sampleunits",
-                     "blocksize", "block size"}))
+  for (const auto& [second, first] : second_spellings)
+    if (name == second) name = first;
+  if (!one_of(name, {"dimension",
+                     "type",
+                     "sizes",
+                     "spacings",
+                     "space directions",
+                     "space",
+                     "units",
+                     "encoding",
+                     "space units",
+                     "space dimension",
+                     "endian",
+                     "data file",
+                     "line skip",
+                     "byte skip",
+                     "space origin",
+                     "kinds",
+                     "axis mins",
+                     "axis maxs",
+                     "labels",
+                     "content",
+                     "number",
+                     "thicknesses",
+                     "measurement frame",
+                     "centerings",
+                     "min",
+                     "max",
+                     "sample units",
+                     "old min",
+                     "old max",
+                     "block size"}))
     fail(file, "the header field " + shown(name) + " is not known", "correct or delete the line");
   return name;
 }
@@ -120,7 +148,7 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields
          "dimension is " + std::to_string(dimension) + " but there are " +
              std::to_string(sizes.size()) + " sizes",
          "correct the header");
-  set_dims(info, file, sizes, options);
+  set_dims(info, file, sizes, options.frame);
 
   const auto kinds = words(field(fields, "kinds"));
   for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
@@ -129,24 +157,18 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields
            "extract one component, e.g. with: unu slice");
 }
 
-// Returns the length of each axis's unit in millimetres. The units are strings in double quotes.
-std::array<double, 3> unit_lengths(VolumeInfo& info, std::string_view text) {
-  std::array<double, 3> lengths{1, 1, 1};
-  for (double& length : lengths) {
-    const std::size_t open = text.find('"');
-    if (open == std::string_view::npos) break;
-    text.remove_prefix(open + 1);
-    const std::size_t close = std::min(text.find('"'), text.size());
-    const std::string unit = lower(text.substr(0, close));
-    text.remove_prefix(std::min(close + 1, text.size()));
-    if (one_of(unit, {"m", "meter", "meters", "metre", "metres"})) length = 1000;
-    if (unit == "cm") length = 10;
-    if (one_of(unit, {"um", "\u00b5m", "\u03bcm", "micron", "microns"})) length = 1e-3;
-    if (unit == "nm") length = 1e-6;
-    if (length == 1 && !one_of(unit, {"", "mm", "millimeter", "millimeters", "millimetre"}))
-      info.notes.push_back("unit " + shown(unit) + " taken as mm");
+// The units of three axes, each in double quotes or a word.
+std::array<std::string, 3> units_of(std::string_view text) {
+  std::array<std::string, 3> units;
+  for (std::string& unit : units) {
+    text = trimmed(text);
+    const bool is_quoted = !text.empty() && text.front() == '"';
+    if (is_quoted) text.remove_prefix(1);
+    const std::size_t end = std::min(text.find_first_of(is_quoted ? "\"" : " \t"), text.size());
+    unit = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return lengths;
+  return units;
 }
 
 // Parses "(x,y,z)", at most three numbers.
@@ -198,79 +220,97 @@ Axes directions_of(const std::filesystem::path& file, const Fields& fields) {
   return directions;
 }
 
-std::array<double, 3> spacings_of(VolumeInfo& info, const std::filesystem::path& file,
-                                  const Fields& fields) {
-  const auto units = unit_lengths(info, field(fields, "units"));
-  const auto spacings = words(field(fields, "spacings"));
-  std::array<double, 3> spacing{1, 1, 1};
-  for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
-    spacing[axis] = units[axis] * real(file, "spacings", spacings[axis]);
-  if (spacings.empty())
-    info.notes.emplace_back(no_spacing_note);
-  else
-    expect_per_axis(file, fields, "spacings", spacings.size());
-  return spacing;
+using Numbers = std::array<std::optional<double>, 3>;
+
+// What a field has for each of the first three axes, where it is not "nan": not known.
+Numbers numbers_of(const std::filesystem::path& file, const Fields& fields, std::string_view name) {
+  const auto parts = words(field(fields, name));
+  if (!parts.empty()) expect_per_axis(file, fields, name, parts.size());
+  Numbers numbers;
+  for (std::size_t axis = 0; axis < 3 && axis < parts.size(); ++axis) {
+    const double number = real(file, name, parts[axis]);
+    if (!std::isnan(number)) numbers[axis] = number;
+  }
+  return numbers;
 }
 
-// What the coordinates of the file are. Left-handed ones are made right-handed by negating x.
-struct Space {
-  Frame frame = Frame::none;
-  bool is_left_handed = false;
-};
+// The bounds of axes stand for a spacing, and for an origin where there is no other.
+void set_bounds(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
+                ToldPlace& told) {
+  const Numbers mins = numbers_of(file, fields, "axis mins");
+  const Numbers maxs = numbers_of(file, fields, "axis maxs");
+  const auto centerings = words(field(fields, "centerings"));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!mins[axis]) continue;
+    const std::string center = axis < centerings.size() ? lower(centerings[axis]) : std::string();
+    const bool is_node = center == "node";
+    if (!is_node && center != "cell")
+      note(info, "no centerings given: axis mins and maxs taken as bounds of whole voxels");
+    const double steps = info.dims[axis] - (is_node ? 1.0 : 0.0);
+    if (maxs[axis] && steps > 0) {
+      const double spacing = (*maxs[axis] - *mins[axis]) / steps;
+      if (!told.spacing[axis]) told.spacing[axis] = spacing;
+      if (std::fabs(*told.spacing[axis] - spacing) > 1e-3 * std::fabs(spacing))
+        note(info, "axis mins and maxs contradict the spacings, which are taken");
+    }
+    told.origin[axis] = *mins[axis] + (is_node ? 0 : told.spacing[axis].value_or(1) / 2);
+  }
+  if (fields.count("axis mins") > 0) told.space_units = told.axis_units;
+}
 
-Space space_of(VolumeInfo& info, std::string_view text) {
+// What is told without directions.
+void set_spacings(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
+                  ToldPlace& told) {
+  told.spacing = numbers_of(file, fields, "spacings");
+  if (fields.count("space origin") == 0) set_bounds(info, file, fields, told);
+  const Numbers thicknesses = numbers_of(file, fields, "thicknesses");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (told.spacing[axis] || !thicknesses[axis]) continue;
+    told.spacing[axis] = thicknesses[axis];
+    note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, its thickness taken");
+  }
+}
+
+// What the coordinates of the file are.
+void set_space(VolumeInfo& info, std::string_view text, ToldPlace& told) {
   std::string name = lower(text);
   constexpr std::string_view time = "-time";
   if (name.size() > time.size() && name.substr(name.size() - time.size()) == time)
     name.resize(name.size() - time.size());
-  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) return {Frame::lps, false};
-  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) return {Frame::ras, false};
-  if (one_of(name, {"left-anterior-superior", "las", "last"})) return {Frame::ras, true};
-  if (name != "3d-left-handed") return {};
-  info.notes.push_back("x of the left-handed space " + shown(text) + " negated");
-  return {Frame::none, true};
+  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) told.frame = Frame::lps;
+  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) told.frame = Frame::ras;
+  if (one_of(name, {"left-anterior-superior", "las", "last"})) told.frame = Frame::ras;
+  told.is_left_handed = one_of(name, {"left-anterior-superior", "las", "last", "3d-left-handed"});
+  if (name == "3d-left-handed")
+    note(info, "x of the left-handed space " + shown(text) + " negated");
+  const bool is_known = told.frame != Frame::none || told.is_left_handed || name.empty() ||
+                        one_of(name, {"scanner-xyz", "3d-right-handed"});
+  if (!is_known) note(info, "the space " + shown(text) + " is not known, taken as right-handed");
 }
 
-// Units belong to the coordinates of space, not to the axes.
-void multiply(std::array<double, 3>& vector, const std::array<double, 3>& units) {
-  for (std::size_t i = 0; i < 3; ++i) vector[i] *= units[i];
-}
-
-void set_axes(VolumeInfo& info, Axes& axes_mm, const std::filesystem::path& file,
-              const Fields& fields, const std::array<double, 3>& units) {
-  if (field(fields, "space directions").empty()) {
-    set_spacing(info, spacings_of(info, file, fields));
-    axes_mm = along_coordinates(info.spacing_mm).axes_mm;
-    return;
-  }
-  axes_mm = directions_of(file, fields);
-  std::array<double, 3> lengths{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    multiply(axes_mm[axis], units);
-    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
-  }
-  set_spacing(info, lengths);
-}
-
-void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
-  const auto units = unit_lengths(info, field(fields, "space units"));
-  const Space space = space_of(info, field(fields, "space"));
-  VolumePlacement placement;
-  placement.frame = space.frame;
-  set_axes(info, placement.axes_mm, file, fields, units);
+void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
+                  const VolumeOptions& options) {
+  ToldPlace told;
+  set_space(info, field(fields, "space"), told);
+  // The space of patients is in millimetres, as programs have it that tell no unit.
+  if (told.frame != Frame::none) told.set_unit("mm");
+  if (fields.count("units") > 0) told.axis_units = units_of(field(fields, "units"));
+  if (fields.count("space units") > 0) told.space_units = units_of(field(fields, "space units"));
+  if (field(fields, "space directions").empty())
+    set_spacings(info, file, fields, told);
+  else
+    told.steps = directions_of(file, fields);
   const std::string_view origin = field(fields, "space origin");
   if (!origin.empty()) {
     const auto numbers = vector_of(file, "space origin", origin);
-    std::copy(numbers.begin(), numbers.end(), placement.origin_mm.begin());
-    multiply(placement.origin_mm, units);
+    std::copy(numbers.begin(), numbers.end(), told.origin.begin());
   }
-  if (space.is_left_handed) {
-    for (auto& axis : placement.axes_mm) axis[0] = -axis[0];
-    placement.origin_mm[0] = -placement.origin_mm[0];
-  }
-  set_placement(info, placement);
-  if (fields.count("old min") + fields.count("oldmin") > 0)
-    info.notes.emplace_back("old min and old max dropped: values are the stored ones");
+  if (fields.count("axis mins") + fields.count("axis maxs") > 0 &&
+      fields.count("space origin") + fields.count("space directions") > 0)
+    note(info, "axis mins and axis maxs dropped: the place is told by space directions or origin");
+  set_place(info, told, options);
+  if (fields.count("old min") > 0)
+    note(info, "old min and old max dropped: values are the stored ones");
 }
 
 // Returns the encoding by the first of its names.
@@ -311,9 +351,10 @@ ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
          "give the bytes to skip as a number from 0");
   data.skip_lines(static_cast<std::uint64_t>(lines));
   if (encoding == "gzip") data.decode(inflated);
-  if (encoding == "bzip2" && !has_bzip2())
-    fail(file, "this discmc was built without bzip2", "store the volume with gzip, or raw");
-  if (encoding == "bzip2") data.decode(bunzipped);
+  if (encoding == "bzip2")
+    data.decode([name = std::filesystem::path(file)](auto in) {
+      return unpacked(std::move(in), Packing::bzip2, name);
+    });
   if (bytes >= 0)
     data.skip(static_cast<std::uint64_t>(bytes));
   else
@@ -325,7 +366,7 @@ ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
 
 // Takes the samples from behind the header, or from the files that it names.
 ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fields,
-                     const VolumeInfo& info) {
+                     VolumeInfo& info) {
   const std::uint64_t bytes = bytes_of_all(info);
   if (name.empty()) return at_data(std::move(header), fields, info.type, bytes);
   if (!names_several_files(name))
@@ -334,7 +375,7 @@ ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fi
   const auto open = [fields, type = info.type, each = bytes / files.count](const auto& path) {
     return at_data(ByteStream(path), fields, type, each);
   };
-  return joined(header.file(), files, bytes, open);
+  return joined(header.file(), files, info, open);
 }
 
 }  // namespace
@@ -345,18 +386,18 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
   VolumeInfo info;
   info.type = sample_type(file, needed(file, header.fields, "type"));
   set_sizes(info, file, header.fields, options);
-  set_geometry(info, file, header.fields);
-  info.labels = header.segments.table(
-      info.frames > 1 ? options.frame : std::optional<std::uint32_t>(), info.notes);
+  set_geometry(info, file, header.fields, options);
+  info.labels =
+      header.segments.table(info.frames > 1 ? options.frame : std::optional<std::uint32_t>(), info);
   const bool is_big_endian = big_endian(file, header.fields, info.type);
 
   const std::string_view name = field(header.fields, "data file");
   if (name.empty() && !header.closed)
     fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
   ByteStream data = open_data(stream, name, header.fields, info);
-  skip_to_frame(data, info, options);
   info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian);
+  return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian,
+                                       options.frame);
 }
 
 }  // namespace discmc::command

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 namespace {
@@ -41,8 +43,7 @@ void SegmentLabels::take(std::string_view key, std::string_view value) {
   if (part != nullptr) segments_[std::string(key.substr(0, end))].*part = trimmed(value);
 }
 
-LabelTable SegmentLabels::table(std::optional<std::uint32_t> layer,
-                                std::vector<std::string>& notes) const {
+LabelTable SegmentLabels::table(std::optional<std::uint32_t> layer, VolumeInfo& info) const {
   std::map<std::int64_t, std::vector<const Segment*>> by_label;
   for (const auto& [key, segment] : segments_) {
     const auto label = whole_number<std::int64_t>(segment.label);
@@ -67,9 +68,8 @@ LabelTable SegmentLabels::table(std::optional<std::uint32_t> layer,
                   shown(segments[1]->name);
   }
   if (count > 0)
-    notes.push_back(
-        "labels that several segments share left without a name: " + std::to_string(count) +
-        ", such as " + ambiguous + "; to name them give --label-table");
+    note(info, "labels that several segments share left without a name: " + std::to_string(count) +
+                   ", such as " + ambiguous + "; to name them give --label-table");
   return table;
 }
 

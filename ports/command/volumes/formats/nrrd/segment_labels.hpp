@@ -8,9 +8,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "volumes/label_table.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 
@@ -22,9 +21,9 @@ class SegmentLabels {
   void take(std::string_view key, std::string_view value);
 
   /// The segments with a name and a label that is a whole number. layer: the one that is read,
-  /// where that is known. A label that several segments have, in that layer, is none's; a note
-  /// tells.
-  LabelTable table(std::optional<std::uint32_t> layer, std::vector<std::string>& notes) const;
+  /// where that is known. A label that several segments have, in that layer, is none's; a note in
+  /// info tells.
+  LabelTable table(std::optional<std::uint32_t> layer, VolumeInfo& info) const;
 
  private:
   struct Segment {

@@ -1,6 +1,6 @@
 // In place of the reader of TIFF, where it was built without its library.
 #include "picture_file.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 

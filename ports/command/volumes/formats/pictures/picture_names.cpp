@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {

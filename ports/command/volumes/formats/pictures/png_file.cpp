@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "picture_file.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {

@@ -7,7 +7,8 @@
 
 #include "picture_file.hpp"
 #include "picture_names.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 
@@ -104,13 +105,13 @@ void require_one_kind(const std::filesystem::path& source,
 // Where a file is a slice, names that are missing are slices that are missing.
 void close_gaps(const std::filesystem::path& source,
                 const std::vector<std::filesystem::path>& files, bool allow_gaps,
-                std::vector<Slice>& slices, std::vector<std::string>& notes) {
+                std::vector<Slice>& slices, VolumeInfo& info) {
   if (files.size() != slices.size()) return;
   const std::vector<Gap> gaps = gaps_of_names(files);
   if (gaps.empty()) return;
-  notes.push_back(
-      note_of_filling(source, gaps, slices.size(), allow_gaps,
-                      "export or copy the pictures again, or number their names without gaps"));
+  note(info,
+       note_of_filling(source, gaps, slices.size(), allow_gaps,
+                       "export or copy the pictures again, or number their names without gaps"));
   fill_gaps(slices, gaps);
 }
 
@@ -134,15 +135,15 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
     }
   }
   VolumeInfo info;
-  close_gaps(source, files, options.allow_gaps, slices, info.notes);
+  close_gaps(source, files, options.allow_gaps, slices, info);
   set_dims(info, source, {first.width, first.height, static_cast<std::int64_t>(slices.size())});
   info.type = first.type;
+  ToldPlace told;
+  told.set_unit("mm");
   if (first.spacing_mm)
-    set_spacing(info, *first.spacing_mm);
-  else
-    info.notes.emplace_back(no_spacing_note);
-  if (first.is_inverted)
-    info.notes.emplace_back("the low values are the bright ones, taken as stored");
+    std::copy(first.spacing_mm->begin(), first.spacing_mm->end(), told.spacing.begin());
+  set_place(info, told, options);
+  if (first.is_inverted) note(info, "the low values are the bright ones, taken as stored");
   info.format = is_png_name(slices[0].file) ? "PNG" : "TIFF";
   return std::make_unique<PictureStack>(source, std::move(info), std::move(slices));
 }

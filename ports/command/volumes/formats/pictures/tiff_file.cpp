@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "picture_file.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/length_unit.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -42,15 +45,6 @@ std::string_view line_of(std::string_view description, std::string_view key) {
         (*line)[key.size()] == '=')
       return line->substr(key.size() + 1);
   return {};
-}
-
-double unit_mm(std::string_view unit) {
-  if (unit == "mm") return 1;
-  if (unit == "cm") return 10;
-  if (unit == "um" || unit == "micron" || unit == "microns" || unit == "\\u00B5m") return 1e-3;
-  if (unit == "nm") return 1e-6;
-  if (unit == "inch") return 25.4;
-  return 0;
 }
 
 class TiffFile final : public PictureFile {
@@ -126,7 +120,7 @@ class TiffFile final : public PictureFile {
       if (const auto count = line_of(description, key); !count.empty() && count != "1")
         fail(file_, "the file has several " + std::string(key) + ": " + shown(count),
              "save one volume, e.g. with ImageJ's Duplicate");
-    const double unit = unit_mm(line_of(description, "unit"));
+    const double unit = millimetres_in(line_of(description, "unit")).value_or(0);
     const auto x = static_cast<double>(field<float>(tiff_, TIFFTAG_XRESOLUTION, 0));
     const auto y = static_cast<double>(field<float>(tiff_, TIFFTAG_YRESOLUTION, 0));
     if (!(unit > 0 && x > 0 && y > 0)) return std::nullopt;

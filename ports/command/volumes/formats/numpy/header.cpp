@@ -1,15 +1,19 @@
 // NumPy's .npy, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html: a magic
 // number, a version and a dictionary of Python that says how one array is stored.
+#include "header.hpp"
+
 #include <algorithm>
 #include <utility>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
 
-// Returns the dictionary.
-std::string read_header(ByteStream& stream) {
+std::string read_dictionary(ByteStream& stream) {
   unsigned char start[8] = {};
   const std::size_t got = stream.read(start, sizeof start);
   const bool is_long = start[6] >= 2;
@@ -43,21 +47,8 @@ std::string_view value_of(const std::filesystem::path& file, std::string_view di
   return trimmed(is_tuple ? value.substr(1) : value);
 }
 
-// Takes the type and returns the byte order.
-bool take_type(VolumeInfo& info, const std::filesystem::path& file, std::string_view descr) {
-  constexpr std::pair<std::string_view, SampleType> names[] = {
-      {"u1", SampleType::u8},  {"i1", SampleType::i8},  {"b1", SampleType::u8},
-      {"u2", SampleType::u16}, {"i2", SampleType::i16}, {"u4", SampleType::u32},
-      {"i4", SampleType::i32}, {"u8", SampleType::u64}, {"i8", SampleType::i64},
-      {"f4", SampleType::f32}, {"f8", SampleType::f64}};
-  // In quotes: the byte order, the kind and the bytes.
-  const std::string_view order = descr.substr(0, 2);
-  for (const auto& [name, type] : names) {
-    if (descr.size() != 5 || descr.substr(2, 2) != name) continue;
-    info.type = type;
-    if (order == "'>" || order == "'<" || order == "'|") return order == "'>";
-  }
-  fail_type(file, descr);
+std::string_view without_quotes(std::string_view text) {
+  return text.size() < 2 ? text : text.substr(1, text.size() - 2);
 }
 
 std::vector<std::int64_t> sizes_of(const std::filesystem::path& file, std::string_view shape) {
@@ -70,23 +61,27 @@ std::vector<std::int64_t> sizes_of(const std::filesystem::path& file, std::strin
 
 }  // namespace
 
-std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options) {
+NumpyHeader read_numpy_header(ByteStream& stream) {
   const std::filesystem::path file = stream.file();
-  const std::string dictionary = read_header(stream);
-  VolumeInfo info;
-  info.format = "NumPy";
-  const bool big_endian = take_type(info, file, value_of(file, dictionary, "descr"));
-  // x is the axis along which neighbours are stored side by side.
-  auto sizes = sizes_of(file, value_of(file, dictionary, "shape"));
-  const bool is_fortran = value_of(file, dictionary, "fortran_order") == "True";
-  if (is_fortran)
-    info.notes.emplace_back("Fortran order: taken as array[x][y][z]");
-  else
-    std::reverse(sizes.begin(), sizes.end());
-  set_dims(info, file, sizes, options);
-  info.notes.emplace_back(no_spacing_note);
-  skip_to_frame(stream, info, options);
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
+  const std::string dictionary = read_dictionary(stream);
+  NumpyHeader header;
+  header.type = without_quotes(value_of(file, dictionary, "descr"));
+  header.shape.is_first_fastest = value_of(file, dictionary, "fortran_order") == "True";
+  header.shape.sizes = sizes_of(file, value_of(file, dictionary, "shape"));
+  return header;
+}
+
+std::optional<NumpyType> numpy_type(std::string_view name) {
+  constexpr std::pair<std::string_view, SampleType> names[] = {
+      {"u1", SampleType::u8},  {"i1", SampleType::i8},  {"b1", SampleType::u8},
+      {"u2", SampleType::u16}, {"i2", SampleType::i16}, {"u4", SampleType::u32},
+      {"i4", SampleType::i32}, {"u8", SampleType::u64}, {"i8", SampleType::i64},
+      {"f2", SampleType::f32}, {"f4", SampleType::f32}, {"f8", SampleType::f64}};
+  constexpr std::string_view orders = "<>|";
+  if (name.empty() || orders.find(name[0]) == std::string_view::npos) return std::nullopt;
+  for (const auto& [called, type] : names)
+    if (name.substr(1) == called) return NumpyType{type, name[0] == '>', called == "f2"};
+  return std::nullopt;
 }
 
 }  // namespace discmc::command

@@ -1,0 +1,31 @@
+// Arrays of NumPy, .npy: which axis is which, the file does not say.
+#include <utility>
+
+#include "header.hpp"
+#include "volumes/array_layout.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
+
+namespace discmc::command {
+
+std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
+  const NumpyHeader header = read_numpy_header(stream);
+  const auto type = numpy_type(header.type);
+  if (!type) fail_type(file, header.type);
+  VolumeInfo info;
+  info.format = "NumPy";
+  info.type = type->type;
+  if (header.shape.is_first_fastest && options.axes.empty())
+    note(info, "Fortran order: taken as array[x][y][z]; if it is array[z][y][x], give --axes zyx");
+  const ArrayLayout layout = take_array(info, file, header.shape, options);
+  set_place(info, {}, options);
+  bool big_endian = type->big_endian;
+  if (type->is_half) {
+    stream.decode([big_endian](auto in) { return floats_of_halves(std::move(in), big_endian); });
+    big_endian = is_native_big_endian();
+  }
+  return array_volume(std::move(info), std::move(stream), layout, big_endian);
+}
+
+}  // namespace discmc::command
