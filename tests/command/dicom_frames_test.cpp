@@ -80,6 +80,21 @@ TEST_CASE("32-bit words of big-endian files are read in their order, as words an
   }
 }
 
+TEST_CASE("the values of a map of parameters are those of the real world") {
+  const Folder folder;
+  Dataset mapping;
+  mapping.real(0x00409225, {0.25}).real(0x00409224, {-3});
+  Dataset data = cone_beam();
+  data.sequence(0x00409096, {mapping});
+  CHECK(open_volume(folder.write("ct.dcm", data.file()))->info().slope == 1);
+  data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.30");
+  Dataset shared;
+  const auto reader = open_volume(folder.write(
+      "v.dcm", data.sequence(0x52009229, {shared.sequence(0x00409096, {mapping})}).file()));
+  CHECK(reader->info().slope == 0.25);
+  CHECK(reader->info().intercept == -3);
+}
+
 // ---- doses ----
 
 Dataset dose(const std::string& offsets) {

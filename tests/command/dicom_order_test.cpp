@@ -339,6 +339,10 @@ TEST_CASE("links that lead nowhere are told") {
   fs::create_symlink("/nowhere/IM9", slices.path() / "IM9");
   const auto reader = open_volume(slices.path());
   CHECK(noted(reader->info(), "links that lead nowhere: 1, such as 'IM9'"));
+  fs::remove(slices.path() / "IM2");
+  const std::string missing = refusal(slices.path());
+  check_refusal(missing, "1 slice is missing between");
+  check_refusal(missing, "(links that lead nowhere: 1, such as 'IM9'); ");
   const Folder dead;
   fs::create_symlink("/nowhere/IM9", dead.path() / "IM9.dcm");
   check_refusal(refusal(dead.path()), "links that lead nowhere: 1, such as 'IM9.dcm'");

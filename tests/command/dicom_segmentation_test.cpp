@@ -210,6 +210,19 @@ TEST_CASE("colours of segments are those of sRGB from which they were encoded") 
   CHECK(srgb_of_cielab({56638, 32897, 42532}) == Srgb{241, 214, 145});
 }
 
+TEST_CASE("names of segments are UTF-8, whatever the file has") {
+  const Folder folder;
+  Dataset data = segmentation("BINARY",
+                              {segment(1,
+                                       "Sch\xe4"
+                                       "del")},
+                              {{1, 0, box(0, 1, 0, 1)}});
+  const auto latin = folder.write("v.dcm", data.text(0x00080005, "CS", "ISO_IR 100").file());
+  CHECK(open_volume(latin)->info().labels.at(1).name ==
+        "Sch\xc3\xa4"
+        "del");
+}
+
 TEST_CASE("a segmentation that lies nowhere or not evenly is refused") {
   const Folder folder;
   Dataset unplaced = segmentation("BINARY", {segment(1, "Liver")}, {{1, 0, box(0, 1, 0, 1)}});

@@ -219,6 +219,8 @@ TEST_CASE("slices in one place that nothing tells apart are refused with both") 
   const std::string text = refusal(volumes.path());
   check_refusal(text, "two slices at 100 mm differ: ");
   check_refusal(text, "nothing tells which are of one volume");
+  check_refusal(text, "give a pattern of the files of one volume");
+  CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
 }
 
 TEST_CASE("copies of slices are none of another time") {

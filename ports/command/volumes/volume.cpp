@@ -178,8 +178,13 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
   const std::string dead = text_of_dead(dead_links(folder));
   if (!dicom.empty()) {
     auto notes = notes_of_left_out(pictures, remedy_of_pictures);
-    if (!dead.empty()) notes.push_back(dead);
-    return open_dicom(folder, dicom, options, notes);
+    if (dead.empty()) return open_dicom(folder, dicom, options, notes);
+    notes.push_back(dead);
+    try {
+      return open_dicom(folder, dicom, options, notes);
+    } catch (const VolumeError& error) {
+      fail(error.file(), error.fault() + " (" + dead + ")", error.remedy());
+    }
   }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
   if (!dead.empty()) fail(folder, dead, "copy what they should lead to");

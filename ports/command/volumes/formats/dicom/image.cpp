@@ -41,12 +41,19 @@ void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& fra
   }
 }
 
+// Maps of parameters tell the values of their samples in a way of their own.
 void set_scale(const Attributes& attributes, DicomFrame& frame) {
-  const auto real = [&](const DcmTagKey& key) {
-    return real_of(attributes.element(DCM_PixelValueTransformationSequence, key));
+  const auto real = [&](const DcmTagKey& group, const DcmTagKey& key) {
+    return real_of(attributes.element(group, key));
   };
-  frame.slope = real(DCM_RescaleSlope).value_or(1);
-  frame.intercept = real(DCM_RescaleIntercept).value_or(0);
+  auto slope = real(DCM_PixelValueTransformationSequence, DCM_RescaleSlope);
+  auto intercept = real(DCM_PixelValueTransformationSequence, DCM_RescaleIntercept);
+  if (!slope && frame.image->is_parametric_map) {
+    slope = real(DCM_RealWorldValueMappingSequence, DCM_RealWorldValueSlope);
+    intercept = real(DCM_RealWorldValueMappingSequence, DCM_RealWorldValueIntercept);
+  }
+  frame.slope = slope.value_or(1);
+  frame.intercept = intercept.value_or(0);
 }
 
 std::uint32_t segment(const Attributes& attributes) {
@@ -140,11 +147,23 @@ NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   return {};
 }
 
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0; });
+}
+
+// The names of a series and of segments as UTF-8, where DCMTK was built with what converts them.
+void set_encoding(DcmDataset& dataset) {
+  const bool has_names =
+      dataset.tagExists(DCM_SegmentSequence) || !is_ascii(text_of(dataset, DCM_SeriesDescription));
+  if (has_names) dataset.convertToUTF8();
+}
+
 void set_names(DcmItem& dataset, DicomImage& image) {
   image.series = text_of(dataset, DCM_SeriesInstanceUID);
   image.instance = text_of(dataset, DCM_SOPInstanceUID);
   image.description = text_of(dataset, DCM_SeriesDescription);
   image.modality = text_of(dataset, DCM_Modality);
+  image.is_parametric_map = text_of(dataset, DCM_SOPClassUID) == UID_ParametricMapStorage;
   Sint32 number = 0;
   if (dataset.findAndGetSint32(DCM_SeriesNumber, number).good()) image.series_number = number;
   if (dataset.findAndGetSint32(DCM_InstanceNumber, number).good()) image.instance_number = number;
@@ -174,6 +193,7 @@ NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
   image->rows = whole_of(dataset, DCM_Rows).value_or(0);
   image->columns = whole_of(dataset, DCM_Columns).value_or(0);
   if (image->rows == 0 || image->columns == 0) return {"a DICOM file without image"};
+  set_encoding(dataset);
   if (dataset.tagExists(DCM_SegmentationType)) image->segments = segments_of(dataset);
   for (const auto& step : {set_samples, check_decimals})
     if (NoSlices instead = step(dataset, *image)) return instead;

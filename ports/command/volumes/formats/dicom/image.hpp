@@ -28,6 +28,7 @@ struct DicomImage {
   std::string instance;  ///< SOPInstanceUID
   std::string description;
   std::string modality;
+  bool is_parametric_map = false;
   std::int32_t series_number = 0;
   /// Of one among the files of a series.
   std::optional<std::int32_t> instance_number;
