@@ -62,6 +62,8 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
   if (!arguments.spacing.empty())
     std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
   options.series = arguments.series;
+  options.order = arguments.order;
+  options.merges_series = arguments.merges_series;
   options.allow_gaps = arguments.allow_gaps;
   options.frame = arguments.frame;
   options.channel = arguments.channel;
