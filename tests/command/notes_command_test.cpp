@@ -27,7 +27,7 @@ TEST_CASE("every command that reads a volume prints its notes, each once") {
       "extract v.nrrd --iso 100 -q -o w.dmc",
       "extract v.nrrd --labels all -q -o '{name}.stl'",
       "decode v.dmc --normals gradient --volume v.nrrd -o v.ply",
-      "render v.nrrd --iso auto --smooth -o v.png",
+      "render v.nrrd --iso auto --shade smooth -o v.png",
       "compare v.dmc v.nrrd --iso 100",
       "tune v.nrrd --iso 100 --payload slices",
   };

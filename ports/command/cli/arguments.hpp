@@ -29,6 +29,8 @@ struct LayoutArguments {
   std::vector<double> spacing;
   std::uint64_t skipped_bytes = 0;
   std::string series;
+  SliceOrder order = SliceOrder::position;
+  bool merges_series = false;
   bool allow_gaps = false;
   std::optional<std::uint32_t> frame;
   std::optional<std::uint32_t> channel;

@@ -2,7 +2,6 @@
 #include "extract.hpp"
 
 #include <algorithm>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -14,10 +13,11 @@
 
 namespace discmc::command {
 
-SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections) {
+SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
+                               std::optional<Kept> kept) {
   SurfaceReceivers receivers;
   for (std::size_t i = 0; i < selections.size(); ++i)
-    receivers.push_back(std::make_unique<SurfaceReceiver>());
+    receivers.push_back(std::make_unique<SurfaceReceiver>(kept));
   return receivers;
 }
 
@@ -28,26 +28,6 @@ std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selec
     requests.push_back({selections[i].selection, make_sink(*receivers[i]), nullptr,
                         receivers[i]->builder(), receivers[i]->encoder()});
   return requests;
-}
-
-bool shares_file(const ExtractArguments& arguments) {
-  const bool has_several = !arguments.labels.empty() || arguments.reading.selections.size() > 1;
-  return has_several && !FilePattern(arguments.output).has_name();
-}
-
-std::vector<std::string> files_for(const FilePattern& pattern,
-                                   const std::vector<NamedSelection>& selections) {
-  if (!pattern.has_name())
-    return std::vector<std::string>(selections.size(), pattern.file_for(std::string()));
-  std::vector<std::string> files;
-  std::set<std::string> taken;
-  for (const NamedSelection& each : selections) {
-    std::string addition;
-    while (!taken.insert(pattern.file_for(each.name, addition)).second)
-      addition += "-" + each.given;
-    files.push_back(pattern.file_for(each.name, addition));
-  }
-  return files;
 }
 
 unsigned jobs_of(const ExtractArguments& arguments) {

@@ -13,8 +13,8 @@
 
 #include "exit_codes.hpp"
 #include "extract.hpp"
+#include "extract_files.hpp"
 #include "extraction/labels.hpp"
-#include "files/file_pattern.hpp"
 #include "mesh_output.hpp"
 #include "progress.hpp"
 #include "require.hpp"
@@ -137,54 +137,43 @@ void print_line(const LabelledSurface& label, std::uint64_t faces, const std::st
 }  // namespace
 
 int extract_label_meshes(const ExtractArguments& arguments) {
-  const FilePattern pattern(arguments.output);
   Segmentation segmentation(arguments.volume, arguments.reading);
   const auto placement =
       mesh_placement(arguments.volume, segmentation.info().placement, arguments.space);
-  pattern.require_folder();
+  MeshFiles files(arguments, placement);
   std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
+  const std::string volume = name_for_people(arguments.volume);
   if (labels.empty() && !arguments.reading.allows_empty)
-    throw std::runtime_error(name_for_people(arguments.volume) + ": it holds no label" +
+    throw std::runtime_error(volume + ": it holds no label" +
                              (arguments.reading.mask.empty() ? "" : " that --mask leaves") +
                              "; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
   for (const FoundLabel& each : labels) selections.push_back(each.name);
-  const bool is_shared = shares_file(arguments);
-  const std::vector<std::string> files = files_for(pattern, selections);
+  const std::vector<std::string> names = files.names_for(selections);
   if (!arguments.quiet)
-    std::cout << "   label        voxels       faces  " << (is_shared ? "name" : "file") << '\n';
-  std::vector<Mesh> parts;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const LabelledSurface& label = labels[i].surface;
-    Surface& surface = labels[i].surface.surface;
-    keep_chosen(name_for_people(arguments.volume) + ": " + title(selections[i]),
-                arguments.components, surface);
-    if (surface.polygons.empty() && !arguments.reading.allows_empty) {
+    std::cout << "   label        voxels       faces  " << (files.are_one() ? "name" : "file")
+              << '\n';
+  bool has_mesh = false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    LabelledSurface& label = labels[i].surface;
+    keep_chosen(volume + ": " + title(selections[i]), arguments.components, label.surface);
+    if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
       say(arguments.volume,
           title(selections[i]) + " has no surface left, so " +
-              (is_shared ? "it is not in " + files[i] : files[i] + " is not written"));
+              (files.are_one() ? "it is not in " + names[i] : names[i] + " is not written"));
       continue;
     }
-    const SurfaceOutput output{surface, selections[i], files[i]};
-    if (is_shared) {
-      parts.push_back(part_of(arguments, output, placement));
-      surface = {};  // its memory is the next part's
-      if (!arguments.quiet)
-        print_line(label, parts.back().face_count(), parts.back().name, std::cout);
-    } else {
-      const MeshSummary mesh = write_mesh_of(arguments, output, placement);
-      if (!arguments.quiet) print_line(label, mesh.face_count, files[i], std::cout);
-    }
+    const MeshSummary mesh = files.add({label.surface, selections[i], names[i]});
+    has_mesh = true;
+    if (!arguments.quiet)
+      print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i],
+                 std::cout);
   }
-  if (is_shared) {
-    if (parts.empty() && !arguments.reading.allows_empty)
-      throw std::runtime_error(name_for_people(arguments.volume) +
-                               ": no label has a surface left, so " + arguments.output +
-                               " is not written; --allow-empty takes that");
-    write_parts(arguments, parts);
-    if (!arguments.quiet) print_file(arguments.output, std::cout);
-  }
+  if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
+    throw std::runtime_error(volume + ": no label has a surface left, so " + arguments.output +
+                             " is not written; --allow-empty takes that");
+  files.finish();
   if (!arguments.quiet) require_written(std::cout);
   return exit_ok;
 }

@@ -245,11 +245,11 @@ Command add_extract(CLI::App& app) {
   extract
       ->add_option(
           "VOLUME", arguments->volume,
-          "file of NRRD, NIfTI, Analyze, MetaImage, VTK, NumPy, HDF5 or InVesalius, a folder or "
-          "file of DICOM, a folder, 'pattern' or file of PNG, TIFF, JPEG or BMP slices, a folder "
-          "or "
-          "'pattern' of masks, one a label, or headerless samples with --dims and --type; - reads "
-          "standard input")
+          "file of NRRD, NIfTI, Analyze, MetaImage, MGH, MRC, VTK, NumPy, HDF5 or InVesalius, a "
+          "folder of Zarr, a folder or file of DICOM, a folder, 'pattern' or file of PNG, TIFF, "
+          "JPEG "
+          "or BMP slices, a folder or 'pattern' of masks, one a label, or headerless samples with "
+          "--dims and --type; - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   extract->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");

@@ -18,7 +18,6 @@
 #include "progress.hpp"
 #include "streams/stream_output.hpp"
 #include "summary.hpp"
-#include "surface/counts.hpp"
 #include "volume_input.hpp"
 #include "volumes/iso_value.hpp"
 
@@ -102,7 +101,8 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   }
 
   ExtractedStream stream;
-  stream.receivers = receivers_for(selections);
+  stream.receivers =
+      receivers_for(selections, arguments.quiet ? std::nullopt : std::optional(Kept::counts));
   SliceWriter slices;
   SharedOutput link;
   if (arguments.wire == Wire::slices) {
@@ -118,8 +118,6 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
       stream.receivers[i]->start_stream(label, info.placement, options.slab, link.output());
     }
   }
-  if (!arguments.quiet)
-    for (const auto& receiver : stream.receivers) receiver->start_surface();
 
   stream.extractions =
       extract(narrow ? *narrow : *volume, options, requests_of(selections, stream.receivers));
@@ -143,7 +141,7 @@ int extract_stream(ExtractArguments arguments) {
     SurfaceReceiver& receiver = *stream.receivers[i];
     if (stream.receivers.size() > 1)
       out << "channel " << i << ", at " << arguments.reading.selections[i].name << '\n';
-    print_table(stream.extractions[i], count(receiver.surface()),
+    print_table(stream.extractions[i], receiver.counts(),
                 arguments.wire == Wire::slices ? stream.slice_bytes : receiver.stream_bytes(),
                 stream.slice_memory, out);
   }

@@ -12,7 +12,6 @@
 #include "statistics/volume_statistics.hpp"
 #include "stream_input.hpp"
 #include "summary.hpp"
-#include "surface/counts.hpp"
 #include "volume_input.hpp"
 #include "volume_summary.hpp"
 
@@ -38,9 +37,9 @@ int info_of_volume(const InfoArguments& arguments) {
 }
 
 int info_of_stream(const InfoArguments& arguments) {
-  const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
-  print_info(decoded.header, decoded.channel, decoded.streams, decoded.report,
-             count(decoded.surface), decoded.placement, std::cout);
+  const DecodedStream decoded = decode_surface(arguments.input, arguments.choice, Kept::counts);
+  print_info(decoded.header, decoded.channel, decoded.streams, decoded.report, decoded.counts,
+             decoded.placement, std::cout);
   for (const std::string& record : decoded.records) std::cout << "record " << record << '\n';
   require_written(std::cout);
   return completeness(arguments.input, decoded.report);

@@ -6,6 +6,7 @@
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/extraction.hpp"
+#include "files/output_file.hpp"
 #include "mesh_output.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
@@ -86,6 +87,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
 }  // namespace
 
 int run_render(const RenderArguments& arguments) {
+  OutputFile file(arguments.output);
   Mesh mesh;
   int code = exit_ok;
   if (arguments.is_volume) {
@@ -99,7 +101,8 @@ int run_render(const RenderArguments& arguments) {
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
   const Progress drawing("drawing");
-  write_picture(mesh, picture_options(arguments), arguments.output);
+  write_picture(mesh, picture_options(arguments), file.stream());
+  file.commit();
   return code;
 }
 

@@ -99,8 +99,9 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
 
 // read: called with the reader.
 template <class Read>
-DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice) {
-  SurfaceBuilder builder;
+DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice,
+                         Kept kept) {
+  SurfaceBuilder builder(kept);
   GrowingJoiner joiner(make_sink(builder));
   RecordNotes notes{joiner};
   StreamReader reader(make_sink(notes), choice);
@@ -123,6 +124,7 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
           reader.headers(),
           report,
           std::move(builder.surface()),
+          builder.counts(),
           std::move(notes.records),
           notes.placement};
 }
@@ -158,13 +160,14 @@ void require_one_surface(const std::string& path, const StreamReader& reader) {
                              ", and one surface is joined: give streams of one each");
 }
 
-DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
-  return decoded_by([&](StreamReader& reader) { read_file(path, reader); }, path, choice);
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice, Kept kept) {
+  return decoded_by([&](StreamReader& reader) { read_file(path, reader); }, path, choice, kept);
 }
 
 DecodedStream decode_surface(const std::string& path, std::istream& in,
                              const StreamChoice& choice) {
-  return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice);
+  return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice,
+                    Kept::polygons);
 }
 
 int completeness(const std::string& path, const StreamReport& report) {

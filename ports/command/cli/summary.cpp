@@ -99,7 +99,6 @@ void print_table(const Extraction& extraction, const Counts& counts, std::uint64
   const Statistics& statistics = extraction.statistics;
   row(out, "voxels", grouped(extraction.voxels));
   row(out, "classic MC triangles", grouped(statistics.classic_triangles));
-  row(out, "classic MC vertices", grouped(extraction.classic_vertices));
   row(out, "facets", grouped(statistics.facets));
   row(out, "regions", grouped(counts.regions));
   row(out, "  with 3 corners", grouped(counts.three));

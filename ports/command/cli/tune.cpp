@@ -10,7 +10,7 @@
 #include "empty_surface.hpp"
 #include "exit_codes.hpp"
 #include "extraction/arena_memory.hpp"
-#include "extraction/scan.hpp"
+#include "extraction/extractors.hpp"
 #include "progress.hpp"
 #include "require.hpp"
 #include "text/grouped_number.hpp"

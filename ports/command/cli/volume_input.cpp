@@ -65,6 +65,8 @@ VolumeOptions volume_options(const LayoutArguments& arguments) {
   if (!arguments.spacing.empty())
     std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
   options.series = arguments.series;
+  options.order = arguments.order;
+  options.merges_series = arguments.merges_series;
   options.allow_gaps = arguments.allow_gaps;
   options.frame = arguments.frame;
   options.channel = arguments.channel;
@@ -89,13 +91,15 @@ std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOp
   return noted(path, open_volume(path, options));
 }
 
-std::unique_ptr<VolumeReader> open_layer(const std::string& path, VolumeOptions options) {
-  const bool is_chosen = options.frame.has_value();
-  if (!is_chosen) options.frame = 0;
-  auto volume = open_volume(path, options);
+std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options) {
+  VolumeOptions of_first = options;
+  if (!options.frame) of_first.frame = 0;
+  auto volume = open_volume(path, of_first);
   const VolumeInfo& info = volume->info();
-  if (!is_chosen && info.frames > 1 && info.labels.empty()) fail_frames(path, info);
-  return volume;
+  if (options.frame || info.frames == 1 || !info.labels.empty()) return volume;
+  // The reader may say what there is to choose from.
+  if (!is_read_once(path)) open_volume(path, options);
+  fail_frames(path, info);
 }
 
 std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments) {

@@ -27,7 +27,7 @@ std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<Vol
 std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options);
 
 /// Opens a volume; of labels in several layers the first one, where none is chosen.
-std::unique_ptr<VolumeReader> open_layer(const std::string& path, VolumeOptions options);
+std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options);
 
 /// As open_noted(), measured as it is read. Where labels are selected it is the volume of their
 /// bits, and the selections are what was found of them.

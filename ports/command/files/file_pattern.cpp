@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "output_file.hpp"
 #include "text/control_character.hpp"
 
 namespace discmc::command {
@@ -68,10 +68,7 @@ void FilePattern::require_folder() const {
     throw std::invalid_argument(pattern_ +
                                 ": {name} is of files, not of folders: write it behind "
                                 "the last /");
-  const std::filesystem::path folder = std::filesystem::path(file_for("name")).parent_path();
-  std::error_code ignored;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-    throw std::invalid_argument(folder.string() + ": there is no such folder; make it first");
+  command::require_folder(std::filesystem::path(pattern_).parent_path());
 }
 
 }  // namespace discmc::command

@@ -36,6 +36,14 @@ std::optional<Whole> whole_number(std::string_view text, int base = 10) {
   return is_number ? std::optional<Whole>(value) : std::nullopt;
 }
 
+/// The number in six digits at most, for people.
+inline std::string short_number(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+
 }  // namespace discmc::command
 
 #endif

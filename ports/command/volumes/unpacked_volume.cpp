@@ -1,6 +1,9 @@
 #include "unpacked_volume.hpp"
 
+#include <array>
+#include <fstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -59,6 +62,21 @@ class UnpackedVolume final : public VolumeReader {
 std::unique_ptr<VolumeReader> unpacked_volume(const std::filesystem::path& packed,
                                               std::string_view packing, const Open& open) {
   return std::make_unique<UnpackedVolume>(packed, packing, open);
+}
+
+void unpack(ByteStream& stream, const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::ofstream out(file, std::ios::binary);
+  std::array<char, 65536> block;
+  std::size_t got = 0;
+  while (out && (got = stream.read(block.data(), block.size())) > 0)
+    out.write(block.data(), static_cast<std::streamsize>(got));
+  stream.check_end();
+  if (!stream.damage().empty()) fail(stream.file(), stream.damage(), "copy the file again");
+  if (!out.flush())
+    fail(stream.file(), "it cannot be unpacked into the temporary folder",
+         "set TMPDIR to a folder with more space, or unpack it yourself");
 }
 
 }  // namespace discmc::command

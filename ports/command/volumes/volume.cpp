@@ -3,8 +3,6 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <initializer_list>
 #include <string>
 #include <system_error>
@@ -126,16 +124,7 @@ void require_headerless_name(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptions& options) {
   return unpacked_volume(stream.file(), name(*stream.packing()), [&](const auto& folder) {
     const std::filesystem::path file = folder / without_packing(stream.file()).filename();
-    std::ofstream out(file, std::ios::binary);
-    std::array<char, 65536> block;
-    std::size_t got = 0;
-    while (out && (got = stream.read(block.data(), block.size())) > 0)
-      out.write(block.data(), static_cast<std::streamsize>(got));
-    stream.check_end();
-    if (!stream.damage().empty()) fail(stream.file(), stream.damage(), "copy the file again");
-    if (!out.flush())
-      fail(stream.file(), "it cannot be unpacked into the temporary folder",
-           "set TMPDIR to a folder with more space, or unpack it yourself");
+    unpack(stream, file);
     return open_as_told(file, options);
   });
 }
@@ -189,6 +178,10 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
     fail(file, "a level is chosen" + what, "leave out --level");
   if (!options.series.empty() && !is_one_of({"DICOM"}))
     fail(file, "a series is chosen" + what, "leave out --series");
+  if (options.merges_series && !is_one_of({"DICOM"}))
+    fail(file, "series are merged" + what, "leave out --merge-series");
+  if (options.order != SliceOrder::position && !is_one_of({"DICOM"}))
+    fail(file, "an order of slices is chosen" + what, "leave out --order");
 }
 
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
@@ -198,6 +191,12 @@ std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::pa
           shown(pictures[0].filename().string()) + "; to read them " + remedy};
 }
 
+std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
+  if (links.empty()) return {};
+  return "links that lead nowhere: " + std::to_string(links.size()) + ", such as " +
+         shown(links[0].filename().string());
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
@@ -205,11 +204,21 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures) {
   const auto pictures = picture_files(folder);
-  if (!dicom.empty())
-    return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
+  const std::string dead = text_of_dead(dead_links(folder));
+  if (!dicom.empty()) {
+    auto notes = notes_of_left_out(pictures, remedy_of_pictures);
+    if (dead.empty()) return open_dicom(folder, dicom, options, notes);
+    notes.push_back(dead);
+    try {
+      return open_dicom(folder, dicom, options, notes);
+    } catch (const VolumeError& error) {
+      fail(error.file(), error.fault() + " (" + dead + ")", error.remedy());
+    }
+  }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
   const auto masks = mask_files(folder);
   if (!masks.empty()) return open_told_masks(folder, masks, options);
+  if (!dead.empty()) fail(folder, dead, "copy what they should lead to");
   fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
 }

@@ -11,6 +11,7 @@ at (10, -20, 30.5), and the samples of sample_at() in volume_files.hpp. In a fil
 ("frame1") the first one is zero.
 """
 import io
+import json
 import pathlib
 import plistlib
 import subprocess
@@ -213,6 +214,8 @@ def write_npz():
             array = array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
             numpy.savez(path('npz', f'{name}-{order}.npz'), volume=array, table=numpy.zeros((2, 3)))
     numpy.savez_compressed(path('npz', 'i16-little-deflate.npz'), samples('i16'))
+    numpy.savez(path('npz_arrays', 'several.npz'), scan=samples('u8'), truth=samples('u8') >= 100,
+                slice=samples('u8')[1], words=numpy.array(['scans', 'and']))
 
 
 # FreeSurfer's, by nibabel.
@@ -302,8 +305,17 @@ def write_hdf5():
         file['scan/slice'] = samples('u8')[1]
         file['scan/complex'] = samples('f32').astype('complex64')
     with hdf5_file('packed.h5', 'hdf5_arrays') as file:
-        file.create_dataset('volume', (4, 3, 5), 'u1', chunks=(1, 3, 5), compression=32001,
+        file.create_dataset('volume', (4, 3, 5), 'u1', chunks=(1, 3, 5), compression=32008,
                             allow_unknown_filter=True)
+    with hdf5_file('ilastik.h5', 'hdf5_arrays') as file:
+        file['exported_data'] = samples('u8')[..., numpy.newaxis]
+        axes = [{'key': axis, 'typeFlags': 2, 'resolution': 0, 'description': ''} for axis in 'zyxc']
+        file['exported_data'].attrs['axistags'] = json.dumps({'axes': axes})
+    with hdf5_file('master.h5', 'hdf5_arrays') as file:
+        file['entry/data/data_000001'] = h5py.ExternalLink('data_000001.h5', '/entry/data/data')
+        file['entry/instrument/detector/data'] = h5py.SoftLink('/entry/data/data_000001')
+    with hdf5_file('data_000001.h5', 'hdf5_arrays') as file:
+        file['entry/data/data'] = samples('u8')
     with hdf5_file('minc.h5', 'hdf5_arrays') as file:
         file['minc-2.0/image/0/image'] = samples('u16')
 
