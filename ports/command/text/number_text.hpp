@@ -4,7 +4,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <locale>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 
