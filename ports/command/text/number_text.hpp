@@ -2,9 +2,11 @@
 #ifndef DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 #define DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -38,10 +40,10 @@ std::optional<Whole> whole_number(std::string_view text, int base = 10) {
 
 /// The number in six digits at most, for people.
 inline std::string short_number(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::general, 6);
+  return {text.data(), end};
 }
 
 }  // namespace discmc::command
