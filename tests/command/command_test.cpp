@@ -37,7 +37,7 @@ const std::string little_endian_u16 = [] {
   return samples;
 }();
 
-const std::string layout = "--dims 13,12,11 --type u16 --iso 0x201 ";
+const std::string layout = "--dims 13,12,11 --type u16 --iso 513 ";
 
 // The numbers of all lines that begin so.
 std::vector<double> numbers_after(const std::string& begin, const std::string& text) {
@@ -404,7 +404,7 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
   check_failure(workshop.run("extract block.nrrd --iso 1 -o v.dmc"), 1,
                 {"block.nrrd", "'block'", "one number a voxel"});
   for (const std::string& format : all_formats)
-    check_failure(workshop.run("extract cut.nrrd --iso 0x201 -o v." + format), 1,
+    check_failure(workshop.run("extract cut.nrrd --iso 513 -o v." + format), 1,
                   {"cut.nrrd: slice 10 ", "1 bytes of it are missing"});
   check_failure(workshop.run("extract v.raw " + layout + "-o v.dmc"), 1,
                 {"v.raw: the file has 3431 bytes", "13 x 12 x 11 u16 has 3432"});

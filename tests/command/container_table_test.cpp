@@ -32,6 +32,8 @@ const std::map<std::string, std::set<std::string>> table = {
     {"vti", all_types},       {"numpy", all_types},
     {"hdf5", all_types},      {"invesalius", {"i16"}},
     {"tiff", all_types},
+    {"npz", all_types},       {"mgh", {"u8", "i16", "i32", "f32"}},
+    {"zarr", all_types},      {"mrc", {"i8", "i16", "u16", "f32"}},
 };
 
 VolumeOptions frame(std::uint32_t number) {
@@ -51,7 +53,7 @@ void check_file(const std::string& container, const fs::path& file) {
   const VolumeInfo& info = reader->info();
   CHECK(info.dims == std::array<std::uint32_t, 3>{5, 3, 4});
   CHECK(info.type == type);
-  if (container != "numpy" && container != "tiff")
+  if (container != "numpy" && container != "npz" && container != "tiff")
     for (std::size_t axis = 0; axis < 3; ++axis)
       CHECK(std::fabs(info.spacing_mm[axis]) == std::array<double, 3>{0.5, 0.75, 2}[axis]);
   std::vector<double> expected;

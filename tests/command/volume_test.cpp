@@ -1,6 +1,7 @@
 // The volume readers, on small files written here. With DISCMC_DATA naming a folder of volumes,
 // each with a JSON file that describes it, those are read as well.
 #include "volumes/volume.hpp"
+#include "volumes/iso_value.hpp"
 
 #include <doctest/doctest.h>
 

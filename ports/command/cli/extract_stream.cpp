@@ -20,6 +20,7 @@
 #include "summary.hpp"
 #include "surface/counts.hpp"
 #include "volume_input.hpp"
+#include "volumes/iso_value.hpp"
 
 namespace discmc::command {
 namespace {

@@ -15,6 +15,7 @@
 #include "require.hpp"
 #include "scan.hpp"
 #include "streams/spacing.hpp"
+#include "volumes/iso_value.hpp"
 
 namespace discmc::command {
 namespace {

@@ -18,6 +18,7 @@
 #include "bit_source.hpp"
 #include "extraction.hpp"
 #include "streams/spacing.hpp"
+#include "volumes/iso_value.hpp"
 
 namespace discmc::command {
 

@@ -1,4 +1,5 @@
 #include "selection.hpp"
+#include "volumes/iso_value.hpp"
 
 #include <array>
 #include <cmath>

@@ -20,7 +20,7 @@ std::optional<Srgb> colour_of(std::string_view text) {
   Srgb colour{};
   if (parts.size() != colour.size()) return std::nullopt;
   for (std::size_t i = 0; i < colour.size(); ++i) {
-    const auto part = finite_number(std::string(parts[i]));
+    const auto part = finite_number(parts[i]);
     if (!part || *part < 0 || *part > 1) return std::nullopt;
     colour[i] = static_cast<std::uint8_t>(std::lround(255 * *part));
   }
