@@ -11,7 +11,6 @@
 #include "mesh_output.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
-#include "text/value_text.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {
@@ -43,7 +42,7 @@ MeshFiles::MeshFiles(const ExtractArguments& arguments,
                      const std::optional<VolumePlacement>& placement)
     : arguments_(arguments), placement_(placement) {
   const FilePattern pattern(arguments.output);
-  const bool has_several = arguments.takes_all_labels || arguments.reading.selections.size() > 1;
+  const bool has_several = !arguments.labels.empty() || arguments.reading.selections.size() > 1;
   are_one_ = has_several && !pattern.has_name();
   if (pattern.has_name())
     pattern.require_folder();
@@ -59,7 +58,7 @@ std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>&
   for (const NamedSelection& each : selections) {
     std::string addition;
     while (!taken.insert(pattern.file_for(each.name, addition)).second)
-      addition += "-" + value_text(each.selection.low);
+      addition += "-" + each.given;
     names.push_back(pattern.file_for(each.name, addition));
   }
   return names;
@@ -104,7 +103,7 @@ void MeshFiles::finish() {
   write_to(*file_,
            [&](std::ostream& out) { write_meshes(meshes, format_of(arguments_.output), out); });
   file_->commit();
-  if (!arguments_.quiet) write_file(arguments_.output, std::cout);
+  if (!arguments_.quiet) print_file(arguments_.output, std::cout);
 }
 
 Mesh MeshFiles::mesh_of(const SurfaceOutput& output) const {

@@ -32,7 +32,7 @@ class MeshFiles {
   bool are_one() const { return are_one_; }
 
   /// The files of surfaces. No two are the same where each has its own: of equal names all but the
-  /// first get their label or threshold as well.
+  /// first get what was given as well.
   std::vector<std::string> names_for(const std::vector<NamedSelection>& selections) const;
 
   /// Writes the mesh of a surface, or keeps it for the file of all; the surface is then empty.

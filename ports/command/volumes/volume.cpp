@@ -15,7 +15,9 @@
 #include "unpacked_volume.hpp"
 #include "volumes/filters/cropped_volume.hpp"
 #include "volumes/filters/shrunk_volume.hpp"
+#include "volumes/filters/whole_labels.hpp"
 #include "volumes/formats/dicom/files.hpp"
+#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/formats/zarr/folder.hpp"
 
@@ -43,6 +45,22 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   files.erase(std::remove_if(files.begin(), files.end(), is_system_name), files.end());
   if (files.empty()) fail(pattern, "no file has such a name", "check it");
   return files;
+}
+
+std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+                                           const VolumeOptions& options);
+
+// Masks are labels. For what takes none, one of the files is to be named.
+std::unique_ptr<VolumeReader> open_told_masks(const std::filesystem::path& source,
+                                              const std::vector<std::filesystem::path>& files,
+                                              const VolumeOptions& options) {
+  const bool is_told = options.holds_labels || options.frame;
+  if (is_told && files.size() > 1) return open_masks(source, files, options);
+  if (is_told) return open_as_told(files[0], options);
+  const std::string count = std::to_string(files.size());
+  fail(
+      source, "volumes of their own: " + count + ", such as " + shown(files[0].filename().string()),
+      "give the name of one, or take all as labels, one a file, with --labels all or --label NAME");
 }
 
 // By its first bytes: pictures may have names without their kind.
@@ -83,9 +101,6 @@ void require_headerless_name(const std::filesystem::path& file) {
        "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims "
        "and --type");
 }
-
-std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
-                                           const VolumeOptions& options);
 
 // Of a packed file whose reader takes files alone.
 std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptions& options) {
@@ -170,6 +185,8 @@ std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
 std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
                                            const VolumeOptions& options) {
   const auto files = files_of_pattern(pattern);
+  if (std::all_of(files.begin(), files.end(), is_mask_name))
+    return open_told_masks(pattern, files, options);
   const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
   const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
   if (other == files.end()) return open_pictures(pattern, files, options);
@@ -200,9 +217,20 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
     }
   }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
+  const auto masks = mask_files(folder);
+  if (!masks.empty()) return open_told_masks(folder, masks, options);
   if (!dead.empty()) fail(folder, dead, "copy what they should lead to");
   fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
+}
+
+void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
+  const std::string frames = std::to_string(info.frames);
+  const std::string remedy = "choose one with --frame N, the first is 0";
+  if (info.labels.empty())
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
+  fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
+       "take labels with --label NAME, or " + remedy);
 }
 
 bool is_volume_name(const std::filesystem::path& file) {
@@ -212,6 +240,7 @@ bool is_volume_name(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_as_told(file, options);
+  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
@@ -220,6 +249,7 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
          "this has one channel, and channel " + std::to_string(*options.channel) + " is asked for",
          "leave out --channel");
   require_used(file, options, volume->info().format);
+  if (options.holds_labels) volume = whole_labels(file, std::move(volume));
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);
