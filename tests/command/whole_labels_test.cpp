@@ -77,7 +77,7 @@ TEST_CASE("what rounding makes of a slope is no more than that") {
   const auto exact =
       folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0).file([] {
         std::string tens;
-        for (const std::int16_t sample : {0, 30, 60, 70})
+        for (const auto sample : std::initializer_list<std::int16_t>{0, 30, 60, 70})
           tens.append(reinterpret_cast<const char*>(&sample), sizeof sample);
         return tens;
       }()));

@@ -71,24 +71,6 @@ bool is_picture(const std::filesystem::path& file) {
          (format->name == "PNG" || format->name == "TIFF" || format->name == "JPEG");
 }
 
-std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
-                                           const VolumeOptions& options) {
-  const auto files = files_of_pattern(pattern);
-  if (std::all_of(files.begin(), files.end(), is_mask_name))
-    return open_told_masks(pattern, files, options);
-  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
-  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
-  if (other == files.end()) return open_pictures(pattern, files, options);
-  if (picture != files.end())
-    fail(pattern,
-         "there are pictures of such a name, and other files, such as " +
-             shown(other->filename().string()),
-         "give a pattern of one kind, such as '" +
-             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
-  if (is_picture(files[0])) return open_pictures(pattern, files, options);
-  return open_dicom(pattern, files, options);
-}
-
 bool is_folder(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::is_directory(file, ignored);
@@ -152,7 +134,8 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     if (format != nullptr && !is_read(*format)) fail_unread(file, format);
     return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");
   }
-  if (is_pattern(file)) return open_pattern(file, options);
+  if (is_pattern(file))
+    return archive_of(file) ? open_zip(file, options) : open_pattern(file, options);
   if (format != nullptr && format->open_file != nullptr && !packing_of_name(file))
     return format->open_file(file, options);
 
@@ -198,6 +181,24 @@ std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
 }
 
 }  // namespace
+
+std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
+                                           const VolumeOptions& options) {
+  const auto files = files_of_pattern(pattern);
+  if (std::all_of(files.begin(), files.end(), is_mask_name))
+    return open_told_masks(pattern, files, options);
+  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
+  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
+  if (other == files.end()) return open_pictures(pattern, files, options);
+  if (picture != files.end())
+    fail(pattern,
+         "there are pictures of such a name, and other files, such as " +
+             shown(other->filename().string()),
+         "give a pattern of one kind, such as '" +
+             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
+  if (is_picture(files[0])) return open_pictures(pattern, files, options);
+  return open_dicom(pattern, files, options);
+}
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const std::vector<std::filesystem::path>& dicom,

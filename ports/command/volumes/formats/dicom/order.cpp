@@ -62,11 +62,10 @@ std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& alon
                                 frame.image->instance == kept.back().image->instance &&
                                 frame.number == kept.back().number;
     if (!is_same_object && !same_pixels(frame, kept.back()))
-      fail(
-          source,
-          "two slices at " + short_number(along(frame)) + " mm differ: " + name_of(kept.back()) +
-              " and " + name_of(frame) + ", and nothing tells which are of one volume",
-          "give a folder with the slices of one, or put them in order by --order instance or name");
+      fail(source,
+           "two slices at " + short_number(along(frame)) + " mm differ: " + name_of(kept.back()) +
+               " and " + name_of(frame) + ", and nothing tells which are of one volume",
+           "give a pattern of the files of one volume, such as 'FOLDER/a*'");
   }
   const std::size_t dropped = stack.size() - kept.size();
   stack = std::move(kept);
