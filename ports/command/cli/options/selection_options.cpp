@@ -11,14 +11,19 @@
 namespace discmc::command {
 namespace {
 
-bool is_rounded(const std::string& text) {
-  const auto whole = label_value(text);
-  return whole && whole->is_rounded();
+// The threshold, or the end of a range, that double would make another number of; or empty.
+std::string rounded_number(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  const bool is_range = dots != std::string::npos;
+  for (const std::string& end : {text.substr(0, dots), is_range ? text.substr(dots + 2) : ""}) {
+    const auto whole = label_value(end);
+    if (whole && whole->is_rounded()) return end;
+  }
+  return "";
 }
 
-// Nothing where double would make another number of it.
 std::optional<double> exact_number(const std::string& text) {
-  return is_rounded(text) ? std::nullopt : finite_number(text);
+  return rounded_number(text).empty() ? finite_number(text) : std::nullopt;
 }
 
 std::optional<NamedSelection> threshold(const std::string& text) {
@@ -67,10 +72,11 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
           description)
       ->check(CLI::Validator(
           [parse, wanted](std::string& text) {
-            if (is_rounded(text) && !parse(text))
-              return "'" + text + "' has more than the 53 bits of a threshold: give --label " +
-                     text + " if it is a label";
-            return parse(text) ? std::string() : "'" + text + "' is no " + wanted;
+            if (parse(text)) return std::string();
+            const std::string rounded = rounded_number(text);
+            if (rounded.empty()) return "'" + text + "' is no " + wanted;
+            return "'" + rounded + "' has more than the 53 bits of a threshold: give --label " +
+                   rounded + " if it is a label";
           },
           ""))
       ->expected(1)
