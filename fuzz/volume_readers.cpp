@@ -80,20 +80,34 @@ struct Names {
   bool is_of_one_piece = false;  ///< any byte may be in it, file separators too
 };
 constexpr Names names[] = {
-    {"v.nrrd", nullptr, false},      {"v.nhdr", "data", false},
-    {"v.mha", nullptr, false},       {"v.mhd", "data", false},
-    {"v.nii", nullptr, false},       {"v.nii.gz", nullptr, false},
-    {"v.hdr", "v.img", false},       {"v.img", "v.hdr", false},
-    {"v.hdr", "v.img.gz", false},    {"v", nullptr, false},
-    {"v.raw", nullptr, true},        {"v.raw.gz", nullptr, true},
-    {"v.dcm", nullptr, false, true}, {"v.png", nullptr, false, true},
-    {"v.tif", nullptr, false, true}, {"v.vtk", nullptr, false},
-    {"v.vti", nullptr, false},       {"v.npy", nullptr, false},
-    {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
-    {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
-    {"v.jpg", nullptr, false, true}, {"v.bmp", nullptr, false, true},
-    {"v.mgh", nullptr, false},       {"v.mrc", nullptr, false},
-    {"v.npz", nullptr, false, true}, {"v.zarr/.zarray", "v.zarr/0.0.0", false},
+    {"v.nrrd", nullptr, false},
+    {"v.nhdr", "data", false},
+    {"v.mha", nullptr, false},
+    {"v.mhd", "data", false},
+    {"v.nii", nullptr, false},
+    {"v.nii.gz", nullptr, false},
+    {"v.hdr", "v.img", false},
+    {"v.img", "v.hdr", false},
+    {"v.hdr", "v.img.gz", false},
+    {"v", nullptr, false},
+    {"v.raw", nullptr, true},
+    {"v.raw.gz", nullptr, true},
+    {"v.dcm", nullptr, false, true},
+    {"v.png", nullptr, false, true},
+    {"v.tif", nullptr, false, true},
+    {"v.vtk", nullptr, false},
+    {"v.vti", nullptr, false},
+    {"v.npy", nullptr, false},
+    {"v.inv3", nullptr, false},
+    {"v.zip", nullptr, false, true},
+    {"v.inv3", nullptr, false},
+    {"v.zip", nullptr, false, true},
+    {"v.jpg", nullptr, false, true},
+    {"v.bmp", nullptr, false, true},
+    {"v.mgh", nullptr, false},
+    {"v.mrc", nullptr, false},
+    {"v.npz", nullptr, false, true},
+    {"v.zarr/.zarray", "v.zarr/0.0.0", false},
     {"v.zarr3/zarr.json", "v.zarr3/c/0/0/0", false},
 };
 
@@ -155,10 +169,11 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
   // Text of a byte and a blank may stand for a sample of eight. Other packings than gzip have no
-  // such bound, nor has a zip of pictures, and a list may name a file as often as it has lines: what
-  // is there is read before it is believed. Zarr has its own.
+  // such bound, nor has a zip of pictures, and a list may name a file as often as it has lines:
+  // what is there is read before it is believed. Zarr has its own.
   constexpr size_t max_inflation = 16384;
-  const char* const unbounded[] = {"bzip2", "xz", "zstd", "lz4", "detached", ", zip", "npz", "Zarr"};
+  const char* const unbounded[] = {"bzip2",    "xz",    "zstd", "lz4",
+                                   "detached", ", zip", "npz",  "Zarr"};
   const bool is_bounded = std::none_of(
       std::begin(unbounded), std::end(unbounded),
       [&info](const char* word) { return info.format.find(word) != std::string::npos; });
@@ -187,6 +202,7 @@ Reading read(const fs::path& file, const VolumeOptions& options, size_t file_byt
       if (slice.size() < 4096)
         reading.samples.insert(reading.samples.end(), slice.begin(), slice.end());
     }
+    reading.info.notes = reader->notes();
     if (slices < reading.info.dims[2]) return reading;
     bool is_refused = false;
     try {

@@ -105,7 +105,8 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
       ->option_text("N")
       ->needs(dims);
   app.add_option("--frame", arguments.frame,
-                 "the volume to read of a file that holds several (4D), the first is 0")
+                 "the volume to read of a file or a series of DICOM that holds several (4D), the "
+                 "first is 0")
       ->option_text("N");
   app.add_option("--channel", arguments.channel,
                  "the channel to read of a file that holds several, the first is 0")
@@ -128,9 +129,19 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
       ->option_text("X,Y,Z")
       ->check(usable_spacing());
   app.add_option("--series", arguments.series,
-                 "of a folder of DICOM with several: its UID, or its number in the list that is "
-                 "shown without this")
+                 "of DICOM with several series or volumes (times, echoes, kernels): its UID, or "
+                 "its number in the list that is shown without this")
       ->option_text("SERIES");
+  app.add_flag(
+      "--merge-series", arguments.merges_series,
+      "take slices of DICOM as those of one volume whatever their series, as of files that "
+      "have a UID each");
+  add_named_option(app, "--order", arguments.order,
+                   NamedValues<SliceOrder>{{"position", SliceOrder::position},
+                                           {"instance", SliceOrder::instance},
+                                           {"name", SliceOrder::name}},
+                   "what puts the slices of DICOM in order: their positions, InstanceNumber, or "
+                   "the names of the files (default: position)");
   app.add_flag("--allow-gaps", arguments.allow_gaps,
                "repeat the nearest slice where slices are missing, of DICOM or pictures (default: "
                "refuse them)");

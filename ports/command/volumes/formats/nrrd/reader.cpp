@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "segment_labels.hpp"
 #include "text/words.hpp"
 #include "volumes/data_files.hpp"
+#include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_text.hpp"
 #include "volumes/told_place.hpp"
@@ -137,8 +139,58 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
   fail_type(file, text);
 }
 
+// The next entry of a field that has one an axis: "in quotes", (in brackets), or a word.
+std::string_view first_entry(std::string_view text) {
+  const char first = text.front();
+  if (first != '"' && first != '(') return text.substr(0, text.find_first_of(" \t"));
+  const std::size_t end = text.find(first == '"' ? '"' : ')', 1);
+  return text.substr(0, end == std::string_view::npos ? end : end + 1);
+}
+
+bool is_of_space(std::string_view kind) {
+  return one_of(lower(kind), {"domain", "space", "time", "none", "???"});
+}
+
+// What the first axis is where it is none of space: its samples lie side by side.
+enum class SideBySide { nothing, volumes, channels };
+
+// A list is of volumes: the layers of a segmentation, as 3D Slicer has them. Vectors and colours
+// have channels.
+SideBySide side_by_side(const Fields& fields) {
+  const auto kinds = words(field(fields, "kinds"));
+  const auto directions = words(field(fields, "space directions"));
+  if (words(field(fields, "sizes")).size() != 4) return SideBySide::nothing;
+  if (!kinds.empty() && !is_of_space(kinds[0]))
+    return lower(kinds[0]) == "list" ? SideBySide::volumes : SideBySide::channels;
+  const bool has_no_direction = !directions.empty() && lower(directions[0]) == "none";
+  return has_no_direction ? SideBySide::volumes : SideBySide::nothing;
+}
+
+[[noreturn]] void fail_axis(const std::filesystem::path& file, std::size_t axis,
+                            const std::string& what, std::size_t axes) {
+  std::string order;
+  for (std::size_t other = 0; other < axes; ++other)
+    if (other != axis) order += std::to_string(other) + ' ';
+  const std::string command =
+      axes > 3 ? "make it the last one, e.g. with: unu permute -p " + order + std::to_string(axis)
+               : "extract one component, e.g. with: unu slice -p 0 -a " + std::to_string(axis);
+  fail(file, "axis " + std::to_string(axis + 1) + ' ' + what, command + " -i in.nrrd -o out.nrrd");
+}
+
+// Makes the first axis the last one, where lists of volumes are otherwise.
+void move_first_axis_back(Fields& fields) {
+  for (const char* name : {"sizes", "spacings", "space directions", "units", "kinds", "labels",
+                           "thicknesses", "axis mins", "axis maxs", "centerings"}) {
+    const auto found = fields.find(name);
+    if (found == fields.end() || found->second.empty()) continue;
+    const std::string_view entries = found->second;
+    const std::string_view first = first_entry(entries);
+    found->second = std::string(trimmed(entries.substr(first.size()))) + ' ' + std::string(first);
+  }
+}
+
 void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
-               const VolumeOptions& options) {
+               const VolumeOptions& options, SideBySide first_axis) {
   const auto dimension = integer(file, "dimension", needed(file, fields, "dimension"));
   std::vector<std::int64_t> sizes;
   for (const auto word : words(needed(file, fields, "sizes")))
@@ -148,13 +200,17 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields
          "dimension is " + std::to_string(dimension) + " but there are " +
              std::to_string(sizes.size()) + " sizes",
          "correct the header");
+  const std::int64_t last = sizes.back();
+  if (first_axis == SideBySide::channels) sizes.pop_back();
   set_dims(info, file, sizes, options.frame);
+  if (first_axis == SideBySide::channels)
+    set_channels(info, file, static_cast<std::uint64_t>(std::max<std::int64_t>(1, last)),
+                 options.channel);
 
   const auto kinds = words(field(fields, "kinds"));
   for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
-    if (!one_of(lower(kinds[axis]), {"domain", "space", "time", "none", "???"}))
-      fail(file, "axis " + std::to_string(axis + 1) + " is of kind " + shown(kinds[axis]),
-           "extract one component, e.g. with: unu slice");
+    if (!is_of_space(kinds[axis]))
+      fail_axis(file, axis, "is of kind " + shown(kinds[axis]), sizes.size());
 }
 
 // The units of three axes, each in double quotes or a word.
@@ -210,8 +266,7 @@ Axes directions_of(const std::filesystem::path& file, const Fields& fields) {
     const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
     text.remove_prefix(word.size());
     if (lower(trimmed(word)) == "none")
-      fail(file, "axis " + std::to_string(axis + 1) + " has no direction in space",
-           "extract one component, e.g. with: unu slice");
+      fail_axis(file, axis, "has no direction in space", words(field(fields, "sizes")).size());
     const auto numbers = vector_of(file, "space directions", trimmed(word));
     directions[axis] = {0, 0, 0};
     std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
@@ -378,26 +433,46 @@ ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fi
   return joined(header.file(), files, info, open);
 }
 
+// As it is stored: one volume, in whose rows the samples of all are side by side.
+VolumeInfo stored(const std::filesystem::path& file, VolumeInfo info) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t count = info.frames * info.channels;
+  if (count > most / info.dims[0])
+    fail(file, "the first axis has size " + std::to_string(count) + ", and the rows are too long",
+         "make it the last axis, e.g. with: unu permute -p 1 2 3 0 -i in.nrrd -o out.nrrd");
+  info.dims[0] *= static_cast<std::uint32_t>(count);
+  info.frames = info.channels = 1;
+  return info;
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
-  const Header header = parse(file, stream);
+  Header header = parse(file, stream);
+  const SideBySide first_axis = side_by_side(header.fields);
+  if (first_axis != SideBySide::nothing) move_first_axis_back(header.fields);
   VolumeInfo info;
   info.type = sample_type(file, needed(file, header.fields, "type"));
-  set_sizes(info, file, header.fields, options);
+  set_sizes(info, file, header.fields, options, first_axis);
   set_geometry(info, file, header.fields, options);
-  info.labels =
-      header.segments.table(info.frames > 1 ? options.frame : std::optional<std::uint32_t>(), info);
+  header.segments.describe(info);
   const bool is_big_endian = big_endian(file, header.fields, info.type);
 
   const std::string_view name = field(header.fields, "data file");
   if (name.empty() && !header.closed)
     fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
-  ByteStream data = open_data(stream, name, header.fields, info);
   info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian,
-                                       options.frame);
+  VolumeInfo all = first_axis == SideBySide::nothing ? info : stored(file, info);
+  ByteStream data = open_data(stream, name, header.fields, all);
+  info.notes = all.notes;
+  auto volume = std::make_unique<SliceStream>(
+      std::move(all), std::move(data), is_big_endian,
+      first_axis == SideBySide::nothing ? options.frame : std::nullopt);
+  if (first_axis == SideBySide::nothing) return volume;
+  const auto count = static_cast<std::uint32_t>(info.frames * info.channels);
+  const auto chosen = first_axis == SideBySide::volumes ? options.frame : options.channel;
+  return component(std::move(volume), std::move(info), chosen.value_or(0), count);
 }
 
 }  // namespace discmc::command

@@ -280,7 +280,7 @@ class TiffFile final : public PictureFile {
       const TiffPage page = go_to(static_cast<std::uint32_t>(at));
       const auto array = shaped_array(file_, description_of(tiff_.get()));
       auto stack = array ? planes_of(*array, sizes(page)) : std::nullopt;
-      if (!stack) return {};
+      if (!stack || planes(*stack) % depth_ != 0) return {};
       const std::uint64_t count = planes(*stack);
       if (count > pages() - at) require_behind(page, count);
       stack->files = {file_};

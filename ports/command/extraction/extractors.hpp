@@ -1,6 +1,6 @@
 // Extractors with the memory that they take.
-#ifndef DISCMC_COMMAND_EXTRACTION_SCAN_HPP
-#define DISCMC_COMMAND_EXTRACTION_SCAN_HPP
+#ifndef DISCMC_COMMAND_EXTRACTION_EXTRACTORS_HPP
+#define DISCMC_COMMAND_EXTRACTION_EXTRACTORS_HPP
 
 #include <discmc/gradient_normals.hpp>
 #include <discmc/host/learning_extractor.hpp>
@@ -17,6 +17,7 @@
 
 #include "bit_source.hpp"
 #include "extraction.hpp"
+#include "require.hpp"
 #include "streams/spacing.hpp"
 #include "volumes/iso_value.hpp"
 
@@ -53,13 +54,19 @@ inline std::unique_ptr<std::uint8_t[]> untouched(std::uint64_t bytes) {
   return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[bytes]);
 }
 
+/// A slice as it is read, and the rows of its mask, if it has one.
+struct SliceToExtract {
+  const std::uint8_t* samples;
+  const std::uint8_t* mask_rows;
+};
+
 /// The extractors of all surfaces, in memory of their own.
 template <class AnyExtractor>
-class Scan {
+class Extractors {
  public:
   static constexpr bool learns = std::is_same_v<AnyExtractor, LearningExtractor>;
 
-  Scan(const Arena& arena, std::size_t surfaces) : arena_(arena), extractors_(surfaces) {
+  Extractors(const Arena& arena, std::size_t surfaces) : arena_(arena), extractors_(surfaces) {
     for (AnyExtractor& extractor : extractors_) {
       memory_.push_back(untouched(arena.bytes));
       if constexpr (learns) {
@@ -69,36 +76,38 @@ class Scan {
     }
   }
 
-  /// Begins with as many surfaces of a volume. What has been learnt stays.
-  void start(const VolumeInfo& info, const Limits& limits,
-             const std::vector<SurfaceRequest>& surfaces) {
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+  /// Extracts as many surfaces of a volume. What has been learnt stays. limits: with the slab that
+  /// the spans are of. next_slice(): returns a SliceToExtract of each slice in spans.read.
+  template <class NextSlice>
+  std::vector<Extraction> extract(const VolumeInfo& info, const Limits& limits,
+                                  const SlabSpans& spans, const ExtractionOptions& options,
+                                  const std::vector<SurfaceRequest>& surfaces,
+                                  NextSlice next_slice) {
+    start(info, limits, surfaces);
+    SurfaceGroup<AnyExtractor> group{extractors_.data(),
+                                     static_cast<std::uint32_t>(extractors_.size()), limits.width};
+    BitSource bits(info, limits, spans, options.takes_majority, surfaces);
+    const auto push_bits = [&](const std::uint8_t* row) {
+      if constexpr (!holds_samples<AnyExtractor>) require(group.push_bits(row).status);
+      if (options.slices != nullptr) require(options.slices->push_bits(row).status);
+    };
+    for (std::uint32_t z = spans.read.first; z < spans.read.end; ++z) {
+      const SliceToExtract slice = next_slice();
+      bits.add_slice(slice.samples, slice.mask_rows, push_bits);
+      for (const SurfaceRequest& surface : surfaces)
+        if (surface.crossings != nullptr)
+          surface.crossings->add_slice(slice.samples, slice.mask_rows);
       if constexpr (holds_samples<AnyExtractor>) {
-        const auto spacing = spacing_nm(info.spacing_mm);
-        extractors_[i].set_spacing({spacing[0], spacing[1], spacing[2]});
+        using Sample = typename SampleOf<AnyExtractor>::Type;
+        const auto* samples = reinterpret_cast<const Sample*>(slice.samples);
+        require(group.push(samples, limits.width * limits.height).status);
       }
-      const std::int32_t threshold = stored_threshold(info, surfaces[i].selection.low);
-      const Status started = extractors_[i].start(
-          limits, arena_.capacities, threshold, {memory_[i].get(), arena_.bytes}, surfaces[i].sink);
-      if (started != Status::ok) throw std::invalid_argument(to_string(started));
+      if (options.progress) options.progress(z + 1);
     }
-  }
-
-  SurfaceGroup<AnyExtractor> group() {
-    return {extractors_.data(), static_cast<std::uint32_t>(extractors_.size()),
-            extractors_[0].limits().width};
-  }
-
-  /// After the end. bits: that it was given.
-  std::vector<Extraction> results(const VolumeInfo& info, const SlabSpans& spans,
-                                  const BitSource& bits) const {
-    const std::uint64_t voxels = std::uint64_t{spans.own.count()} * info.dims[0] * info.dims[1];
-    const bool is_of_slab = spans.own.count() < info.dims[2];
-    std::vector<Extraction> results;
-    for (std::size_t i = 0; i < extractors_.size(); ++i)
-      results.push_back({extractors_[i].statistics(), voxels, bits.crossings(i), bits.not_numbers(),
-                         bits.is_full(i), is_of_slab, use_of(extractors_[i])});
-    return results;
+    bits.finish(push_bits);
+    require(group.finish());
+    if (options.slices != nullptr) require(options.slices->finish());
+    return results(info, spans, bits);
   }
 
   const Arena& arena() const { return arena_; }
@@ -116,6 +125,31 @@ class Scan {
 
  private:
   static constexpr std::uint64_t learnt_bytes = std::uint64_t{1} << 20;
+
+  void start(const VolumeInfo& info, const Limits& limits,
+             const std::vector<SurfaceRequest>& surfaces) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if constexpr (holds_samples<AnyExtractor>) {
+        const auto spacing = spacing_nm(info.spacing_mm);
+        extractors_[i].set_spacing({spacing[0], spacing[1], spacing[2]});
+      }
+      const std::int32_t threshold = stored_threshold(info, surfaces[i].selection.low);
+      const Status started = extractors_[i].start(
+          limits, arena_.capacities, threshold, {memory_[i].get(), arena_.bytes}, surfaces[i].sink);
+      if (started != Status::ok) throw std::invalid_argument(to_string(started));
+    }
+  }
+
+  std::vector<Extraction> results(const VolumeInfo& info, const SlabSpans& spans,
+                                  const BitSource& bits) const {
+    const std::uint64_t voxels = std::uint64_t{spans.own.count()} * info.dims[0] * info.dims[1];
+    const bool is_of_slab = spans.own.count() < info.dims[2];
+    std::vector<Extraction> results;
+    for (std::size_t i = 0; i < extractors_.size(); ++i)
+      results.push_back({extractors_[i].statistics(), voxels, bits.not_numbers(), bits.is_full(i),
+                         is_of_slab, use_of(extractors_[i])});
+    return results;
+  }
 
   std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
     if (learns) return std::nullopt;
