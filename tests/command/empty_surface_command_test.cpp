@@ -118,7 +118,7 @@ TEST_CASE("a surface that is the box of the volume is taken, and said to be one"
     const std::string box = ", so the surface is the box of the volume";
     CHECK(contains(error_of("v.nrrd --iso=-1000"),
                    "v.nrrd: every voxel reaches -1000" + box + values));
-    CHECK(contains(error_of("four.nrrd --label 4"), "every voxel is 4" + box));
+    CHECK(contains(error_of("four.nrrd --label 4"), "every voxel has label 4" + box));
     CHECK(error_of("v.nrrd --iso=-999").empty());
   }
   const Result piped = workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl");
