@@ -372,4 +372,17 @@ TEST_CASE("files whose names begin with a dot are none of the volume") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
+TEST_CASE("the value where nothing was scanned is told, with sign or without") {
+  const Folder folder;
+  const auto told = [&](Dataset data) {
+    data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");
+    return open_volume(folder.write("v.dcm", data.file()))->info().padding;
+  };
+  CHECK(!told(frames()));
+  Dataset data = frames();
+  CHECK(told(data.bytes(0x00280120, "SS", number_bytes(63536, 2, Order::little_endian))) == -5024);
+  CHECK(told(data.whole(0x00280120, {63536})) == -5024);
+  CHECK(told(data.samples(volume_values(), 16, false).whole(0x00280120, {63536})) == 126048);
+}
+
 }  // namespace

@@ -341,7 +341,7 @@ TEST_CASE("files that hold no image are skipped and counted") {
   check_refusal(refusal(files / "colour.dcm"), "this is a colour image");
   check_refusal(refusal(series.path() / "reports"), "none of 2 DICOM files holds an image");
   const Folder empty;
-  check_refusal(refusal(empty.path()), "holds no DICOM, PNG or TIFF files");
+  check_refusal(refusal(empty.path()), "holds no DICOM files and no pictures");
 }
 
 TEST_CASE("one slice of a series is a volume, with a hint to its folder") {

@@ -104,7 +104,6 @@ void check_same_surface(const BitVolume& volume, ExtractionOptions options) {
     const Extracted parts = extracted(volume, options, by_polygons);
     CHECK(describe_difference(regions_of(parts.surface), regions_of(whole.surface)) == "");
     CHECK(parts.extraction.voxels == whole.extraction.voxels);
-    CHECK(parts.extraction.classic_vertices == whole.extraction.classic_vertices);
     CHECK(parts.extraction.is_full == whole.extraction.is_full);
     CHECK(parts.extraction.statistics.regions == whole.extraction.statistics.regions);
     CHECK(parts.extraction.statistics.rings == whole.extraction.statistics.rings);

@@ -2,7 +2,6 @@
 #ifndef DISCMC_COMMAND_CLI_ARGUMENTS_HPP
 #define DISCMC_COMMAND_CLI_ARGUMENTS_HPP
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -44,9 +43,13 @@ struct LayoutArguments {
 /// What is on in a surface, and what the user calls it.
 struct NamedSelection {
   Selection selection;
-  std::string name;  ///< as it was given, "300"; of a label in the table, its name there
-  std::optional<Srgb> colour{};         ///< of a label in the table, if it has one there
+  std::string given;                    ///< on the command line: "300", "otsu", "5,right lung"
+  std::string name = given;             ///< the same, or what the label is called
+  std::optional<Srgb> colour{};         ///< of a label, if one is told
   std::optional<ThresholdRule> rule{};  ///< by which the selection is still to be found
+  bool is_label = false;                ///< which is looked up as the volume is opened
+
+  bool has_upper_end() const { return is_label || selection.has_upper_end(); }
 };
 
 /// How a volume is read and its surface taken: of every command that takes one.
@@ -59,12 +62,10 @@ struct VolumeArguments {
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< slots and holes, or none
   LayoutArguments layout;
+  std::string label_table;  ///< file of the names of labels, or none
 
-  /// Whether some surface is that of one value.
-  bool selects_labels() const {
-    return std::any_of(selections.begin(), selections.end(),
-                       [](const NamedSelection& each) { return each.selection.is_one_value(); });
-  }
+  /// Whether the surfaces are those of labels.
+  bool selects_labels() const { return !selections.empty() && selections[0].is_label; }
 };
 
 /// Where the normals of a mesh's vertices come from: its polygons, or the samples.
@@ -85,8 +86,7 @@ struct SlabChoice {
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
-  bool takes_all_labels = false;  ///< in place of selections
-  std::string label_table;        ///< file of the names of labels, or none
+  std::string labels;  ///< "all" or a list, a surface each, in place of selections; or none
   std::string output = "-";
   Normals normals = Normals::none;
   Wire wire = Wire::regions;
@@ -103,7 +103,7 @@ struct ExtractArguments {
 
 /// Whether the volume may be extracted in parts.
 inline bool is_divisible(const ExtractArguments& arguments) {
-  return !arguments.interpolates && !arguments.takes_all_labels && arguments.reading.memory == 0 &&
+  return !arguments.interpolates && arguments.labels.empty() && arguments.reading.memory == 0 &&
          arguments.reading.capacities.empty();
 }
 

@@ -22,8 +22,8 @@ ComparedInput input_called(const std::string& name) {
 void check(const CompareArguments& arguments) {
   for (const ComparedInput& input : arguments.inputs)
     if (input.kind == ComparedInput::Kind::volume && arguments.reading.selections.empty())
-      throw CLI::ValidationError(input.name,
-                                 "a volume is compared at a threshold: give --iso VALUE");
+      throw CLI::ValidationError(
+          input.name, "a volume is compared at a threshold: give --iso auto, or a number");
 }
 
 }  // namespace

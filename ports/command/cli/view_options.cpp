@@ -39,7 +39,7 @@ void check_surface_options(const CLI::App& view, const ViewArguments& arguments)
   for (const CLI::Option* option : view.get_options())
     if (option->count() > 0 && option->get_group() == surface_group)
       throw CLI::ValidationError(option->get_name(),
-                                 "is of the surface at one threshold: give --iso VALUE as well");
+                                 "is of the surface at one threshold: give --iso auto as well");
 }
 
 }  // namespace

@@ -1,13 +1,9 @@
 #include "header_text.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <locale>
-#include <sstream>
 
 #include "text/control_character.hpp"
 #include "text/number_text.hpp"
-#include "text/words.hpp"
 #include "volume_error.hpp"
 
 namespace discmc::command {
@@ -22,16 +18,11 @@ std::int64_t integer(const std::filesystem::path& file, std::string_view field,
 }
 
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text) {
-  if (lower(text) == "nan") return std::numeric_limits<double>::quiet_NaN();
-  // A stream of its own: strtod follows the user's locale, from_chars is missing in some libraries.
-  std::istringstream in{std::string(text)};
-  in.imbue(std::locale::classic());
-  double value = 0;
-  in >> value;
-  if (text.empty() || !in || in.peek() != std::istringstream::traits_type::eof())
+  const auto value = decimal_number(text);
+  if (!value)
     fail(file, std::string(field) + " is " + shown(text) + ", which is no number",
          "correct the header");
-  return value;
+  return *value;
 }
 
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name) {

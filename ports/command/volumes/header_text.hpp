@@ -8,8 +8,8 @@
 
 namespace discmc::command {
 
-/// Return the number when the text is one and nothing else; a real may be nan. The file and the
-/// name of the field are for the VolumeError thrown otherwise.
+/// Return the number when the text is one and nothing else; a real may be nan or infinite. The file
+/// and the name of the field are for the VolumeError thrown otherwise.
 std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text);
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text);

@@ -57,7 +57,7 @@ class Inflater final : public ByteSource {
     read(&beyond, 1);
   }
 
-  std::string damage() const override { return damage_; }
+  std::string damage() const override { return damage_.empty() ? in_->damage() : damage_; }
 
  private:
   void refill() {

@@ -36,19 +36,25 @@ const Described& described(Packing packing) {
 }
 
 #ifdef DISCMC_WITH_LIBARCHIVE
+template <int filter>
+void support(archive* reader) {
+  archive_read_append_filter(reader, filter);
+  archive_read_support_format_raw(reader);
+}
+
 ArchiveSource::Support support_of(Packing packing) {
   switch (packing) {
     case Packing::xz:
-      return [](archive* reader) { archive_read_append_filter(reader, ARCHIVE_FILTER_XZ); };
+      return support<ARCHIVE_FILTER_XZ>;
     case Packing::zstd:
-      return [](archive* reader) { archive_read_append_filter(reader, ARCHIVE_FILTER_ZSTD); };
+      return support<ARCHIVE_FILTER_ZSTD>;
     case Packing::lz4:
-      return [](archive* reader) { archive_read_append_filter(reader, ARCHIVE_FILTER_LZ4); };
+      return support<ARCHIVE_FILTER_LZ4>;
     case Packing::bzip2:
     case Packing::gzip:
       break;
   }
-  return [](archive* reader) { archive_read_append_filter(reader, ARCHIVE_FILTER_BZIP2); };
+  return support<ARCHIVE_FILTER_BZIP2>;
 }
 #endif
 
@@ -83,6 +89,7 @@ std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> in, Packing pac
 #ifdef DISCMC_WITH_LIBARCHIVE
   auto source = std::make_unique<ArchiveSource>(std::move(in), support_of(packing));
   source->next_member();
+  if (!source->damage().empty()) fail(file, source->damage(), "copy the file again");
   return source;
 #else
   fail(file,

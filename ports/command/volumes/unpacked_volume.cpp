@@ -42,8 +42,18 @@ class UnpackedVolume final : public VolumeReader {
       const std::filesystem::path inner =
           std::filesystem::path(error.file()).lexically_relative(folder_.path());
       const bool is_inside = !inner.empty() && *inner.begin() != "..";
-      fail(is_inside ? named(inner).string() : error.file(), error.fault(), error.remedy());
+      fail(is_inside ? named(inner).string() : error.file(), error.fault(),
+           in_packed(error.remedy()));
     }
+  }
+
+  // Patterns of files in the folder are such in what was packed.
+  std::string in_packed(std::string text) const {
+    const std::string folder = folder_.path().string(), packed = packed_.string();
+    for (std::size_t at = text.find(folder); at != std::string::npos;
+         at = text.find(folder, at + packed.size()))
+      text.replace(at, folder.size(), packed);
+    return text;
   }
 
   // A file in the folder by that of what was packed.

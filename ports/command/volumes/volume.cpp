@@ -15,7 +15,9 @@
 #include "unpacked_volume.hpp"
 #include "volumes/filters/cropped_volume.hpp"
 #include "volumes/filters/shrunk_volume.hpp"
+#include "volumes/filters/whole_labels.hpp"
 #include "volumes/formats/dicom/files.hpp"
+#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/formats/zarr/folder.hpp"
 
@@ -40,21 +42,33 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   if (glob(pattern.c_str(), 0, nullptr, &found) == 0)
     files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
+  files.erase(std::remove_if(files.begin(), files.end(), is_system_name), files.end());
   if (files.empty()) fail(pattern, "no file has such a name", "check it");
   return files;
 }
 
-std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
-                                           const VolumeOptions& options) {
-  const auto files = files_of_pattern(pattern);
-  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
-  if (other == files.end()) return open_pictures(pattern, files, options);
-  if (std::any_of(files.begin(), files.end(), is_picture_name))
-    fail(pattern,
-         "there are PNG or TIFF files of such a name, and others, such as " +
-             shown(other->filename().string()),
-         "give a pattern of one kind, such as '*.png'");
-  return open_dicom(pattern, files, options);
+std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+                                           const VolumeOptions& options);
+
+// Masks are labels. For what takes none, one of the files is to be named.
+std::unique_ptr<VolumeReader> open_told_masks(const std::filesystem::path& source,
+                                              const std::vector<std::filesystem::path>& files,
+                                              const VolumeOptions& options) {
+  const bool is_told = options.holds_labels || options.frame;
+  if (is_told && files.size() > 1) return open_masks(source, files, options);
+  if (is_told) return open_as_told(files[0], options);
+  const std::string count = std::to_string(files.size());
+  fail(
+      source, "volumes of their own: " + count + ", such as " + shown(files[0].filename().string()),
+      "give the name of one, or take all as labels, one a file, with --labels all or --label NAME");
+}
+
+// By its first bytes: pictures may have names without their kind.
+bool is_picture(const std::filesystem::path& file) {
+  ByteStream stream(file);
+  const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
+  return format != nullptr &&
+         (format->name == "PNG" || format->name == "TIFF" || format->name == "JPEG");
 }
 
 bool is_folder(const std::filesystem::path& file) {
@@ -88,9 +102,6 @@ void require_headerless_name(const std::filesystem::path& file) {
        "and --type");
 }
 
-std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
-                                           const VolumeOptions& options);
-
 // Of a packed file whose reader takes files alone.
 std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptions& options) {
   return unpacked_volume(stream.file(), name(*stream.packing()), [&](const auto& folder) {
@@ -123,7 +134,8 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     if (format != nullptr && !is_read(*format)) fail_unread(file, format);
     return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");
   }
-  if (is_pattern(file)) return open_pattern(file, options);
+  if (is_pattern(file))
+    return archive_of(file) ? open_zip(file, options) : open_pattern(file, options);
   if (format != nullptr && format->open_file != nullptr && !packing_of_name(file))
     return format->open_file(file, options);
 
@@ -143,7 +155,7 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
     });
   };
   const std::string what = ", but this is " + std::string(format);
-  if (!options.axes.empty() && !is_one_of({"NumPy", "HDF5", "Zarr", "OME-Zarr"}))
+  if (!options.axes.empty() && !is_one_of({"NumPy", "HDF5", "Zarr", "OME-Zarr", "TIFF"}))
     fail(file, "axes are named" + what + ", which names its own", "leave out --axes");
   if (options.level && !is_one_of({"OME-Zarr"}))
     fail(file, "a level is chosen" + what, "leave out --level");
@@ -158,8 +170,8 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
-  return {"PNG or TIFF files beside the DICOM left out: " + std::to_string(pictures.size()) +
-          ", such as " + shown(pictures[0].filename().string()) + "; to read them " + remedy};
+  return {"pictures beside the DICOM left out: " + std::to_string(pictures.size()) + ", such as " +
+          shown(pictures[0].filename().string()) + "; to read them " + remedy};
 }
 
 std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
@@ -169,6 +181,24 @@ std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
 }
 
 }  // namespace
+
+std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
+                                           const VolumeOptions& options) {
+  const auto files = files_of_pattern(pattern);
+  if (std::all_of(files.begin(), files.end(), is_mask_name))
+    return open_told_masks(pattern, files, options);
+  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
+  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
+  if (other == files.end()) return open_pictures(pattern, files, options);
+  if (picture != files.end())
+    fail(pattern,
+         "there are pictures of such a name, and other files, such as " +
+             shown(other->filename().string()),
+         "give a pattern of one kind, such as '" +
+             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
+  if (is_picture(files[0])) return open_pictures(pattern, files, options);
+  return open_dicom(pattern, files, options);
+}
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const std::vector<std::filesystem::path>& dicom,
@@ -187,9 +217,20 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
     }
   }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
+  const auto masks = mask_files(folder);
+  if (!masks.empty()) return open_told_masks(folder, masks, options);
   if (!dead.empty()) fail(folder, dead, "copy what they should lead to");
-  fail(folder, "the folder holds no DICOM, PNG or TIFF files",
+  fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
+}
+
+void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
+  const std::string frames = std::to_string(info.frames);
+  const std::string remedy = "choose one with --frame N, the first is 0";
+  if (info.labels.empty())
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
+  fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
+       "take labels with --label NAME, or " + remedy);
 }
 
 bool is_volume_name(const std::filesystem::path& file) {
@@ -199,6 +240,7 @@ bool is_volume_name(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_as_told(file, options);
+  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
@@ -207,6 +249,7 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
          "this has one channel, and channel " + std::to_string(*options.channel) + " is asked for",
          "leave out --channel");
   require_used(file, options, volume->info().format);
+  if (options.holds_labels) volume = whole_labels(file, std::move(volume));
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);

@@ -18,6 +18,7 @@
 #include "stream_surface.hpp"
 #include "streams/spacing.hpp"
 #include "sweep.hpp"
+#include "volumes/iso_value.hpp"
 #include "voxel_bits.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name), used))

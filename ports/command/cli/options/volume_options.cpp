@@ -113,8 +113,8 @@ void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
       ->option_text("N");
   app.add_option("--axes", arguments.axes,
                  "what the axes of an array are (NumPy, HDF5, Zarr), the slowest first: letters of "
-                 "tczyx, where t is chosen by --frame and c by --channel (default: as the file "
-                 "says, or zyx)")
+                 "tczyx, where t is chosen by --frame and c by --channel; of the pages of a TIFF "
+                 "zyx, cyx or tyx (default: as the file says, or zyx)")
       ->check(usable_axes())
       ->option_text("LETTERS");
   app.add_option("--level", arguments.level,

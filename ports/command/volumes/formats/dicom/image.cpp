@@ -111,6 +111,17 @@ NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
   return {};
 }
 
+// Some write the value of samples with sign as one without.
+std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
+  DcmElement* const element = element_of(dataset, DCM_PixelPaddingValue);
+  Uint16 bits = 0;
+  Sint16 value = 0;
+  if (element == nullptr) return std::nullopt;
+  if (element->getSint16(value).good()) return value;
+  if (element->getUint16(bits).bad()) return std::nullopt;
+  return is_signed ? std::int32_t{static_cast<Sint16>(bits)} : std::int32_t{bits};
+}
+
 // Returns what the samples are instead of grey values, or nothing.
 NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   if (whole_of(dataset, DCM_SamplesPerPixel).value_or(1) != 1) return {"a colour image"};
@@ -127,6 +138,7 @@ NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   }
   const bool is_signed = representation == 1U;
   image.is_of_bits = allocated == 1;
+  image.padding = padding_of(dataset, is_signed);
   if (allocated == 1)
     image.type = SampleType::u8;
   else if (allocated == 8)

@@ -48,6 +48,8 @@ struct DicomImage {
   std::optional<DicomSegments> segments;
   /// Whether low values are the bright ones: MONOCHROME1.
   bool is_inverted = false;
+  /// The sample where nothing was scanned: PixelPaddingValue.
+  std::optional<std::int32_t> padding;
   /// How the pixel data is compressed; empty if it is not.
   std::string compression;
   /// What the reader assumed, for the user.

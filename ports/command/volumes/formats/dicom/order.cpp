@@ -287,7 +287,12 @@ void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
   info.type = stack[0].image->type;
   // The values of CT that are not shifted may be of any unit.
   info.is_in_hounsfield = stack[0].image->modality == "CT" && info.intercept < 0;
-  if (have_one_scale(stack)) return;
+  if (have_one_scale(stack)) {
+    const DicomImage& image = *stack[0].image;
+    if (image.padding && !image.is_inverted)
+      info.padding = info.slope * *image.padding + info.intercept;
+    return;
+  }
   info.type = SampleType::f32;
   info.slope = 1;
   info.intercept = 0;

@@ -211,11 +211,11 @@ std::uint32_t count_of(const Layers& layers) {
   return count;
 }
 
-LabelTable table_of(const DicomSegments& segments, const Layers& layers, std::uint32_t layer) {
+LabelTable table_of(const DicomSegments& segments, const Layers& layers) {
   LabelTable table;
   for (const auto& [number, segment] : segments.all)
-    if (layers.at(number) == layer && !segment.name.empty())
-      table[number] = {segment.name, segment.colour};
+    if (!segment.name.empty())
+      table.push_back({segment.name, segment.colour, {number}, layers.at(number)});
   return table;
 }
 
@@ -258,7 +258,7 @@ std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames
                                }),
                 slice.end());
   set_slice_line(info, frames[0], grid.line, options);
-  info.labels = table_of(segments, layers, layer);
+  info.labels = table_of(segments, layers);
   if (segments.kind == DicomSegments::Kind::fractions)
     note(info, "fractions: a voxel of at least a half is of a segment");
   for (const std::string& each : image.notes) note(info, each);

@@ -17,6 +17,10 @@ struct NumpyHeader {
   ArrayShape shape;
 };
 
+/// The array that a stream holds. format: for people.
+std::unique_ptr<VolumeReader> numpy_volume(ByteStream stream, const std::string& format,
+                                           const VolumeOptions& options);
+
 /// Reads up to the first sample. Throws VolumeError.
 NumpyHeader read_numpy_header(ByteStream& stream);
 

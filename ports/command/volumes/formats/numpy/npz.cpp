@@ -74,7 +74,7 @@ std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
   auto archive = opened(parts.file);
   while (const auto member = archive->next_member())
     if (name_of_array(*member) == asked)
-      return open_numpy(ByteStream(name, std::move(archive)), options);
+      return numpy_volume(ByteStream(name, std::move(archive)), "NumPy, npz", options);
   fail_no_array(name, asked, arrays_of(parts.file));
 }
 #else

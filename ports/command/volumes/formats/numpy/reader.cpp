@@ -8,13 +8,14 @@
 
 namespace discmc::command {
 
-std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options) {
+std::unique_ptr<VolumeReader> numpy_volume(ByteStream stream, const std::string& format,
+                                           const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
   const NumpyHeader header = read_numpy_header(stream);
   const auto type = numpy_type(header.type);
   if (!type) fail_type(file, header.type);
   VolumeInfo info;
-  info.format = "NumPy";
+  info.format = format;
   info.type = type->type;
   if (header.shape.is_first_fastest && options.axes.empty())
     note(info, "Fortran order: taken as array[x][y][z]; if it is array[z][y][x], give --axes zyx");
@@ -26,6 +27,10 @@ std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions&
     big_endian = is_native_big_endian();
   }
   return array_volume(std::move(info), std::move(stream), layout, big_endian);
+}
+
+std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options) {
+  return numpy_volume(std::move(stream), "NumPy", options);
 }
 
 }  // namespace discmc::command
