@@ -65,7 +65,7 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
 TEST_CASE("what rounding makes of a slope is no more than that") {
   const Folder folder;
   std::string samples;
-  for (const std::int16_t sample : {0, 1, 2, 3})
+  for (const auto sample : std::initializer_list<std::int16_t>{0, 1, 2, 3})
     samples.append(reinterpret_cast<const char*>(&sample), sizeof sample);
   const auto file =
       folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0.7F).file(samples));
@@ -77,7 +77,7 @@ TEST_CASE("what rounding makes of a slope is no more than that") {
   const auto exact =
       folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0).file([] {
         std::string tens;
-        for (const std::int16_t sample : {0, 30, 60, 70})
+        for (const auto sample : std::initializer_list<std::int16_t>{0, 30, 60, 70})
           tens.append(reinterpret_cast<const char*>(&sample), sizeof sample);
         return tens;
       }()));

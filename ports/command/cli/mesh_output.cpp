@@ -8,8 +8,8 @@
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
+#include "text/number_text.hpp"
 #include "text/say.hpp"
-#include "text/value_text.hpp"
 
 namespace discmc::command {
 namespace {
@@ -71,7 +71,7 @@ void note_rounding(const std::string& file, const Mesh& mesh) {
   const std::optional<Point> origin = origin_of_floats(file, mesh);
   if (!origin || suits_floats(mesh, *origin)) return;
   const std::size_t places = count_float_places(mesh, *origin);
-  std::string text = "coordinates are rounded to " + value_text(float_step_mm(mesh, *origin)) +
+  std::string text = "coordinates are rounded to " + short_number(float_step_mm(mesh, *origin)) +
                      " mm, as " + std::string(traits_of(format_of(file)).extension) +
                      " files hold 32-bit floats";
   if (places < mesh.vertices_mm.size())

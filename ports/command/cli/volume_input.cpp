@@ -8,8 +8,8 @@
 
 #include "extraction/narrowed_volume.hpp"
 #include "segmentation.hpp"
+#include "text/number_text.hpp"
 #include "text/say.hpp"
-#include "text/value_text.hpp"
 #include "volumes/byte_source.hpp"
 #include "volumes/filters/mask_volume.hpp"
 #include "volumes/volume_filter.hpp"
@@ -92,7 +92,7 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   auto mask = noted(arguments.mask, open_mask(arguments.mask, arguments.options, volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
-    say(arguments.mask, "its voxels lie up to " + value_text(apart) +
+    say(arguments.mask, "its voxels lie up to " + short_number(apart) +
                             " mm from those of the volume, and are taken for them one by one");
   return mask;
 }

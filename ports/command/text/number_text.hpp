@@ -10,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "text/whole_number.hpp"
+
 namespace discmc::command {
 
 /// A decimal number, whatever the user's locale; "inf" and "nan", in any case, are such. Nothing
@@ -27,15 +29,6 @@ inline std::optional<double> decimal_number(std::string_view text) {
 inline std::optional<double> finite_number(std::string_view text) {
   const auto value = decimal_number(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-/// Nothing where the text is no whole number, or one that the type does not hold.
-template <class Whole>
-std::optional<Whole> whole_number(std::string_view text, int base = 10) {
-  Whole value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? std::optional<Whole>(value) : std::nullopt;
 }
 
 /// The number in six digits at most, for people.

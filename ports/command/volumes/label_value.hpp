@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "text/number_text.hpp"
+#include "text/whole_number.hpp"
 
 namespace discmc::command {
 

@@ -150,6 +150,9 @@ std::string surplus(const std::string& argument, const CLI::App& app) {
 std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   const std::string argument = first_unknown(app);
   if (argument.empty()) return "";
+  const bool is_command_missing = app.get_parent() == nullptr && app.get_subcommands().empty();
+  const std::string first = app.remaining().front();
+  if (is_command_missing && !is_option(first)) return unknown_command(first, app);
   if (is_option(argument)) return unknown_option(argument, app);
   if (app.get_parent() == nullptr) return unknown_command(argument, app);
   // Any other error comes before a surplus: often the value of an option is missing, and it has

@@ -16,6 +16,15 @@ bool is_rounded(const std::string& text) {
   return whole && whole->is_rounded();
 }
 
+// The first whole number of a threshold or a range that double would round; else empty.
+std::string rounded_part(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  for (const std::string& part :
+       {text.substr(0, dots), dots == std::string::npos ? std::string() : text.substr(dots + 2)})
+    if (is_rounded(part)) return part;
+  return "";
+}
+
 // Nothing where double would make another number of it.
 std::optional<double> exact_number(const std::string& text) {
   return is_rounded(text) ? std::nullopt : finite_number(text);
@@ -67,10 +76,11 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
           description)
       ->check(CLI::Validator(
           [parse, wanted](std::string& text) {
-            if (is_rounded(text) && !parse(text))
-              return "'" + text + "' has more than the 53 bits of a threshold: give --label " +
-                     text + " if it is a label";
-            return parse(text) ? std::string() : "'" + text + "' is no " + wanted;
+            if (parse(text)) return std::string();
+            const std::string part = rounded_part(text);
+            if (part.empty()) return "'" + text + "' is no " + wanted;
+            return "'" + part + "' has more than the 53 bits of a threshold: give --label " + part +
+                   " if it is a label";
           },
           ""))
       ->expected(1)
