@@ -24,8 +24,7 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
   else
     set_polygon_normals(surface, mesh);
   if (arguments.normals == Normals::surface) return;
-  const auto again =
-      open_for_gradient(arguments.volume, volume_options(arguments.reading.layout), selection.low);
+  const auto again = open_for_gradient(arguments.volume, arguments.reading.options, selection.low);
   add_gradient_normals(*again.reader, mesh);
 }
 

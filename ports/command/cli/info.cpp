@@ -25,12 +25,12 @@ void print_notes(const std::vector<std::string>& notes, std::size_t& printed) {
 }
 
 int info_of_volume(const InfoArguments& arguments) {
-  const auto volume = open_layer(arguments.input, volume_options(arguments.layout));
+  const auto volume = open_layer(arguments.input, arguments.options);
   const VolumeInfo& info = volume->info();
   print_volume_info(info, std::cout);
   std::size_t printed = 0;
   print_notes(volume->notes(), printed);
-  if (info.frames > 1 && !arguments.layout.frame)
+  if (info.frames > 1 && !arguments.options.frame)
     std::cout << "note the values are those of layer 0; --frame N tells those of another\n";
   require_written(std::cout);
   Progress progress("measuring", info.dims[2]);
