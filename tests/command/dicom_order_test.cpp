@@ -60,6 +60,17 @@ TEST_CASE("positions that are rounded to tenths have one step within the roundin
   }
 }
 
+TEST_CASE("positions that are rounded lie on a line, whichever way it goes") {
+  const std::vector<double> orientation = {0.36, 0.48, -0.8, -0.8, 0.6, 0};
+  const Slices slices([&](Dataset& data, int z) {
+    std::vector<double> place = {-10 + 0.48 * 2.5 * z, -20 + 0.64 * 2.5 * z, 0.6 * 2.5 * z};
+    for (double& coordinate : place) coordinate = std::round(10 * coordinate) / 10;
+    put_at(data, place, orientation).text(0x00280030, "DS", "0.3\\0.3");
+  });
+  const auto reader = open_volume(slices.path());
+  CHECK(std::fabs(reader->info().spacing_mm[2]) == doctest::Approx(2.5).epsilon(0.02));
+}
+
 TEST_CASE("a step that is told but does not fit is not taken") {
   const Folder folder;
   for (int z = 0; z < 16; ++z) {
@@ -161,7 +172,7 @@ TEST_CASE("slices that lie on no line are refused") {
 TEST_CASE("slices that are a little aside are straight") {
   const Slices slices([](Dataset& data, int z) {
     std::vector<double> place = position(z);
-    place[0] += 0.01 * z;
+    place[0] += 0.002 * z;
     put_at(data, place);
   });
   check_places(open_volume(slices.path())->info(), {-10, -20, 100},

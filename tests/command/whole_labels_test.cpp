@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
@@ -65,19 +64,24 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
 
 TEST_CASE("what rounding makes of a slope is no more than that") {
   const Folder folder;
+  std::string samples;
+  for (const auto sample : std::initializer_list<std::int16_t>{0, 1, 2, 3})
+    samples.append(reinterpret_cast<const char*>(&sample), sizeof sample);
+  const auto file =
+      folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0.7F).file(samples));
   VolumeOptions options;
   options.holds_labels = true;
-  const auto scaled = [&](const std::vector<std::int16_t>& row, float intercept) {
-    const std::string samples(reinterpret_cast<const char*>(row.data()), 2 * row.size());
-    const int width = static_cast<int>(row.size());
-    return open_volume(
-        folder.write("v.nii",
-                     Nifti().dims({3, width, 1, 1}).type(4).scale(0.1F, intercept).file(samples)),
-        options);
-  };
-  CHECK_THROWS_WITH_AS(read_all(*scaled({0, 1, 2}, 0.7F)),
-                       doctest::Contains("the value 0.7 in slice 0 is no label"), VolumeError);
-  const auto labels = scaled({0, 30, 60, 70}, 0);
+  const auto volume = open_volume(file, options);
+  CHECK_THROWS_WITH_AS(read_all(*volume), doctest::Contains("the value 0.7 in slice 0 is no label"),
+                       VolumeError);
+  const auto exact =
+      folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0).file([] {
+        std::string tens;
+        for (const auto sample : std::initializer_list<std::int16_t>{0, 30, 60, 70})
+          tens.append(reinterpret_cast<const char*>(&sample), sizeof sample);
+        return tens;
+      }()));
+  const auto labels = open_volume(exact, options);
   CHECK(read_all(*labels) == std::vector<double>{0, 3, 6, 7});
   for (const std::string& note : labels->notes()) CHECK_FALSE(contains(note, "rounded"));
 }

@@ -21,25 +21,6 @@
 
 namespace discmc::command {
 
-/// How a file is read, a headerless one by its dims, which others have none of; and what of it.
-struct LayoutArguments {
-  std::vector<std::uint32_t> dims;
-  std::optional<SampleType> type;
-  bool big_endian = false;
-  std::vector<double> spacing;
-  std::uint64_t skipped_bytes = 0;
-  std::string series;
-  SliceOrder order = SliceOrder::position;
-  bool merges_series = false;
-  bool allow_gaps = false;
-  std::optional<std::uint32_t> frame;
-  std::optional<std::uint32_t> channel;
-  std::string axes;
-  std::optional<std::uint32_t> level;
-  std::optional<Crop> crop;
-  std::uint32_t shrink = 1;
-};
-
 /// What is on in a surface, and what the user calls it.
 struct NamedSelection {
   Selection selection;
@@ -61,7 +42,7 @@ struct VolumeArguments {
   bool allows_empty = false;  ///< surfaces
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< slots and holes, or none
-  LayoutArguments layout;
+  VolumeOptions options;
   std::string label_table;  ///< file of the names of labels, or none
 
   /// Whether the surfaces are those of labels.
@@ -112,7 +93,7 @@ struct InfoArguments {
   std::string input;
   std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
   StreamChoice choice;
-  LayoutArguments layout;
+  VolumeOptions options;
 };
 
 /// Of `decode`.
@@ -122,7 +103,7 @@ struct StreamArguments {
   std::string output;
   Normals normals = Normals::none;
   std::string volume;  ///< whose gradient it is
-  LayoutArguments layout;
+  VolumeOptions options;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told

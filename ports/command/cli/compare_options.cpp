@@ -41,7 +41,7 @@ Command add_compare(CLI::App& app) {
             "a mesh, a .dmc stream, or a volume: the surface of Marching Cubes at --iso")
         ->required();
   add_choice_options(*compare, arguments->choice);
-  add_volume_options(*compare, arguments->reading.layout);
+  add_volume_options(*compare, arguments->reading.options);
   add_selection_options(*compare, arguments->reading.selections);
   // Marching Cubes crosses one threshold.
   for (const char* option : {"--range", "--label"})

@@ -24,8 +24,7 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
   else
     set_polygon_normals(surface, mesh);
   if (arguments.normals == Normals::surface) return;
-  const auto again =
-      open_for_gradient(arguments.volume, volume_options(arguments.reading.layout), selection.low);
+  const auto again = open_for_gradient(arguments.volume, arguments.reading.options, selection.low);
   add_gradient_normals(*again.reader, mesh);
 }
 
@@ -38,20 +37,17 @@ MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& o
 
 }  // namespace
 
-MeshFiles::MeshFiles(const ExtractArguments& arguments,
-                     const std::optional<VolumePlacement>& placement)
-    : arguments_(arguments), placement_(placement) {
+MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) {
   const FilePattern pattern(arguments.output);
-  const bool has_several = !arguments.labels.empty() || arguments.reading.selections.size() > 1;
-  are_one_ = has_several && !pattern.has_name();
   if (pattern.has_name())
     pattern.require_folder();
   else
     file_.emplace(arguments.output);
 }
 
-std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>& selections) const {
+std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>& selections) {
   const FilePattern pattern(arguments_.output);
+  are_one_ = !pattern.has_name() && (!arguments_.labels.empty() || selections.size() > 1);
   if (!pattern.has_name()) return std::vector<std::string>(selections.size(), arguments_.output);
   std::vector<std::string> names;
   std::set<std::string> taken;

@@ -137,10 +137,10 @@ void print_line(const LabelledSurface& label, std::uint64_t faces, const std::st
 }  // namespace
 
 int extract_label_meshes(const ExtractArguments& arguments) {
+  MeshFiles files(arguments);
   Segmentation segmentation(arguments.volume, arguments.reading);
-  const auto placement =
-      mesh_placement(arguments.volume, segmentation.info().placement, arguments.space);
-  MeshFiles files(arguments, placement);
+  files.set_placement(
+      mesh_placement(arguments.volume, segmentation.info().placement, arguments.space));
   std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
   const std::string volume = name_for_people(arguments.volume);
   if (labels.empty() && !arguments.reading.allows_empty)

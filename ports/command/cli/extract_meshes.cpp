@@ -17,12 +17,12 @@ namespace discmc::command {
 
 int extract_meshes(ExtractArguments arguments) {
   if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume, gradient_pass);
+  MeshFiles files(arguments);
   const auto volume = open_measured(arguments.volume, arguments.reading);
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const VolumeInfo& info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
-  const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
-  MeshFiles files(arguments, placement);
+  files.set_placement(mesh_placement(arguments.volume, info.placement, arguments.space));
   const std::vector<std::string> names = files.names_for(selections);
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());

@@ -253,7 +253,7 @@ Command add_extract(CLI::App& app) {
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   extract->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");
-  add_volume_options(*extract, arguments->reading.layout);
+  add_volume_options(*extract, arguments->reading.options);
   add_surface_options(*extract, arguments->reading);
   for (const char* option : {"--iso", "--range", "--label"})
     extract->get_option(option)->expected(1, -1)->allow_extra_args(false);

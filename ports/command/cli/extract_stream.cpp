@@ -95,7 +95,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);
-    narrow = narrowed_again(arguments.volume, volume_options(arguments.reading.layout),
+    narrow = narrowed_again(arguments.volume, arguments.reading.options,
                             selections[0].selection.low, *volume);
     selections[0].selection = 0;
   }

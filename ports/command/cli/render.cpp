@@ -45,8 +45,8 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
   options.normals = arguments.smooth && has_gradient(arguments.reading);
   std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(volume.info().type)) {
-    narrow = narrowed_again(arguments.input, volume_options(arguments.reading.layout),
-                            options.selection.low, volume);
+    narrow =
+        narrowed_again(arguments.input, arguments.reading.options, options.selection.low, volume);
     options.selection = 0;
   }
   SurfaceBuilder builder;

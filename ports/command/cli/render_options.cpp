@@ -83,7 +83,7 @@ Command add_render(CLI::App& app) {
       ->required();
   add_picture_options(*render, *arguments);
   add_choice_options(*render, arguments->choice);
-  add_volume_options(*render, arguments->reading.layout);
+  add_volume_options(*render, arguments->reading.options);
   add_surface_options(*render, arguments->reading);
   add_classic_option(*render, arguments->classic);
   render->footer(

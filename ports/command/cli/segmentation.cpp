@@ -13,14 +13,14 @@ namespace discmc::command {
 namespace {
 
 VolumeOptions options_of(const VolumeArguments& arguments) {
-  VolumeOptions options = volume_options(arguments.layout);
+  VolumeOptions options = arguments.options;
   options.block_value = BlockValue::most_frequent;
   options.holds_labels = true;
   return options;
 }
 
 std::vector<std::uint32_t> layers_of(const VolumeInfo& info, const VolumeArguments& arguments) {
-  if (arguments.layout.frame) return {*arguments.layout.frame};
+  if (arguments.options.frame) return {*arguments.options.frame};
   std::set<std::uint32_t> layers;
   for (const LabelDescription& label : info.labels) layers.insert(label.layer);
   if (info.frames == 1) layers = {0};
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> layers_of(const VolumeInfo& info, const VolumeArgumen
 LabelTable table_of(const VolumeInfo& info, const VolumeArguments& arguments) {
   if (arguments.label_table.empty()) return info.labels;
   LabelTable table = read_label_table(arguments.label_table);
-  for (LabelDescription& label : table) label.layer = arguments.layout.frame.value_or(0);
+  for (LabelDescription& label : table) label.layer = arguments.options.frame.value_or(0);
   return table;
 }
 
@@ -43,7 +43,7 @@ Segmentation::Segmentation(const std::string& path, const VolumeArguments& argum
       first_(noted(path, open_layer(path, options_))),
       info_(first_->info()),
       names_(table_of(info_, arguments), layers_of(info_, arguments)) {
-  if (info_.frames > names_.layers().size() && !arguments.layout.frame)
+  if (info_.frames > names_.layers().size() && !arguments.options.frame)
     say(path, "layers without a label that is told left out: " +
                   std::to_string(info_.frames - names_.layers().size()));
 }

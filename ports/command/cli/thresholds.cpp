@@ -38,7 +38,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
   if (first == surfaces.end()) return surfaces;
   require_second_pass(path, "--iso " + first->name + " takes a pass of its own");
 
-  const auto volume = open_noted(path, volume_options(arguments.layout));
+  const auto volume = open_noted(path, arguments.options);
   const VolumeInfo& info = volume->info();
   VolumeStatistics statistics;
   if (!info.is_in_hounsfield || std::any_of(surfaces.begin(), surfaces.end(), needs_values)) {

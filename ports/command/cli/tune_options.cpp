@@ -89,7 +89,7 @@ Command add_tune(CLI::App& app) {
           "standard input")
       ->required();
   add_device_options(*tune, *arguments);
-  add_volume_options(*tune, arguments->reading.layout);
+  add_volume_options(*tune, arguments->reading.options);
   add_surface_options(*tune, arguments->reading);
   tune->remove_option(tune->get_option("--allow-empty"));
   tune->get_option("--memory")

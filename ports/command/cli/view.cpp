@@ -31,7 +31,7 @@ namespace {
 void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
   // Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
   constexpr std::uint64_t most = std::uint64_t{1} << 28;
-  const auto volume = open_noted(arguments.input, volume_options(arguments.reading.layout));
+  const auto volume = open_noted(arguments.input, arguments.reading.options);
   require_size(arguments.input, volume->info(), most);
   Progress progress("writing", volume->info().dims[2]);
   write_page(

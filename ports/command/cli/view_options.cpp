@@ -65,7 +65,7 @@ Command add_view(CLI::App& app) {
       ->check(CLI::Range(1, 65535))
       ->needs(serve)
       ->option_text("N");
-  add_volume_options(*view, arguments->reading.layout);
+  add_volume_options(*view, arguments->reading.options);
   add_surface_options(*view, arguments->reading);
   view->footer(
       "The page holds all that it shows, and needs neither network nor server. Without a "

@@ -53,30 +53,6 @@ class NotedVolume final : public VolumeFilter {
 
 }  // namespace
 
-VolumeOptions volume_options(const LayoutArguments& arguments) {
-  VolumeOptions options;
-  if (!arguments.dims.empty()) {
-    RawLayout& layout = options.layout.emplace();
-    std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
-    layout.type = *arguments.type;
-    layout.big_endian = arguments.big_endian;
-    layout.skipped_bytes = arguments.skipped_bytes;
-  }
-  if (!arguments.spacing.empty())
-    std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
-  options.series = arguments.series;
-  options.order = arguments.order;
-  options.merges_series = arguments.merges_series;
-  options.allow_gaps = arguments.allow_gaps;
-  options.frame = arguments.frame;
-  options.channel = arguments.channel;
-  options.axes = arguments.axes;
-  options.level = arguments.level;
-  options.crop = arguments.crop;
-  options.shrink = arguments.shrink;
-  return options;
-}
-
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
     throw std::runtime_error(name_for_people(path) + ": " + purpose +
@@ -107,14 +83,13 @@ std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArg
     Segmentation segmentation(path, arguments);
     return std::make_unique<MeasuredVolume>(open_labels(segmentation, path, arguments.selections));
   }
-  return std::make_unique<MeasuredVolume>(open_noted(path, volume_options(arguments.layout)));
+  return std::make_unique<MeasuredVolume>(open_noted(path, arguments.options));
 }
 
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
                                               const VolumeInfo& volume) {
   if (arguments.mask.empty()) return nullptr;
-  auto mask =
-      noted(arguments.mask, open_mask(arguments.mask, volume_options(arguments.layout), volume));
+  auto mask = noted(arguments.mask, open_mask(arguments.mask, arguments.options, volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
     say(arguments.mask, "its voxels lie up to " + short_number(apart) +

@@ -14,8 +14,6 @@
 
 namespace discmc::command {
 
-VolumeOptions volume_options(const LayoutArguments& arguments);
-
 /// Throws when the file can be read once only. purpose: what takes the pass.
 void require_second_pass(const std::string& path, const std::string& purpose);
 

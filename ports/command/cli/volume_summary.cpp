@@ -167,7 +167,6 @@ void print_volume_info(const VolumeInfo& info, std::ostream& out) {
   out << '\n';
   print_place(info.spacing_mm, info.placement, out);
   for (const LabelDescription& label : info.labels) print_label(label, info.frames > 1, out);
-  for (const std::string& note : info.notes) out << "note " << note << '\n';
 }
 
 void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,

@@ -9,7 +9,7 @@
 
 namespace discmc::command {
 
-/// What its file tells, one `key value` a line, for people and programs.
+/// What its file tells but for the notes, one `key value` a line, for people and programs.
 void print_volume_info(const VolumeInfo& info, std::ostream& out);
 
 /// What its values are, in the same way: range, mean, percentiles; a histogram, a line for every

@@ -146,21 +146,13 @@ std::string surplus(const std::string& argument, const CLI::App& app) {
          (has_output ? "leave it out" : "name the output with -o " + argument);
 }
 
-// A file that stands where a command is expected, whatever options follow it; or empty.
-std::string first_file(const CLI::App& app) {
-  const std::vector<std::string> unknown = app.remaining();
-  if (app.get_parent() != nullptr || !app.get_subcommands().empty() || unknown.empty()) return "";
-  const std::string& first = unknown.front();
-  const bool is_command = !nearest(first, names_of_commands(app)).empty();
-  return is_option(first) || is_command || !is_file(first) ? "" : first;
-}
-
 // Empty where an app knows all its arguments.
 std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
-  const std::string file = first_file(app);
-  if (!file.empty()) return unknown_command(file, app);
   const std::string argument = first_unknown(app);
   if (argument.empty()) return "";
+  const bool is_command_missing = app.get_parent() == nullptr && app.get_subcommands().empty();
+  const std::string first = app.remaining().front();
+  if (is_command_missing && !is_option(first)) return unknown_command(first, app);
   if (is_option(argument)) return unknown_option(argument, app);
   if (app.get_parent() == nullptr) return unknown_command(argument, app);
   // Any other error comes before a surplus: often the value of an option is missing, and it has

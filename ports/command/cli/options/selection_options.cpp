@@ -11,19 +11,23 @@
 namespace discmc::command {
 namespace {
 
-// The threshold, or the end of a range, that double would make another number of; or empty.
-std::string rounded_number(const std::string& text) {
+bool is_rounded(const std::string& text) {
+  const auto whole = label_value(text);
+  return whole && whole->is_rounded();
+}
+
+// The first whole number of a threshold or a range that double would round; else empty.
+std::string rounded_part(const std::string& text) {
   const std::size_t dots = text.find("..");
-  const bool is_range = dots != std::string::npos;
-  for (const std::string& end : {text.substr(0, dots), is_range ? text.substr(dots + 2) : ""}) {
-    const auto whole = label_value(end);
-    if (whole && whole->is_rounded()) return end;
-  }
+  for (const std::string& part :
+       {text.substr(0, dots), dots == std::string::npos ? std::string() : text.substr(dots + 2)})
+    if (is_rounded(part)) return part;
   return "";
 }
 
+// Nothing where double would make another number of it.
 std::optional<double> exact_number(const std::string& text) {
-  return rounded_number(text).empty() ? finite_number(text) : std::nullopt;
+  return is_rounded(text) ? std::nullopt : finite_number(text);
 }
 
 std::optional<NamedSelection> threshold(const std::string& text) {
@@ -73,10 +77,10 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
       ->check(CLI::Validator(
           [parse, wanted](std::string& text) {
             if (parse(text)) return std::string();
-            const std::string rounded = rounded_number(text);
-            if (rounded.empty()) return "'" + text + "' is no " + wanted;
-            return "'" + rounded + "' has more than the 53 bits of a threshold: give --label " +
-                   rounded + " if it is a label";
+            const std::string part = rounded_part(text);
+            if (part.empty()) return "'" + text + "' is no " + wanted;
+            return "'" + part + "' has more than the 53 bits of a threshold: give --label " + part +
+                   " if it is a label";
           },
           ""))
       ->expected(1)

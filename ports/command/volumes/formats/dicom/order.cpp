@@ -72,17 +72,23 @@ std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& alon
   return dropped;
 }
 
-// How far positions that are rounded may be from the true ones along the normal.
-double rounding_of(const Frames& stack) {
-  const Vector normal = normal_of(*stack[0].place);
-  double sum = 0;
+// How far the coordinates of positions may be from the true ones, where they are rounded.
+Vector rounding_of(const Frames& stack) {
+  Vector rounding{};
   for (std::size_t i = 0; i < 3; ++i) {
     std::vector<double> numbers;
     for (const DicomFrame& frame : stack) numbers.push_back(frame.place->position[i]);
     const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
-    if (*least < *most) sum += std::fabs(normal[i]) * half_a_decimal(numbers);
+    if (*least < *most) rounding[i] = half_a_decimal(numbers);
   }
-  return sum;
+  return rounding;
+}
+
+double along_normal_of(const Frames& stack, const Vector& rounding) {
+  const Vector normal = normal_of(*stack[0].place);
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) most += std::fabs(normal[i]) * rounding[i];
+  return most;
 }
 
 bool are_mostly_neighbours(const std::vector<std::uint64_t>& numbers) {
@@ -103,7 +109,7 @@ std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, doubl
 EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack,
                        const std::vector<double>& along) {
   OddDistance odd;
-  const double rounding = rounding_of(stack);
+  const double rounding = along_normal_of(stack, rounding_of(stack));
   auto slices = slices_by_distances(along, odd);
   if (!slices) {
     slices = rounded_slices(along, std::fabs(stack[0].slice_spacing_mm), rounding);
@@ -142,17 +148,18 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
     const Vector way = sum(stack[i].place->position, -1, first);
     return sum(way, -dot(way, normal), normal);
   };
-  constexpr double least_mm = 0.001, share = 0.1;  // of a voxel
+  constexpr double least_mm = 0.001, share = 0.1, straight_share = 0.02;  // of a voxel
   const double voxel = std::min(stack[0].spacing_mm[0], stack[0].spacing_mm[1]);
-  const double tolerance = std::max(least_mm, share * voxel);
+  // That of a position, and of the two that the line goes through.
+  const double rounding = std::max(least_mm, 2 * length(rounding_of(stack)));
   const auto last = static_cast<double>(slices.numbers.back());
   const Vector shift = sum({}, 1 / last, aside(stack.size() - 1));
   bool is_straight = true;
   for (std::size_t i = 0; i < stack.size(); ++i) {
     const auto number = static_cast<double>(slices.numbers[i]);
-    is_straight = is_straight && length(aside(i)) <= tolerance;
+    is_straight = is_straight && length(aside(i)) <= std::max(rounding, straight_share * voxel);
     const double off = length(sum(aside(i), -number, shift));
-    if (off > tolerance)
+    if (off > std::max(rounding, share * voxel))
       fail(source,
            name_of(stack[i]) + " is shifted aside by " + short_number(off) +
                " mm against the line of the others",
