@@ -11,6 +11,8 @@
 namespace {
 
 using namespace command_tests;
+using volume_files::Nifti;
+using volume_files::npy;
 using volume_files::nrrd;
 
 struct Advice {
@@ -124,6 +126,62 @@ TEST_CASE("what is advised of inputs works") {
               .code == 1);
   CHECK(contains(workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso auto" + out).error,
                  "store the volume in a file first"));
+}
+
+TEST_CASE("what is advised of volumes in files works") {
+  const Workshop workshop;
+  write_inputs(workshop);
+  workshop.write("colours.nrrd",
+                 nrrd("type: uchar\nencoding: ascii\nkinds: vector domain domain domain\n"
+                      "spacings: nan 1 1 1\n",
+                      "2 6 5 4") +
+                     "\n" + text_volume("0", "5") + text_volume("0", "9"));
+  workshop.write("v.npy", npy("|u1", "4, 5, 6", std::string(120, '\1')));
+  workshop.write("times.npy", npy("|u1", "2, 4, 5, 6", std::string(240, '\1')));
+  workshop.shell("mkdir masks");
+  const std::string mask = std::string(30, '\0') + std::string(30, '\1');
+  for (const std::string name : {"liver", "spleen"})
+    workshop.write("masks/" + name + ".nii", Nifti().file(mask));
+  const std::string out = " -q -o out.stl", iso = " --iso 5" + out;
+  const std::string any = " --allow-empty" + iso;
+  const std::string v = "extract v.nrrd --iso 100" + out;
+  check_advice(
+      workshop,
+      {{"extract colours.nrrd" + iso, "choose one with --channel N, the first is 0",
+        "extract colours.nrrd --channel 0" + any},
+       {"extract colours.nrrd --channel 2" + iso, "choose one with --channel 0 to 1",
+        "extract colours.nrrd --channel 1" + any},
+       {v + " --channel 1", "leave out --channel", v},
+       {v + " --frame 1", "leave out --frame", v},
+       {v + " --axes zyx", "leave out --axes", v},
+       {v + " --level 1", "leave out --level", v},
+       {v + " --merge-series", "leave out --merge-series", v},
+       {v + " --order name", "leave out --order", v},
+       {"extract times.npy" + iso, "choose one with --frame N",
+        "extract times.npy --frame 1" + any},
+       {"extract times.npy" + iso, "which axis of the array, 2 x 4 x 5 x 6, is which",
+        "extract times.npy --axes czyx --channel 1" + any},
+       {"extract v.npy --axes yx" + iso, "name each of them with --axes, as in --axes zyx",
+        "extract v.npy --axes zyx" + any},
+       {"extract masks" + iso, "give the name of one", "extract masks/liver.nii --iso auto" + out},
+       {"extract masks" + iso, "take all as labels, one a file, with --labels all",
+        "extract masks --labels all -q -o out.glb"},
+       {"extract masks" + iso, "or --label NAME", "extract masks --label spleen" + out},
+       {"extract masks --frame 2 --iso 1" + out, "choose one with --frame 0 to 1",
+        "extract masks --frame 1 --iso 1" + out},
+       {"extract two.nrrd --label 9" + out, "choose one with --frame N",
+        "extract two.nrrd --frame 1 --label 9" + out},
+       {"extract v.raw --dims 6,5,12 --type i32 --iso 1" + out, "give --type u8",
+        "extract v.raw --dims 6,5,12 --type u8 --iso 1" + out}});
+  const std::string head = nrrd("type: uchar\nencoding: raw\n", "6 5 4") + "\n";
+  workshop.write("named.raw", head + std::string(120, '\1'));
+  check_advice(workshop, {{"extract named.raw --dims 6,5,4 --type u8" + iso,
+                           "skip its header with --skip-bytes",
+                           "extract named.raw --dims 6,5,4 --type u8 --skip-bytes " +
+                               std::to_string(head.size()) + any}});
+  workshop.write("masks/both.nii", Nifti().file(std::string(30, '\2') + std::string(30, '\1')));
+  check_advice(workshop, {{"extract masks --labels all -q -o out.glb", "give the file alone",
+                           "extract masks/both.nii --labels all -q -o out.glb"}});
 }
 
 TEST_CASE("what is advised of options works") {

@@ -13,15 +13,6 @@ namespace {
 
 using namespace volume_files;
 
-std::string npy(const std::string& descr, const std::string& shape, const std::string& samples,
-                bool is_fortran = false) {
-  std::string header = "{'descr': '" + descr +
-                       "', 'fortran_order': " + (is_fortran ? "True" : "False") + ", 'shape': (" +
-                       shape + "), }\n";
-  const auto length = static_cast<unsigned char>(header.size());
-  return std::string("\x93NUMPY\1\0", 8) + static_cast<char>(length) + '\0' + header + samples;
-}
-
 // Samples of u16 at all places of an array, the last index fastest, as value(index) tells.
 template <class Value>
 std::string array_of(const std::vector<int>& sizes, Value value) {

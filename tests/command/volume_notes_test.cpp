@@ -26,11 +26,6 @@ std::string vti(const std::string& image, const std::string& points) {
 const std::string appended = "</PointData></Piece></ImageData><AppendedData encoding=\"raw\">_" +
                              std::string("\x3c\0\0\0", 4) + u8;
 
-std::string numpy() {
-  const std::string dictionary = "{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5), }\n";
-  return std::string("\x93NUMPY\1\0", 8) + static_cast<char>(dictionary.size()) + '\0' + dictionary;
-}
-
 const std::string vtk =
     "# vtk DataFile Version 3.0\nof the test\nBINARY\nDATASET STRUCTURED_POINTS\n"
     "DIMENSIONS 5 3 4\n";
@@ -66,7 +61,7 @@ TEST_CASE("a file of each format that tells no place has exactly these notes") {
            "v.vti",
            vti("", "><DataArray type=\"UInt8\" format=\"appended\" offset=\"0\"/>") + appended),
        {no_spacing}},
-      {folder.write("v.npy", numpy() + u8), {no_spacing}},
+      {folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), {no_spacing}},
   };
   for (const auto& [file, notes] : files) {
     const std::string name = file.filename().string();
@@ -82,7 +77,7 @@ TEST_CASE("a spacing that is given leaves no note of a missing one") {
   options.spacing_mm = {1, 2, 3};
   CHECK(notes_of(folder.write("v.raw", u8), options).empty());
   options.layout.reset();
-  CHECK(notes_of(folder.write("v.npy", numpy() + u8), options).empty());
+  CHECK(notes_of(folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), options).empty());
   CHECK(notes_of(folder.write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 nan 1\n") + "\n" + u8), options)
             .empty());
 }

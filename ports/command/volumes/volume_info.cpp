@@ -58,7 +58,8 @@ void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::
     fail(file,
          "there is no volume " + std::to_string(*frame) + ": the file holds " +
              std::to_string(info.frames),
-         "choose one with --frame 0 to " + std::to_string(info.frames - 1));
+         info.frames > 1 ? "choose one with --frame 0 to " + std::to_string(info.frames - 1)
+                         : "leave out --frame");
 }
 
 void set_channels(VolumeInfo& info, const std::string& file, std::uint64_t channels,
