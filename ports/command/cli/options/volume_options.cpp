@@ -119,8 +119,8 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.option_defaults()->group(volume_group);
   add_layout_options(app, options);
   app.add_option("--frame", options.frame,
-                 "the volume to read of a file or a series of DICOM that holds several (4D), the "
-                 "first is 0")
+                 "the volume to read of a file, or of a series of DICOM, that holds several (4D); "
+                 "the first is 0")
       ->option_text("N");
   app.add_option("--channel", options.channel,
                  "the channel to read of a file that holds several, the first is 0")
@@ -146,20 +146,20 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
       ->expected(3)
       ->option_text("X,Y,Z")
       ->check(usable_spacing());
-  app.add_option("--series", options.series,
-                 "of DICOM with several series or volumes (times, echoes, kernels): its UID, or "
-                 "its number in the list that is shown without this")
+  app.add_option(
+         "--series", options.series,
+         "the series or volume to read of DICOM that holds several: its number in the list that is "
+         "shown without this, or the UID of a series")
       ->option_text("SERIES");
   app.add_flag(
       "--merge-series", options.merges_series,
-      "take slices of DICOM as those of one volume whatever their series, as of files that "
-      "have a UID each");
-  add_named_option(app, "--order", options.order,
-                   NamedValues<SliceOrder>{{"position", SliceOrder::position},
-                                           {"instance", SliceOrder::instance},
-                                           {"name", SliceOrder::name}},
-                   "what puts the slices of DICOM in order: their positions, InstanceNumber, or "
-                   "the names of the files (default: position)");
+      "take DICOM slices of several series as one volume, as if each file has a UID of its own");
+  add_named_option(
+      app, "--order", options.order,
+      NamedValues<SliceOrder>{{"position", SliceOrder::position},
+                              {"instance", SliceOrder::instance},
+                              {"name", SliceOrder::name}},
+      "order DICOM slices by their positions, by InstanceNumber or by the names of the files");
   app.add_flag("--allow-gaps", options.allow_gaps,
                "repeat the nearest slice where slices are missing, of DICOM or pictures (default: "
                "refuse them)");
