@@ -426,6 +426,17 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
   CHECK(noted(info, "mostly smaller copies, left out: 2"));
 }
 
+TEST_CASE("bytes behind the only page are noted, unless they may well be metadata") {
+  const auto notes_much = [](std::size_t behind) {
+    Tiff tiff;
+    tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));
+    return noted(info_of(tiff), "bytes behind its only page left out");
+  };
+  CHECK(notes_much(200000));
+  CHECK(!notes_much(60000));
+  CHECK(!notes_much(0));
+}
+
 TEST_CASE("a page whose rows begin below or at the right is no mirrored one") {
   const std::vector<std::pair<std::uint32_t, Spacing>> cases = {
       {1, {1, 1, 1}}, {2, {-1, 1, 1}}, {3, {-1, -1, 1}}, {4, {1, -1, 1}}};
