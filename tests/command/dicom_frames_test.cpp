@@ -196,6 +196,15 @@ TEST_CASE("a dose without a scale or relative is read with a note") {
   CHECK(noted(open_volume(unscaled)->info(), "a dose without DoseGridScaling"));
 }
 
+TEST_CASE("a dose without offsets is scaled, too") {
+  const Folder folder;
+  Dataset data = dose("0");
+  const auto reader = open_volume(
+      folder.write("v.dcm", data.drop(0x3004000c).text(0x00180050, "DS", "2.5").file()));
+  CHECK(reader->info().slope == 0.02);
+  check_places(reader->info(), {-10, -20, 100}, along_axes);
+}
+
 // ---- nuclear medicine ----
 
 Dataset nuclear(const std::string& type = "RECON TOMO") {
