@@ -263,6 +263,21 @@ TEST_CASE("numbers that are missing among slices in their order are missing slic
   CHECK(open_volume(slices.path(), options)->info().dims[2] == depth + 2);
 }
 
+TEST_CASE("files of several slices without positions are in the order of their numbers") {
+  const Folder folder;
+  for (const int part : {1, 0}) {
+    Dataset data = image("9." + std::to_string(part));
+    std::vector<std::int64_t> values = slice_values(2 * part);
+    for (const std::int64_t value : slice_values(2 * part + 1)) values.push_back(value);
+    data.text(0x00280008, "IS", "2").text(0x00200013, "IS", std::to_string(part + 1));
+    folder.write("IM" + std::to_string(part), data.samples(values, 16, true).file());
+  }
+  std::vector<std::int64_t> expected;
+  for (int z = 0; z < 4; ++z)
+    for (const std::int64_t value : slice_values(z)) expected.push_back(value);
+  CHECK(read_all(*open_volume(folder.path(), ordered(SliceOrder::instance))) == as_read(expected));
+}
+
 TEST_CASE("slices without numbers or with the same are refused, and put in order by their names") {
   Slices slices([](Dataset& data, int) { data.drop(0x00200032).drop(0x00200013); });
   const std::string missing = refusal(slices.path(), ordered(SliceOrder::instance));
