@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <map>
 #include <string>
@@ -65,6 +66,24 @@ class Dataset {
     describe_samples(bits, is_signed);
     std::vector<std::uint64_t> raw(values.begin(), values.end());
     elements_[0x7fe00010] = {vr.empty() ? bits == 8 ? "OB" : "OW" : vr, raw, bits / 8, {}, {}};
+    return *this;
+  }
+  /// Samples of floating point.
+  Dataset& floats(const std::vector<double>& values, std::size_t bits) {
+    describe_samples(bits, false);
+    drop(0x00280101).drop(0x00280102).drop(0x00280103).drop(0x7fe00010);
+    std::vector<std::uint64_t> raw;
+    for (const double value : values) {
+      std::uint64_t pattern = 0;
+      const auto narrow = static_cast<float>(value);
+      if (bits == 32)
+        std::memcpy(&pattern, &narrow, sizeof narrow);
+      else
+        std::memcpy(&pattern, &value, sizeof value);
+      raw.push_back(pattern);
+    }
+    elements_[bits == 32 ? 0x7fe00008 : 0x7fe00009] = {
+        bits == 32 ? "OF" : "OD", raw, bits / 8, {}, {}};
     return *this;
   }
   /// Samples of one bit, eight in a byte.

@@ -59,25 +59,53 @@ TEST_CASE("frames that have times are taken as slices with a note") {
               "the frames have times (FrameTime), taken as slices"));
 }
 
-TEST_CASE("32-bit words of big-endian files are read in their order, as words and as bytes") {
+TEST_CASE("samples of every type are read in either byte order") {
   const Folder folder;
+  struct Case {
+    SampleType type;
+    std::size_t bits;
+    bool is_signed;
+    std::int64_t factor;
+  };
+  for (const Order order : {Order::little_endian, Order::big_endian})
+    for (const Case& one :
+         {Case{SampleType::u8, 8, false, 1}, Case{SampleType::i8, 8, true, 1},
+          Case{SampleType::u16, 16, false, 300}, Case{SampleType::i16, 16, true, 300},
+          Case{SampleType::u32, 32, false, 20000001}, Case{SampleType::i32, 32, true, 20000001}}) {
+      INFO(name(one.type));
+      std::vector<std::int64_t> values = volume_values();
+      for (std::int64_t& value : values)
+        value = one.factor * (value % 100 + (one.is_signed ? 0 : 100));
+      Dataset data = cone_beam();
+      const auto reader = open_volume(
+          folder.write("v.dcm", data.samples(values, one.bits, one.is_signed).file(order)));
+      CHECK(reader->info().type == one.type);
+      CHECK(read_all(*reader) == as_read(values));
+    }
+}
+
+TEST_CASE("samples of floating point are read in either byte order") {
+  const Folder folder;
+  std::vector<double> values = as_read(volume_values());
+  for (double& value : values) value /= 64;
+  for (const Order order : {Order::little_endian, Order::big_endian})
+    for (const std::size_t bits : {32U, 64U}) {
+      INFO(bits);
+      Dataset data = cone_beam();
+      const auto reader = open_volume(folder.write("v.dcm", data.floats(values, bits).file(order)));
+      CHECK(reader->info().type == (bits == 32 ? SampleType::f32 : SampleType::f64));
+      CHECK(read_all(*reader) == values);
+    }
+}
+
+TEST_CASE("words of big-endian files that are called bytes are read in their order") {
+  const Folder folder;
+  Dataset data = cone_beam();
   std::vector<std::int64_t> values = volume_values();
   for (std::int64_t& value : values) value *= 70001;
-  for (const std::string vr : {"OW", "OB"}) {
-    INFO(vr);
-    Dataset data = cone_beam();
-    data.samples(values, 32, true, vr);
-    const auto file = folder.write("v.dcm", data.file(Order::big_endian));
-    CHECK(read_all(*open_volume(file)) == as_read(values));
-  }
-  for (std::int64_t& value : values) value %= 100;
-  for (const std::size_t bits : {8U, 16U}) {
-    INFO(bits);
-    Dataset data = cone_beam();
-    data.samples(values, bits, true, bits == 8 ? "OB" : "OW");
-    const auto file = folder.write("v.dcm", data.file(Order::big_endian));
-    CHECK(read_all(*open_volume(file)) == as_read(values));
-  }
+  const auto file =
+      folder.write("v.dcm", data.samples(values, 32, true, "OB").file(Order::big_endian));
+  CHECK(read_all(*open_volume(file)) == as_read(values));
 }
 
 TEST_CASE("the values of a map of parameters are those of the real world") {
@@ -166,6 +194,15 @@ TEST_CASE("a dose without a scale or relative is read with a note") {
   const auto unscaled = folder.write("u.dcm", data.drop(0x3004000e).file());
   CHECK(open_volume(unscaled)->info().slope == 1);
   CHECK(noted(open_volume(unscaled)->info(), "a dose without DoseGridScaling"));
+}
+
+TEST_CASE("a dose without offsets is scaled, too") {
+  const Folder folder;
+  Dataset data = dose("0");
+  const auto reader = open_volume(
+      folder.write("v.dcm", data.drop(0x3004000c).text(0x00180050, "DS", "2.5").file()));
+  CHECK(reader->info().slope == 0.02);
+  check_places(reader->info(), {-10, -20, 100}, along_axes);
 }
 
 // ---- nuclear medicine ----

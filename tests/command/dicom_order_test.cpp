@@ -38,26 +38,26 @@ Slices along_z(const std::vector<double>& places) {
 }
 
 TEST_CASE("positions that are rounded to tenths have one step within the rounding") {
-  const Folder folder;
   const double step = 0.625;
-  for (const bool is_told : {true, false}) {
-    INFO(is_told);
-    for (int z = 0; z < 16; ++z) {
-      Dataset data = slice(z % depth, std::to_string(z));
-      put_at(data, {-10.123456, -20, std::round(10 * (40 + step * z)) / 10});
-      if (is_told) data.text(0x00180050, "DS", "0.625");
-      folder.write("IM" + std::to_string(z), data.file());
+  for (const bool is_told : {true, false})
+    for (const double begin : {40.0, 40.04}) {
+      INFO(is_told, " from ", begin);
+      const auto rounded = [&](int z) { return std::round(10 * (begin + step * z)) / 10; };
+      const Folder folder;
+      for (int z = 0; z < 16; ++z) {
+        Dataset data = slice(z % depth, std::to_string(z));
+        put_at(data, {-10.123456, -20, rounded(z)});
+        if (is_told) data.text(0x00180050, "DS", "0.625");
+        folder.write("IM" + std::to_string(z), data.file());
+      }
+      const auto reader = open_volume(folder.path());
+      const VolumeInfo& info = reader->info();
+      CHECK(noted(info, "the positions are rounded, slices taken 0.62"));
+      const double found = std::fabs(info.spacing_mm[2]);
+      CHECK(found == doctest::Approx(step).epsilon(is_told ? 1e-12 : 0.01));
+      for (int z = 0; z < 16; ++z)
+        CHECK(std::fabs(info.placement->origin_mm[2] + z * found - rounded(z)) <= 0.05 + 1e-6);
     }
-    const auto reader = open_volume(folder.path());
-    const VolumeInfo& info = reader->info();
-    CHECK(noted(info, "the positions are rounded, slices taken 0.62"));
-    const double found = std::fabs(info.spacing_mm[2]);
-    CHECK(found == doctest::Approx(step).epsilon(is_told ? 1e-12 : 0.01));
-    for (int z = 0; z < 16; ++z) {
-      const double rounded = std::round(10 * (40 + step * z)) / 10;
-      CHECK(std::fabs(info.placement->origin_mm[2] + z * found - rounded) <= 0.05 + 1e-6);
-    }
-  }
 }
 
 TEST_CASE("positions that are rounded lie on a line, whichever way it goes") {
@@ -131,6 +131,22 @@ TEST_CASE("a tilted gantry shears the volume as its slices lie, and a note says 
   CHECK(noted(info, "as by a gantry tilted by 15 degrees; the volume is sheared as they lie"));
   CHECK(std::fabs(info.spacing_mm[2]) == 2.5);
   CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("a tilted gantry whose positions are rounded shears by the step that fits") {
+  const double tilt = 15 * std::acos(-1.0) / 180;
+  const Folder folder;
+  for (int z = 0; z < 16; ++z) {
+    Dataset data = slice(z % depth, std::to_string(z));
+    put_at(data, {-10, -20, std::round(10 * (40 + 0.33 * z)) / 10},
+           {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
+    folder.write("IM" + std::to_string(z), data.file());
+  }
+  const auto reader = open_volume(folder.path());
+  CHECK(noted(reader->info(), "the positions are rounded"));
+  const auto& step = reader->info().placement->axes_mm[2];
+  CHECK(std::fabs(step[1]) < 0.005);
+  CHECK(step[2] == doctest::Approx(0.33).epsilon(0.02));
 }
 
 TEST_CASE("the vertices of a tilted gantry lie where its voxels do") {
@@ -245,6 +261,21 @@ TEST_CASE("numbers that are missing among slices in their order are missing slic
   VolumeOptions options = ordered(SliceOrder::instance);
   options.allow_gaps = true;
   CHECK(open_volume(slices.path(), options)->info().dims[2] == depth + 2);
+}
+
+TEST_CASE("files of several slices without positions are in the order of their numbers") {
+  const Folder folder;
+  for (const int part : {1, 0}) {
+    Dataset data = image("9." + std::to_string(part));
+    std::vector<std::int64_t> values = slice_values(2 * part);
+    for (const std::int64_t value : slice_values(2 * part + 1)) values.push_back(value);
+    data.text(0x00280008, "IS", "2").text(0x00200013, "IS", std::to_string(part + 1));
+    folder.write("IM" + std::to_string(part), data.samples(values, 16, true).file());
+  }
+  std::vector<std::int64_t> expected;
+  for (int z = 0; z < 4; ++z)
+    for (const std::int64_t value : slice_values(z)) expected.push_back(value);
+  CHECK(read_all(*open_volume(folder.path(), ordered(SliceOrder::instance))) == as_read(expected));
 }
 
 TEST_CASE("slices without numbers or with the same are refused, and put in order by their names") {

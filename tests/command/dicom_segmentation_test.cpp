@@ -162,6 +162,14 @@ TEST_CASE("segments that overlap are in several volumes, each with its names") {
   CHECK(read_all(*reader) == slices_of({box(2, 5, 2, 5, 2)}));
 }
 
+TEST_CASE("segments are in one volume where the file says that none overlap") {
+  const Folder folder;
+  Dataset data =
+      segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}});
+  const auto file = folder.write("v.dcm", data.text(0x00620013, "CS", "NO").file());
+  CHECK(open_volume(file)->info().frames == 1);
+}
+
 TEST_CASE("segments that lie beside each other in other slices do not overlap") {
   using discmc::command::Overlaps;
   Overlaps overlaps;

@@ -19,6 +19,7 @@ constexpr std::uint32_t trigger_time = 0x00181060;
 constexpr std::uint32_t temporal_position = 0x00200100;
 constexpr std::uint32_t acquisition_number = 0x00200012;
 constexpr std::uint32_t instance_number = 0x00200013;
+constexpr std::uint32_t inversion_time = 0x00180082;
 constexpr std::uint32_t b_value = 0x00189087;
 
 // Volume `number` of a series: its values are those of the volume and 5000 times the number.
@@ -192,14 +193,23 @@ TEST_CASE("without anything else the instance numbers tell the order") {
   volumes.check_all(3);
 }
 
-TEST_CASE("numbers of slices do not tell volumes apart, however many these are") {
-  // Seven volumes of five slices: the numbers of the slices are fewer than the volumes.
+TEST_CASE("what differs between slices does not tell volumes apart, however many these are") {
+  // Seven volumes of five slices: the values are fewer than the volumes.
   const Volumes volumes(7, [](Dataset& data, int number, int z) {
+    data.text(inversion_time, "DS", std::to_string(100 + z));
     data.text(instance_number, "IS", std::to_string(z + 1));
     data.text(acquisition_number, "IS", std::to_string(number + 1));
   });
   check_refusal(refusal(volumes.path()), "acquisition 7");
   volumes.check_all(7);
+}
+
+TEST_CASE("an order tells nothing where places have not as many slices each") {
+  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+    data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
+  });
+  fs::remove(volumes.path() / ("IM" + std::to_string(7 * 2 % 11) + "0"));
+  check_refusal(refusal(volumes.path()), "nothing tells which are of one volume");
 }
 
 TEST_CASE("a volume of which a slice is missing is told apart, and refused alone") {

@@ -1,7 +1,5 @@
 // Radiotherapy doses: their scale, and the offsets of their frames.
-#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "attributes.hpp"
 #include "frames.hpp"
@@ -9,9 +7,8 @@
 #include "vectors.hpp"
 
 namespace discmc::command {
-namespace {
 
-void set_dose_scale(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   const double scaling = real_of(dataset, DCM_DoseGridScaling).value_or(0);
   if (!(scaling > 0)) {
     image.notes.emplace_back("a dose without DoseGridScaling, its stored values taken");
@@ -22,12 +19,9 @@ void set_dose_scale(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>
   image.notes.emplace_back(is_in_gray ? "values are doses in Gy" : "values are relative doses");
 }
 
-}  // namespace
-
 // The offsets are ways along the normal from the position of the first frame, which has 0, or z in
 // the patient's space, which begin with that of the position (DICOM PS3.3 C.8.8.3.2).
-NoSlices place_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
-  if (image.modality == "RTDOSE") set_dose_scale(dataset, image, frames);
+NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
   const auto first = real_of(dataset, DCM_GridFrameOffsetVector);
   if (!first || !frames.front().place) return {};
   constexpr double rounding_mm = 0.01;

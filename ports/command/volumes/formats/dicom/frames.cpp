@@ -44,8 +44,8 @@ void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
 
 NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   if (image.modality == "NM") return place_nuclear(dataset, image, frames);
-  if (image.modality == "RTDOSE" || dataset.tagExists(DCM_GridFrameOffsetVector))
-    return place_dose(dataset, image, frames);
+  if (image.modality == "RTDOSE") scale_dose(dataset, image, frames);
+  if (real_of(dataset, DCM_GridFrameOffsetVector)) return place_by_offsets(dataset, frames);
   if (frames.size() == 1) return {};
   note_times(dataset, image);
   if (!frames.front().place || have_own_positions(dataset)) return {};

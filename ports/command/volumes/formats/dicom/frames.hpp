@@ -21,9 +21,15 @@ NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFram
 void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
                     const std::vector<std::uint32_t>& slices);
 
-/// Parts of place_frames(), each of files that are of its kind: a dose, with its unit, and pictures
-/// of nuclear medicine.
-NoSlices place_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+// Parts of place_frames(), of files of the kind.
+
+/// Takes the scale of a dose, with a note of its unit.
+void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+
+/// Moves the frames of a grid by their offsets from its position.
+NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames);
+
+/// Places slices of nuclear medicine.
 NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 }  // namespace discmc::command

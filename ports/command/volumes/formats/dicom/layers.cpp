@@ -1,6 +1,5 @@
 #include "layers.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace discmc::command {
@@ -30,7 +29,6 @@ void Overlaps::add(std::uint32_t segment, const std::uint8_t* voxels) {
       if (is_new) {
         Set set = sets_[last_before];
         set.push_back(segment);
-        std::sort(set.begin(), set.end());
         known->second = number_of(std::move(set));
       }
       last_after = known->second;

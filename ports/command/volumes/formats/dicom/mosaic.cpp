@@ -60,6 +60,22 @@ bool is_united_imaging_grid(DcmItem& dataset) {
   return count.value_or(0) > 1;
 }
 
+// The slices of a mosaic, whose one frame has the position of all of it.
+std::vector<DicomFrame> slices_of(const DicomFrame& mosaic, const DicomImage& image,
+                                  std::uint32_t slices, const Vector& step) {
+  const double aside = (image.mosaic->across - 1) / 2.0;  // in slices
+  const DicomPlace& place = *mosaic.place;
+  Vector first = place.position;
+  first = sum(first, aside * image.columns * mosaic.spacing_mm[0], place.along_row);
+  first = sum(first, aside * image.rows * mosaic.spacing_mm[1], place.along_column);
+  std::vector<DicomFrame> frames(slices, mosaic);
+  for (std::uint32_t slice = 0; slice < slices; ++slice) {
+    frames[slice].number = slice;
+    frames[slice].place->position = sum(first, slice, step);
+  }
+  return frames;
+}
+
 }  // namespace
 
 bool is_mosaic(DcmItem& dataset) {
@@ -90,7 +106,7 @@ NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
     return {called + " that cannot be in " + std::to_string(image.columns) + " x " +
                 std::to_string(image.rows) + " voxels",
             remedy};
-  DicomFrame first = frames.front();
+  const DicomFrame first = frames.front();
   if (!first.place || !(first.spacing_mm[0] > 0 && first.spacing_mm[1] > 0) ||
       !(first.slice_spacing_mm > 0))
     return {called + " that tells no position, or no distances of voxels", remedy};
@@ -103,17 +119,7 @@ NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
   constexpr double least = 0.5;  // of the cosine: it is a normal
   if (!(std::fabs(along) > least)) return {called + " whose SliceNormalVector is none", remedy};
   for (double& component : step) component *= std::copysign(first.slice_spacing_mm, along);
-  const double aside = (across - 1) / 2.0;  // in slices
-  Vector& position = first.place->position;
-  position = sum(position, aside * image.columns * first.spacing_mm[0], first.place->along_row);
-  position = sum(position, aside * image.rows * first.spacing_mm[1], first.place->along_column);
-  frames.clear();
-  for (std::uint32_t slice = 0; slice < slices; ++slice) {
-    DicomFrame frame = first;
-    frame.number = slice;
-    frame.place->position = sum(position, slice, step);
-    frames.push_back(std::move(frame));
-  }
+  frames = slices_of(first, image, slices, step);
   return {};
 }
 

@@ -3,21 +3,14 @@
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_ORDER_HPP
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "image.hpp"
-#include "vectors.hpp"
+#include "position_order.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {
-
-/// The place of a first slice, and the way to the next one.
-struct SliceLine {
-  Vector origin{};
-  Vector step{};
-};
 
 /// Takes spacing and placement of slices that are alike, with notes of what is not told. Without a
 /// line they lie in no space.
@@ -26,9 +19,6 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
 
 /// Whether one slope and intercept is of all frames.
 bool have_one_scale(const std::vector<DicomFrame>& stack);
-
-/// Whether two frames have the same pixels.
-using SamePixels = std::function<bool(const DicomFrame&, const DicomFrame&)>;
 
 /// Puts the frames in the order of their positions, each position once, or in the order that the
 /// options ask for, and adds to the info what volume they are. Throws VolumeError where slices are
