@@ -137,6 +137,39 @@ TEST_CASE("what cannot be unpacked or has scales of its own is refused with the 
   check_refusal(refusal(files / "hdf5_arrays/minc.h5"), "mnc2nii");
 }
 
+// Where Python has the two modules: on Debian python3-hdf5plugin and hdf5-filter-plugin.
+TEST_CASE("what the remedy says unpacks the array, so that it is read") {
+  const command_tests::Workshop workshop;
+  if (workshop.shell("/usr/bin/python3 -c 'import h5py, hdf5plugin'").code != 0) {
+    MESSAGE("not run: this Python has no h5py or no hdf5plugin");
+    return;
+  }
+  workshop.write("volume", stored(SampleType::u8));
+  REQUIRE(workshop.shell("bzip2 -c volume > packed").code == 0);
+  const std::string packed = workshop.read("packed");
+  const Folder folder;
+  {
+    constexpr H5Z_filter_t bzip2 = 307;
+    const Hdf5Handle creation = chunks_of({4, 3, 5});
+    H5Pset_filter(creation.id(), bzip2, H5Z_FLAG_OPTIONAL, 0, nullptr);
+    const Hdf5Handle opened = new_file(folder.path() / "a.h5");
+    const Hdf5Handle dataset = new_dataset(opened, "volume", {4, 3, 5}, creation);
+    constexpr hsize_t first[] = {0, 0, 0};
+    REQUIRE(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, 0, first, packed.size(), packed.data()) >= 0);
+  }
+  workshop.write("a.h5", contents(folder.path() / "a.h5"));
+  const std::string refused =
+      workshop.shell("HDF5_PLUGIN_PATH=/nonexistent \"$discmc\" info a.h5").error;
+  const std::size_t begin = refused.find("python3 -c");
+  INFO(refused);
+  REQUIRE(begin != std::string::npos);
+  const auto unpacked = workshop.shell("PATH=/usr/bin:$PATH; " + refused.substr(begin));
+  INFO(unpacked.error);
+  CHECK(unpacked.code == 0);
+  check_volume(folder.write("unpacked.h5", workshop.read("unpacked.h5")), SampleType::u8,
+               "HDF5, /volume, raw");
+}
+
 TEST_CASE("what a remedy repeats of a file's names is nothing that a shell would run") {
   const Folder folder;
   const fs::path file = folder.path() / "names.h5";

@@ -105,14 +105,17 @@ TEST_CASE("the axes of an array are those that are named, in any order and in ei
   }
 }
 
-TEST_CASE("without names the axis that is stored side by side is x, and Fortran order is noted") {
+TEST_CASE("without names the axis that is stored side by side is x, with a note") {
   const Folder folder;
-  check_places(folder.write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx"))), {});
-  const auto file = folder.write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
+  const auto file = folder.write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
   check_places(file, {});
-  CHECK(
-      noted(open_volume(file)->info(), "array[x][y][z]; if it is array[z][y][x], give --axes zyx"));
-  CHECK_FALSE(noted(open_volume(file, with_axes("xyz"))->info(), "Fortran"));
+  CHECK(noted(open_volume(file)->info(),
+              "taken as array[z][y][x]; --axes names others, such as xyz"));
+  CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "taken as"));
+  const auto fortran = folder.write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
+  check_places(fortran, {});
+  CHECK(noted(open_volume(fortran)->info(),
+              "taken as array[x][y][z]; --axes names others, such as zyx"));
 }
 
 TEST_CASE("slices of a turned volume are skipped as others are") {

@@ -15,6 +15,8 @@ using Notes = std::vector<std::string>;
 const std::string u8 = stored(SampleType::u8);
 
 const std::string no_spacing = "no spacing given, 1 mm taken";
+const std::string no_axes =
+    "the axes are not named: taken as array[z][y][x]; --axes names others, such as xyz";
 const std::string no_unit = "no unit of length given, mm taken";
 
 std::string vti(const std::string& image, const std::string& points) {
@@ -61,7 +63,7 @@ TEST_CASE("a file of each format that tells no place has exactly these notes") {
            "v.vti",
            vti("", "><DataArray type=\"UInt8\" format=\"appended\" offset=\"0\"/>") + appended),
        {no_spacing}},
-      {folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), {no_spacing}},
+      {folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), {no_axes, no_spacing}},
   };
   for (const auto& [file, notes] : files) {
     const std::string name = file.filename().string();
@@ -77,7 +79,7 @@ TEST_CASE("a spacing that is given leaves no note of a missing one") {
   options.spacing_mm = {1, 2, 3};
   CHECK(notes_of(folder.write("v.raw", u8), options).empty());
   options.layout.reset();
-  CHECK(notes_of(folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), options).empty());
+  CHECK(notes_of(folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), options) == Notes{no_axes});
   CHECK(notes_of(folder.write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 nan 1\n") + "\n" + u8), options)
             .empty());
 }

@@ -1,7 +1,10 @@
 // Zarr and OME-Zarr: which array is the volume, how it lies, and how its chunks are stored.
 // container_table_test has the files of zarr in Python and of zarrita.
+#include <archive.h>
+#include <archive_entry.h>
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -83,6 +86,7 @@ TEST_CASE(
                 "no level 2: the image has 2; choose one with --level 0 to 1");
   // By the folder of its array, too, which is then a level of the image.
   check_volume(image / "full", SampleType::u8, "OME-Zarr, level 0 of 2");
+  check_volume(image / "full" / "", SampleType::u8, "OME-Zarr, level 0 of 2");
   CHECK(open_volume(image / "half")->info().spacing_mm == std::array<double, 3>{1, 1.5, 4});
 }
 
@@ -233,6 +237,32 @@ TEST_CASE("a group is read like the only array or image in it, and of several on
   check_volume(group / ".zgroup", SampleType::u8, "OME-Zarr");
   write_array(group / "1", {4, 3, 5}, u8);
   check_refusal(refusal(group), "holds several images or arrays: 0, 1; choose one by its folder");
+}
+
+TEST_CASE("a zip of Zarr is read like its folder") {
+  const Folder folder;
+  for (const std::string inside : {"", "image.zarr/"}) {
+    const fs::path file = folder.path() / "image.zarr.zip";
+    archive* writer = archive_write_new();
+    archive_write_set_format_zip(writer);
+    REQUIRE(archive_write_open_filename(writer, file.c_str()) == ARCHIVE_OK);
+    const fs::path source = files / "i16-big-chunks.zarr";
+    for (const auto& entry : fs::recursive_directory_iterator(source)) {
+      if (!entry.is_regular_file()) continue;
+      const std::string bytes = command_tests::contents(entry.path());
+      archive_entry* member = archive_entry_new();
+      archive_entry_set_pathname(member,
+                                 (inside + fs::relative(entry.path(), source).string()).c_str());
+      archive_entry_set_filetype(member, AE_IFREG);
+      archive_entry_set_size(member, static_cast<la_int64_t>(bytes.size()));
+      REQUIRE(archive_write_header(writer, member) == ARCHIVE_OK);
+      archive_write_data(writer, bytes.data(), bytes.size());
+      archive_entry_free(member);
+    }
+    archive_write_close(writer);
+    archive_write_free(writer);
+    check_volume(file, SampleType::i16, "OME-Zarr, zip");
+  }
 }
 
 TEST_CASE("what is packed or filtered in another way is refused by its name") {

@@ -55,21 +55,58 @@ std::string default_letters(std::size_t count) {
   return letters;
 }
 
-std::int64_t product_along(char letter, const Sizes& sizes, const std::vector<std::size_t>& axes,
-                           std::string_view letters) {
+// An array as it is stored, the slowest axis first.
+struct StoredArray {
+  Sizes sizes;
+  std::vector<std::size_t> axes;  // those that are kept
+  std::string letters;            // of them
+};
+
+void note_default_axes(VolumeInfo& info, const ArrayShape& shape) {
+  const bool is_first_fastest = shape.is_first_fastest;
+  note(info, std::string("the axes are not named: taken as array") +
+                 (is_first_fastest ? "[x][y][z]" : "[z][y][x]") +
+                 "; --axes names others, such as " + (is_first_fastest ? "zyx" : "xyz"));
+}
+
+StoredArray stored_array(VolumeInfo& info, const std::filesystem::path& file,
+                         const ArrayShape& shape, const std::string& named) {
+  if (shape.sizes.size() < 2)
+    fail(file, "the data has " + std::to_string(shape.sizes.size()) + " dimensions",
+         "give a volume of three");
+  StoredArray array{shape.sizes, {}, named};
+  if (shape.is_first_fastest) {
+    std::reverse(array.sizes.begin(), array.sizes.end());
+    std::reverse(array.letters.begin(), array.letters.end());
+  }
+  require_countable(file, array.sizes);
+  array.axes = kept_axes(array.sizes, named.empty() ? 3 : named.size());
+  if (array.axes.size() < array.sizes.size())
+    note(info, "axes of size 1 dropped of " + shape_text(shape.sizes));
+  if (named.empty()) array.letters = default_letters(array.axes.size());
+  if (named.empty() && array.axes.size() > 2) note_default_axes(info, shape);
+  if (array.letters.size() != array.axes.size())
+    fail(
+        file,
+        "the axes are said to be " + shown(named) + ", but the array is " + shape_text(shape.sizes),
+        "name each of them with --axes, as in --axes zyx");
+  return array;
+}
+
+std::int64_t product_along(char letter, const StoredArray& array) {
   std::int64_t product = 1;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (letters[i] == letter) product *= sizes[axes[i]];
+  for (std::size_t i = 0; i < array.axes.size(); ++i)
+    if (array.letters[i] == letter) product *= array.sizes[array.axes[i]];
   return product;
 }
 
 // Of the axes with a letter, the last one counts fastest.
-void go_to(ArrayLayout& layout, char letter, std::uint64_t index,
-           const std::vector<std::size_t>& axes, std::string_view letters) {
-  for (std::size_t i = axes.size(); i-- > 0;) {
-    if (letters[i] != letter) continue;
-    layout.first[axes[i]] = index % layout.sizes[axes[i]];
-    index /= layout.sizes[axes[i]];
+void go_to(ArrayLayout& layout, const StoredArray& array, char letter, std::uint64_t index) {
+  for (std::size_t i = array.axes.size(); i-- > 0;) {
+    if (array.letters[i] != letter) continue;
+    const std::size_t axis = array.axes[i];
+    layout.first[axis] = index % layout.sizes[axis];
+    index /= layout.sizes[axis];
   }
 }
 
@@ -98,48 +135,33 @@ std::string ArrayLayout::order() const {
 
 ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
                        const VolumeOptions& options) {
-  const std::string shape_shown = shape_text(shape.sizes);
-  const std::string& said = options.axes.empty() ? shape.letters : options.axes;
-  Sizes sizes = shape.sizes;
-  std::string letters = said;
-  if (shape.is_first_fastest) {
-    std::reverse(sizes.begin(), sizes.end());
-    std::reverse(letters.begin(), letters.end());
-  }
-  if (sizes.size() < 2)
-    fail(file, "the data has " + std::to_string(sizes.size()) + " dimensions",
-         "give a volume of three");
-  require_countable(file, sizes);
-  const auto axes = kept_axes(sizes, said.empty() ? 3 : said.size());
-  if (said.empty()) letters = default_letters(axes.size());
-  if (letters.size() != axes.size())
-    fail(file, "the axes are said to be " + shown(said) + ", but the array is " + shape_shown,
-         "name each of them with --axes, as in --axes zyx");
-  if (axes.size() < sizes.size()) note(info, "axes of size 1 dropped of " + shape_shown);
-  const std::int64_t frames = product_along('t', sizes, axes, letters);
-  if (said.empty() && frames > 1 && !options.frame)
+  const std::string& named = options.axes.empty() ? shape.letters : options.axes;
+  const StoredArray array = stored_array(info, file, shape, named);
+  const std::int64_t frames = product_along('t', array);
+  if (named.empty() && frames > 1 && !options.frame)
     fail(file, "the file holds " + std::to_string(frames) + " volumes, and one is read at a time",
          "choose one with --frame N, the first is 0; or say which axis of the array, " +
-             shape_shown + ", is which, as in --axes zyxc");
+             shape_text(shape.sizes) + ", is which, as in --axes zyxc");
 
   ArrayLayout layout;
-  layout.sizes.assign(sizes.begin(), sizes.end());
-  layout.first.assign(sizes.size(), 0);
+  layout.sizes.assign(array.sizes.begin(), array.sizes.end());
+  layout.first.assign(array.sizes.size(), 0);
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t found = letters.find(space_letters[i]);
-    if (found != std::string::npos) layout.axes[i] = axes[found];
+    const std::size_t found = array.letters.find(space_letters[i]);
+    if (found != std::string::npos) layout.axes[i] = array.axes[found];
   }
   if (!layout.axes[0] || !layout.axes[1])
-    fail(file, "the axes are said to be " + shown(said) + ", without x and y",
+    fail(file, "the axes are said to be " + shown(named) + ", without x and y",
          "name them with --axes, as in --axes zyx");
-  Sizes dims{sizes[*layout.axes[0]], sizes[*layout.axes[1]]};
-  if (layout.axes[2] || frames > 1) dims.push_back(layout.axes[2] ? sizes[*layout.axes[2]] : 1);
+  const auto size_of = [&](std::size_t i) { return array.sizes[*layout.axes[i]]; };
+  Sizes dims{size_of(0), size_of(1)};
+  if (layout.axes[2] || frames > 1) dims.push_back(layout.axes[2] ? size_of(2) : 1);
   if (frames > 1) dims.push_back(frames);
   set_dims(info, file, dims, options.frame);
-  go_to(layout, 't', options.frame.value_or(0), axes, letters);
-  set_channels(info, file, static_cast<std::uint64_t>(product_along('c', sizes, axes, letters)),
-               options.channel, shape.channels);
-  go_to(layout, 'c', options.channel.value_or(0), axes, letters);
+  const auto channels = static_cast<std::uint64_t>(product_along('c', array));
+  set_channels(info, file, channels, options.channel, shape.channels);
+  go_to(layout, array, 't', options.frame.value_or(0));
+  go_to(layout, array, 'c', options.channel.value_or(0));
   return layout;
 }
 

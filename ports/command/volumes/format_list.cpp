@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "array_name.hpp"
+#include "formats/zarr/folder.hpp"
 
 namespace discmc::command {
 namespace {
@@ -170,6 +171,13 @@ const VolumeFormat* format_of_head(std::string_view head) {
              head.substr(magic.offset, magic.bytes.size()) == magic.bytes;
     });
   });
+}
+
+bool names_no_axes(const std::filesystem::path& file) {
+  const VolumeFormat* const format = format_of_name(file);
+  return is_zarr(file) ||
+         (format != nullptr && (format->open_stream == open_numpy ||
+                                format->open_file == open_npz || format->open_file == open_hdf5));
 }
 
 bool is_volume_head(std::string_view head) {

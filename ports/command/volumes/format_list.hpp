@@ -43,6 +43,9 @@ const VolumeFormat* format_of_name(const std::filesystem::path& file);
 /// where there are no more.
 const VolumeFormat* format_of_head(std::string_view head);
 
+/// Whether a file is named as arrays are, whose axes the user may name.
+bool names_no_axes(const std::filesystem::path& file);
+
 /// Units: bytes from the beginning of a file that tell its format.
 constexpr std::size_t magic_bytes = 348;
 

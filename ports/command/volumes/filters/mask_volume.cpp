@@ -10,6 +10,7 @@
 
 #include "cropped_volume.hpp"
 #include "shrunk_volume.hpp"
+#include "volumes/format_list.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_filter.hpp"
 #include "volumes/volume_offset.hpp"
@@ -136,6 +137,13 @@ class MaskedLabels final : public VolumeFilter {
   std::vector<std::uint8_t> on_;
 };
 
+// Those of a volume that has times or channels, too.
+std::string axes_of_space(std::string axes) {
+  const auto is_other = [](char letter) { return letter == 't' || letter == 'c'; };
+  axes.erase(std::remove_if(axes.begin(), axes.end(), is_other), axes.end());
+  return axes;
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> masked(std::unique_ptr<VolumeReader> labels,
@@ -151,6 +159,7 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   // The options are those of the volume: none tells what is in a mask.
   of_all.frame = 0;
   of_all.channel = 0;
+  if (names_no_axes(file)) of_all.axes = axes_of_space(options.axes);
   auto mask = open_volume(file, of_all);
   if (mask->info().frames > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",

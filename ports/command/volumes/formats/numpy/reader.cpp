@@ -17,8 +17,6 @@ std::unique_ptr<VolumeReader> numpy_volume(ByteStream stream, const std::string&
   VolumeInfo info;
   info.format = format;
   info.type = type->type;
-  if (header.shape.is_first_fastest && options.axes.empty())
-    note(info, "Fortran order: taken as array[x][y][z]; if it is array[z][y][x], give --axes zyx");
   const ArrayLayout layout = take_array(info, file, header.shape, options);
   set_place(info, {}, options);
   bool big_endian = type->big_endian;

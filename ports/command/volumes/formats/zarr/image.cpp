@@ -104,7 +104,9 @@ ZarrImage image_at(const ZarrNode& node, const Json& multiscale,
 }
 
 // An array that is a level of the group that it is in.
-std::optional<ZarrImage> image_of_level(const std::filesystem::path& array) {
+std::optional<ZarrImage> image_of_level(const std::filesystem::path& folder_of_array) {
+  std::error_code ignored;
+  const std::filesystem::path array = std::filesystem::canonical(folder_of_array, ignored);
   const std::filesystem::path folder = array.parent_path();
   if (!is_zarr(folder)) return std::nullopt;
   const ZarrNode parent = read_zarr_node(folder);

@@ -95,14 +95,16 @@ class ZarrVolume final : public VolumeReader {
   // z, y: in the chunk.
   void copy_row(const ChunkBytes& samples, std::uint64_t z, std::uint64_t y, std::uint64_t columns,
                 unsigned char* to) const {
-    const std::size_t size = sample_bytes(info_.type);
-    const unsigned char* from = &samples[(begin_ + z * strides_[2] + y * strides_[1]) * size];
-    if (strides_[0] == 1) {
-      std::memcpy(to, from, columns * size);
-      return;
-    }
-    for (std::uint64_t i = 0; i < columns; ++i, from += strides_[0] * size, to += size)
-      std::memcpy(to, from, size);
+    with_sample_type(info_.type, [&](auto sample) {
+      constexpr std::size_t size = sizeof sample;
+      const unsigned char* from = &samples[(begin_ + z * strides_[2] + y * strides_[1]) * size];
+      if (strides_[0] == 1) {
+        std::memcpy(to, from, columns * size);
+        return;
+      }
+      for (std::uint64_t i = 0; i < columns; ++i)
+        std::memcpy(to + i * size, from + i * strides_[0] * size, size);
+    });
   }
 
   std::filesystem::path folder_;
@@ -174,8 +176,9 @@ std::string letters_of(const ZarrImage& image) {
 std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
                                         const VolumeOptions& options) {
   std::error_code ignored;
-  const std::filesystem::path folder =
-      std::filesystem::is_directory(path, ignored) ? path : path.parent_path();
+  std::filesystem::path folder = path.lexically_normal();
+  if (!folder.has_filename() || !std::filesystem::is_directory(folder, ignored))
+    folder = folder.parent_path();
   ZarrImage image = read_zarr_image(folder, options);
   VolumeInfo info;
   info.type = image.array.type;
