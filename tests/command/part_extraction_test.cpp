@@ -45,20 +45,18 @@ struct Extracted {
   Surface surface;
 };
 
-// by_polygons: whether regions may come as such.
-Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
-                    bool by_polygons = false) {
+Extracted extracted(const BitVolume& volume, const ExtractionOptions& options) {
   SampleReader reader(volume);
   SurfaceBuilder builder;
   SurfaceRequest request{options.selection, discmc::make_sink(builder)};
-  if (by_polygons) request.builder = &builder;
+  request.builder = &builder;
   const Extraction extraction = extract(reader, options, std::vector<SurfaceRequest>{request})[0];
   CHECK(builder.incomplete_regions() == 0);
   return {extraction, std::move(builder.surface())};
 }
 
-// The regions of a stream, whose encoder may get them as packets.
-Surface streamed(const BitVolume& volume, const ExtractionOptions& options, bool by_packets) {
+// The regions of a stream.
+Surface streamed(const BitVolume& volume, const ExtractionOptions& options) {
   SampleReader reader(volume);
   std::vector<std::uint8_t> bytes;
   discmc::Encoder encoder;
@@ -68,7 +66,7 @@ Surface streamed(const BitVolume& volume, const ExtractionOptions& options, bool
                                return count;
                              }}) == discmc::Status::ok);
   SurfaceRequest request{options.selection, discmc::make_sink(encoder)};
-  if (by_packets) request.encoder = &encoder;
+  request.encoder = &encoder;
   extract(reader, options, std::vector<SurfaceRequest>{request});
   SurfaceBuilder builder;
   discmc::Decoder decoder;
@@ -98,22 +96,19 @@ bool are_same(const Surface& a, const Surface& b) {
 
 void check_same_surface(const BitVolume& volume, ExtractionOptions options) {
   const Extracted whole = extracted(volume, options);
-  for (const bool by_polygons : {false, true}) {
-    CAPTURE(by_polygons);
-    options.jobs = 2;
-    const Extracted parts = extracted(volume, options, by_polygons);
-    CHECK(describe_difference(regions_of(parts.surface), regions_of(whole.surface)) == "");
-    CHECK(parts.extraction.voxels == whole.extraction.voxels);
-    CHECK(parts.extraction.is_full == whole.extraction.is_full);
-    CHECK(parts.extraction.statistics.regions == whole.extraction.statistics.regions);
-    CHECK(parts.extraction.statistics.rings == whole.extraction.statistics.rings);
-    CHECK(parts.extraction.statistics.fragments == 0);
-    CHECK_FALSE(parts.extraction.is_of_slab);
-    for (const unsigned jobs : {1U, 3U, 7U}) {
-      CAPTURE(jobs);
-      options.jobs = jobs;
-      CHECK(are_same(extracted(volume, options, by_polygons).surface, parts.surface));
-    }
+  options.jobs = 2;
+  const Extracted parts = extracted(volume, options);
+  CHECK(describe_difference(regions_of(parts.surface), regions_of(whole.surface)) == "");
+  CHECK(parts.extraction.voxels == whole.extraction.voxels);
+  CHECK(parts.extraction.is_full == whole.extraction.is_full);
+  CHECK(parts.extraction.statistics.regions == whole.extraction.statistics.regions);
+  CHECK(parts.extraction.statistics.rings == whole.extraction.statistics.rings);
+  CHECK(parts.extraction.statistics.fragments == 0);
+  CHECK_FALSE(parts.extraction.is_of_slab);
+  for (const unsigned jobs : {1U, 3U, 7U}) {
+    CAPTURE(jobs);
+    options.jobs = jobs;
+    CHECK(are_same(extracted(volume, options).surface, parts.surface));
   }
 }
 
@@ -169,9 +164,8 @@ TEST_CASE("a part that memory is not enough for takes more") {
   const Extracted whole = extracted(volume, options);
   options.jobs = 2;
   options.memory = 20000;
-  for (const bool by_polygons : {false, true})
-    CHECK(describe_difference(regions_of(extracted(volume, options, by_polygons).surface),
-                              regions_of(whole.surface)) == "");
+  CHECK(describe_difference(regions_of(extracted(volume, options).surface),
+                            regions_of(whole.surface)) == "");
 }
 
 TEST_CASE("the statistics of parts are those of one sweep, up to one a seam") {
@@ -222,11 +216,10 @@ TEST_CASE("packets of parts are the regions of one sweep, in an order without re
     ExtractionOptions options = options_with(Border::closed);
     const auto whole = regions_of(extracted(volume, options).surface);
     options.jobs = 2;
-    const Surface parts = streamed(volume, options, true);
+    const Surface parts = streamed(volume, options);
     CHECK(describe_difference(regions_of(parts), whole) == "");
-    CHECK(are_same(streamed(volume, options, false), parts));
     options.jobs = 5;
-    CHECK(are_same(streamed(volume, options, true), parts));
+    CHECK(are_same(streamed(volume, options), parts));
   }
 }
 

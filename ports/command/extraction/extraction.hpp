@@ -76,9 +76,10 @@ struct SurfaceRequest {
   Sink sink;
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
-  /// Where parts are extracted, those of these two that there are get the regions that lie in one,
-  /// in place of the sink: as polygons or counts, and encoded, in packets that a join passes on.
-  /// Limit: the sink is what starts the encoder, whose output takes all. Owner: the caller.
+  /// If the volume is extracted in parts, these get the regions that lie in one part, and the sink
+  /// gets the others: as polygons or counts, and encoded, in packets that a join passes on. Limit:
+  /// in parts there is one of the two; the sink is what starts the encoder, whose output takes all.
+  /// Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
 };

@@ -21,7 +21,7 @@
 namespace discmc::command {
 namespace {
 
-// What a part gives to a surface: regions, as polygons, as packets or as events, and what is to be
+// What a part gives to a surface: regions, as polygons, as packets or as both, and what is to be
 // joined. As parts follow each other from below, the pieces of a region come in the order of a
 // sweep.
 //
@@ -55,7 +55,6 @@ class PartSurface {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));
     if (packets_) packets_->append_to(*request.encoder);
-    events_.replay(request.sink);
   }
 
  private:
@@ -91,7 +90,7 @@ class PartSurface {
     if (place_ == Place::joined) return joined_.take(event);
     if (polygons_) polygons_->take(event);
     if (packets_) packets_->take(event);
-    return polygons_ || packets_ ? SinkResult::accepted : events_.take(event);
+    return SinkResult::accepted;
   }
 
   std::optional<Event> region_;
@@ -100,10 +99,9 @@ class PartSurface {
   Vertex end_{};                 // of it, so far
   Direction last_ = 0;           // by which it came there
   std::unordered_set<std::uint64_t> ring_planes_;
-  // The regions that are whole: one, or the first two, as they are asked for.
+  // The regions that are whole, as they are asked for.
   std::optional<SurfaceBuilder> polygons_;
   std::unique_ptr<EncodedPart> packets_;
-  EventRecord events_;
   EventRecord joined_;
 };
 
@@ -300,7 +298,9 @@ class Parts {
   }
 
   Limits volume_limits() const { return {info_.dims[0], info_.dims[1], options_.border}; }
-  std::uint64_t first_arena_bytes() const { return generous_bytes_for<NoNormals>(volume_limits()); }
+  std::uint64_t first_arena_bytes() const {
+    return options_.memory > 0 ? options_.memory : generous_bytes_for<NoNormals>(volume_limits());
+  }
   Arena arena_of(std::uint64_t bytes) const {
     return {false, bytes, default_capacities<std::uint32_t>(volume_limits(), bytes)};
   }

@@ -28,10 +28,11 @@ void write_meshes(const Meshes& meshes, Format format, std::ostream& out);
 /// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
 void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
-/// PLY, binary little endian, coordinates as 32-bit floats, or as doubles where suits_floats() says
-/// no; normals, where the mesh has them, as floats; the colour of the mesh, if it has one, at every
-/// vertex. Units: millimetres. Limit: faces of max_face_corners, otherwise std::invalid_argument:
-/// corners are counted by a byte, as every reader takes it.
+/// PLY, binary little endian: coordinates as 32-bit floats, or as doubles where floats do not suit
+/// (suits_floats()). Doubles make a file a third larger, and some readers know floats alone. Also
+/// normals, as floats, if the mesh has them, and at every vertex the colour, if it has one.
+/// Units: millimetres. Limit: faces of max_face_corners, which a byte counts as every reader takes
+/// it, and 2^31 - 1 vertices; otherwise std::invalid_argument.
 void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where

@@ -49,9 +49,10 @@ def samples(random, shape, dtype, limits=None):
     dtype = numpy.dtype(dtype)
     on = body(random, shape)
     if dtype.kind == "f":
-        low, middle, high = sorted(random.normal(0, 10.0 ** random.integers(-3, 4), 3))
-        noise = numpy.where(on, random.uniform(middle, high, shape), random.uniform(low, middle, shape))
-        noise = noise.astype(dtype)
+        low, high = sorted(random.normal(0, 10.0 ** random.integers(-3, 4), 2))
+        least_inside, most_outside = 0.4 * low + 0.6 * high, 0.6 * low + 0.4 * high
+        noise = numpy.where(on, random.uniform(least_inside, high, shape),
+                            random.uniform(low, most_outside, shape)).astype(dtype)
     else:
         # double counts whole numbers up to 2^53.
         least, most = limits or (max(numpy.iinfo(dtype).min, -2 ** 40),

@@ -1,11 +1,14 @@
 """NRRD, MetaImage, NIfTI and VTK by ITK: volumes that it writes, and headers that it reads."""
+import gzip
 import json
 import os
 import subprocess
+import zlib
 
 import numpy
 
-from cases import Case, dims, generator, origin, place_of, rotation, samples, spacing
+from cases import (Case, dims, generator, origin, place_of, random_place, rotation, samples,
+                   spacing)
 
 PROGRAM = os.environ.get("ITK_IMAGE", "itk_image")
 TYPES = {"u1": "unsigned_char", "i1": "char", "u2": "unsigned_short", "i2": "short",
@@ -90,7 +93,6 @@ def vector(numbers):
 
 @generator("NRRD, read by ITK")
 def nrrd_header(random, folder):
-    import gzip
     dtype = str(random.choice(list(NRRD_TYPES)))
     values, iso = samples(random, dims(random), dtype)
     bytes_, order = stored(random, values)
@@ -98,7 +100,7 @@ def nrrd_header(random, folder):
     fields = [f"type: {random.choice(NRRD_TYPES[dtype])}", "dimension: 3",
               "sizes: " + " ".join(map(str, values.shape)), f"encoding: {encoding}",
               f"endian: {'little' if order == '<' else 'big'}"]
-    place = place_of(rotation(random), spacing(random), origin(random))
+    place = random_place(random)
     # LAS is left-handed: every program has its own mind about it.
     space = str(random.choice(["left-posterior-superior", "LPS", "right-anterior-superior", "RAS"]))
     fields += [f"space: {space}", f"space origin: {vector(place[:3, 3])}",
@@ -132,7 +134,6 @@ def nrrd_header(random, folder):
 
 @generator("MetaImage, read by ITK")
 def metaimage_header(random, folder):
-    import zlib
     dtype = str(random.choice(list(META_TYPES)))
     values, iso = samples(random, dims(random), dtype)
     bytes_, order = stored(random, values)

@@ -1,8 +1,12 @@
-"""NIfTI and Analyze by nibabel: written, and read back for what they tell."""
+"""NIfTI and MGH by nibabel: written, and read back for what they tell; packed by Python."""
+import bz2
+import lzma
+import pathlib
+
 import nibabel
 import numpy
 
-from cases import FROM_RAS, Case, dims, generator, origin, place_of, rotation, samples, spacing
+from cases import FROM_RAS, Case, dims, generator, random_place, samples
 
 TYPES = ["u1", "i1", "u2", "i2", "u4", "i4", "u8", "i8", "f4", "f8"]
 MILLIMETRES = {"mm": 1, "micron": 1e-3, "meter": 1e3}
@@ -15,13 +19,21 @@ def oblique(random, place):
     return place
 
 
-def read(file, options=()):
+def read(file):
     """The case that a file is, as nibabel reads it."""
     image = nibabel.load(file)
     unit = MILLIMETRES[image.header.get_xyzt_units()[0]]
     place = numpy.diag([unit, unit, unit, 1]) @ image.affine
-    return Case(str(file), numpy.asarray(image.dataobj, dtype=numpy.float64), FROM_RAS @ place, "lps",
-                options)
+    return Case(str(file), numpy.asarray(image.dataobj, dtype=numpy.float64), FROM_RAS @ place, "lps")
+
+
+def packed(random, file):
+    """The name of the same file, packed."""
+    suffix, pack = [(".bz2", bz2.compress), (".xz", lzma.compress)][random.integers(2)]
+    result = pathlib.Path(str(file) + suffix)
+    result.write_bytes(pack(file.read_bytes()))
+    file.unlink()
+    return str(result)
 
 
 @generator("NIfTI, by nibabel")
@@ -32,7 +44,7 @@ def nifti(random, folder):
                    (nibabel.Nifti2Image, [".nii", ".nii.gz"]),
                    (nibabel.Nifti1Pair, [".hdr", ".img", ".img.gz"])][random.integers(3)]
     file = folder / ("volume" + str(random.choice(names)))
-    place = place_of(rotation(random), spacing(random), origin(random))
+    place = random_place(random)
     image = kind(stored, None, dtype=dtype)
     header = image.header
     header.set_data_dtype(dtype)
@@ -50,4 +62,15 @@ def nifti(random, folder):
     nibabel.save(image, file)
     case = read(file)
     case.iso = float(slope * iso + intercept)
+    if file.suffix == ".nii" and random.random() < 0.3:
+        case.file = packed(random, file)
     return case
+
+
+@generator("MGH, by nibabel")
+def mgh(random, folder):
+    stored, iso = samples(random, dims(random), str(random.choice(["u1", "i2", "i4", "f4"])))
+    file = folder / str(random.choice(["volume.mgh", "volume.mgz"]))
+    nibabel.save(nibabel.MGHImage(stored, random_place(random)), file)
+    image = nibabel.load(file)
+    return Case(str(file), numpy.asarray(image.dataobj), FROM_RAS @ image.affine, "lps", iso=iso)
